@@ -1,0 +1,70 @@
+#pragma once
+
+/// What a quantity is: the one place where its key, symbol, unit, range and meaning stand.
+/// The readers of files, the range check, `--set`, the columns of the database, the axes of a sweep and the labels
+/// of a chart all walk the same lists, through `visit_inputs` (scene.hpp) and `visit_outputs` (solution.hpp).
+
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rollres {
+
+/// Body that rolls: a cylinder (plane strain, everything per metre of its length) or a sphere.
+enum class Indenter { cylinder, sphere };
+
+/// Values a number may take; `above` and `below` are excluded, the others included.
+struct Range {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  bool lowest_excluded = false;
+  bool infinity_allowed = false;  ///< the text "infinite" stands for +infinity
+
+  /// True for a finite number inside (or +infinity where that is allowed); false for NaN.
+  bool contains(double value) const;
+  /// The rule in words, ready for a message: "must be > 0", "must be from 0 to 0.5".
+  std::string rule() const;
+};
+
+inline constexpr Range any_number{};
+inline constexpr Range positive{.lowest = 0.0, .lowest_excluded = true};
+inline constexpr Range not_negative{.lowest = 0.0};
+
+/// One named number, count, choice or text of a scene or of its solution.
+struct Quantity {
+  std::string_view key;      ///< the name used everywhere: "layer_thickness"
+  std::string_view symbol;   ///< "H"; empty if there is none
+  std::string_view unit;     ///< SI unit for a sphere: "m", "N"; "1" if dimensionless, "" for text
+  std::string_view meaning;  ///< one line
+  Range range = any_number;
+  std::string_view unit_2d = {};  ///< unit for a cylinder where it differs ("N/m")
+
+  /// SI unit for a sphere or for a cylinder.
+  std::string_view unit_for(Indenter indenter) const {
+    return indenter == Indenter::cylinder && !unit_2d.empty() ? unit_2d : unit;
+  }
+};
+
+/// Names of an enumeration's values in the order of its declaration; specialised beside each enumeration.
+template <class Choice>
+struct ChoiceNames;
+
+template <>
+struct ChoiceNames<Indenter> {
+  static constexpr std::array<std::string_view, 2> names{"cylinder", "sphere"};
+};
+
+template <class Choice>
+std::string_view name_of(Choice choice) {
+  return ChoiceNames<Choice>::names[static_cast<std::size_t>(choice)];
+}
+
+/// Position of `name` in `names`, or -1.
+int find_name(std::span<const std::string_view> names, std::string_view name);
+
+/// The known name closest to a misspelt one (Damerau-Levenshtein distance), or empty if none is near.
+std::string nearest_name(std::span<const std::string_view> names, std::string_view misspelt);
+
+}  // namespace rollres
