@@ -36,10 +36,10 @@ struct ContactProblem {
   RollingScene scene;
   SurfaceGrid grid;
   bool sphere, friction;
-  Vector profile;          // height of the body's lower surface above its lowest point [m]
-  Vector rolling_radius;   // R(y)/R [1]
+  Vector profile;                         // height of the body's lower surface above its lowest point [m]
+  Vector rolling_radius;                  // R(y)/R [1]
   Resultant load, torque, driving_force;  // P [N], T [N m], Q [N] (per metre for a cylinder)
-  Resultant drive;         // row that the drive sets to `drive_target`; unused with drive "rotation"
+  Resultant drive;                        // row that the drive sets to `drive_target`; unused with drive "rotation"
   double drive_target = 0;
 
   bool load_given() const { return scene.load.has_value(); }

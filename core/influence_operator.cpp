@@ -20,8 +20,7 @@ InfluenceOperator::InfluenceOperator(const InfluenceTable& table, const SurfaceG
   padded_rows_ = sphere ? good_fft_size(4 * half.rows - 3) : 1;
   plan_ = FftPlan(padded_columns_, padded_rows_);
   const auto field_size = static_cast<std::size_t>(padded_columns_) * static_cast<std::size_t>(padded_rows_);
-  const auto spectrum_size =
-      static_cast<std::size_t>(padded_columns_ / 2 + 1) * static_cast<std::size_t>(padded_rows_);
+  const auto spectrum_size = static_cast<std::size_t>(padded_columns_ / 2 + 1) * static_cast<std::size_t>(padded_rows_);
 
   const int reach_x = half.columns, reach_y = sphere ? 2 * (half.rows - 1) : 0;
   const double normalise = half.cell_area() / static_cast<double>(field_size);
@@ -50,8 +49,8 @@ InfluenceOperator::InfluenceOperator(const InfluenceTable& table, const SurfaceG
     }
   }
   self_normal_ = table(Direction::w, Direction::w, 0) * half.cell_area();
-  self_slip_ = (table(Direction::u, Direction::u, 0) - table(Direction::u, Direction::u, 1)) * half.cell_area() /
-               half.spacing_x;
+  self_slip_ =
+      (table(Direction::u, Direction::u, 0) - table(Direction::u, Direction::u, 1)) * half.cell_area() / half.spacing_x;
 
   const double back = 1.0 / (static_cast<double>(field_size) * static_cast<double>(field_size));
   inverse_ww_ = Spectrum(spectrum_size);

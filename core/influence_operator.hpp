@@ -51,7 +51,7 @@ class InfluenceOperator {
   bool sphere_, friction_;
   int padded_columns_, padded_rows_;
   FftPlan plan_;
-  Spectrum ww_, uu_, vv_, uv_, uw_, vw_;          // per unit traction, normalised for the inverse transform
+  Spectrum ww_, uu_, vv_, uv_, uw_, vw_;  // per unit traction, normalised for the inverse transform
   Spectrum inverse_ww_, inverse_xx_, inverse_xy_, inverse_yy_;
   double self_normal_ = 0, self_slip_ = 0;
 };

@@ -60,8 +60,7 @@ KrylovResult gmres(const Apply& apply, const Precondition& precondition, const E
         break;
       }
     }
-    const Eigen::VectorXd y =
-        hessenberg.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
+    const Eigen::VectorXd y = hessenberg.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
     if (!y.allFinite()) break;
     result.x += precondition(basis.leftCols(k) * y);
     const double before = norm;

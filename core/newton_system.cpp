@@ -1,6 +1,7 @@
 #include "core/newton_system.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <cmath>
 
 #include "core/krylov.hpp"
@@ -20,7 +21,9 @@ NewtonSystem::NewtonSystem(const ContactProblem& problem, const InfluenceOperato
     : problem_(problem),
       influence_(influence),
       laws_(laws),
-      components_(!problem.friction ? 1 : problem.sphere ? 3 : 2),
+      components_(!problem.friction ? 1
+                  : problem.sphere  ? 3
+                                    : 2),
       approach_unknown_(problem.load_given()),
       rotation_unknown_(problem.friction && !problem.rotation_given()),
       force_scale_(problem.load.of_pressure.maxCoeff() * std::sqrt(static_cast<double>(laws.contact.size()))) {
@@ -44,8 +47,7 @@ ContactUnknowns NewtonSystem::unpack(const Vector& x) const {
   const Eigen::Index n = contacts(), size = problem_.grid.size();
   const auto scatter = [&](Eigen::Index component) {
     Vector field = Vector::Zero(size);
-    for (Eigen::Index i = 0; i < n; ++i)
-      field(laws_.contact[static_cast<std::size_t>(i)]) = x(component * n + i);
+    for (Eigen::Index i = 0; i < n; ++i) field(laws_.contact[static_cast<std::size_t>(i)]) = x(component * n + i);
     return field;
   };
   unknowns.pressure = scatter(0);
@@ -223,9 +225,9 @@ LinearStep NewtonSystem::solve_krylov(const LawResiduals& residuals, double tole
     }
     border_schur_ = schur.completeOrthogonalDecomposition().pseudoInverse();
   }
-  const KrylovResult krylov = gmres([&](const Vector& x) { return apply(x); },
-                                    [&](const Vector& x) { return precondition(x); }, pack(residuals), tolerance,
-                                    most_iterations);
+  const KrylovResult krylov =
+      gmres([&](const Vector& x) { return apply(x); }, [&](const Vector& x) { return precondition(x); },
+            pack(residuals), tolerance, most_iterations);
   LinearStep result;
   result.iterations = krylov.iterations;
   result.solved = krylov.x.allFinite() && krylov.relative_residual < 0.9;

@@ -15,7 +15,7 @@ namespace rollres {
 struct ContactUnknowns {
   Vector pressure, shear_x, shear_y;  // [Pa]; shear_y empty for a cylinder, both empty without friction
   double approach = 0;                // d [m]
-  double rotation_ratio = 1;          // omega [1]
+  double rotation_ratio = 0;          // omega [1]
 
   ContactUnknowns& add(double factor, const ContactUnknowns& other);
 };
@@ -69,7 +69,7 @@ class NewtonSystem {
   Eigen::Index components_;  // unknown tractions per node in contact: 1, 2 or 3
   Eigen::Index border_;      // further unknowns: d and omega as far as they are unknown
   bool approach_unknown_, rotation_unknown_;
-  double force_scale_;       // border rows are divided by it [N/Pa]
+  double force_scale_;                       // border rows are divided by it [N/Pa]
   mutable Eigen::MatrixXd border_response_;  // preconditioned columns of the border
   mutable Eigen::MatrixXd border_schur_;     // and what they leave in the border's rows, inverted
 };
