@@ -5,27 +5,31 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <string>
+
+#include "core/bracketed_root.hpp"
+#include "core/reference_solutions.hpp"
+#include "core/require.hpp"
 
 namespace rollres {
 namespace {
 
 using std::numbers::pi;
 
-constexpr int knots = 7;
+constexpr int knots = static_cast<int>(elastic_layer_table.size());
 using Row = std::array<double, knots>;
-constexpr Row tabulated_alpha{0.1, 0.3, 0.5, 1, 2, 5, 20};
-constexpr Row sphere_load{5.33761, 5.43854, 5.75417, 7.52267, 13.8566, 53.0469, 1195.77};       // P R / (G a^3)
-constexpr Row sphere_flatness{1.08018, 1.25871, 1.43627, 1.78758, 2.19827, 2.78455, 3.52642};   // a^2 / (R d)
-constexpr Row cylinder_load{1.01022, 1.09106, 1.24748, 1.90330, 4.04782, 18.2833, 482.233};     // P R / (pi G a^2)
-constexpr Row cylinder_approach{1.2738, 0.78789, 0.60903, 0.43831, 0.33225, 0.24707, 0.18996};  // d R / a^2
+
+Row column(double ElasticLayerRow::*member) {
+  Row values{};
+  for (int i = 0; i < knots; ++i) values[i] = elastic_layer_table[i].*member;
+  return values;
+}
 
 /// Cubic spline of ln(value) over ln(alpha), with the slopes d ln(value) / d ln(alpha) at both ends given.
 class LogSpline {
  public:
   LogSpline(const Row& values, double first_slope, double last_slope) {
     for (int i = 0; i < knots; ++i) {
-      s_[i] = std::log(tabulated_alpha[i]);
+      s_[i] = std::log(elastic_layer_table[i].width_ratio);
       y_[i] = std::log(values[i]);
     }
     // Continuity of the second derivative at the inner knots: a tridiagonal system for the slopes.
@@ -61,7 +65,7 @@ class LogSpline {
   Row s_, y_, slope_;
 };
 
-constexpr double thick = tabulated_alpha.front(), thin = tabulated_alpha.back();
+constexpr double thick = elastic_layer_table.front().width_ratio, thin = elastic_layer_table.back().width_ratio;
 
 // Thin layer: value = limit (1 + b/alpha)^power, b such that it meets the last knot.
 double thin_offset(double last_value, double limit, double power) {
@@ -72,10 +76,11 @@ double thin_slope(double offset, double power) { return -power * offset / (thin 
 /// P R / (G a^3)
 double sphere_load_number(double alpha) {
   static const double limit = pi / 32;  // times alpha^3
-  static const double quotient = sphere_load.back() / (thin * thin * thin);
+  static const double quotient = elastic_layer_table.back().sphere_load / (thin * thin * thin);
   static const double offset = thin_offset(quotient, limit, 6);
-  static const double cubic = (sphere_load.front() - 16.0 / 3) / (thick * thick * thick);
-  static const LogSpline spline(sphere_load, 3 * cubic * thick * thick * thick / sphere_load.front(),
+  static const double cubic = (elastic_layer_table.front().sphere_load - 16.0 / 3) / (thick * thick * thick);
+  static const LogSpline spline(column(&ElasticLayerRow::sphere_load),
+                                3 * cubic * thick * thick * thick / elastic_layer_table.front().sphere_load,
                                 3 + thin_slope(offset, 6));
   if (alpha < thick) return 16.0 / 3 + cubic * alpha * alpha * alpha;
   if (alpha > thin) return limit * alpha * alpha * alpha * std::pow(1 + offset / alpha, 6);
@@ -84,9 +89,10 @@ double sphere_load_number(double alpha) {
 
 /// d R / a^2
 double sphere_approach_number(double alpha) {
-  static const double offset = thin_offset(1 / sphere_flatness.back(), 0.25, 2);
-  static const double linear = (sphere_flatness.front() - 1) / thick;
-  static const LogSpline spline(sphere_flatness, linear * thick / sphere_flatness.front(), -thin_slope(offset, 2));
+  static const double offset = thin_offset(1 / elastic_layer_table.back().sphere_flatness, 0.25, 2);
+  static const double linear = (elastic_layer_table.front().sphere_flatness - 1) / thick;
+  static const LogSpline spline(column(&ElasticLayerRow::sphere_flatness),
+                                linear * thick / elastic_layer_table.front().sphere_flatness, -thin_slope(offset, 2));
   if (alpha < thick) return 1 / (1 + linear * alpha);
   if (alpha > thin) return 0.25 * std::pow(1 + offset / alpha, 2);
   return 1 / spline(alpha);
@@ -95,10 +101,11 @@ double sphere_approach_number(double alpha) {
 /// P R / (pi G a^2)
 double cylinder_load_number(double alpha) {
   static const double limit = 2 / (15 * pi);  // times alpha^3
-  static const double quotient = cylinder_load.back() / (thin * thin * thin);
+  static const double quotient = elastic_layer_table.back().cylinder_load / (thin * thin * thin);
   static const double offset = thin_offset(quotient, limit, 5);
-  static const double square = (cylinder_load.front() - 1) / (thick * thick);
-  static const LogSpline spline(cylinder_load, 2 * square * thick * thick / cylinder_load.front(),
+  static const double square = (elastic_layer_table.front().cylinder_load - 1) / (thick * thick);
+  static const LogSpline spline(column(&ElasticLayerRow::cylinder_load),
+                                2 * square * thick * thick / elastic_layer_table.front().cylinder_load,
                                 3 + thin_slope(offset, 5));
   if (alpha < thick) return 1 + square * alpha * alpha;
   if (alpha > thin) return limit * alpha * alpha * alpha * std::pow(1 + offset / alpha, 5);
@@ -107,18 +114,14 @@ double cylinder_load_number(double alpha) {
 
 /// d R / a^2
 double cylinder_approach_number(double alpha) {
-  static const double offset = thin_offset(cylinder_approach.back(), 1.0 / 6, 2);
+  static const double offset = thin_offset(elastic_layer_table.back().cylinder_approach, 1.0 / 6, 2);
   // Thick layer: d R / a^2 = ln(1/alpha)/2 + constant, from the deflection under a line load on the layer.
-  static const double constant = cylinder_approach.front() + std::log(thick) / 2;
-  static const LogSpline spline(cylinder_approach, -0.5 / cylinder_approach.front(), thin_slope(offset, 2));
+  static const double constant = elastic_layer_table.front().cylinder_approach + std::log(thick) / 2;
+  static const LogSpline spline(column(&ElasticLayerRow::cylinder_approach),
+                                -0.5 / elastic_layer_table.front().cylinder_approach, thin_slope(offset, 2));
   if (alpha < thick) return constant - std::log(alpha) / 2;
   if (alpha > thin) return std::pow(1 + offset / alpha, 2) / 6;
   return spline(alpha);
-}
-
-void require_positive(const char* name, double value, bool infinity_allowed = false) {
-  if (!(value > 0) || (!infinity_allowed && std::isinf(value)))
-    throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be > 0");
 }
 
 /// alpha at which the increasing function alpha^power number(alpha) takes the given value.
@@ -130,11 +133,7 @@ double find_alpha(Number number, int power, double value) {
   double low = 0, high = 0;
   for (double step = 1; excess(low) > 0; step *= 2) low -= step;
   for (double step = 1; excess(high) < 0; step *= 2) high += step;
-  while (high - low > 1e-13 * (1 + std::abs(low))) {
-    const double middle = low + (high - low) / 2;
-    (excess(middle) < 0 ? low : high) = middle;
-  }
-  return std::exp(low + (high - low) / 2);
+  return std::exp(bracketed_root(excess, low, high));
 }
 
 double load_scale(Indenter indenter, double shear_modulus) {
@@ -146,7 +145,7 @@ double load_scale(Indenter indenter, double shear_modulus) {
 ContactEstimate elastic_contact_from_load(Indenter indenter, double radius, double layer_thickness,
                                           double shear_modulus, double load) {
   require_positive("radius", radius);
-  require_positive("layer_thickness", layer_thickness, true);
+  require_positive_or_infinite("layer_thickness", layer_thickness);
   require_positive("shear_modulus", shear_modulus);
   require_positive("load", load);
   const bool sphere = indenter == Indenter::sphere;
@@ -165,7 +164,7 @@ ContactEstimate elastic_contact_from_load(Indenter indenter, double radius, doub
 ContactEstimate elastic_contact_from_approach(Indenter indenter, double radius, double layer_thickness,
                                               double shear_modulus, double approach) {
   require_positive("radius", radius);
-  require_positive("layer_thickness", layer_thickness, true);
+  require_positive_or_infinite("layer_thickness", layer_thickness);
   require_positive("shear_modulus", shear_modulus);
   require_positive("approach", approach);
   const bool sphere = indenter == Indenter::sphere;
