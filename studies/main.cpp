@@ -1,0 +1,7 @@
+#include <iostream>
+
+#include "studies/commands.hpp"
+
+int main(int count, char** words) {
+  return rollres::run_program({words + 1, words + count}, {std::cout, std::cerr, rollres::solve});
+}
