@@ -12,8 +12,8 @@ namespace rollres {
 
 namespace {
 
-/// Follows the parser: notices a key that one object gives twice (nlohmann_json would silently keep the last value), and
-/// knows the last key for messages.
+/// Follows the parser: notices a key that one object gives twice (nlohmann_json would silently keep the last value),
+/// and knows the last key for messages.
 class KeyWatch {
  public:
   explicit KeyWatch(std::string place) : place_(std::move(place)) {}
