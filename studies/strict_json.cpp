@@ -20,8 +20,12 @@ class KeyWatch {
 
   bool operator()(int, Json::parse_event_t event, Json& parsed) {
     using Event = Json::parse_event_t;
-    if (twice_ && event != Event::key)
-      refuse(place_, last_key_, event == Event::object_start ? Json::object() : parsed, "key given twice");
+    if (twice_ && event != Event::key) {
+      const std::string value = event == Event::object_start  ? "{...}"
+                                : event == Event::array_start ? "[...]"
+                                                              : shown(parsed);
+      throw std::invalid_argument(place_ + ": " + last_key_ + " = " + value + ": key given twice");
+    }
     if (event == Event::object_start) seen_.emplace_back();
     if (event == Event::object_end) seen_.pop_back();
     if (event == Event::key) {
