@@ -39,7 +39,7 @@ struct StudyChart {
 
 struct Study {
   std::string name;
-  RollingScene base;  ///< inputs that are axes hold their first value
+  RollingScene base;  ///< inputs that are axes hold their first value; what only some drives of an axis use is kept
   std::vector<Axis> axes;
   StudyChart chart = {};
   std::string source = {};  ///< where the study was read from, for messages
