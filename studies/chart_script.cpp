@@ -1,0 +1,307 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "studies/chart.hpp"
+#include "studies/gnuplot.hpp"
+#include "studies/scaled_unit.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr int width = 560, plot_height = 370, key_row_height = 24;  // of the SVG [px]; the PNG has twice as many
+constexpr const char* space = "\u00a0";                             // not lost beside a change of font
+
+/// Look of the n-th curve. The colours are those of Okabe and Ito (2008) without their yellow; the periods 7, 6 and 5
+/// of colours, marks and dashes have no common factor, so 210 curves differ.
+struct Look {
+  std::string_view colour;
+  int filled, hollow;  // gnuplot's point types
+  std::string_view dash;
+};
+Look look(std::size_t curve) {
+  constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                    "#E69F00", "#56B4E9", "#000000"};
+  constexpr std::array<int, 6> filled{7, 5, 9, 13, 11, 15}, hollow{6, 4, 8, 12, 10, 14};
+  constexpr std::array<std::string_view, 5> dashes{"1", "(10,4)", "(3,3)", "(10,3,2,3)", "(6,2)"};
+  return {colours[curve % colours.size()], filled[curve % filled.size()], hollow[curve % hollow.size()],
+          dashes[curve % dashes.size()]};
+}
+
+/// What an axis spans.
+struct Span {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+  bool logarithmic = false;
+
+  double along(double value) const { return logarithmic ? std::log10(value) : value; }
+  double back(double place) const { return logarithmic ? std::pow(10.0, place) : place; }
+  double decades() const { return std::log10(highest / lowest); }
+  /// 0 at the lower end of the axis, 1 at the upper.
+  double fraction(double value) const { return (along(value) - along(lowest)) / (along(highest) - along(lowest)); }
+
+  void include(double value) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  /// Widens the axis by fractions of its length; an axis of no length becomes one around its value.
+  void widen(double below, double above) {
+    const double from = along(lowest), to = along(highest);
+    const double length = to > from ? to - from : (logarithmic ? 1.0 : std::max(0.2 * std::abs(to), 1e-12));
+    if (to <= from) below = above = 0.5;
+    lowest = back(from - below * length);
+    highest = back(to + above * length);
+  }
+};
+
+struct Layout {
+  Span x, y;
+};
+Layout lay_out(const ChartRequest& request) {
+  Layout layout;
+  for (const ChartCurve& curve : request.curves)
+    for (const ChartPoint& point : curve.points) {
+      if (std::isfinite(point.x)) layout.x.include(point.x);
+      if (point.drawn()) layout.y.include(point.y);
+    }
+  auto& [x, y] = layout;
+  x.logarithmic = request.x.logarithmic && x.lowest > 0;
+  y.logarithmic = request.y.logarithmic && y.lowest > 0;
+  x.widen(0, 0);
+  const bool from_zero = !y.logarithmic && y.lowest >= 0 && y.lowest <= 0.5 * y.highest && y.highest > 0;
+  y.widen(0.06, 0.14);  // above: room for the value of a peak
+  if (from_zero) y.lowest = 0;
+  return layout;
+}
+
+std::size_t letters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+/// Text set smaller, down to two thirds, where it is longer than `room` letters, and cut where that is not enough.
+std::string fitted(std::string text, const std::string& markup, std::size_t room) {
+  const std::size_t length = letters(text);
+  if (length <= room) return gnuplot::quoted(markup);
+  const std::size_t longest = room * 3 / 2;
+  const double scale = static_cast<double>(room) / static_cast<double>(std::min(length, longest));
+  const std::string size = "{/*" + short_number(scale, 2) + " ";
+  if (length <= longest) return gnuplot::quoted(size + markup + "}");
+  while (letters(text) >= longest) {
+    while ((text.back() & 0xc0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return gnuplot::quoted(size + gnuplot::plain(text) + "…}");
+}
+
+std::string axis_label(const ChartAxis& axis, std::size_t room) {
+  std::string text = axis.name, markup = gnuplot::plain(axis.name);
+  if (!axis.symbol.empty()) {
+    text += "  " + axis.symbol;
+    markup += space + gnuplot::symbol(axis.symbol);
+  }
+  if (!axis.unit.empty()) {
+    text += "  [" + axis.unit + "]";
+    markup += std::string(space) + space + "[" + gnuplot::plain(axis.unit) + "]";
+  }
+  return fitted(text, markup, room);
+}
+
+/// A step of 1, 2 or 5 times a power of ten that divides a length into four to eight parts.
+double even_step(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / 4)));
+  for (const int step : {5, 2})
+    if (length / (step * power) >= 4) return step * power;
+  return power;
+}
+
+void write_axis(std::ostream& script, char name, const Span& span) {
+  script << "set " << name << "range [" << short_number(span.lowest, 15) << ":" << short_number(span.highest, 15)
+         << "]\n";
+  if (!span.logarithmic) return;
+  const bool plain_numbers = span.lowest >= 0.9e-4 && span.highest <= 1.1e5;
+  script << "set logscale " << name << "\nset format " << name << (plain_numbers ? " '%g'\n" : " '10^{%L}'\n");
+  if (span.decades() >= 1.7) return;
+  // Powers of ten alone would leave so short an axis with hardly a number.
+  std::vector<double> ticks;
+  if (span.decades() < 0.5) {
+    const double step = even_step(span.highest - span.lowest);
+    for (double tick = std::ceil(span.lowest / step); tick * step <= span.highest; ++tick) ticks.push_back(tick * step);
+  } else {
+    for (double decade = std::floor(std::log10(span.lowest)); decade <= std::log10(span.highest); ++decade)
+      for (const int step : {1, 2, 5}) ticks.push_back(step * std::pow(10.0, decade));
+  }
+  script << "set format " << name << " '%g'\nset " << name << "tics (";
+  for (std::size_t i = 0; i < ticks.size(); ++i) script << (i == 0 ? "" : ", ") << short_number(ticks[i]);
+  script << ")\n";
+}
+
+/// A rectangle of the plot, in fractions of its sides.
+struct Box {
+  double x, y, half_width, half_height;
+
+  bool holds(double at_x, double at_y) const {
+    return std::abs(at_x - x) < half_width && std::abs(at_y - y) < half_height;
+  }
+  bool meets(const Box& other) const {
+    return std::abs(other.x - x) < half_width + other.half_width &&
+           std::abs(other.y - y) < half_height + other.half_height;
+  }
+  /// Whether the line or a point of a curve runs through.
+  bool meets(const ChartCurve& curve, const Layout& layout) const {
+    constexpr int parts = 8;
+    const auto& points = curve.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!points[i].drawn()) continue;
+      const double x0 = layout.x.fraction(points[i].x), y0 = layout.y.fraction(points[i].y);
+      if (holds(x0, y0)) return true;
+      if (i + 1 == points.size() || !points[i].joined() || !points[i + 1].joined()) continue;
+      const double x1 = layout.x.fraction(points[i + 1].x), y1 = layout.y.fraction(points[i + 1].y);
+      for (int part = 1; part < parts; ++part)
+        if (const double t = static_cast<double>(part) / parts; holds(x0 + t * (x1 - x0), y0 + t * (y1 - y0)))
+          return true;
+    }
+    return false;
+  }
+};
+
+/// Rings the peaks, and writes their values above or below them where they cover no curve and no other value.
+void write_peaks(std::ostream& script, const ChartRequest& request, const Layout& layout) {
+  std::vector<Box> taken;
+  for (const ChartCurve& curve : request.curves)
+    if (const auto place = peak(curve))
+      taken.push_back(
+          {layout.x.fraction(curve.points[*place].x), layout.y.fraction(curve.points[*place].y), 0.014, 0.02});
+  for (std::size_t i = 0; i < request.curves.size(); ++i) {
+    const auto place = peak(request.curves[i]);
+    if (!place) continue;
+    const ChartPoint& top = request.curves[i].points[*place];
+    const std::string at = " at first " + short_number(top.x, 15) + ", first " + short_number(top.y, 15);
+    const std::string colour = " rgb '" + std::string(look(i).colour) + "'";
+    script << "set label ''" << at << " point pt 6 ps 1.5 lw 1.5 lc" << colour << " front\n";
+
+    const std::string value = short_number(top.y, 3);
+    const double x = layout.x.fraction(top.x), y = layout.y.fraction(top.y);
+    for (const int side : {1, -1}) {
+      const Box box{x, y + 0.075 * side, 0.012 * static_cast<double>(value.size()) + 0.005, 0.04};
+      const bool inside = box.y - box.half_height > 0 && box.y + box.half_height < 1 &&
+                          box.x - box.half_width > -0.02 && box.x + box.half_width < 1.02;
+      if (!inside || std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); }) ||
+          std::any_of(request.curves.begin(), request.curves.end(),
+                      [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
+        continue;
+      script << "set label " << gnuplot::quoted(value) << at << " center offset 0," << 0.9 * side << " tc" << colour
+             << " front\n";
+      taken.push_back(box);
+      break;
+    }
+  }
+}
+
+/// Crosses on the lower edge for points that have no value, each curve on its own level.
+bool write_crosses(std::ostream& script, const ChartRequest& request) {
+  bool any = false;
+  for (std::size_t i = 0; i < request.curves.size(); ++i)
+    for (const ChartPoint& point : request.curves[i].points) {
+      if (point.converged || std::isfinite(point.y) || !std::isfinite(point.x)) continue;
+      script << "set label '' at first " << short_number(point.x, 15) << ", graph "
+             << short_number(0.025 + 0.03 * static_cast<double>(i % 6)) << " point pt 2 ps 0.7 lw 1.5 lc rgb '"
+             << look(i).colour << "' front\n";
+      any = true;
+    }
+  return any;
+}
+
+/// One line of the legend.
+struct Entry {
+  std::string sample;  // how it looks
+  std::string markup;
+  std::size_t letters;
+};
+std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
+  std::vector<Entry> entries;
+  bool hollow = false;
+  for (std::size_t i = 0; i < request.curves.size(); ++i) {
+    const auto& [label, points] = request.curves[i];
+    hollow |= std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; });
+    if (label.empty()) continue;
+    const std::string& symbol = request.family.symbol;
+    const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + space + "=" + space;
+    entries.push_back({"linespoints linetype " + std::to_string(i + 1), equals + gnuplot::plain(label),
+                       letters(label) + (symbol.empty() ? 0 : letters(symbol) + 3)});
+  }
+  const std::string grey = " lw 1.5 lc rgb '#444444'";
+  if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
+  if (crosses) entries.push_back({"points pt 2 ps 0.7" + grey, "no answer", 9});
+  return entries;
+}
+
+/// As many columns as the width of the picture holds.
+int legend_columns(const std::vector<Entry>& entries) {
+  std::size_t longest = 1;
+  for (const Entry& entry : entries) longest = std::max(longest, entry.letters);
+  return std::clamp(static_cast<int>(54 / (longest + 5)), 1, 4);
+}
+
+void write_plot(std::ostream& script, const ChartRequest& request, const std::vector<Entry>& entries) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < request.curves.size(); ++i) {
+    const auto& points = request.curves[i].points;
+    const std::string data = "data index " + std::to_string(i) + " using 1:($3 == ";
+    const std::string type = "linetype " + std::to_string(i + 1) + " notitle";
+    if (std::any_of(points.begin(), points.end(), [](const auto& point) { return point.joined(); })) {
+      parts.push_back(data + "1 ? $2 : NaN) with lines " + type);
+      parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
+    }
+    if (std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; }))
+      parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(i).hollow) +
+                      " ps 0.7 lw 1.5 lc rgb '" + std::string(look(i).colour) + "' notitle");
+  }
+  for (const Entry& entry : entries)
+    parts.push_back("keyentry with " + entry.sample + " title " + gnuplot::quoted(entry.markup));
+  script << "plot ";
+  for (std::size_t i = 0; i < parts.size(); ++i) script << (i == 0 ? "" : ", \\\n     ") << parts[i];
+  script << "\n";
+}
+
+}  // namespace
+
+std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
+  const auto here = [](const std::filesystem::path& file) {
+    return gnuplot::quoted("./" + file.filename().string());  // never read as a pipe or a home folder
+  };
+  const Layout layout = lay_out(request);
+  std::ostringstream script;
+  script << "# Draws the pictures anew when run in this folder with gnuplot.\n"
+         << "reset\nset encoding utf8\n"
+         << "data = " << here(files.data) << "\n\n"
+         << "set xlabel " << axis_label(request.x, 44) << "\nset ylabel " << axis_label(request.y, 34) << "\n";
+  write_axis(script, 'x', layout.x);
+  write_axis(script, 'y', layout.y);
+  script << "set border 3 lw 1.2 lc rgb '#444444'\nset tics nomirror\n"
+         << "set grid xtics ytics lw 0.8 lc rgb '#CCCCCC' dt 1\n";
+  for (std::size_t i = 0; i < request.curves.size(); ++i)
+    script << "set linetype " << i + 1 << " lc rgb '" << look(i).colour << "' lw 2 dt " << look(i).dash << " pt "
+           << look(i).filled << " ps 0.7\n";
+  script << "\n";
+  if (request.mark_peaks) write_peaks(script, request, layout);
+  const std::vector<Entry> entries = legend(request, write_crosses(script, request));
+  const int columns = legend_columns(entries);
+  const int rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
+  const int height = plot_height + key_row_height * rows;
+  script << "set key above horizontal maxcols " << columns << " Left reverse samplen 2.5 title "
+         << fitted(request.title, gnuplot::plain(request.title), 46) << "\n";
+
+  script << "\nset terminal svg size " << width << "," << height
+         << " dynamic enhanced background rgb 'white' font 'sans-serif,17'\n"
+         << "set output " << here(files.svg) << "\n";
+  write_plot(script, request, entries);
+  script << "\nset terminal pngcairo size " << 2 * width << "," << 2 * height
+         << " enhanced background rgb 'white' font 'sans-serif,12.75' fontscale 2 linewidth 2 pointscale 2.6\n"
+         << "set output " << here(files.png) << "\nreplot\nunset output\n";
+  return script.str();
+}
+
+}  // namespace rollres
