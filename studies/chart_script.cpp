@@ -12,8 +12,8 @@ namespace rollres {
 
 namespace {
 
-constexpr int width = 560, plot_height = 370, key_row_height = 24;  // of the SVG [px]; the PNG has twice as many
-constexpr const char* space = "\u00a0";                             // not lost beside a change of font
+// Sizes in pixels of the SVG; the PNG has twice as many.
+constexpr int width = 560, plot_height = 350, title_height = 36, legend_row_height = 23;
 
 /// Look of the n-th curve. The colours are those of Okabe and Ito (2008) without their yellow; the periods 7, 6 and 5
 /// of colours, marks and dashes have no common factor, so 210 curves differ.
@@ -100,11 +100,11 @@ std::string axis_label(const ChartAxis& axis, std::size_t room) {
   std::string text = axis.name, markup = gnuplot::plain(axis.name);
   if (!axis.symbol.empty()) {
     text += "  " + axis.symbol;
-    markup += space + gnuplot::symbol(axis.symbol);
+    markup += " " + gnuplot::symbol(axis.symbol);
   }
   if (!axis.unit.empty()) {
     text += "  [" + axis.unit + "]";
-    markup += std::string(space) + space + "[" + gnuplot::plain(axis.unit) + "]";
+    markup += "  [" + gnuplot::plain(axis.unit) + "]";
   }
   return fitted(text, markup, room);
 }
@@ -167,8 +167,8 @@ struct Box {
   }
 };
 
-/// Rings the peaks, and writes their values above or below them where they cover no curve and no other value.
-void write_peaks(std::ostream& script, const ChartRequest& request, const Layout& layout) {
+/// Writes the values of the peaks above or below them, where they cover no curve and no other value.
+void write_peak_values(std::ostream& script, const ChartRequest& request, const Layout& layout) {
   std::vector<Box> taken;
   for (const ChartCurve& curve : request.curves)
     if (const auto place = peak(curve))
@@ -178,10 +178,6 @@ void write_peaks(std::ostream& script, const ChartRequest& request, const Layout
     const auto place = peak(request.curves[i]);
     if (!place) continue;
     const ChartPoint& top = request.curves[i].points[*place];
-    const std::string at = " at first " + short_number(top.x, 15) + ", first " + short_number(top.y, 15);
-    const std::string colour = " rgb '" + std::string(look(i).colour) + "'";
-    script << "set label ''" << at << " point pt 6 ps 1.5 lw 1.5 lc" << colour << " front\n";
-
     const std::string value = short_number(top.y, 3);
     const double x = layout.x.fraction(top.x), y = layout.y.fraction(top.y);
     for (const int side : {1, -1}) {
@@ -192,8 +188,9 @@ void write_peaks(std::ostream& script, const ChartRequest& request, const Layout
           std::any_of(request.curves.begin(), request.curves.end(),
                       [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
         continue;
-      script << "set label " << gnuplot::quoted(value) << at << " center offset 0," << 0.9 * side << " tc" << colour
-             << " front\n";
+      script << "set label " << gnuplot::quoted(value) << " at first " << short_number(top.x, 15) << ", first "
+             << short_number(top.y, 15) << " center offset 0," << 0.9 * side << " tc rgb '" << look(i).colour
+             << "' front\n";
       taken.push_back(box);
       break;
     }
@@ -214,6 +211,9 @@ bool write_crosses(std::ostream& script, const ChartRequest& request) {
   return any;
 }
 
+/// gnuplot keeps the blanks of an SVG's text only where two stand together.
+constexpr const char* kept_blanks = "  ";
+
 /// One line of the legend.
 struct Entry {
   std::string sample;  // how it looks
@@ -228,8 +228,8 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
     hollow |= std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; });
     if (label.empty()) continue;
     const std::string& symbol = request.family.symbol;
-    const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + space + "=" + space;
-    entries.push_back({"linespoints linetype " + std::to_string(i + 1), equals + gnuplot::plain(label),
+    const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
+    entries.push_back({"linespoints linetype " + std::to_string(i + 1), equals + gnuplot::plain(label) + kept_blanks,
                        letters(label) + (symbol.empty() ? 0 : letters(symbol) + 3)});
   }
   const std::string grey = " lw 1.5 lc rgb '#444444'";
@@ -242,7 +242,7 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
 int legend_columns(const std::vector<Entry>& entries) {
   std::size_t longest = 1;
   for (const Entry& entry : entries) longest = std::max(longest, entry.letters);
-  return std::clamp(static_cast<int>(54 / (longest + 5)), 1, 4);
+  return std::clamp(static_cast<int>(56 / (longest + 6)), 1, 4);
 }
 
 void write_plot(std::ostream& script, const ChartRequest& request, const std::vector<Entry>& entries) {
@@ -259,6 +259,14 @@ void write_plot(std::ostream& script, const ChartRequest& request, const std::ve
       parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(i).hollow) +
                       " ps 0.7 lw 1.5 lc rgb '" + std::string(look(i).colour) + "' notitle");
   }
+  if (request.mark_peaks)
+    for (std::size_t i = 0; i < request.curves.size(); ++i)
+      if (const auto top = peak(request.curves[i])) {
+        const std::string row = std::to_string(*top);
+        parts.push_back("data index " + std::to_string(i) + " every ::" + row + "::" + row +
+                        " using 1:2 with points pt 6 ps 1.3 lw 1.5 lc rgb '" + std::string(look(i).colour) +
+                        "' notitle");
+      }
   for (const Entry& entry : entries)
     parts.push_back("keyentry with " + entry.sample + " title " + gnuplot::quoted(entry.markup));
   script << "plot ";
@@ -286,20 +294,24 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
     script << "set linetype " << i + 1 << " lc rgb '" << look(i).colour << "' lw 2 dt " << look(i).dash << " pt "
            << look(i).filled << " ps 0.7\n";
   script << "\n";
-  if (request.mark_peaks) write_peaks(script, request, layout);
+  if (request.mark_peaks) write_peak_values(script, request, layout);
   const std::vector<Entry> entries = legend(request, write_crosses(script, request));
   const int columns = legend_columns(entries);
   const int rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
-  const int height = plot_height + key_row_height * rows;
-  script << "set key above horizontal maxcols " << columns << " Left reverse samplen 2.5 title "
-         << fitted(request.title, gnuplot::plain(request.title), 46) << "\n";
+  const int head = title_height + legend_row_height * rows, height = plot_height + head;
+  const auto from_top = [&](int pixels) { return short_number(1.0 - static_cast<double>(pixels) / height, 4); };
+  script << "set label " << fitted(request.title, gnuplot::plain(request.title) + kept_blanks, 46)
+         << " at screen 0.5, screen " << from_top(title_height / 2) << " center\n"
+         << "set tmargin at screen " << from_top(head + 12) << "\nset rmargin at screen 0.955\n"
+         << "set key at screen 0.5, screen " << from_top(title_height - 4) << " center top horizontal maxcols "
+         << columns << " maxrows " << rows << " Left reverse samplen 2.2 font ',16'\n";
 
   script << "\nset terminal svg size " << width << "," << height
          << " dynamic enhanced background rgb 'white' font 'sans-serif,17'\n"
          << "set output " << here(files.svg) << "\n";
   write_plot(script, request, entries);
   script << "\nset terminal pngcairo size " << 2 * width << "," << 2 * height
-         << " enhanced background rgb 'white' font 'sans-serif,12.75' fontscale 2 linewidth 2 pointscale 2.6\n"
+         << " enhanced background rgb 'white' font 'sans-serif,12.75' fontscale 2 linewidth 2 pointscale 3.2\n"
          << "set output " << here(files.png) << "\nreplot\nunset output\n";
   return script.str();
 }
