@@ -43,13 +43,17 @@ bool Range::contains(double value) const {
 std::string Range::rule() const {
   const bool below = std::isfinite(lowest), above = std::isfinite(highest);
   std::string text;
-  if (below && lowest == highest) text = "must be " + short_number(lowest);
+  if (below && lowest == highest)
+    text = "must be " + short_number(lowest);
   else if (below && above)
     text = "must be " + std::string(lowest_excluded ? "above " : "from ") + short_number(lowest) +
            (lowest_excluded ? " and up to " : " to ") + short_number(highest);
-  else if (below) text = std::string("must be ") + (lowest_excluded ? "> " : ">= ") + short_number(lowest);
-  else if (above) text = "must be <= " + short_number(highest);
-  else text = "must be a finite number";
+  else if (below)
+    text = std::string("must be ") + (lowest_excluded ? "> " : ">= ") + short_number(lowest);
+  else if (above)
+    text = "must be <= " + short_number(highest);
+  else
+    text = "must be a finite number";
   if (infinity_allowed) text += " or \"infinite\"";
   return text;
 }

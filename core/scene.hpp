@@ -56,30 +56,30 @@ struct ChoiceNames<Resticking> {
 
 struct RollingScene {
   Indenter indenter = Indenter::cylinder;
-  double radius = 0;                              // R [m]
-  double layer_thickness = 0;                     // H [m]; infinity for a half-space
-  double layer_density = 1000;                    // rho [kg/m3]
-  double poisson_ratio = 0.5;                     // nu [1]
+  double radius = 0;            // R [m]
+  double layer_thickness = 0;   // H [m]; infinity for a half-space
+  double layer_density = 1000;  // rho [kg/m3]
+  double poisson_ratio = 0.5;   // nu [1]
   MaterialModel material = MaterialModel::zener;
-  double static_shear_modulus = 0;                // G0 = G'(0) [Pa]
-  double stiffening = 0;                          // f = G'(infinity)/G'(0) - 1 [1]
-  double creep_time = 0;                          // tau [s]
-  double speed = 0;                               // V [m/s]
-  std::optional<double> load;                     // P [N/m] or [N]; this or
-  std::optional<double> approach;                 // d [m]
-  double friction_coefficient = 0;                // mu [1]
+  double static_shear_modulus = 0;  // G0 = G'(0) [Pa]
+  double stiffening = 0;            // f = G'(infinity)/G'(0) - 1 [1]
+  double creep_time = 0;            // tau [s]
+  double speed = 0;                 // V [m/s]
+  std::optional<double> load;       // P [N/m] or [N]; this or
+  std::optional<double> approach;   // d [m]
+  double friction_coefficient = 0;  // mu [1]
   Drive drive = Drive::top_force;
-  std::optional<double> driving_torque;           // T [N] (per metre) or [N m], with drive "torque"
-  std::optional<double> rotation_ratio;           // R Omega / V [1], with drive "rotation"
-  double adhesion_threshold = 0;                  // [Pa]
-  std::optional<double> spacing;                  // a [m]; this or
-  std::optional<double> tolerance;                // [1]; neither: the program's own grid
+  std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"
+  std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
+  double adhesion_threshold = 0;         // [Pa]
+  std::optional<double> spacing;         // a [m]; this or
+  std::optional<double> tolerance;       // [1]; neither: the program's own grid
   Method method = Method::newton;
-  std::optional<double> period;                   // L [m]; absent: a single passage
-  int series_terms = 2000;                        // [1], with period: wavenumbers kept in each direction
+  std::optional<double> period;                     // L [m]; absent: a single passage
+  int series_terms = 2000;                          // [1], with period: wavenumbers kept in each direction
   SlipStencil slip_stencil = SlipStencil::forward;  // active_set
-  double slip_threshold = 1e-9;                   // w_th / V [1], active_set
-  Resticking resticking = Resticking::on;         // active_set in 2D
+  double slip_threshold = 1e-9;                     // w_th / V [1], active_set
+  Resticking resticking = Resticking::on;           // active_set in 2D
 };
 
 /// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double> or an
@@ -89,7 +89,10 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   using Q = Quantity;
   visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
   visitor(Q{"radius", "R", "m", "radius of the body", positive}, scene.radius);
-  visitor(Q{"layer_thickness", "H", "m", "thickness of the layer; \"infinite\" for a half-space",
+  visitor(Q{"layer_thickness",
+            "H",
+            "m",
+            "thickness of the layer; \"infinite\" for a half-space",
             {.lowest = 0.0, .lowest_excluded = true, .infinity_allowed = true}},
           scene.layer_thickness);
   visitor(Q{"layer_density", "ρ", "kg/m3", "density of the layer, for the warning about inertia", not_negative},
@@ -97,8 +100,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   visitor(Q{"poisson_ratio", "ν", "1", "Poisson's ratio of the layer", {.lowest = 0.5, .highest = 0.5}},
           scene.poisson_ratio);
   visitor(Q{"material", "", "", "model of the layer's material"}, scene.material);
-  visitor(Q{"static_shear_modulus", "G0", "Pa", "shear modulus at rest, G'(0)", positive},
-          scene.static_shear_modulus);
+  visitor(Q{"static_shear_modulus", "G0", "Pa", "shear modulus at rest, G'(0)", positive}, scene.static_shear_modulus);
   visitor(Q{"stiffening", "f", "1", "G'(∞)/G'(0) - 1", not_negative}, scene.stiffening);
   visitor(Q{"creep_time", "τ", "s", "creep (retardation) time", not_negative}, scene.creep_time);
   visitor(Q{"speed", "V", "m/s", "speed of the body along +x", positive}, scene.speed);
@@ -116,19 +118,22 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   visitor(Q{"adhesion_threshold", "", "Pa", "largest tension that a node bears before it lets go", not_negative},
           scene.adhesion_threshold);
   visitor(Q{"spacing", "a", "m", "distance between nodes", positive}, scene.spacing);
-  visitor(Q{"tolerance", "", "1", "wanted relative error of the rolling resistance, in place of a spacing",
+  visitor(Q{"tolerance",
+            "",
+            "1",
+            "wanted relative error of the rolling resistance, in place of a spacing",
             {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}},
           scene.tolerance);
   visitor(Q{"method", "", "", "solver"}, scene.method);
   visitor(Q{"period", "L", "m", "distance of a periodic train of bodies; absent: a single passage", positive},
           scene.period);
-  visitor(Q{"series_terms", "", "1", "wavenumbers kept in each direction, with a period",
-            {.lowest = 8, .highest = 1e6}},
-          scene.series_terms);
+  visitor(
+      Q{"series_terms", "", "1", "wavenumbers kept in each direction, with a period", {.lowest = 8, .highest = 1e6}},
+      scene.series_terms);
   visitor(Q{"slip_stencil", "", "", "active_set: difference that gives the slip"}, scene.slip_stencil);
-  visitor(Q{"slip_threshold", "w_th/V", "1", "active_set: slip speed over speed below which a node sticks",
-            not_negative},
-          scene.slip_threshold);
+  visitor(
+      Q{"slip_threshold", "w_th/V", "1", "active_set: slip speed over speed below which a node sticks", not_negative},
+      scene.slip_threshold);
   visitor(Q{"resticking", "", "", "active_set in 2D: whether a slipping node may stick again"}, scene.resticking);
 }
 

@@ -45,10 +45,10 @@ struct ChoiceNames<Zone> {
 /// Fields on the surface of the layer. Tractions act on the layer; v, shear_y and slip_y are empty for a cylinder.
 struct SurfaceFields {
   SurfaceGrid grid;
-  std::vector<double> u, v, w;              // displacements along x, y, z [m]
-  std::vector<double> pressure;             // -sigma_z [Pa], > 0 in compression
-  std::vector<double> shear_x, shear_y;     // tau_xz, tau_yz [Pa]
-  std::vector<double> slip_x, slip_y;       // velocity of the body relative to the layer over V [1]; 0 outside
+  std::vector<double> u, v, w;           // displacements along x, y, z [m]
+  std::vector<double> pressure;          // -sigma_z [Pa], > 0 in compression
+  std::vector<double> shear_x, shear_y;  // tau_xz, tau_yz [Pa]
+  std::vector<double> slip_x, slip_y;    // velocity of the body relative to the layer over V [1]; 0 outside
   std::vector<Zone> zone;
 };
 
@@ -97,8 +97,7 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"rolling_resistance_coefficient", "R_r/P", "1", "rolling resistance over load"},
           s.rolling_resistance_coefficient);
   visitor(Q{"driving_force", "Q", "N", "horizontal force that drives the body", any_number, "N/m"}, s.driving_force);
-  visitor(Q{"driving_torque", "T", "N.m", "torque that drives the body, clockwise", any_number, "N"},
-          s.driving_torque);
+  visitor(Q{"driving_torque", "T", "N.m", "torque that drives the body, clockwise", any_number, "N"}, s.driving_torque);
   visitor(Q{"rotation_speed", "Ω", "rad/s", "rotational speed of the body"}, s.rotation_speed);
   visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed"}, s.rotation_ratio);
   visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface"}, s.approach);
@@ -117,8 +116,7 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"viscous_loss", "", "W", "power lost in the layer", any_number, "W/m"}, s.viscous_loss);
   visitor(Q{"frictional_loss", "", "W", "power lost to friction", any_number, "W/m"}, s.frictional_loss);
   visitor(Q{"energy_residual", "", "1", "what the power balance misses, over R_r V"}, s.energy_residual);
-  visitor(Q{"law_violation", "", "1", "largest relative violation of a law of contact at any node"},
-          s.law_violation);
+  visitor(Q{"law_violation", "", "1", "largest relative violation of a law of contact at any node"}, s.law_violation);
   visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
   visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
   visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);

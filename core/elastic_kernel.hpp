@@ -1,0 +1,51 @@
+#pragma once
+
+/// Displacements of the surface of an elastic incompressible layer of unit shear modulus under a force spread
+/// uniformly over one cell: the half-space's part in closed form plus the layer's correction from tables.
+///
+/// Sphere (cells ax by ay): Boussinesq's and Cerruti's solutions integrated over the cell (Love 1929; Kalker 1990),
+/// and four radial functions of r/H, Hankel transforms of the symbols' difference to the half-space.
+/// Cylinder (cells of length ax): ln|x| and ln(x^2 + 4 H^2) integrated over the cell, and antiderivatives of the
+/// cosine and sine transforms of what is left of the symbols.
+
+#include <Eigen/Core>
+
+#include "core/quantity.hpp"
+
+namespace rollres {
+
+/// Displacement per unit force for unit shear modulus, in this order: ww, uu, vv, uv, uw, vw [1/m; cylinder: 1].
+/// A cylinder uses ww, uu and uw only.
+using Coefficients = Eigen::Array<double, 6, 1>;
+namespace coefficient {
+enum : Eigen::Index { ww, uu, vv, uv, uw, vw };
+/// Sign of each coefficient under x -> -x and under y -> -y.
+inline const Coefficients mirror_x{{1, 1, 1, -1, -1, 1}};
+inline const Coefficients mirror_y{{1, 1, 1, -1, 1, -1}};
+}  // namespace coefficient
+
+class ElasticKernel {
+ public:
+  /// @param thickness H [m], infinity for a half-space   @param cell_x, cell_y size of the loaded cell [m]
+  /// (cell_y is not used for a cylinder)
+  ElasticKernel(Indenter indenter, double thickness, double cell_x, double cell_y);
+
+  /// At a distance (x, y) from the centre of the cell [m].
+  Coefficients operator()(double x, double y) const;
+
+  /// Distance beyond which the layer does not move: 30 H (e^{-0.74 r/H}); infinite for a half-space.
+  double reach() const;
+
+  Indenter indenter() const { return indenter_; }
+  double thickness() const { return thickness_; }
+
+ private:
+  Coefficients sphere(double x, double y) const;
+  Coefficients cylinder(double x) const;
+
+  Indenter indenter_;
+  double thickness_, cell_x_, cell_y_;
+  std::vector<double> nodes_x_, weights_x_, nodes_y_, weights_y_;  // average of the correction over the cell
+};
+
+}  // namespace rollres

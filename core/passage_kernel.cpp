@@ -1,0 +1,140 @@
+#include "core/passage_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <mutex>
+
+namespace rollres {
+
+PassageKernel::PassageKernel(Indenter indenter, double thickness, double cell_x, double cell_y, int columns, int rows)
+    : columns_(columns), rows_(rows), cell_x_(cell_x) {
+  const ElasticKernel kernel(indenter, thickness, cell_x, cell_y);
+
+  // Displacements bend at the edge of the loaded cell, in the middle of a cell of nodes: two halves near it, and
+  // panels no longer than the layer is thick.
+  const double half = 0.5 * cell_x;
+  const int parts = std::max(1, static_cast<int>(std::ceil(half / thickness)));
+  const auto split = [&](MemoryRule& rule, double start, double length, int count, int order) {
+    for (int part = 0; part < count; ++part) rule.add_panel(start + part * length / count, length / count, order);
+  };
+  using enum MemoryRule::Singular;
+  split(cell_rules_[near], 0, half * (parts - 1) / parts, parts - 1, 16);
+  cell_rules_[near].add_panel(half * (parts - 1) / parts, half / parts, 16, right);
+  cell_rules_[near].add_panel(half, half / parts, 16, left);
+  split(cell_rules_[near], half + half / parts, half * (parts - 1) / parts, parts - 1, 16);
+  split(cell_rules_[middle], 0, cell_x, 2 * parts - 1, parts > 1 ? 10 : 8);
+  split(cell_rules_[far], 0, cell_x, 2 * parts - 1, parts > 1 ? 10 : 5);
+  split(cell_rules_[distant], 0, cell_x, 2 * parts - 1, parts > 1 ? 10 : 3);
+
+  const double start = columns * cell_x;
+  const double end = std::isinf(thickness) ? start * std::ldexp(1.0, 40) : kernel.reach();
+  for (double s = 0, length = 0.5 * start; start + s < end; s += length, length *= 1.5) {
+    const double kept = std::min(length, end - start - s);
+    const int pieces = std::isinf(thickness) ? 1 : std::max(1, static_cast<int>(std::ceil(0.5 * kept / thickness)));
+    split(tail_rule_, s, kept, pieces, 10);
+  }
+
+  nodes_.reserve(static_cast<std::size_t>((columns + 1) * (rows + 1)));
+  for (int row = 0; row <= rows; ++row) {
+    const double y = row * cell_y;
+    for (int column = 0; column <= columns; ++column) nodes_.push_back(kernel(column * cell_x, y));
+    for (int column = 0; column < columns; ++column) {
+      first_sample_.push_back(samples_.size());
+      for (const double s : cell_rules_[rule_of(column, row)].nodes())
+        samples_.push_back(kernel(column * cell_x + s, y));
+    }
+    for (const double s : tail_rule_.nodes()) tail_.push_back(kernel(start + s, y));
+  }
+}
+
+PassageKernel::CellRule PassageKernel::rule_of(int column, int row) const {
+  const int distance = std::max(column, row);
+  return distance < 3 ? near : distance < 10 ? middle : distance < 40 ? far : distant;
+}
+
+InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed, int reach_x, int reach_y) const {
+  InfluenceTable table(reach_x, reach_y);
+  const Coefficients& mirror = coefficient::mirror_x;
+  const auto node = [&](int column, int row) -> Coefficients {
+    const Coefficients& value = nodes_[static_cast<std::size_t>(row * (columns_ + 1) + std::abs(column))];
+    return column < 0 ? Coefficients(mirror * value) : value;
+  };
+  const auto add = [&](int column, int row, const Coefficients& value) {
+    const auto i = static_cast<std::size_t>(table.index(column, row));
+    table.ww[i] += value(coefficient::ww);
+    table.uu[i] += value(coefficient::uu);
+    table.uw[i] += value(coefficient::uw);
+    if (rows_ == 0) return;
+    table.vv[i] += value(coefficient::vv);
+    table.uv[i] += value(coefficient::uv);
+    table.vw[i] += value(coefficient::vw);
+  };
+  for (int row = 0; row <= reach_y; ++row)
+    for (int column = -reach_x; column <= reach_x; ++column)
+      add(column, row, material.instantaneous * node(column, row));
+
+  for (const CreepSpectrum::Term& term : material.terms) {
+    const double memory = speed * term.time;  // T [m]
+    std::array<Eigen::VectorXd, rule_count> weights;
+    for (std::size_t rule = 0; rule < rule_count; ++rule) weights[rule] = cell_rules_[rule].weights(memory);
+    const Eigen::VectorXd tail_weights = tail_rule_.weights(memory);
+    const double decay = std::exp(-cell_x_ / memory);
+
+    for (int row = 0; row <= reach_y; ++row) {
+      Coefficients g = Coefficients::Zero();
+      const auto tail = static_cast<std::size_t>(row * tail_weights.size());
+      for (Eigen::Index q = 0; q < tail_weights.size(); ++q)
+        g += tail_weights(q) * tail_[tail + static_cast<std::size_t>(q)];
+      for (int column = columns_; column >= -reach_x; --column) {
+        if (column < columns_) {
+          // The cell from this node to the next; left of the origin it is the mirror image of one on the right.
+          const int mirrored = column >= 0 ? column : -column - 1;
+          const Eigen::VectorXd& w = weights[rule_of(mirrored, row)];
+          const Coefficients* k = &samples_[first_sample_[static_cast<std::size_t>(row * columns_ + mirrored)]];
+          const Eigen::Index count = w.size();
+          Coefficients integral = Coefficients::Zero();
+          if (column >= 0)
+            for (Eigen::Index q = 0; q < count; ++q) integral += w(q) * k[q];
+          else
+            for (Eigen::Index q = 0; q < count; ++q) integral += w(q) * k[count - 1 - q];
+          g = decay * g + (column >= 0 ? integral : Coefficients(mirror * integral));
+        }
+        if (column <= reach_x) add(column, row, term.compliance * g);
+      }
+    }
+  }
+  return table;
+}
+
+std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, double thickness, double cell_x,
+                                                           double cell_y, int columns, int rows) {
+  struct Entry {
+    Indenter indenter;
+    double thickness, cell_x, cell_y;
+    std::shared_ptr<const PassageKernel> kernel;
+  };
+  static std::mutex mutex;
+  static std::list<Entry> cache;  // most recently used first
+  constexpr std::size_t capacity = 16;
+
+  const auto fits = [&](const Entry& entry) {
+    return entry.indenter == indenter && entry.thickness == thickness && entry.cell_x == cell_x &&
+           entry.cell_y == cell_y && entry.kernel->columns() >= columns && entry.kernel->rows() >= rows;
+  };
+  {
+    const std::lock_guard lock(mutex);
+    const auto found = std::find_if(cache.begin(), cache.end(), fits);
+    if (found != cache.end()) {
+      cache.splice(cache.begin(), cache, found);
+      return found->kernel;
+    }
+  }
+  auto kernel = std::make_shared<const PassageKernel>(indenter, thickness, cell_x, cell_y, columns, rows);
+  const std::lock_guard lock(mutex);
+  cache.push_front({indenter, thickness, cell_x, cell_y, kernel});
+  if (cache.size() > capacity) cache.pop_back();
+  return kernel;
+}
+
+}  // namespace rollres
