@@ -121,19 +121,24 @@ void write_axis(std::ostream& script, char name, const Span& span) {
   script << "set " << name << "range [" << short_number(span.lowest, 15) << ":" << short_number(span.highest, 15)
          << "]\n";
   if (!span.logarithmic) return;
+  script << "set logscale " << name << "\n";
   const bool plain_numbers = span.lowest >= 0.9e-4 && span.highest <= 1.1e5;
-  script << "set logscale " << name << "\nset format " << name << (plain_numbers ? " '%g'\n" : " '10^{%L}'\n");
-  if (span.decades() >= 1.7) return;
+  const bool hardly_a_decade = span.decades() < 1.7;
+  script << "set format " << name << (plain_numbers || hardly_a_decade ? " '%g'\n" : " '10^{%L}'\n");
+  if (!hardly_a_decade) return;
   // Powers of ten alone would leave so short an axis with hardly a number.
+  constexpr double rounding = 1e-9;
   std::vector<double> ticks;
   if (span.decades() < 0.5) {
     const double step = even_step(span.highest - span.lowest);
-    for (double tick = std::ceil(span.lowest / step); tick * step <= span.highest; ++tick) ticks.push_back(tick * step);
+    const double last = std::floor(span.highest / step + rounding);
+    for (double tick = std::ceil(span.lowest / step - rounding); tick <= last; ++tick) ticks.push_back(tick * step);
   } else {
     for (double decade = std::floor(std::log10(span.lowest)); decade <= std::log10(span.highest); ++decade)
-      for (const int step : {1, 2, 5}) ticks.push_back(step * std::pow(10.0, decade));
+      for (const int step : {1, 2, 3, 5, 7})
+        if (span.decades() < 1.2 || step == 1 || step == 2 || step == 5) ticks.push_back(step * std::pow(10.0, decade));
   }
-  script << "set format " << name << " '%g'\nset " << name << "tics (";
+  script << "set " << name << "tics (";
   for (std::size_t i = 0; i < ticks.size(); ++i) script << (i == 0 ? "" : ", ") << short_number(ticks[i]);
   script << ")\n";
 }
@@ -169,15 +174,19 @@ struct Box {
 
 /// Writes the values of the peaks above or below them, where they cover no curve and no other value.
 void write_peak_values(std::ostream& script, const ChartRequest& request, const Layout& layout) {
-  std::vector<Box> taken;
-  for (const ChartCurve& curve : request.curves)
-    if (const auto place = peak(curve))
-      taken.push_back(
-          {layout.x.fraction(curve.points[*place].x), layout.y.fraction(curve.points[*place].y), 0.014, 0.02});
-  for (std::size_t i = 0; i < request.curves.size(); ++i) {
-    const auto place = peak(request.curves[i]);
-    if (!place) continue;
-    const ChartPoint& top = request.curves[i].points[*place];
+  struct Top {
+    std::size_t curve;
+    ChartPoint point;
+  };
+  std::vector<Top> tops;
+  for (std::size_t i = 0; i < request.curves.size(); ++i)
+    if (const auto place = peak(request.curves[i])) tops.push_back({i, request.curves[i].points[*place]});
+  std::stable_sort(tops.begin(), tops.end(), [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
+
+  std::vector<Box> taken;  // first by the rings
+  for (const Top& top : tops)
+    taken.push_back({layout.x.fraction(top.point.x), layout.y.fraction(top.point.y), 0.014, 0.02});
+  for (const auto& [i, top] : tops) {
     const std::string value = short_number(top.y, 3);
     const double x = layout.x.fraction(top.x), y = layout.y.fraction(top.y);
     for (const int side : {1, -1}) {
@@ -304,7 +313,7 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
          << " at screen 0.5, screen " << from_top(title_height / 2) << " center\n"
          << "set tmargin at screen " << from_top(head + 12) << "\nset rmargin at screen 0.955\n"
          << "set key at screen 0.5, screen " << from_top(title_height - 4) << " center top horizontal maxcols "
-         << columns << " maxrows " << rows << " Left reverse samplen 2.2 font ',16'\n";
+         << columns << " Left reverse samplen 2.2 width -3\n";
 
   script << "\nset terminal svg size " << width << "," << height
          << " dynamic enhanced background rgb 'white' font 'sans-serif,17'\n"
