@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "studies/chart.hpp"
+#include "studies/chart_layout.hpp"
 #include "studies/gnuplot.hpp"
 #include "studies/scaled_unit.hpp"
 
@@ -29,52 +30,6 @@ Look look(std::size_t curve) {
   constexpr std::array<std::string_view, 5> dashes{"1", "(10,4)", "(3,3)", "(10,3,2,3)", "(6,2)"};
   return {colours[curve % colours.size()], filled[curve % filled.size()], hollow[curve % hollow.size()],
           dashes[curve % dashes.size()]};
-}
-
-/// What an axis spans.
-struct Span {
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
-  bool logarithmic = false;
-
-  double along(double value) const { return logarithmic ? std::log10(value) : value; }
-  double back(double place) const { return logarithmic ? std::pow(10.0, place) : place; }
-  double decades() const { return std::log10(highest / lowest); }
-  /// 0 at the lower end of the axis, 1 at the upper.
-  double fraction(double value) const { return (along(value) - along(lowest)) / (along(highest) - along(lowest)); }
-
-  void include(double value) {
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
-  /// Widens the axis by fractions of its length; an axis of no length becomes one around its value.
-  void widen(double below, double above) {
-    const double from = along(lowest), to = along(highest);
-    const double length = to > from ? to - from : (logarithmic ? 1.0 : std::max(0.2 * std::abs(to), 1e-12));
-    if (to <= from) below = above = 0.5;
-    lowest = back(from - below * length);
-    highest = back(to + above * length);
-  }
-};
-
-struct Layout {
-  Span x, y;
-};
-Layout lay_out(const ChartRequest& request) {
-  Layout layout;
-  for (const ChartCurve& curve : request.curves)
-    for (const ChartPoint& point : curve.points) {
-      if (std::isfinite(point.x)) layout.x.include(point.x);
-      if (point.drawn()) layout.y.include(point.y);
-    }
-  auto& [x, y] = layout;
-  x.logarithmic = request.x.logarithmic && x.lowest > 0;
-  y.logarithmic = request.y.logarithmic && y.lowest > 0;
-  x.widen(0, 0);
-  const bool from_zero = !y.logarithmic && y.lowest >= 0 && y.lowest <= 0.5 * y.highest && y.highest > 0;
-  y.widen(0.06, 0.14);  // above: room for the value of a peak
-  if (from_zero) y.lowest = 0;
-  return layout;
 }
 
 std::size_t letters(std::string_view text) {
@@ -109,101 +64,25 @@ std::string axis_label(const ChartAxis& axis, std::size_t room) {
   return fitted(text, markup, room);
 }
 
-/// A step of 1, 2 or 5 times a power of ten that divides a length into four to eight parts.
-double even_step(double length) {
-  const double power = std::pow(10.0, std::floor(std::log10(length / 4)));
-  for (const int step : {5, 2})
-    if (length / (step * power) >= 4) return step * power;
-  return power;
-}
-
 void write_axis(std::ostream& script, char name, const Span& span) {
   script << "set " << name << "range [" << short_number(span.lowest, 15) << ":" << short_number(span.highest, 15)
          << "]\n";
   if (!span.logarithmic) return;
   script << "set logscale " << name << "\n";
   const bool plain_numbers = span.lowest >= 0.9e-4 && span.highest <= 1.1e5;
-  const bool hardly_a_decade = span.decades() < 1.7;
-  script << "set format " << name << (plain_numbers || hardly_a_decade ? " '%g'\n" : " '10^{%L}'\n");
-  if (!hardly_a_decade) return;
-  // Powers of ten alone would leave so short an axis with hardly a number.
-  constexpr double rounding = 1e-9;
-  std::vector<double> ticks;
-  if (span.decades() < 0.5) {
-    const double step = even_step(span.highest - span.lowest);
-    const double last = std::floor(span.highest / step + rounding);
-    for (double tick = std::ceil(span.lowest / step - rounding); tick <= last; ++tick) ticks.push_back(tick * step);
-  } else {
-    for (double decade = std::floor(std::log10(span.lowest)); decade <= std::log10(span.highest); ++decade)
-      for (const int step : {1, 2, 3, 5, 7})
-        if (span.decades() < 1.2 || step == 1 || step == 2 || step == 5) ticks.push_back(step * std::pow(10.0, decade));
-  }
+  const std::vector<double> numbers = ticks(span);
+  script << "set format " << name << (plain_numbers || !numbers.empty() ? " '%g'\n" : " '10^{%L}'\n");
+  if (numbers.empty()) return;
   script << "set " << name << "tics (";
-  for (std::size_t i = 0; i < ticks.size(); ++i) script << (i == 0 ? "" : ", ") << short_number(ticks[i]);
+  for (std::size_t i = 0; i < numbers.size(); ++i) script << (i == 0 ? "" : ", ") << short_number(numbers[i]);
   script << ")\n";
 }
 
-/// A rectangle of the plot, in fractions of its sides.
-struct Box {
-  double x, y, half_width, half_height;
-
-  bool holds(double at_x, double at_y) const {
-    return std::abs(at_x - x) < half_width && std::abs(at_y - y) < half_height;
-  }
-  bool meets(const Box& other) const {
-    return std::abs(other.x - x) < half_width + other.half_width &&
-           std::abs(other.y - y) < half_height + other.half_height;
-  }
-  /// Whether the line or a point of a curve runs through.
-  bool meets(const ChartCurve& curve, const Layout& layout) const {
-    constexpr int parts = 8;
-    const auto& points = curve.points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!points[i].drawn()) continue;
-      const double x0 = layout.x.fraction(points[i].x), y0 = layout.y.fraction(points[i].y);
-      if (holds(x0, y0)) return true;
-      if (i + 1 == points.size() || !points[i].joined() || !points[i + 1].joined()) continue;
-      const double x1 = layout.x.fraction(points[i + 1].x), y1 = layout.y.fraction(points[i + 1].y);
-      for (int part = 1; part < parts; ++part)
-        if (const double t = static_cast<double>(part) / parts; holds(x0 + t * (x1 - x0), y0 + t * (y1 - y0)))
-          return true;
-    }
-    return false;
-  }
-};
-
-/// Writes the values of the peaks above or below them, where they cover no curve and no other value.
 void write_peak_values(std::ostream& script, const ChartRequest& request, const Layout& layout) {
-  struct Top {
-    std::size_t curve;
-    ChartPoint point;
-  };
-  std::vector<Top> tops;
-  for (std::size_t i = 0; i < request.curves.size(); ++i)
-    if (const auto place = peak(request.curves[i])) tops.push_back({i, request.curves[i].points[*place]});
-  std::stable_sort(tops.begin(), tops.end(), [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
-
-  std::vector<Box> taken;  // first by the rings
-  for (const Top& top : tops)
-    taken.push_back({layout.x.fraction(top.point.x), layout.y.fraction(top.point.y), 0.014, 0.02});
-  for (const auto& [i, top] : tops) {
-    const std::string value = short_number(top.y, 3);
-    const double x = layout.x.fraction(top.x), y = layout.y.fraction(top.y);
-    for (const int side : {1, -1}) {
-      const Box box{x, y + 0.075 * side, 0.012 * static_cast<double>(value.size()) + 0.005, 0.04};
-      const bool inside = box.y - box.half_height > 0 && box.y + box.half_height < 1 &&
-                          box.x - box.half_width > -0.02 && box.x + box.half_width < 1.02;
-      if (!inside || std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); }) ||
-          std::any_of(request.curves.begin(), request.curves.end(),
-                      [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
-        continue;
-      script << "set label " << gnuplot::quoted(value) << " at first " << short_number(top.x, 15) << ", first "
-             << short_number(top.y, 15) << " center offset 0," << 0.9 * side << " tc rgb '" << look(i).colour
-             << "' front\n";
-      taken.push_back(box);
-      break;
-    }
-  }
+  for (const PeakValue& value : peak_values(request, layout))
+    script << "set label " << gnuplot::quoted(value.text) << " at first " << short_number(value.point.x, 15)
+           << ", first " << short_number(value.point.y, 15) << " center offset 0," << (value.above ? "0.9" : "-0.9")
+           << " tc rgb '" << look(value.curve).colour << "' front\n";
 }
 
 /// Crosses on the lower edge for points that have no value, each curve on its own level.
