@@ -74,20 +74,26 @@ std::string input_column(std::string_view key) {
   return (find_name(outputs, key) >= 0 ? "given_" : "") + std::string(key);
 }
 
-const std::vector<Column>& quantity_columns() {
-  static const std::vector<Column> all = [] {
-    std::vector<Column> columns;
+const std::vector<QuantityColumn>& quantity_columns() {
+  static const std::vector<QuantityColumn> all = [] {
+    std::vector<QuantityColumn> columns;
     const RollingScene scene;
     const RollingSolution solution;
     visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-      columns.push_back({input_column(quantity.key), type_of(value)});
+      columns.push_back({{input_column(quantity.key), type_of(value)}, quantity, true});
     });
     visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
-      columns.push_back({std::string(quantity.key), type_of(value)});
+      columns.push_back({{std::string(quantity.key), type_of(value)}, quantity, false});
     });
     return columns;
   }();
   return all;
+}
+
+const QuantityColumn* find_quantity_column(std::string_view name) {
+  const auto& all = quantity_columns();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table) {

@@ -32,8 +32,16 @@ struct Column {
   std::string type;  ///< "REAL", "INTEGER" or "TEXT"
 };
 
+struct QuantityColumn : Column {
+  Quantity quantity;
+  bool is_input = false;
+};
+
 /// Columns of evaluation that hold quantities, inputs first, in the order of the lists.
-const std::vector<Column>& quantity_columns();
+const std::vector<QuantityColumn>& quantity_columns();
+
+/// What stands in a column, or nullptr if it is none of these.
+const QuantityColumn* find_quantity_column(std::string_view name);
 
 /// Columns that table or view has in this file.
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table);

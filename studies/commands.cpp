@@ -19,6 +19,10 @@ using AddCommand = void (*)(CLI::App&, Session&);
 /// Every command, in the order of the help text.
 constexpr AddCommand commands[] = {
     add_solve,
+    add_sweep,
+    add_list,
+    add_show,
+    add_query,
     add_quantities,
 };
 

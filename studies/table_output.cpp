@@ -4,8 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <ostream>
+
+#include "studies/table_json.hpp"
 
 namespace rollres {
 
@@ -50,7 +51,9 @@ std::string csv_cell(const Cell& cell) {
   return quoted + '"';
 }
 
-nlohmann::ordered_json json_cell(const Cell& cell) {
+}  // namespace
+
+Json json_of(const Cell& cell) {
   if (std::holds_alternative<std::monostate>(cell)) return nullptr;
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
   if (const auto* number = std::get_if<double>(&cell)) {
@@ -60,7 +63,18 @@ nlohmann::ordered_json json_cell(const Cell& cell) {
   return std::get<std::string>(cell);
 }
 
-}  // namespace
+Json json_of(const Table& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json& object = rows.emplace_back(Json::object());
+    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = json_of(row[i]);
+  }
+  return rows;
+}
+
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 void write_aligned(std::ostream& out, const Table& table) {
   std::vector<std::vector<std::string>> lines{table.columns};
@@ -102,14 +116,13 @@ void write_csv(std::ostream& out, const Table& table) {
 }
 
 void write_json(std::ostream& out, const Table& table) {
-  const char* begin = "[";
-  for (const auto& row : table.rows) {
-    nlohmann::ordered_json object = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = json_cell(row[i]);
-    out << begin << "\n  " << object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    begin = ",";
+  const Json rows = json_of(table);
+  const char* begin = "[\n  ";
+  for (const Json& row : rows) {
+    out << begin << text_of(row, -1);
+    begin = ",\n  ";
   }
-  out << (table.rows.empty() ? "[]" : "\n]") << '\n';
+  out << (rows.empty() ? "[]" : "\n]") << '\n';
 }
 
 }  // namespace rollres
