@@ -117,6 +117,9 @@ Database::Database(const std::filesystem::path& file, Access access, std::span<c
   if (file.empty()) throw std::invalid_argument("db = : must name a file");
   const int newest = static_cast<int>(migrations.size());
   const std::filesystem::path place = std::filesystem::absolute(file);  // never a special name such as ":memory:"
+  std::error_code none;
+  if (std::filesystem::is_regular_file(place, none) && std::filesystem::file_size(place, none) == 1)
+    throw std::runtime_error(name_ + ": file is not a database");  // SQLite takes a single byte for an empty file
   naming(name_, [&] {
     if (access == Access::read) {
       if (!std::filesystem::exists(place)) throw std::runtime_error(name_ + ": no such file");

@@ -1,6 +1,7 @@
 #pragma once
 
 /// A scene and its solution as a row of the table evaluation: the one place where values become SQL and return.
+/// Every bit of a number returns but the sign of zero; a warning is one line.
 
 #include <string>
 #include <vector>

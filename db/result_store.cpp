@@ -129,7 +129,7 @@ std::size_t ResultStore::save(std::span<const Evaluation> evaluations) {
     std::size_t added = 0;
     for (const Evaluation& evaluation : evaluations) {
       SQLite::Statement& insert = *parts_->insert;
-      insert.reset();
+      insert.tryReset();  // whatever became of the one before
       insert.bind(1, evaluation.key);
       insert.bind(2, program);
       bind_row(insert, 3, evaluation.scene, evaluation.solution);
@@ -144,6 +144,7 @@ std::size_t ResultStore::save(std::span<const Evaluation> evaluations) {
 bool ResultStore::contains(const std::string& key) {
   return naming(database().name(), [&] {
     if (!parts_->known) parts_->known.emplace(parts_->connection(), "SELECT 1 FROM evaluation WHERE key = ?");
+    parts_->known->tryReset();
     parts_->known->bind(1, key);
     const bool found = parts_->known->executeStep();
     parts_->known->reset();  // ends the reading, so that the log can be taken over into the file

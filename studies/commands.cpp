@@ -29,7 +29,8 @@ constexpr AddCommand commands[] = {
 
 /// A message as one line: what is not printable becomes a space.
 std::string one_line(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }, ' ');
   return text;
 }
 
@@ -57,8 +58,9 @@ int run_program(std::vector<std::string> words, Session session) {
     program.set_version_flag("--version", "rollres " ROLLRES_VERSION);
     program.set_help_flag("-h,--help", "Print this help");
     program.require_subcommand(1);
-    program.footer("Example: rollres solve studies/examples/paper_cylinder.json\n"
-                   "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
+    program.footer(
+        "Example: rollres solve studies/examples/paper_cylinder.json\n"
+        "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
     for (const AddCommand add : commands) add(program, session);
     try {
       refuse_unknown_command(program, words);

@@ -4,8 +4,8 @@
 /// function `add_NAME` that declares its options on the program and sets a callback; commands.cpp lists them.
 ///
 /// A callback prints its answer to `session.out`, everything else (progress, messages) to `session.err`, and sets
-/// `session.status` where it is not 0. It throws std::invalid_argument for wrong input and std::runtime_error for files,
-/// databases and disks that fail: the frame prints the message as one line and picks the exit status.
+/// `session.status` where it is not 0. It throws std::invalid_argument for wrong input and std::runtime_error for
+/// files, databases and disks that fail: the frame prints the message as one line and picks the exit status.
 
 #include <iosfwd>
 #include <string>
@@ -29,9 +29,9 @@ struct ExitStatus {
 
 /// What one run of the program reads from and writes to.
 struct Session {
-  std::ostream& out;   ///< answers
-  std::ostream& err;   ///< progress and messages
-  Evaluate evaluate;   ///< solves a scene
+  std::ostream& out;  ///< answers
+  std::ostream& err;  ///< progress and messages
+  Evaluate evaluate;  ///< solves a scene
   int status = ExitStatus::answered;
 };
 

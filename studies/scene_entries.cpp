@@ -64,14 +64,13 @@ void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& 
   auto given = [&](std::string_view key) {
     return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
   };
-  for (const InputKind& kind : input_kinds())
-    if (kind.required() && !given(kind.quantity.key))
-      throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: every scene needs it (" +
-                                  std::string(kind.quantity.unit_for(scene.indenter)) + ")");
-  if (scene.material == MaterialModel::zener)
-    for (const std::string_view key : {"stiffening", "creep_time"})
-      if (!given(key))
-        throw std::invalid_argument(place + ": " + std::string(key) + " is missing: material \"zener\" needs it");
+  const std::string material = "material \"" + std::string(name_of(scene.material)) + '"';
+  for (const InputKind& kind : input_kinds()) {
+    const std::string needed_by = kind.needed_by();
+    if ((needed_by == "every scene" || needed_by == material) && !given(kind.quantity.key))
+      throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + needed_by +
+                                  " needs it (" + std::string(kind.quantity.unit_for(scene.indenter)) + ")");
+  }
 }
 
 }  // namespace
@@ -100,8 +99,10 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
     SceneEntry entry{word.substr(0, equals), word.substr(equals + 1), place};
     if (const auto value = plain_number(word.substr(equals + 1))) {
       constexpr double exact = 1e15;  // whole numbers are shown without a decimal point
-      if (*value == std::floor(*value) && std::abs(*value) < exact) entry.value = static_cast<long long>(*value);
-      else entry.value = *value;
+      if (*value == std::floor(*value) && std::abs(*value) < exact)
+        entry.value = static_cast<long long>(*value);
+      else
+        entry.value = *value;
     }
     refuse_unknown_key(entry);
     for (const SceneEntry& earlier : entries)

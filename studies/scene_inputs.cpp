@@ -53,16 +53,19 @@ void assign(Value& target, std::string_view key, const InputValue& value) {
 
 }  // namespace
 
-bool InputKind::required() const {
-  if (optional || !choices.empty()) return false;
-  return !quantity.range.contains(std::get<double>(default_value));
+std::string InputKind::needed_by() const {
+  if (optional || !choices.empty()) return {};
+  if (!quantity.range.contains(std::get<double>(default_value))) return "every scene";
+  if (quantity.key == "stiffening" || quantity.key == "creep_time") return "material \"zener\"";
+  return {};
 }
 
 const std::vector<InputKind>& input_kinds() {
   static const std::vector<InputKind> kinds = [] {
     std::vector<InputKind> list;
     const RollingScene defaults;
-    visit_inputs(defaults, [&](const Quantity& quantity, const auto& value) { list.push_back(kind_of(quantity, value)); });
+    visit_inputs(defaults,
+                 [&](const Quantity& quantity, const auto& value) { list.push_back(kind_of(quantity, value)); });
     return list;
   }();
   return kinds;

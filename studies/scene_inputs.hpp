@@ -23,8 +23,8 @@ struct InputKind {
   bool optional = false;                           ///< may be absent
   InputValue default_value = 0.0;                  ///< of no meaning if `optional`
 
-  /// A number whose default its own range refuses: every scene has to give it.
-  bool required() const;
+  /// Who cannot do without it: "every scene" (a number whose default its own range refuses), a material, or nobody.
+  std::string needed_by() const;
 };
 
 /// All inputs, in the order of the list.

@@ -12,16 +12,20 @@ namespace rollres {
 
 namespace {
 
-/// Follows the parser: notices a key that one object gives twice (nlohmann_json would silently keep the last value), and
-/// knows the last key for messages.
+/// Follows the parser: notices a key that one object gives twice (nlohmann_json would silently keep the last value),
+/// and knows the last key for messages.
 class KeyWatch {
  public:
   explicit KeyWatch(std::string place) : place_(std::move(place)) {}
 
   bool operator()(int, Json::parse_event_t event, Json& parsed) {
     using Event = Json::parse_event_t;
-    if (twice_ && event != Event::key)
-      refuse(place_, last_key_, event == Event::object_start ? Json::object() : parsed, "key given twice");
+    if (twice_ && event != Event::key) {
+      const std::string value = event == Event::object_start  ? "{...}"
+                                : event == Event::array_start ? "[...]"
+                                                              : shown(parsed);
+      throw std::invalid_argument(place_ + ": " + last_key_ + " = " + value + ": key given twice");
+    }
     if (event == Event::object_start) seen_.emplace_back();
     if (event == Event::object_end) seen_.pop_back();
     if (event == Event::key) {

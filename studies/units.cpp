@@ -34,7 +34,8 @@ ut_system* unit_system() {
   static const System system = [] {
     ut_set_error_message_handler(ut_ignore);
     System read(ut_read_xml(nullptr));
-    if (!read) throw std::runtime_error("the database of units (udunits2) cannot be read; is libudunits2-data installed?");
+    if (!read)
+      throw std::runtime_error("the database of units (udunits2) cannot be read; is libudunits2-data installed?");
     return read;
   }();
   return system.get();
@@ -58,8 +59,10 @@ Leading leading_number(std::string_view text) {
   const char* const end = text.data() + text.size();
   Leading found;
   const auto [stop, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, found.number);
-  if (error != std::errc{} || !std::isfinite(found.number)) found.number = std::nan("");
-  else found.rest = trim({stop, static_cast<std::size_t>(end - stop)});
+  if (error != std::errc{} || !std::isfinite(found.number))
+    found.number = std::nan("");
+  else
+    found.rest = trim({stop, static_cast<std::size_t>(end - stop)});
   return found;
 }
 
@@ -91,18 +94,18 @@ std::optional<double> plain_number(std::string_view text) {
 
 std::string unit_in_words(std::string_view unit) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 13> measures{{{"m", "length"},
-                                                                                     {"m2", "area"},
-                                                                                     {"m/s", "speed"},
-                                                                                     {"s", "time"},
-                                                                                     {"Pa", "stress"},
-                                                                                     {"N", "force"},
-                                                                                     {"N/m", "force per length"},
-                                                                                     {"N.m", "torque"},
-                                                                                     {"W", "power"},
-                                                                                     {"W/m", "power per length"},
-                                                                                     {"kg/m3", "density"},
-                                                                                     {"rad/s", "rotational speed"},
-                                                                                     {"K", "temperature"}}};
+                                                                                    {"m2", "area"},
+                                                                                    {"m/s", "speed"},
+                                                                                    {"s", "time"},
+                                                                                    {"Pa", "stress"},
+                                                                                    {"N", "force"},
+                                                                                    {"N/m", "force per length"},
+                                                                                    {"N.m", "torque"},
+                                                                                    {"W", "power"},
+                                                                                    {"W/m", "power per length"},
+                                                                                    {"kg/m3", "density"},
+                                                                                    {"rad/s", "rotational speed"},
+                                                                                    {"K", "temperature"}}};
   for (const auto& [known, measure] : measures)
     if (known == unit) return "a unit of " + std::string(measure) + " (" + std::string(unit) + ")";
   return "a unit that converts to " + std::string(unit);
