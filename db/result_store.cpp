@@ -202,6 +202,15 @@ std::optional<StudySummary> ResultStore::study(const std::string& name) {
   return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
 }
 
+std::optional<std::string> ResultStore::definition(const std::string& study) {
+  return naming(database().name(), [&]() -> std::optional<std::string> {
+    SQLite::Statement row(parts_->connection(), "SELECT definition FROM study WHERE name = ?");
+    row.bind(1, study);
+    if (!row.executeStep()) return std::nullopt;
+    return row.getColumn(0).getString();
+  });
+}
+
 std::vector<Failure> ResultStore::failures(const std::string& study) {
   return naming(database().name(), [&] {
     SQLite::Statement row(parts_->connection(),

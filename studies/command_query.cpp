@@ -4,11 +4,9 @@
 #include <ostream>
 
 #include "db/query.hpp"
-#include "db/schema.hpp"
 #include "studies/commands.hpp"
-#include "studies/scene_inputs.hpp"
+#include "studies/read_filter.hpp"
 #include "studies/table_output.hpp"
-#include "studies/units.hpp"
 
 namespace rollres {
 
@@ -40,33 +38,9 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return words;
 }
 
-/// A value with a unit becomes a number in SI; anything else stays as it is.
-void use_si(Filter& filter) {
-  const QuantityColumn* column = find_quantity_column(filter.column);
-  if (!column || column->type != "REAL" || filter.value.empty() || filter.value == "infinite" ||
-      plain_number(filter.value))
-    return;
-  const Quantity& quantity = column->quantity;
-  double value = 0;
-  try {
-    try {
-      value = si_value(filter.value, quantity.unit);
-    } catch (const std::invalid_argument&) {
-      if (quantity.unit_2d.empty()) throw;
-      value = si_value(filter.value, quantity.unit_2d);
-    }
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(filter.column + " = " + filter.value + ": " + error.what());
-  }
-  filter.value = text_of(InputValue(value));
-}
-
 void query(const QueryWords& words, Session& session) {
   Query question{.columns = split_at_commas(words.columns), .sort = split_at_commas(words.sort), .limit = words.limit};
-  for (const std::string& text : words.filters) {
-    question.filters.push_back(parse_filter(text));
-    use_si(question.filters.back());
-  }
+  for (const std::string& text : words.filters) question.filters.push_back(read_filter(text));
   if (question.columns.empty() && words.format == "table") {
     question.columns.assign(std::begin(usual_columns), std::end(usual_columns));
     auto add = [&](const std::string& name) {

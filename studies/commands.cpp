@@ -23,6 +23,7 @@ constexpr AddCommand commands[] = {
     add_list,
     add_show,
     add_query,
+    add_chart,
     add_quantities,
 };
 
