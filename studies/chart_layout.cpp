@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 

@@ -7,14 +7,14 @@
 #include "studies/chart.hpp"
 #include "studies/chart_layout.hpp"
 #include "studies/gnuplot.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 
 namespace {
 
 // Sizes in pixels of the SVG; the PNG has twice as many.
-constexpr int width = 560, plot_height = 350, title_height = 36, legend_row_height = 23;
+constexpr int picture_width = 560, plot_height = 350, title_height = 36, legend_row_height = 23;
 
 /// Look of the n-th curve. The colours are those of Okabe and Ito (2008) without their yellow; the periods 7, 6 and 5
 /// of colours, marks and dashes have no common factor, so 210 curves differ.
@@ -32,19 +32,15 @@ Look look(std::size_t curve) {
           dashes[curve % dashes.size()]};
 }
 
-std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
 /// Text set smaller, down to two thirds, where it is longer than `room` letters, and cut where that is not enough.
 std::string fitted(std::string text, const std::string& markup, std::size_t room) {
-  const std::size_t length = letters(text);
+  const std::size_t length = width(text);
   if (length <= room) return gnuplot::quoted(markup);
   const std::size_t longest = room * 3 / 2;
   const double scale = static_cast<double>(room) / static_cast<double>(std::min(length, longest));
   const std::string size = "{/*" + short_number(scale, 2) + " ";
   if (length <= longest) return gnuplot::quoted(size + markup + "}");
-  while (letters(text) >= longest) {
+  while (width(text) >= longest) {
     while ((text.back() & 0xc0) == 0x80) text.pop_back();
     text.pop_back();
   }
@@ -118,7 +114,7 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
     const std::string& symbol = request.family.symbol;
     const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
     entries.push_back({"linespoints linetype " + std::to_string(i + 1), equals + gnuplot::plain(label) + kept_blanks,
-                       letters(label) + (symbol.empty() ? 0 : letters(symbol) + 3)});
+                       width(label) + (symbol.empty() ? 0 : width(symbol) + 3)});
   }
   const std::string grey = " lw 1.5 lc rgb '#444444'";
   if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
@@ -194,11 +190,11 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
          << "set key at screen 0.5, screen " << from_top(title_height - 4) << " center top horizontal maxcols "
          << columns << " Left reverse samplen 2.2 width -3\n";
 
-  script << "\nset terminal svg size " << width << "," << height
+  script << "\nset terminal svg size " << picture_width << "," << height
          << " dynamic enhanced background rgb 'white' font 'sans-serif,17'\n"
          << "set output " << here(files.svg) << "\n";
   write_plot(script, request, entries);
-  script << "\nset terminal pngcairo size " << 2 * width << "," << 2 * height
+  script << "\nset terminal pngcairo size " << 2 * picture_width << "," << 2 * height
          << " enhanced background rgb 'white' font 'sans-serif,12.75' fontscale 2 linewidth 2 pointscale 3.2\n"
          << "set output " << here(files.png) << "\nreplot\nunset output\n";
   return script.str();
