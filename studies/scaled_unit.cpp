@@ -59,8 +59,8 @@ ScaledUnit scaled_unit_logarithmic(std::string_view unit, double smallest, doubl
   if (!(smallest > 0) || !std::isfinite(largest)) return scaled_unit(unit, largest);
   if (unit == "1" || unit.empty()) return {};
   const Prefixed* const known = prefixed_unit(unit);
-  constexpr double thousand = 1000.0 * (1 + 1e-6);
-  if (!known || (smallest * thousand >= 1 && largest <= thousand)) return {std::string(unit), 1.0};
+  constexpr double rounding = 1 + 1e-6;
+  if (!known || (smallest * rounding >= 1e-3 && largest <= 1e4 * rounding)) return {std::string(unit), 1.0};
   const double centre = 0.5 * (std::log10(smallest) + std::log10(largest)) / (3.0 * first_power(unit));
   return with_prefix(unit, std::clamp(static_cast<int>(std::lround(centre)), known->lowest, known->highest));
 }
