@@ -90,6 +90,14 @@ TEST_CASE("the peak of a curve lies between lower converged points", "[studies][
   CHECK_THAT(script, !Contains("data index 1 every"));
 }
 
+TEST_CASE("the value of a peak has as many digits as its axis tells apart", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.curves = {{"", {{0.01, 1.0371}, {0.1, 1.0853}, {1, 1.0568}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.085'"));
+  request.curves = {{"", {{0.01, 0}, {0.1, 1.0853}, {1, 0.5}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.09'"));
+}
+
 TEST_CASE("values of peaks are left out where they would cover a curve or each other", "[studies][chart]") {
   ChartRequest request = two_loads();
   request.curves = {{"a", {{0.01, 10}, {0.1, 100}, {1, 10}}},
@@ -157,6 +165,35 @@ TEST_CASE("text in gnuplot's quotes and markup says itself", "[studies][gnuplot]
   CHECK(gnuplot::symbol("G0") == "{/:Italic G}_{0}");
   CHECK(gnuplot::symbol("RΩ/V") == "{/:Italic RΩ}/{/:Italic V}");
   CHECK(gnuplot::symbol("max|τ_xz|") == "{/:Italic max}|{/:Italic τ}_{xz}|");
+}
+
+TEST_CASE("entries of the legend stand in rows inside the picture", "[studies][chart]") {
+  for (const std::size_t count : {1U, 3U, 12U})
+    for (const char* label : {"1", "10 kN/m", "P = 10 kN/m, μ = 0.25, f = 1"}) {
+      ChartRequest request = two_loads();
+      request.curves.assign(count, {label, request.curves[0].points});
+      std::istringstream script(chart_script(request, chart_files("chart")));
+      std::vector<std::pair<double, double>> places;
+      for (std::string line; std::getline(script, line);)
+        if (const auto at = line.rfind("' at ");
+            line.find("keyentry") != std::string::npos && at != std::string::npos) {
+          std::istringstream numbers(line.substr(at + 5));
+          double x = 0, y = 0;
+          char comma = 0;
+          numbers >> x >> comma >> y;
+          places.emplace_back(x, y);
+        }
+      REQUIRE(places.size() == count);
+      // 560 pixels wide; a letter of this size takes 8.8 pixels on average, the sample 54 to the left of the text.
+      const double text = 8.8 * (static_cast<double>(std::string(label).size()) + 4) / 560;
+      for (const auto& [x, y] : places) {
+        CHECK(x > 54.0 / 560);
+        CHECK(x + text < 1.01);
+        CHECK(y < 1);
+      }
+      std::sort(places.begin(), places.end());
+      CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());
+    }
 }
 
 TEST_CASE("the files of a chart share its name whatever suffix it is given", "[studies][chart]") {
