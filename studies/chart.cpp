@@ -84,7 +84,7 @@ std::string chart_data(const ChartRequest& request) {
 }
 
 ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
-  const ChartFiles files = chart_files(name);
+  ChartFiles files = chart_files(name);
   const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
     return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.drawn(); });
   });

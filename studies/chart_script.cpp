@@ -145,7 +145,8 @@ struct LegendGrid {
   }
   /// Middle of its height, from the top [px].
   double y(std::size_t entry) const {
-    return title_height + legend_row_height * (static_cast<double>(entry / columns) + 0.3);
+    const std::size_t row = entry / columns;
+    return title_height + legend_row_height * (static_cast<double>(row) + 0.3);
   }
 };
 
