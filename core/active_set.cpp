@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "core/normal_contact.hpp"
 #include "core/stick_slip.hpp"
@@ -44,6 +45,7 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
   if (sphere) tangential.force_y.setZero(grid.size());
 
   constexpr int pass_limit = 60;
+  int failures = 0;               // of the tangential problem, in a row
   double inner_tolerance = 1e-4;  // of the tangential problem; follows the change from pass to pass
   for (int pass = 1;; ++pass) {
     NormalContact next = normal_solver.solve(tangential.force_x, tangential.force_y, normal.contact);
@@ -75,8 +77,16 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
       state.reason = tangential.reason;
       break;
     }
+    failures = tangential.status == Status::not_converged ? failures + 1 : 0;
+    if (failures == 3) {
+      state.reason = tangential.reason;
+      break;
+    }
     if (pass == pass_limit) {
-      state.reason = "normal and tangential problem did not settle";
+      std::ostringstream text;
+      text << "normal and tangential problem did not settle in " << pass << " passes: forces still change by "
+           << change / largest << " of the largest, zones " << (same ? "stay" : "change");
+      state.reason = text.str();
       break;
     }
   }

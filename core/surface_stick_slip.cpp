@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "core/stick_slip.hpp"
 
@@ -50,12 +51,12 @@ StickSlip SurfaceStickSlip::solve(const std::vector<int>& contact, const Eigen::
                        " sticking nodes bear more than the limit of friction";
       break;
     }
-    if (state.iterations >= iteration_limit) {
-      state.reason = "after " + std::to_string(state.iterations) + " iterations " +
-                     std::to_string(change.beyond_limit) + " of " + std::to_string(stick.size()) +
-                     " sticking nodes bear more than the limit of friction, and friction still turns by up to " +
-                     std::to_string(change.largest) + " of the largest limit at " + std::to_string(slip_nodes.size()) +
-                     " slipping nodes";
+    if (state.iterations >= iteration_limit || weight_ * problem_.scale < 1e-3) {
+      std::ostringstream text;
+      text << "after " << state.iterations << " iterations " << change.beyond_limit << " of " << stick.size()
+           << " sticking nodes bear more than the limit of friction, and at " << slip_nodes.size()
+           << " slipping nodes friction still changes by up to " << change.largest << " of its largest limit";
+      state.reason = text.str();
       break;
     }
     if (change.largest < 0.9 * least) {
