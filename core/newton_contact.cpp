@@ -47,18 +47,30 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
   laws.direction_x = laws.direction_y = laws.beta = Vector::Zero(n);
   if (!problem.friction || all_stick) return laws;
   const double per_slip = 1 / influence.self_slip();
+  bool sticking = false;
+  Eigen::Index closest = 0;  // to sticking
+  double least_excess = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index node = laws.contact[static_cast<std::size_t>(i)];
     const double qx = x.shear_x(node) + maps.slip_x(node) * per_slip;
     const double qy = problem.sphere ? x.shear_y(node) + maps.slip_y(node) * per_slip : 0;
     const double size = std::hypot(qx, qy);
     const double bound = problem.scene.friction_coefficient * std::abs(x.pressure(node));
-    if (size <= bound) continue;
+    if (size <= bound) {
+      sticking = true;
+      continue;
+    }
+    if (size - bound < least_excess) {
+      least_excess = size - bound;
+      closest = i;
+    }
     laws.zone[static_cast<std::size_t>(i)] = Zone::slip;
     laws.direction_x(i) = qx / size;
     laws.direction_y(i) = qy / size;
     laws.beta(i) = bound / size;
   }
+  // Without any sticking node the drive could not determine the rotation.
+  if (!sticking && n > 0 && !problem.rotation_given()) laws.zone[static_cast<std::size_t>(closest)] = Zone::stick;
   return laws;
 }
 
@@ -92,6 +104,13 @@ LawResiduals residuals(const ContactProblem& problem, const InfluenceOperator& i
   return right;
 }
 
+/// Tolerance of the linear solution: what the step can gain, as the maps converge quadratically, and no more than the
+/// last step needs.
+double forcing(double residual, const NewtonOptions& options) {
+  const double last = 0.2 * options.tolerance / residual;
+  return std::clamp(std::max(residual, last), 1e-5, 2e-2);
+}
+
 bool touches_border(const ContactProblem& problem, const Mask& contact) {
   const SurfaceGrid& grid = problem.grid;
   for (int row = 0; row < grid.rows; ++row)
@@ -117,6 +136,7 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
   }
   const double scale = std::max(x.pressure.cwiseAbs().maxCoeff(), 1e-300);
   const double friction = problem.scene.friction_coefficient;
+  const double per_friction = 1 / std::min(1.0, std::max(friction, 1e-300));  // shear is measured by mu p
   const auto count = [&](double residual) {
     const double relative = std::abs(residual) / scale;
     maps.largest = std::max(maps.largest, relative);
@@ -147,8 +167,8 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
       const double qy =
           problem.sphere && grid.first_row + row > 0 ? x.shear_y(i) + maps.slip_y(i) / influence.self_slip() : 0;
       const double length = std::hypot(qx, qy), factor = length > bound ? bound / length : 1;
-      count(x.shear_x(i) - factor * qx);
-      if (problem.sphere) count(x.shear_y(i) - factor * qy);
+      count((x.shear_x(i) - factor * qx) * per_friction);
+      if (problem.sphere) count((x.shear_y(i) - factor * qy) * per_friction);
     }
   const Vector none = Vector::Zero(size);
   const Vector& shear = problem.friction ? x.shear_x : none;
@@ -191,7 +211,8 @@ NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable
     const LawResiduals right = residuals(problem, influence, base, base_maps, laws);
     const auto components = static_cast<int>(problem.friction ? (problem.sphere ? 3 : 2) : 1);
     const bool dense = options.dense || static_cast<int>(laws.contact.size()) * components <= options.dense_unknowns;
-    LinearStep linear = dense ? system.solve_dense(table, right) : system.solve_krylov(right, 2e-2, 300);
+    LinearStep linear =
+        dense ? system.solve_dense(table, right) : system.solve_krylov(right, forcing(maps.largest, options), 300);
     outcome.krylov_iterations += linear.iterations;
     if (!linear.solved) break;
 
@@ -241,6 +262,7 @@ NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable
     outcome.zone[static_cast<std::size_t>(laws.contact[i])] = laws.zone[i];
   release(x, contact);
   outcome.unknowns = std::move(x);
+  outcome.gap = std::move(maps.gap);
   return outcome;
 }
 
