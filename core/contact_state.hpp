@@ -1,12 +1,11 @@
 #pragma once
 
-/// What every method hands over: the surface tractions and the two numbers that belong to them.
+/// What a method hands over: the surface tractions, on a whole grid, and the two numbers that belong to them.
 
 #include <Eigen/Core>
 #include <string>
 #include <vector>
 
-#include "core/influence.hpp"
 #include "core/scene.hpp"
 #include "core/solution.hpp"
 
@@ -23,10 +22,5 @@ struct ContactState {
   Status status = Status::not_converged;
   std::string reason;
 };
-
-/// Everything else follows from the tractions: displacements and slip from the influence table, resultants and the
-/// rolling resistance (Zehil and Gavin 2013, eqs. 20 and 40), losses, and the evidence (law_violation,
-/// energy_residual), recomputed from the fields and not from the method's own residual.
-RollingSolution summarise(const RollingScene& scene, const InfluenceTable& table, const ContactState& state);
 
 }  // namespace rollres

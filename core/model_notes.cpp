@@ -1,0 +1,58 @@
+#include <cmath>
+#include <sstream>
+
+#include "core/evidence.hpp"
+#include "core/material.hpp"
+
+namespace rollres {
+
+namespace {
+
+template <class... Parts>
+std::string text(const Parts&... parts) {
+  std::ostringstream line;
+  line.precision(3);
+  (line << ... << parts);
+  return line.str();
+}
+
+double half_length(const RollingSolution& solution) {
+  return 0.5 * (solution.leading_edge - solution.trailing_edge + solution.spacing);
+}
+
+/// rho V^2 / |G*| at the frequency V / half-length.
+double inertia(const RollingScene& scene, const RollingSolution& solution) {
+  return scene.layer_density * scene.speed * scene.speed /
+         std::abs(complex_modulus(scene, scene.speed / half_length(solution)));
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
+  std::vector<std::string> warnings;
+  const double strain = solution.approach / scene.layer_thickness;
+  if (strain > 0.1) warnings.push_back(text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
+  const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
+  if (slope > 0.3) warnings.push_back(text("slope at the contact's edge ", slope, " is not small"));
+  const double mach = inertia(scene, solution);
+  if (mach > 0.01) warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
+  const double across = 2 * half_length(solution) / solution.spacing;
+  if (across < 10) warnings.push_back(text("only ", across, " nodes along the contact: take a smaller spacing"));
+  if (scene.period)
+    for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
+      const double left = std::exp(-*scene.period / (scene.speed * term.time));
+      if (left > 1e-4) warnings.push_back(text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left));
+    }
+  return warnings;
+}
+
+std::string model_of(const RollingScene& scene, const RollingSolution& solution) {
+  std::string model = text("inertia left out: ρV²/|G| = ", inertia(scene, solution));
+  if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
+  if (scene.material == MaterialModel::zener && (scene.stiffening == 0 || scene.creep_time == 0))
+    model += "; elastic: no relaxation (f = 0 or τ = 0)";
+  model += scene.period ? text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
+  return model;
+}
+
+}  // namespace rollres

@@ -1,0 +1,52 @@
+#pragma once
+
+/// A database file of rollres: an SQLite 3 file that is checked before it is used, and never overwritten.
+///
+/// The header of the file holds an application number and the version of its schema. A file of an older version is
+/// brought to the present one by a list of migrations, in one transaction. Writers use a write-ahead log, so that
+/// readers and one writer go on side by side; on a network file system, where that log does not work, a rollback
+/// journal. Whoever finds the file locked waits up to `patience`.
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace SQLite {
+class Database;
+}
+
+namespace rollres {
+
+enum class Access { read, write };
+
+/// Brings the tables from one version of the schema to the next; runs inside a transaction.
+using Migration = void (*)(SQLite::Database&);
+
+class Database {
+ public:
+  static constexpr int application_id = 0x726f6c6c;  // "roll"
+  static constexpr std::chrono::seconds patience{60};
+
+  /// Opens `file`; with Access::write creates it if it is missing or empty, and migrates it.
+  /// @throws std::invalid_argument if `file` is empty
+  /// @throws std::runtime_error naming the file: it is missing (read), damaged, of another program, written by a newer
+  ///         version, read-only (write) or locked for longer than `patience`
+  Database(const std::filesystem::path& file, Access access);
+  /// The same with other migrations than this version's (schema.hpp): the schema's version is their number.
+  Database(const std::filesystem::path& file, Access access, std::span<const Migration> migrations);
+  Database(Database&&) noexcept;
+  Database& operator=(Database&&) noexcept;
+  ~Database();
+
+  /// Name of the file as it was given, for messages.
+  const std::string& name() const { return name_; }
+  SQLite::Database& connection() const { return *connection_; }
+
+ private:
+  std::string name_;
+  std::unique_ptr<SQLite::Database> connection_;
+};
+
+}  // namespace rollres

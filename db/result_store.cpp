@@ -1,0 +1,227 @@
+#include "db/result_store.hpp"
+
+#include "db/evaluation_row.hpp"
+#include "db/schema.hpp"
+#include "db/sqlite.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%fZ', 'now')";
+
+std::string insert_evaluation() {
+  std::string names = "INSERT INTO evaluation(key, created, provenance";
+  std::string values = std::string(") VALUES (?, ") + now + ", ?";
+  for (const Column& column : quantity_columns()) {
+    names += ", " + column.name;
+    values += ", ?";
+  }
+  return names + values + ") ON CONFLICT(key) DO NOTHING";
+}
+
+/// Keys have no spaces.
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::int64_t provenance_id(SQLite::Database& connection, const Provenance& program) {
+  for (const char* query :
+       {"INSERT OR IGNORE INTO provenance(version, git_hash, solver, compiler, machine) VALUES (?, ?, ?, ?, ?)",
+        "SELECT id FROM provenance WHERE version = ? AND git_hash = ? AND solver = ? AND compiler = ? AND machine = "
+        "?"}) {
+    SQLite::Statement statement(connection, query);
+    int index = 1;
+    for (const std::string* text :
+         {&program.version, &program.git_hash, &program.solver, &program.compiler, &program.machine})
+      statement.bind(index++, *text);
+    if (statement.executeStep()) return statement.getColumn(0).getInt64();
+  }
+  throw std::runtime_error("provenance could not be stored");
+}
+
+StudySummary read_summary(SQLite::Statement& row) {
+  return {row.getColumn(0).getString(), split(row.getColumn(1).getString()), row.getColumn(2).getInt64(),
+          row.getColumn(3).getInt64(),  row.getColumn(4).getInt64(),         row.getColumn(5).getString(),
+          row.getColumn(6).getString(), row.getColumn(7).getString()};
+}
+
+}  // namespace
+
+struct ResultStore::Parts {
+  Database database;
+  std::string found_columns = {};
+  std::optional<SQLite::Statement> insert = {}, known = {};
+
+  SQLite::Database& connection() { return database.connection(); }
+
+  std::optional<StoredEvaluation> find(const std::string& condition, const auto& value) {
+    if (found_columns.empty()) found_columns = select_list(connection());
+    SQLite::Statement row(connection(),
+                          "SELECT evaluation.id, key, created, version, git_hash, solver, compiler, machine, " +
+                              found_columns + " FROM evaluation JOIN provenance ON provenance.id = provenance WHERE " +
+                              condition);
+    row.bind(1, value);
+    if (!row.executeStep()) return std::nullopt;
+    StoredEvaluation found;
+    found.id = row.getColumn(0).getInt64();
+    found.key = row.getColumn(1).getString();
+    found.created = row.getColumn(2).getString();
+    found.provenance = {row.getColumn(3).getString(), row.getColumn(4).getString(), row.getColumn(5).getString(),
+                        row.getColumn(6).getString(), row.getColumn(7).getString()};
+    try {
+      SceneAndSolution both = read_row(row, 8);
+      found.scene = std::move(both.scene);
+      found.solution = std::move(both.solution);
+    } catch (const SQLite::Exception&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(database.name() + ": evaluation " + std::to_string(found.id) + ": " + error.what());
+    }
+    SQLite::Statement study(connection(),
+                            "SELECT DISTINCT name FROM study_point JOIN study ON study.id = study "
+                            "WHERE key = ? ORDER BY name");
+    study.bind(1, found.key);
+    while (study.executeStep()) found.studies.push_back(study.getColumn(0).getString());
+    return found;
+  }
+
+  std::vector<StudySummary> summaries(const std::string* name) {
+    SQLite::Statement row(connection(), std::string("SELECT name, axes, count(study_point.key), count(evaluation.id), "
+                                                    "count(evaluation.id) FILTER (WHERE status IS NOT 'converged'), "
+                                                    "study.created, started, coalesce(max(evaluation.created), '') "
+                                                    "FROM study LEFT JOIN study_point ON study_point.study = study.id "
+                                                    "LEFT JOIN evaluation ON evaluation.key = study_point.key ") +
+                                            (name ? "WHERE name = ? " : "") + "GROUP BY study.id ORDER BY name");
+    if (name) row.bind(1, *name);
+    std::vector<StudySummary> all;
+    while (row.executeStep()) all.push_back(read_summary(row));
+    return all;
+  }
+};
+
+ResultStore::ResultStore(const std::filesystem::path& file, Access access)
+    : parts_(std::make_unique<Parts>(Parts{Database(file, access)})) {}
+
+ResultStore::ResultStore(ResultStore&&) noexcept = default;
+ResultStore::~ResultStore() = default;
+
+const Database& ResultStore::database() const { return parts_->database; }
+
+std::size_t ResultStore::save(std::span<const Evaluation> evaluations) {
+  return naming(database().name(), [&] {
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    const std::int64_t program = provenance_id(connection, this_program());
+    if (!parts_->insert) parts_->insert.emplace(connection, insert_evaluation());
+    std::size_t added = 0;
+    for (const Evaluation& evaluation : evaluations) {
+      SQLite::Statement& insert = *parts_->insert;
+      insert.tryReset();  // whatever became of the one before
+      insert.bind(1, evaluation.key);
+      insert.bind(2, program);
+      bind_row(insert, 3, evaluation.scene, evaluation.solution);
+      added += static_cast<std::size_t>(insert.exec());
+    }
+    parts_->insert->reset();
+    transaction.commit();
+    return added;
+  });
+}
+
+bool ResultStore::contains(const std::string& key) {
+  return naming(database().name(), [&] {
+    if (!parts_->known) parts_->known.emplace(parts_->connection(), "SELECT 1 FROM evaluation WHERE key = ?");
+    parts_->known->tryReset();
+    parts_->known->bind(1, key);
+    const bool found = parts_->known->executeStep();
+    parts_->known->reset();  // ends the reading, so that the log can be taken over into the file
+    return found;
+  });
+}
+
+std::optional<StoredEvaluation> ResultStore::find(const std::string& key) {
+  return naming(database().name(), [&] { return parts_->find("key = ?", key); });
+}
+
+std::optional<StoredEvaluation> ResultStore::find(std::int64_t id) {
+  return naming(database().name(), [&] { return parts_->find("evaluation.id = ?", id); });
+}
+
+void ResultStore::start_study(const StudyRecord& study, std::span<const std::string> keys) {
+  naming(database().name(), [&] {
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement record(connection,
+                             std::string("INSERT INTO study(name, axes, definition, created, started) "
+                                         "VALUES (?, ?, ?, ") +
+                                 now + ", " + now +
+                                 ") ON CONFLICT(name) DO UPDATE SET axes = excluded.axes, "
+                                 "definition = excluded.definition, started = excluded.started RETURNING id");
+    record.bind(1, study.name);
+    record.bind(2, joined(study.axes));
+    record.bind(3, study.definition);
+    record.executeStep();
+    const std::int64_t id = record.getColumn(0).getInt64();
+    record.reset();
+    SQLite::Statement remove(connection, "DELETE FROM study_point WHERE study = ?");
+    remove.bind(1, id);
+    remove.exec();
+    SQLite::Statement add(connection, "INSERT INTO study_point(study, position, key) VALUES (?, ?, ?)");
+    std::int64_t position = 0;
+    for (const std::string& key : keys) {
+      add.reset();
+      add.bind(1, id);
+      add.bind(2, ++position);
+      add.bind(3, key);
+      add.exec();
+    }
+    add.reset();
+    transaction.commit();
+  });
+}
+
+std::vector<StudySummary> ResultStore::studies() {
+  return naming(database().name(), [&] { return parts_->summaries(nullptr); });
+}
+
+std::optional<StudySummary> ResultStore::study(const std::string& name) {
+  std::vector<StudySummary> found = naming(database().name(), [&] { return parts_->summaries(&name); });
+  return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+}
+
+std::optional<std::string> ResultStore::definition(const std::string& study) {
+  return naming(database().name(), [&]() -> std::optional<std::string> {
+    SQLite::Statement row(parts_->connection(), "SELECT definition FROM study WHERE name = ?");
+    row.bind(1, study);
+    if (!row.executeStep()) return std::nullopt;
+    return row.getColumn(0).getString();
+  });
+}
+
+std::vector<Failure> ResultStore::failures(const std::string& study) {
+  return naming(database().name(), [&] {
+    SQLite::Statement row(parts_->connection(),
+                          "SELECT status, coalesce(reason, ''), count(*) FROM result WHERE study = ? "
+                          "AND status IS NOT 'converged' GROUP BY status, reason ORDER BY count(*) DESC, reason");
+    row.bind(1, study);
+    std::vector<Failure> all;
+    while (row.executeStep())
+      all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(), row.getColumn(2).getInt64()});
+    return all;
+  });
+}
+
+}  // namespace rollres

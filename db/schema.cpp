@@ -1,0 +1,121 @@
+#include "db/schema.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+
+#include "core/scene.hpp"
+#include "core/solution.hpp"
+#include "db/sqlite.hpp"
+
+namespace rollres {
+
+namespace {
+
+template <class Value>
+std::string type_of(const Value&) {
+  if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
+    return "REAL";
+  else if constexpr (std::is_same_v<Value, int>)
+    return "INTEGER";
+  else
+    return "TEXT";
+}
+
+void create_first_tables(SQLite::Database& connection) {
+  connection.exec(R"(
+    CREATE TABLE provenance(
+      id INTEGER PRIMARY KEY,
+      version TEXT NOT NULL,
+      git_hash TEXT NOT NULL,
+      solver TEXT NOT NULL,
+      compiler TEXT NOT NULL,
+      machine TEXT NOT NULL,
+      UNIQUE(version, git_hash, solver, compiler, machine)) STRICT;
+    CREATE TABLE study(
+      id INTEGER PRIMARY KEY,
+      name TEXT NOT NULL UNIQUE,
+      axes TEXT NOT NULL,
+      definition TEXT NOT NULL,
+      created TEXT NOT NULL,
+      started TEXT NOT NULL) STRICT;
+    CREATE TABLE study_point(
+      study INTEGER NOT NULL REFERENCES study ON DELETE CASCADE,
+      position INTEGER NOT NULL,
+      key TEXT NOT NULL,
+      PRIMARY KEY(study, position)) STRICT, WITHOUT ROWID;
+    CREATE INDEX study_point_key ON study_point(key);
+  )");
+  std::string table =
+      "CREATE TABLE evaluation(\n  id INTEGER PRIMARY KEY,\n  key TEXT NOT NULL UNIQUE,\n  created TEXT NOT NULL,\n"
+      "  provenance INTEGER NOT NULL REFERENCES provenance";
+  for (const Column& column : quantity_columns()) table += ",\n  " + column.name + " " + column.type;
+  connection.exec(table + ") STRICT");
+  connection.exec(R"(
+    CREATE VIEW result AS
+      SELECT study.name AS study, study_point.position AS position, evaluation.*
+      FROM study_point JOIN study ON study.id = study_point.study JOIN evaluation ON evaluation.key = study_point.key
+  )");
+}
+
+std::vector<Column> missing_columns(SQLite::Database& connection) {
+  const std::vector<Column> present = columns_of(connection, "evaluation");
+  std::vector<Column> missing;
+  for (const Column& column : quantity_columns())
+    if (std::none_of(present.begin(), present.end(), [&](const Column& other) { return other.name == column.name; }))
+      missing.push_back(column);
+  return missing;
+}
+
+}  // namespace
+
+std::string input_column(std::string_view key) {
+  static const std::vector<std::string_view> outputs = output_keys();
+  return (find_name(outputs, key) >= 0 ? "given_" : "") + std::string(key);
+}
+
+const std::vector<QuantityColumn>& quantity_columns() {
+  static const std::vector<QuantityColumn> all = [] {
+    std::vector<QuantityColumn> columns;
+    const RollingScene scene;
+    const RollingSolution solution;
+    visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+      columns.push_back({{input_column(quantity.key), type_of(value)}, quantity, true});
+    });
+    visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+      columns.push_back({{std::string(quantity.key), type_of(value)}, quantity, false});
+    });
+    return columns;
+  }();
+  return all;
+}
+
+const QuantityColumn* find_quantity_column(std::string_view name) {
+  const auto& all = quantity_columns();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table) {
+  std::vector<Column> columns;
+  SQLite::Statement statement(connection, "SELECT name, type FROM pragma_table_info(?)");
+  statement.bind(1, table);
+  while (statement.executeStep())
+    columns.push_back({statement.getColumn(0).getString(), statement.getColumn(1).getString()});
+  return columns;
+}
+
+std::span<const Migration> schema_migrations() {
+  static constexpr Migration migrations[] = {create_first_tables};
+  return migrations;
+}
+
+void add_missing_columns(SQLite::Database& connection) {
+  if (missing_columns(connection).empty()) return;
+  SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+  for (const Column& column : missing_columns(connection))
+    connection.exec("ALTER TABLE evaluation ADD COLUMN " + column.name + " " + column.type);
+  transaction.commit();
+}
+
+}  // namespace rollres

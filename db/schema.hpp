@@ -1,0 +1,55 @@
+#pragma once
+
+/// The tables of a database, and the columns that follow from the lists of quantities.
+///
+///     evaluation    one row for each scene that was solved: a column for each input and each output. What is absent
+///     (NaN,
+///                   not given, not applicable) is NULL; an infinite layer_thickness is SQLite's Inf.
+///     provenance    what computed an evaluation
+///     study         a name, its axes and the text of its file
+///     study_point   the points of a study, in order, by the key of their evaluation: one that has no evaluation yet is
+///                   missing, and an evaluation serves every study that has its key
+///     result        a view ready to plot: study, position, and all columns of evaluation
+///
+/// load, approach, driving_torque, rotation_ratio, spacing and method are inputs and outputs. The column with the plain
+/// key holds what was found or used; what the scene asked for stands in given_load, given_approach and so on, NULL
+/// where the scene left it open.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/quantity.hpp"
+#include "db/database.hpp"
+
+namespace rollres {
+
+/// Column of an input: its key, or "given_" and its key where an output has the same one.
+std::string input_column(std::string_view key);
+
+struct Column {
+  std::string name;
+  std::string type;  ///< "REAL", "INTEGER" or "TEXT"
+};
+
+struct QuantityColumn : Column {
+  Quantity quantity;
+  bool is_input = false;
+};
+
+/// Columns of evaluation that hold quantities, inputs first, in the order of the lists.
+const std::vector<QuantityColumn>& quantity_columns();
+
+/// What stands in a column, or nullptr if it is none of these.
+const QuantityColumn* find_quantity_column(std::string_view name);
+
+/// Columns that table or view has in this file.
+std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table);
+
+/// From an empty file to the present schema, one step for each version.
+std::span<const Migration> schema_migrations();
+
+/// Gives evaluation the columns of quantities that this version knows and the file does not; its rows hold NULL there.
+void add_missing_columns(SQLite::Database& connection);
+
+}  // namespace rollres

@@ -1,0 +1,75 @@
+#pragma once
+
+/// A chart as a plain value, drawn by gnuplot as SVG and PNG. The script and the data stay beside the pictures, so that
+/// a chart can be restyled: change NAME.gp and run "gnuplot NAME.gp" in its folder.
+///
+/// Every curve differs by colour (safe for colour-blind readers), dash and mark. A point that did not converge is drawn
+/// hollow; one without a value is a cross on the lower edge; the line of a curve never passes over either.
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollres {
+
+/// One point, in the units of the axes. A y that is NaN has no value; with `converged` it was not computed.
+struct ChartPoint {
+  double x = 0;
+  double y = 0;
+  bool converged = true;
+
+  bool drawn() const { return std::isfinite(x) && std::isfinite(y); }
+  bool joined() const { return drawn() && converged; }  ///< the line passes through it
+};
+
+struct ChartCurve {
+  std::string label;               ///< the value of the family: "20 kN/m"
+  std::vector<ChartPoint> points;  ///< in the order in which the line joins them
+};
+
+/// What an axis or the family shows: "rolling resistance", "R_r" (as Quantity writes it), "N/m".
+struct ChartAxis {
+  std::string name;
+  std::string symbol = {};
+  std::string unit = {};
+  bool logarithmic = false;  ///< drawn linear all the same if a value is not positive
+};
+
+struct ChartRequest {
+  std::string title;
+  ChartAxis x, y;
+  ChartAxis family = {};  ///< the legend says "symbol = label"
+  std::vector<ChartCurve> curves;
+  bool mark_peaks = true;    ///< marks the peak of each curve with its value
+  std::string comment = {};  ///< what else to know, line by line, for the head of the data file
+};
+
+/// The files of a chart, which share one name.
+struct ChartFiles {
+  std::filesystem::path script, data, svg, png;
+};
+
+/// Place of the largest converged value of a curve that has a converged, smaller or equal value on either side; empty
+/// for a curve that only rises or falls: there the largest value is an end of the study, not a peak.
+std::optional<std::size_t> peak(const ChartCurve& curve);
+
+/// The four files of a chart. A suffix .svg, .png, .gp or .dat of `name` is dropped.
+/// @throws std::invalid_argument if the name of the file is empty or has a control character
+ChartFiles chart_files(const std::filesystem::path& name);
+
+/// The data file: one block for each curve, its columns x, y, converged (1 or 0), marked (1 or 0).
+std::string chart_data(const ChartRequest& request);
+
+/// The gnuplot script. It names the files without their folder and is to be run there.
+std::string chart_script(const ChartRequest& request, const ChartFiles& files);
+
+/// Writes script and data and draws the pictures; folders are made, older files of that name replaced.
+/// @param gnuplot the program that draws
+/// @throws std::invalid_argument as chart_files, or if there is nothing to draw: no point has a value
+/// @throws std::runtime_error if a file cannot be written, or if gnuplot is missing or fails (with its own words)
+ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name,
+                      const std::string& gnuplot = "gnuplot");
+
+}  // namespace rollres

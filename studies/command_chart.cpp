@@ -1,0 +1,99 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <ostream>
+
+#include "studies/commands.hpp"
+#include "studies/read_filter.hpp"
+#include "studies/scaled_unit.hpp"
+#include "studies/study_chart.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct ChartWords {
+  std::string database, out;
+  std::vector<std::string> filters;
+  std::string x_scale = "auto", y_scale = "auto";
+  StudyChartWishes wishes;
+};
+
+AxisScale scale_named(const std::string& name) {
+  return static_cast<AxisScale>(find_name(ChoiceNames<AxisScale>::names, name));
+}
+
+/// Beside the database: the study's name, and what is shown if that was asked for; "/" and the like become "_".
+std::filesystem::path usual_name(const ChartWords& words, const StoredChart& chart) {
+  std::string name = chart.study;
+  for (const std::string& word : {words.wishes.y, words.wishes.x, words.wishes.family})
+    if (!word.empty()) name += "_" + word;
+  for (const std::string& filter : words.filters) name += "_" + filter;
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char letter) {
+        return letter <= 0x20 || letter == 0x7f ||
+               std::string_view("/\\:*?\"<>|").find(static_cast<char>(letter)) != std::string_view::npos;
+      },
+      '_');
+  constexpr std::size_t longest = 120;  // file systems take 255 bytes, suffix included
+  name.resize(std::min(name.size(), longest));
+  return std::filesystem::path(words.database).parent_path() / (name + ".svg");
+}
+
+void print_peaks(std::ostream& out, const ChartRequest& request) {
+  for (const ChartCurve& curve : request.curves)
+    if (const auto place = peak(curve)) {
+      const ChartPoint& top = curve.points[*place];
+      const auto with_unit = [](double value, const ChartAxis& axis) {
+        return short_number(value, 5) + (axis.unit.empty() ? "" : " " + axis.unit);
+      };
+      out << "peak";
+      if (!curve.label.empty())
+        out << " of " << (request.family.name.empty() ? "" : request.family.name + " ") << curve.label;
+      out << ": " << with_unit(top.y, request.y) << " at " << with_unit(top.x, request.x) << '\n';
+    }
+}
+
+void chart(const ChartWords& words, Session& session) {
+  StudyChartWishes wishes = words.wishes;
+  for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
+  wishes.x_scale = scale_named(words.x_scale);
+  wishes.y_scale = scale_named(words.y_scale);
+  ResultStore store(words.database, Access::read);
+  const StoredChart chart = stored_chart(store, wishes);
+  const ChartFiles files =
+      draw_chart(chart.request, words.out.empty() ? usual_name(words, chart) : std::filesystem::path(words.out));
+  if (chart.unanswered > 0)
+    session.err << chart.unanswered << " of " << chart.points << " points have no answer; the chart marks them\n";
+  if (chart.missing > 0) session.err << chart.missing << " points of the study are not computed yet\n";
+  print_peaks(session.out, chart.request);
+  for (const auto& file : {files.svg, files.png, files.script, files.data}) session.out << file.string() << '\n';
+}
+
+}  // namespace
+
+void add_chart(CLI::App& program, Session& session) {
+  CLI::App* command = program.add_subcommand("chart", "Draw a stored study as SVG and PNG, through gnuplot");
+  const auto words = std::make_shared<ChartWords>();
+  StudyChartWishes& wishes = words->wishes;
+  command->add_option("--db", words->database, "database")->required();
+  command->add_option("--study", wishes.study, "study; may be left out if the database holds one");
+  command->add_option("--x", wishes.x,
+                      "input or output along x; left out: as the study file says, or its longest axis");
+  command->add_option("--y", wishes.y, "output along y; left out: as the study file says, or rolling_resistance");
+  command->add_option("--family", wishes.family, "axis with one curve for each value; left out: the other axes");
+  command->add_option("--where", words->filters, "show only points with KEY=VALUE, as in query; may be repeated")
+      ->allow_extra_args(false);
+  const auto scales = CLI::IsMember({"auto", "linear", "logarithmic"});
+  command->add_option("--x-scale", words->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
+      ->check(scales);
+  command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->check(scales);
+  command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database");
+  command->footer(
+      "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"
+      "Example: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family load");
+  command->callback([words, &session] { chart(*words, session); });
+}
+
+}  // namespace rollres

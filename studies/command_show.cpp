@@ -1,0 +1,132 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <ostream>
+
+#include "db/result_store.hpp"
+#include "db/schema.hpp"
+#include "studies/commands.hpp"
+#include "studies/table_json.hpp"
+#include "studies/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct ShowWords {
+  std::string what, database;
+  bool json = false;
+};
+
+/// Outputs in the table of a study, beside its axes.
+constexpr const char* main_outputs[] = {"rolling_resistance",
+                                        "rolling_resistance_coefficient",
+                                        "load",
+                                        "approach",
+                                        "rotation_ratio",
+                                        "contact_area",
+                                        "peak_pressure",
+                                        "status"};
+
+std::string unit_in_brackets(const QuantityColumn& column, Indenter indenter) {
+  const std::string_view unit = column.quantity.unit_for(indenter);
+  return unit.empty() || unit == "1" ? "" : " [" + std::string(unit) + "]";
+}
+
+void show_study(const ShowWords& words, ResultStore& store, const StudySummary& study, Session& session) {
+  Query query{.filters = {{"study", Comparison::equal, study.name}}, .columns = {"position", "id"}};
+  std::vector<std::string> names = query.columns;
+  for (const std::string& axis : study.axes) {
+    query.columns.push_back(input_column(axis));
+    names.push_back(axis);
+  }
+  for (const std::string output : main_outputs) {
+    if (std::find(names.begin(), names.end(), output) != names.end()) continue;
+    query.columns.push_back(output);
+    names.push_back(output);
+  }
+  Table table = run_query(store.database(), query);
+  table.columns = names;
+  if (words.json) {
+    const Json object{{"study", study.name},      {"axes", study.axes},
+                      {"points", study.points},   {"answered", study.answered},
+                      {"failed", study.failed},   {"created", study.created},
+                      {"started", study.started}, {"last_result", study.last_result},
+                      {"results", json_of(table)}};
+    session.out << text_of(object, 2) << '\n';
+    return;
+  }
+  if (!table.rows.empty()) {
+    const auto first = store.find(std::get<std::int64_t>(table.rows.front()[1]));
+    for (std::size_t i = 2; first && i < names.size(); ++i)
+      if (const QuantityColumn* column = find_quantity_column(query.columns[i]))
+        table.columns[i] += unit_in_brackets(*column, first->scene.indenter);
+  }
+  session.out << study.name << ": " << study.answered << " of " << study.points << " points answered, " << study.failed
+              << " failed\n\n";
+  write_aligned(session.out, table);
+}
+
+void show_evaluation(const ShowWords& words, ResultStore& store, const StoredEvaluation& evaluation, Session& session) {
+  const Query query{.filters = {{"id", Comparison::equal, std::to_string(evaluation.id)}}};
+  const Table row = run_query(store.database(), query);
+  const Provenance& program = evaluation.provenance;
+  if (words.json) {
+    Json object = json_of(row).at(0);
+    object["warnings"] = evaluation.solution.warnings;
+    object["studies"] = evaluation.studies;
+    object["provenance"] = {{"version", program.version},
+                            {"git_hash", program.git_hash},
+                            {"solver", program.solver},
+                            {"compiler", program.compiler},
+                            {"machine", program.machine}};
+    session.out << text_of(object, 2) << '\n';
+    return;
+  }
+  session.out << "evaluation " << evaluation.id << ", stored " << evaluation.created << "\nby rollres "
+              << program.version << " (" << program.git_hash << ", solver " << program.solver << ", "
+              << program.compiler << ") on " << program.machine << '\n';
+  for (const std::string& study : evaluation.studies) session.out << "a point of the study " << study << '\n';
+  for (const bool inputs : {true, false}) {
+    Table table{{inputs ? "given" : "found", "", "", ""}, {}};
+    for (std::size_t i = 0; i < row.columns.size(); ++i) {
+      const QuantityColumn* column = find_quantity_column(row.columns[i]);
+      if (!column || column->is_input != inputs || std::holds_alternative<std::monostate>(row.rows.at(0)[i])) continue;
+      const std::string_view unit = column->quantity.unit_for(evaluation.scene.indenter);
+      table.rows.push_back({std::string(column->quantity.key), std::string(column->quantity.symbol), row.rows.at(0)[i],
+                            std::string(unit == "1" ? "" : unit)});
+    }
+    session.out << '\n';
+    write_aligned(session.out, table);
+  }
+}
+
+void show(const ShowWords& words, Session& session) {
+  ResultStore store(words.database, Access::read);
+  if (const auto study = store.study(words.what)) return show_study(words, store, *study, session);
+  std::int64_t id = 0;
+  const char* end = words.what.data() + words.what.size();
+  if (std::from_chars(words.what.data(), end, id).ptr == end)
+    if (const auto evaluation = store.find(id)) return show_evaluation(words, store, *evaluation, session);
+  std::vector<std::string_view> names;
+  const std::vector<StudySummary> studies = store.studies();
+  for (const StudySummary& study : studies) names.push_back(study.name);
+  const std::string nearest = nearest_name(names, words.what);
+  throw std::invalid_argument(words.database + ": " + words.what + ": no such study or evaluation" +
+                              (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+}
+
+}  // namespace
+
+void add_show(CLI::App& program, Session& session) {
+  CLI::App* command = program.add_subcommand("show", "Show the results of a study, or one evaluation in full");
+  const auto words = std::make_shared<ShowWords>();
+  command->add_option("what", words->what, "name of a study, or number (id) of an evaluation")->required();
+  command->add_option("--db", words->database, "database")->required();
+  command->add_flag("--json", words->json, "print one JSON object");
+  command->footer("Example: rollres show --db results.db 'speed and load'");
+  command->callback([words, &session] { show(*words, session); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,57 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+
+#include "studies/commands.hpp"
+#include "studies/fields_file.hpp"
+#include "studies/scene_file.hpp"
+#include "studies/solution_json.hpp"
+#include "studies/summary.hpp"
+#include "studies/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct SolveOptions {
+  std::string scene;
+  std::vector<std::string> overrides;
+  bool json = false;
+  std::string fields;
+};
+
+void run_solve(const SolveOptions& options, bool with_fields, Session& session) {
+  const RollingScene scene = read_scene(options.scene, options.overrides);
+  if (with_fields && options.fields.empty()) throw std::invalid_argument("--fields = \"\": must name a directory");
+  if (with_fields) make_directory(options.fields);  // before the work, not after it
+
+  const RollingSolution solution = session.evaluate(scene);
+  session.out << (options.json ? solution_json(scene, solution) + '\n' : summary(scene, solution)) << std::flush;
+  if (solution.status != Status::converged) session.status = ExitStatus::no_answer;
+  if (!with_fields) return;
+  if (solution.fields.grid.size() == 0) {
+    session.err << "rollres: " << options.fields << ": nothing written, the solution has no fields\n";
+    return;
+  }
+  write_fields(options.fields, scene, solution.fields);
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program, Session& session) {
+  CLI::App* const command = program.add_subcommand("solve", "Solve one scene and print its rolling resistance");
+  const auto options = std::make_shared<SolveOptions>();
+  command->add_option("scene", options->scene, "Scene file (JSON)")->required()->option_text("SCENE");
+  command->add_option("--set", options->overrides, "Replace an input, in SI or with a unit; may be repeated")
+      ->option_text("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  CLI::Option* const fields =
+      command->add_option("--fields", options->fields, "Write the surface's fields to DIR/fields.csv and .vti")
+          ->option_text("DIR");
+  command->footer("Example: rollres solve studies/examples/paper_cylinder.json --set speed=\"36 km/h\" --fields out");
+  command->callback([options, fields, &session] { run_solve(*options, fields->count() > 0, session); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,87 @@
+#include "studies/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <ostream>
+#include <stdexcept>
+
+#ifndef ROLLRES_VERSION
+#define ROLLRES_VERSION "0.1.0"
+#endif
+
+namespace rollres {
+
+namespace {
+
+using AddCommand = void (*)(CLI::App&, Session&);
+
+/// Every command, in the order of the help text.
+constexpr AddCommand commands[] = {
+    add_solve,
+    add_sweep,
+    add_list,
+    add_show,
+    add_query,
+    add_chart,
+    add_quantities,
+};
+
+/// A message as one line: what is not printable becomes a space.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }, ' ');
+  return text;
+}
+
+int complain(Session& session, const std::string& message, int status) {
+  session.err << "rollres: " << one_line(message) << std::endl;
+  return status;
+}
+
+void refuse_unknown_command(const CLI::App& program, const std::vector<std::string>& words) {
+  if (words.empty() || words.front().empty() || words.front().front() == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (find_name(known, words.front()) >= 0) return;
+  const std::string nearest = nearest_name(known, words.front());
+  throw std::invalid_argument(words.front() + ": unknown command" +
+                              (nearest.empty() ? "; see rollres --help" : "; did you mean " + nearest + "?"));
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> words, Session session) {
+  try {
+    CLI::App program("Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.", "rollres");
+    program.set_version_flag("--version", "rollres " ROLLRES_VERSION);
+    program.set_help_flag("-h,--help", "Print this help");
+    program.require_subcommand(1);
+    program.footer(
+        "Example: rollres solve studies/examples/paper_cylinder.json\n"
+        "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
+    for (const AddCommand add : commands) add(program, session);
+    try {
+      refuse_unknown_command(program, words);
+      std::reverse(words.begin(), words.end());  // as CLI11 wants them
+      program.parse(words);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() != 0) return complain(session, error.what(), ExitStatus::wrong_input);
+      program.exit(error, session.out, session.err);  // help or version
+    }
+    session.out.flush();
+    if (!session.out) return complain(session, "standard output: cannot be written", ExitStatus::failure);
+    return session.status;
+  } catch (const std::invalid_argument& error) {
+    return complain(session, error.what(), ExitStatus::wrong_input);
+  } catch (const std::bad_alloc&) {
+    return complain(session, "out of memory", ExitStatus::failure);
+  } catch (const std::exception& error) {
+    return complain(session, error.what(), ExitStatus::failure);
+  } catch (...) {
+    return complain(session, "an unknown error", ExitStatus::failure);
+  }
+}
+
+}  // namespace rollres

@@ -1,0 +1,40 @@
+#include "studies/evaluate.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace rollres {
+
+RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene) noexcept {
+  const auto begin = std::chrono::steady_clock::now();
+  RollingSolution solution;
+  try {
+    solution = evaluate(scene);
+  } catch (const std::exception& error) {
+    solution = {};
+    solution.method = scene.method;
+    solution.reason = error.what();
+  } catch (...) {
+    solution = {};
+    solution.method = scene.method;
+    solution.reason = "an unknown error";
+  }
+  solution.fields = {};
+  if (std::isnan(solution.seconds))
+    solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return solution;
+}
+
+Evaluate recalling(ResultStore& store, Evaluate evaluate) {
+  return [&store, evaluate = std::move(evaluate)](const RollingScene& scene) {
+    const std::string key = evaluation_key(scene);
+    if (auto stored = store.find(key)) return std::move(stored->solution);
+    const Evaluation answer{key, scene, evaluate_safely(evaluate, scene)};
+    store.save({&answer, 1});
+    return answer.solution;
+  };
+}
+
+}  // namespace rollres

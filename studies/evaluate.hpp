@@ -1,0 +1,18 @@
+#pragma once
+
+/// Solving through the store: what was solved once is recalled.
+
+#include "core/rolling_contact.hpp"
+#include "db/result_store.hpp"
+
+namespace rollres {
+
+/// `evaluate(scene)` without its fields. An exception becomes an answer with status not_converged and its message as
+/// the reason, so that one bad point never ends a study.
+RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene) noexcept;
+
+/// Recalls a scene's stored answer, or solves and saves it. The store must outlive the result, which is used by one
+/// thread at a time; it throws std::runtime_error if the store fails.
+Evaluate recalling(ResultStore& store, Evaluate evaluate);
+
+}  // namespace rollres

@@ -1,0 +1,24 @@
+#pragma once
+
+/// Numbers as people read them.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace rollres {
+
+/// A value with its unit, scaled by a prefix: (0.00036982, "m") gives "369.82 µm", (2.556e6, "Pa") gives "2.556 MPa".
+/// Five significant digits; "-" for NaN, "infinite" for infinity; unit "1" or "" shows the number alone.
+std::string readable(double value, std::string_view unit);
+
+/// A number as short as it can be read back without loss.
+std::string shortest(double value);
+
+/// Number of letters of a UTF-8 text, for aligning columns.
+std::size_t width(std::string_view text);
+
+/// The text filled with blanks on its right to `columns` letters.
+std::string padded(std::string_view text, std::size_t columns);
+
+}  // namespace rollres

@@ -1,0 +1,156 @@
+#include "studies/scene_entries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "studies/units.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::string joined(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+void refuse_unknown_key(const SceneEntry& entry) {
+  if (find_input(entry.key)) return;
+  std::vector<std::string_view> known = input_keys();
+  known.push_back("comment");
+  refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
+}
+
+/// The unit in the words of a rule; where the units of cylinder and sphere differ, with the body.
+std::string wanted_unit(const Quantity& quantity, Indenter indenter) {
+  std::string text = unit_in_words(quantity.unit_for(indenter));
+  if (!quantity.unit_2d.empty()) text += " for a " + std::string(name_of(indenter));
+  return text;
+}
+
+double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
+  const Quantity& quantity = kind.quantity;
+  const std::string_view unit = quantity.unit_for(indenter);
+  auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
+  if (entry.value.is_number()) return entry.value.get<double>();
+  if (!entry.value.is_string())
+    fail(unit == "1" ? "must be a number" : "must be a number or a text with " + wanted_unit(quantity, indenter));
+  const auto& text = entry.value.get_ref<const std::string&>();
+  if (quantity.range.infinity_allowed && text == "infinite") return std::numeric_limits<double>::infinity();
+  if (plain_number(text))
+    fail(unit == "1" ? "must be a number without quotes"
+                     : "must be a number without quotes, or have " + wanted_unit(quantity, indenter));
+  try {
+    return si_value(text, unit);
+  } catch (const std::invalid_argument& error) {
+    const bool per_body = !quantity.unit_2d.empty();
+    fail(error.what() + (per_body ? " for a " + std::string(name_of(indenter)) : std::string()));
+  }
+  return std::nan("");
+}
+
+Indenter indenter_of(const std::vector<SceneEntry>& entries) {
+  RollingScene scene;
+  for (const SceneEntry& entry : entries)
+    if (entry.key == "indenter") assign_input(scene, entry.key, input_value(entry, scene.indenter));
+  return scene.indenter;
+}
+
+void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
+  auto given = [&](std::string_view key) {
+    return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
+  };
+  const std::string material = "material \"" + std::string(name_of(scene.material)) + '"';
+  for (const InputKind& kind : input_kinds()) {
+    const std::string needed_by = kind.needed_by();
+    if ((needed_by == "every scene" || needed_by == material) && !given(kind.quantity.key))
+      throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + needed_by +
+                                  " needs it (" + std::string(kind.quantity.unit_for(scene.indenter)) + ")");
+  }
+}
+
+}  // namespace
+
+std::vector<SceneEntry> scene_entries(const Json& object, const std::string& place) {
+  std::vector<SceneEntry> entries;
+  for (const auto& [key, value] : object.items()) {
+    if (key == "comment") {
+      if (!value.is_string()) refuse(place, key, value, "must be a text");
+      continue;
+    }
+    entries.push_back({key, value, place});
+    refuse_unknown_key(entries.back());
+  }
+  const Indenter indenter = indenter_of(entries);
+  for (const SceneEntry& entry : entries) input_value(entry, indenter);
+  return entries;
+}
+
+std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place) {
+  std::vector<SceneEntry> entries;
+  for (const std::string& word : words) {
+    const auto equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw std::invalid_argument(place + ": " + word + ": must be KEY=VALUE");
+    SceneEntry entry{word.substr(0, equals), word.substr(equals + 1), place};
+    if (const auto value = plain_number(word.substr(equals + 1))) {
+      constexpr double exact = 1e15;  // whole numbers are shown without a decimal point
+      if (*value == std::floor(*value) && std::abs(*value) < exact)
+        entry.value = static_cast<long long>(*value);
+      else
+        entry.value = *value;
+    }
+    refuse_unknown_key(entry);
+    for (const SceneEntry& earlier : entries)
+      if (earlier.key == entry.key) refuse(place, entry.key, entry.value, "key given twice");
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides) {
+  std::set<std::string, std::less<>> dropped;
+  for (const SceneEntry& entry : overrides) {
+    dropped.insert(entry.key);
+    const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
+    for (const std::string_view key : replaced_inputs(entry.key, value)) dropped.emplace(key);
+  }
+  std::erase_if(entries, [&](const SceneEntry& entry) { return dropped.contains(entry.key); });
+  entries.insert(entries.end(), overrides.begin(), overrides.end());
+  return entries;
+}
+
+InputValue input_value(const SceneEntry& entry, Indenter indenter) {
+  const InputKind* const kind = find_input(entry.key);
+  if (!kind) refuse(entry.place, entry.key, entry.value, "unknown key");
+  auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
+  if (!kind->choices.empty()) {
+    const std::string rule = "must be one of " + joined(kind->choices);
+    if (!entry.value.is_string()) fail(rule);
+    const auto& name = entry.value.get_ref<const std::string&>();
+    if (find_name(kind->choices, name) < 0) fail(unknown(rule, kind->choices, name));
+    return name;
+  }
+  const double value = number(entry, *kind, indenter);
+  const bool whole = !kind->whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
+  if (!whole) fail("must be a whole number");
+  if (!kind->quantity.range.contains(value)) fail(kind->quantity.range.rule());
+  return value;
+}
+
+RollingScene scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {
+  RollingScene scene;
+  scene.indenter = indenter_of(entries);  // first: the units of the others depend on it
+  // Nothing is cleared here, so that `check` sees two inputs that exclude each other.
+  for (const SceneEntry& entry : entries) assign_input(scene, entry.key, input_value(entry, scene.indenter));
+
+  refuse_missing(entries, scene, place);
+  if (const auto broken = check(scene); !broken.empty()) throw std::invalid_argument(place + ": " + broken.front());
+  return scene;
+}
+
+}  // namespace rollres

@@ -1,0 +1,122 @@
+#include "studies/scene_inputs.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+
+namespace rollres {
+
+namespace {
+
+template <class Value>
+InputKind kind_of(const Quantity& quantity, const Value& value) {
+  InputKind kind{.quantity = quantity};
+  if constexpr (std::is_enum_v<Value>) {
+    kind.choices = ChoiceNames<Value>::names;
+    kind.default_value = std::string(name_of(value));
+  } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+    kind.optional = true;
+  } else {
+    kind.whole = std::is_integral_v<Value>;
+    kind.default_value = static_cast<double>(value);
+  }
+  return kind;
+}
+
+[[noreturn]] void refuse_value(std::string_view key, const InputValue& value, const std::string& rule) {
+  throw std::invalid_argument(std::string(key) + " = " + text_of(value) + ": " + rule);
+}
+
+template <class Value>
+void assign(Value& target, std::string_view key, const InputValue& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    const auto* const name = std::get_if<std::string>(&value);
+    const int found = name ? find_name(ChoiceNames<Value>::names, *name) : -1;
+    if (found < 0) refuse_value(key, value, "unknown name");
+    target = static_cast<Value>(found);
+  } else {
+    const auto* const number = std::get_if<double>(&value);
+    if (!number) refuse_value(key, value, "must be a number");
+    if constexpr (std::is_integral_v<Value>) {
+      if (std::abs(*number) > std::numeric_limits<Value>::max() || *number != std::floor(*number))
+        refuse_value(key, value, "must be a whole number");
+      target = static_cast<Value>(*number);
+    } else {
+      target = *number;
+    }
+  }
+}
+
+}  // namespace
+
+std::string InputKind::needed_by() const {
+  if (optional || !choices.empty()) return {};
+  if (!quantity.range.contains(std::get<double>(default_value))) return "every scene";
+  if (quantity.key == "stiffening" || quantity.key == "creep_time") return "material \"zener\"";
+  return {};
+}
+
+const std::vector<InputKind>& input_kinds() {
+  static const std::vector<InputKind> kinds = [] {
+    std::vector<InputKind> list;
+    const RollingScene defaults;
+    visit_inputs(defaults,
+                 [&](const Quantity& quantity, const auto& value) { list.push_back(kind_of(quantity, value)); });
+    return list;
+  }();
+  return kinds;
+}
+
+const InputKind* find_input(std::string_view key) {
+  for (const InputKind& kind : input_kinds())
+    if (kind.quantity.key == key) return &kind;
+  return nullptr;
+}
+
+std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value) {
+  if (key == "load") return {"approach"};
+  if (key == "approach") return {"load"};
+  if (key == "spacing") return {"tolerance"};
+  if (key == "tolerance") return {"spacing"};
+  std::vector<std::string_view> keys;
+  if (key == "drive") {
+    const auto* const drive = std::get_if<std::string>(&value);
+    if (!drive || *drive != name_of(Drive::torque)) keys.push_back("driving_torque");
+    if (!drive || *drive != name_of(Drive::rotation)) keys.push_back("rotation_ratio");
+  }
+  return keys;
+}
+
+void assign_input(RollingScene& scene, std::string_view key, const InputValue& value) {
+  bool found = false;
+  visit_inputs(scene, [&](const Quantity& quantity, auto& target) {
+    if (quantity.key != key) return;
+    assign(target, key, value);
+    found = true;
+  });
+  if (!found) refuse_value(key, value, "unknown key");
+}
+
+void set_input(RollingScene& scene, std::string_view key, const InputValue& value) {
+  assign_input(scene, key, value);
+  const std::vector<std::string_view> replaced = replaced_inputs(key, value);
+  visit_inputs(scene, [&](const Quantity& quantity, auto& target) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(target)>, std::optional<double>>)
+      if (find_name(replaced, quantity.key) >= 0) target.reset();
+  });
+}
+
+std::string text_of(const InputValue& value) {
+  if (const auto* const name = std::get_if<std::string>(&value)) return '"' + *name + '"';
+  const double number = std::get<double>(value);
+  if (std::isinf(number) && number > 0) return "\"infinite\"";
+  std::array<char, 40> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  return {digits.data(), end.ptr};
+}
+
+}  // namespace rollres

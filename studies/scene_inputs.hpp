@@ -1,0 +1,50 @@
+#pragma once
+
+/// The inputs of a scene by key, for readers of files, overrides and axes.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/scene.hpp"
+
+namespace rollres {
+
+/// An input as a value: a number [SI], or the name of a choice.
+using InputValue = std::variant<double, std::string>;
+
+/// What an input takes, beside its quantity.
+struct InputKind {
+  Quantity quantity;
+  std::span<const std::string_view> choices = {};  ///< names; empty for a number
+  bool whole = false;                              ///< a count
+  bool optional = false;                           ///< may be absent
+  InputValue default_value = 0.0;                  ///< of no meaning if `optional`
+
+  /// Who cannot do without it: "every scene" (a number whose default its own range refuses), a material, or nobody.
+  std::string needed_by() const;
+};
+
+/// All inputs, in the order of the list.
+const std::vector<InputKind>& input_kinds();
+
+/// The input with this key, or nullptr.
+const InputKind* find_input(std::string_view key);
+
+/// The inputs that giving `key` this value takes the place of: load and approach, spacing and tolerance, and what
+/// belongs to another drive.
+std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value);
+
+/// Gives an input its value and nothing else. Ranges are left to `check`.
+/// @throws std::invalid_argument "key = value: rule" for an unknown key, an unknown name or a number for a choice
+void assign_input(RollingScene& scene, std::string_view key, const InputValue& value);
+
+/// The same, and clears what the input takes the place of.
+void set_input(RollingScene& scene, std::string_view key, const InputValue& value);
+
+/// A value as text, numbers as short as they can be read back.
+std::string text_of(const InputValue& value);
+
+}  // namespace rollres

@@ -1,0 +1,20 @@
+#pragma once
+
+/// Ctrl-C (SIGINT) and SIGTERM as a wish to stop.
+
+#include <atomic>
+
+namespace rollres {
+
+/// While it lives, the first of these signals sets `requested`; the second ends the program at once, as usual.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  const std::atomic<bool>& requested() const;
+};
+
+}  // namespace rollres

@@ -1,0 +1,35 @@
+#pragma once
+
+/// JSON as this program accepts it. For sources only: public headers stay free of nlohmann_json.
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/quantity.hpp"
+
+namespace rollres {
+
+using Json = nlohmann::ordered_json;
+
+/// Parses JSON text; objects keep the order of their keys.
+/// @param place where the text comes from, for messages
+/// @throws std::invalid_argument for a syntax error (with its line), a key given twice, a number beyond double, or
+/// anything but an object
+Json parse_object(std::string_view text, const std::string& place);
+
+/// The object in a file.
+/// @throws std::runtime_error if the file cannot be read
+Json read_object(const std::string& path);
+
+/// A value as it stands in a message: JSON on one line, shortened where it is long.
+std::string shown(const Json& value);
+
+/// Throws std::invalid_argument with the one line "place: key = value: rule".
+[[noreturn]] void refuse(const std::string& place, std::string_view key, const Json& value, const std::string& rule);
+
+/// The rule for an unknown key or name: `what`, then the nearest known one.
+std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name);
+
+}  // namespace rollres

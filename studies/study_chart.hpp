@@ -1,0 +1,49 @@
+#pragma once
+
+/// The chart of a stored study: any number against any number, one curve for each value of its other axes.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "db/query.hpp"
+#include "db/result_store.hpp"
+#include "studies/chart.hpp"
+
+namespace rollres {
+
+enum class AxisScale { automatic, linear, logarithmic };
+template <>
+struct ChoiceNames<AxisScale> {
+  static constexpr std::array<std::string_view, 3> names{"auto", "linear", "logarithmic"};
+};
+
+/// What to show; what is empty is taken from the study's own "chart", else: x is the first of the axes with the most
+/// values, y the rolling resistance, and the family all other axes that have more than one value.
+struct StudyChartWishes {
+  std::string study = {};  ///< may be left out if the database holds one study
+  std::string x = {}, y = {}, family = {};
+  std::vector<Filter> filters = {};  ///< rows to show
+  AxisScale x_scale = AxisScale::automatic, y_scale = AxisScale::automatic;
+};
+
+/// A stored study as a chart.
+struct StoredChart {
+  std::string study;
+  ChartRequest request;
+  std::size_t points = 0;      ///< rows shown
+  std::size_t unanswered = 0;  ///< of these, not converged
+  std::int64_t missing = 0;    ///< points of the study that are not computed yet
+};
+
+/// Curves of more values than this cannot be told apart any more.
+inline constexpr std::size_t most_curves = 24;
+
+/// Reads the curves of a study. An axis is logarithmic if the study spaced it so, or if its values are positive and
+/// span two decades or more; units are scaled to be read easily.
+/// @throws std::invalid_argument naming what is unknown (and the nearest known name), what cannot be drawn, or that no
+///         row is left
+/// @throws std::runtime_error naming the file if the database fails
+StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes);
+
+}  // namespace rollres

@@ -1,0 +1,81 @@
+#include "studies/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "studies/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct Line {
+  std::string key, symbol, value;
+};
+
+template <class Value>
+std::string value_text(const Value& value, std::string_view unit) {
+  if constexpr (std::is_enum_v<Value>)
+    return std::string(name_of(value));
+  else if constexpr (std::is_same_v<Value, std::optional<double>>)
+    return value ? readable(*value, unit) : "";
+  else if constexpr (std::is_floating_point_v<Value>)
+    return std::isnan(value) ? "" : readable(value, unit);
+  else if constexpr (std::is_integral_v<Value>)
+    return std::to_string(value);
+  else
+    return "";  // texts stand at the top
+}
+
+std::string aligned(const std::vector<Line>& lines) {
+  std::size_t keys = 0, symbols = 0;
+  for (const Line& line : lines) {
+    keys = std::max(keys, width(line.key));
+    symbols = std::max(symbols, width(line.symbol));
+  }
+  std::string text;
+  for (const Line& line : lines)
+    text += "  " + padded(line.key, keys + 2) + padded(line.symbol, symbols + 2) + line.value + '\n';
+  return text;
+}
+
+std::string headline(const RollingSolution& solution) {
+  switch (solution.status) {
+    case Status::converged:
+      return "converged";
+    case Status::no_steady_state:
+      return "NO STEADY STATE";
+    case Status::not_converged:
+      return "NOT CONVERGED: the numbers below are where the solver stopped, not an answer";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string summary(const RollingScene& scene, const RollingSolution& solution) {
+  std::string text = "status   " + headline(solution) + '\n';
+  if (!solution.reason.empty()) text += "reason   " + solution.reason + '\n';
+  for (const std::string& warning : solution.warnings) text += "warning  " + warning + '\n';
+  if (!solution.model.empty()) text += "model    " + solution.model + '\n';
+
+  std::vector<Line> inputs, outputs;
+  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+    inputs.push_back({std::string(quantity.key), std::string(quantity.symbol),
+                      value_text(value, quantity.unit_for(scene.indenter))});
+  });
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_arithmetic_v<Value>)
+      outputs.push_back({std::string(quantity.key), std::string(quantity.symbol),
+                         value_text(value, quantity.unit_for(scene.indenter))});
+  });
+  for (auto* const lines : {&inputs, &outputs})
+    std::erase_if(*lines, [](const Line& line) { return line.value.empty(); });
+  return text + "\nscene\n" + aligned(inputs) + "\nsolution\n" + aligned(outputs);
+}
+
+}  // namespace rollres

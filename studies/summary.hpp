@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/scene.hpp"
+#include "core/solution.hpp"
+
+namespace rollres {
+
+/// A scene and its solution for people: status, reason and warnings first, then inputs and outputs with units, aligned.
+/// Absent numbers are left out.
+std::string summary(const RollingScene& scene, const RollingSolution& solution);
+
+}  // namespace rollres

@@ -1,0 +1,116 @@
+#include "studies/sweep.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "studies/evaluate.hpp"
+#include "studies/result_writer.hpp"
+#include "studies/work_list.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// What the threads of one sweep share.
+struct Run {
+  const std::atomic<bool>* stop_from_outside = nullptr;
+  std::atomic<bool> broken = false;
+  std::atomic<std::size_t> solved = 0, failed = 0;
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::size_t started = 0, ended = 0;
+  std::exception_ptr first_error;
+
+  bool asked_to_stop() const { return stop_from_outside && stop_from_outside->load(); }
+
+  void fail(std::exception_ptr error) {
+    const std::lock_guard lock(mutex);
+    if (!first_error) first_error = std::move(error);
+    broken = true;
+  }
+};
+
+void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
+          const Evaluate& evaluate, ResultWriter& writer) {
+  try {
+    while (!run.broken && !run.asked_to_stop()) {
+      const std::optional<std::size_t> point = list.next();
+      if (!point) break;
+      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point])};
+      if (answer.solution.status != Status::converged) ++run.failed;
+      writer.add(std::move(answer));
+      ++run.solved;
+    }
+  } catch (...) {
+    run.fail(std::current_exception());
+  }
+  const std::lock_guard lock(run.mutex);
+  ++run.ended;
+  run.changed.notify_one();
+}
+
+std::size_t threads_for(int jobs, std::size_t pieces) {
+  const std::size_t wanted =
+      jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1u, std::thread::hardware_concurrency());
+  return std::min(wanted, pieces);
+}
+
+}  // namespace
+
+SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
+                      const SweepOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+
+  const std::vector<RollingScene> scenes = points(study);
+  std::vector<std::string> keys;
+  for (const RollingScene& scene : scenes) keys.push_back(evaluation_key(scene));
+  StudyRecord record{study.name, {}, options.definition};
+  for (const Axis& axis : study.axes) record.axes.push_back(axis.key);
+
+  ResultStore store(database), reader(database, Access::read);
+  store.start_study(record, keys);
+  const std::optional<StudySummary> before = store.study(study.name);
+
+  Run run;
+  run.stop_from_outside = options.stop;
+  WorkList list(keys, [&](const std::string& key) { return reader.contains(key); });
+  const std::size_t to_solve = list.open();
+  {
+    ResultWriter writer(
+        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); });
+    std::vector<std::jthread> threads;
+    try {
+      for (std::size_t count = threads_for(options.jobs, to_solve); count > 0; --count) {
+        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer); });
+        const std::lock_guard lock(run.mutex);
+        ++run.started;
+      }
+      std::unique_lock lock(run.mutex);
+      while (!run.changed.wait_for(lock, std::chrono::milliseconds(100), [&] { return run.ended == run.started; })) {
+        lock.unlock();
+        if (options.report)
+          options.report({to_solve, run.solved, run.failed, list.open(), seconds(), run.asked_to_stop()});
+        lock.lock();
+      }
+    } catch (...) {
+      run.fail(std::current_exception());
+    }
+  }
+  if (run.first_error) std::rethrow_exception(run.first_error);
+
+  SweepReport report;
+  report.study = store.study(study.name).value_or(StudySummary{});
+  report.recalled = before ? static_cast<std::size_t>(before->answered) : 0;
+  report.solved = run.solved;
+  report.interrupted = run.asked_to_stop() && report.study.answered < report.study.points;
+  report.seconds = seconds();
+  return report;
+}
+
+}  // namespace rollres

@@ -1,0 +1,53 @@
+#pragma once
+
+/// Runs all points of a study. Threads solve; one more thread stores each answer as it comes.
+///
+/// What the store has is not solved again, so a study that was stopped, even by `kill -9`, is finished by starting it
+/// again, and several processes may work on one study in one database. Answers that come faster than twenty times a
+/// second are stored in groups: no more than about 0.1 s of them can be lost.
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "core/rolling_contact.hpp"
+#include "db/result_store.hpp"
+#include "studies/study.hpp"
+
+namespace rollres {
+
+struct SweepProgress {
+  std::size_t to_solve = 0;  ///< points that were not stored at the start
+  std::size_t solved = 0;    ///< by this process
+  std::size_t failed = 0;    ///< of these, without an answer
+  std::size_t left = 0;      ///< neither stored, nor being solved by this process
+  double seconds = 0;        ///< since the start
+  bool stopping = false;
+};
+
+struct SweepOptions {
+  int jobs = 0;                                           ///< threads that solve; 0: one for each core
+  const std::atomic<bool>* stop = nullptr;                ///< set from outside: finish the points in work, then return
+  std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second by the calling thread
+  std::string definition = {};                            ///< text of the study file, kept in the store
+  std::chrono::milliseconds grouping{50};                 ///< least time between two transactions
+};
+
+struct SweepReport {
+  StudySummary study;        ///< as it is stored now
+  std::size_t recalled = 0;  ///< points whose answer was there at the start
+  std::size_t solved = 0;    ///< evaluations solved by this process
+  bool interrupted = false;  ///< stopped before all points were answered
+  double seconds = 0;
+};
+
+/// @param evaluate  called by several threads at once; an exception of it becomes the reason of a failed point
+/// @throws std::invalid_argument naming the point and the rule, before any point is solved
+/// @throws std::runtime_error if the database fails; what was stored before stays
+SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
+                      const SweepOptions& options = {});
+
+}  // namespace rollres

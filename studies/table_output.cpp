@@ -1,0 +1,128 @@
+#include "studies/table_output.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+#include "studies/table_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::string six_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string all_digits(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string in_words(const Cell& cell) {
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
+  if (const auto* number = std::get_if<double>(&cell)) return std::isinf(*number) ? "infinite" : six_digits(*number);
+  if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) {
+    std::string line = *text;
+    std::replace(line.begin(), line.end(), '\n', ';');
+    return line;
+  }
+  return "-";
+}
+
+/// Letters, not bytes: what follows the first byte of a letter in UTF-8 does not count.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xc0) != 0x80; }));
+}
+
+std::string csv_cell(const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return "";
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
+  if (const auto* number = std::get_if<double>(&cell)) return all_digits(*number);
+  const std::string& text = std::get<std::string>(cell);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + '"';
+}
+
+}  // namespace
+
+Json json_of(const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return nullptr;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
+  if (const auto* number = std::get_if<double>(&cell)) {
+    if (std::isinf(*number)) return *number > 0 ? "infinite" : "-infinite";
+    return *number;
+  }
+  return std::get<std::string>(cell);
+}
+
+Json json_of(const Table& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json& object = rows.emplace_back(Json::object());
+    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = json_of(row[i]);
+  }
+  return rows;
+}
+
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_aligned(std::ostream& out, const Table& table) {
+  std::vector<std::vector<std::string>> lines{table.columns};
+  for (const auto& row : table.rows) {
+    lines.emplace_back();
+    for (const Cell& cell : row) lines.back().push_back(in_words(cell));
+  }
+  std::vector<std::size_t> widths(table.columns.size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width_of(line[i]));
+  auto is_text = [&](std::size_t column) {
+    return std::any_of(table.rows.begin(), table.rows.end(),
+                       [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
+  };
+  std::vector<bool> left;
+  for (std::size_t i = 0; i < widths.size(); ++i) left.push_back(is_text(i));
+  for (const auto& line : lines) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const std::string blanks(widths[i] - width_of(line[i]), ' ');
+      text += (i > 0 ? "  " : "") + (left[i] ? line[i] + blanks : blanks + line[i]);
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    out << text << '\n';
+  }
+}
+
+void write_csv(std::ostream& out, const Table& table) {
+  auto write_line = [&](const auto& cells, auto&& text_of) {
+    const char* comma = "";
+    for (const auto& cell : cells) {
+      out << comma << text_of(cell);
+      comma = ",";
+    }
+    out << '\n';
+  };
+  write_line(table.columns, [](const std::string& name) { return name; });
+  for (const auto& row : table.rows) write_line(row, csv_cell);
+}
+
+void write_json(std::ostream& out, const Table& table) {
+  const Json rows = json_of(table);
+  const char* begin = "[\n  ";
+  for (const Json& row : rows) {
+    out << begin << text_of(row, -1);
+    begin = ",\n  ";
+  }
+  out << (rows.empty() ? "[]" : "\n]") << '\n';
+}
+
+}  // namespace rollres

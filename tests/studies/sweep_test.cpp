@@ -1,0 +1,331 @@
+#include "studies/sweep.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include "db/query.hpp"
+#include "studies/evaluate.hpp"
+#include "studies/stop_signal.hpp"
+#include "tests/catch.hpp"
+#include "tests/scratch.hpp"
+
+using namespace rollres;
+
+namespace {
+
+using std::chrono::milliseconds;
+
+Study study_of(int speeds, int loads = 2, const std::string& name = "speed and load") {
+  Study study{.name = name, .base = plain_scene(), .axes = {{"speed"}, {"load"}}};
+  for (int i = 0; i < speeds; ++i) study.axes[0].values.push_back(0.1 * (i + 1));
+  for (int i = 0; i < loads; ++i) study.axes[1].values.push_back(1e4 * (i + 1));
+  study.base.speed = study.axes[0].values.front();
+  study.base.load = study.axes[1].values.front();
+  return study;
+}
+
+/// A closed form that fails, throws and takes its time as a solver does.
+Evaluate moody(milliseconds duration) {
+  return [duration](const RollingScene& scene) {
+    std::this_thread::sleep_for(duration);
+    RollingSolution solution = closed_form(scene);
+    const int tenths = static_cast<int>(std::lround(10 * scene.speed));
+    if (tenths % 10 == 7) {
+      solution.status = Status::no_steady_state;
+      solution.reason = "needs more friction";
+    }
+    if (tenths % 10 == 9) throw std::runtime_error("singular matrix");
+    if (tenths % 50 == 33) throw 33;
+    return solution;
+  };
+}
+
+/// The rows of a study without what differs from run to run.
+std::vector<std::vector<Cell>> rows(const std::filesystem::path& file, const std::string& study) {
+  const Database database(file, Access::read);
+  const Query query{.filters = {{"study", Comparison::equal, study}}};
+  Query lasting = query;
+  for (const std::string& column : run_query(database, query).columns)
+    if (column != "id" && column != "created" && column != "seconds") lasting.columns.push_back(column);
+  return run_query(database, lasting).rows;
+}
+
+int count(const std::filesystem::path& file, const std::string& query) {
+  SQLite::Database plain(file.string());
+  return plain.execAndGet(query).getInt();
+}
+
+/// Runs `work` in a process of its own; 0 unless it throws.
+template <class Work>
+pid_t in_child(Work&& work) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  try {
+    work();
+  } catch (...) {
+    _exit(1);
+  }
+  _exit(0);
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("a sweep answers every point, and run again it solves nothing", "[studies][sweep]") {
+  const Scratch folder;
+  std::atomic<int> calls = 0;
+  const Evaluate counted = [&](const RollingScene& scene) {
+    ++calls;
+    return closed_form(scene);
+  };
+  const SweepReport first = run_sweep(study_of(50), counted, folder / "a.db", {.jobs = 4});
+  CHECK(first.study.points == 100);
+  CHECK(first.study.answered == 100);
+  CHECK(first.study.failed == 0);
+  CHECK(first.solved == 100);
+  CHECK(first.recalled == 0);
+  CHECK_FALSE(first.interrupted);
+  CHECK(calls == 100);
+  const SweepReport again = run_sweep(study_of(50), counted, folder / "a.db");
+  CHECK(again.recalled == 100);
+  CHECK(again.solved == 0);
+  CHECK(calls == 100);
+  const SweepReport longer = run_sweep(study_of(60, 2, "longer"), counted, folder / "a.db");
+  CHECK(longer.recalled == 100);
+  CHECK(longer.solved == 20);
+  CHECK(calls == 120);
+  CHECK(count(folder / "a.db", "SELECT count(*) FROM evaluation") == 120);
+}
+
+TEST_CASE("a failed point is a row with its reason, also where the solver throws", "[studies][sweep]") {
+  const Scratch folder;
+  const SweepReport report = run_sweep(study_of(50, 1), moody(milliseconds(0)), folder / "a.db", {.jobs = 3});
+  CHECK(report.study.answered == 50);
+  CHECK(report.study.failed == 11);
+  ResultStore store(folder / "a.db", Access::read);
+  const std::vector<Failure> failures = store.failures("speed and load");
+  REQUIRE(failures.size() == 3);
+  CHECK(failures[0].status == "no_steady_state");
+  CHECK(failures[0].reason == "needs more friction");
+  CHECK(failures[0].points == 5);
+  CHECK(failures[1].status == "not_converged");
+  CHECK(failures[1].reason == "singular matrix");
+  CHECK(failures[2].reason == "an unknown error");
+  CHECK(run_sweep(study_of(50, 1), moody(milliseconds(0)), folder / "a.db").solved == 0);
+}
+
+TEST_CASE("the table does not depend on the number of threads", "[studies][sweep]") {
+  const Scratch folder;
+  for (const int jobs : {1, 8})
+    run_sweep(study_of(100), moody(milliseconds(0)), folder / std::to_string(jobs), {.jobs = jobs});
+  CHECK(rows(folder / "1", "speed and load").size() == 200);
+  CHECK(rows(folder / "1", "speed and load") == rows(folder / "8", "speed and load"));
+}
+
+TEST_CASE("a wrong point is found before the first one is solved or stored", "[studies][sweep]") {
+  const Scratch folder;
+  Study study = study_of(3);
+  study.axes[0].values.back() = -1;
+  bool called = false;
+  const std::string message = message_of([&] {
+    run_sweep(
+        study,
+        [&](const RollingScene& scene) {
+          called = true;
+          return closed_form(scene);
+        },
+        folder / "a.db");
+  });
+  CHECK(message.find("speed = -1") != std::string::npos);
+  CHECK_FALSE(called);
+  CHECK_FALSE(std::filesystem::exists(folder / "a.db"));
+}
+
+TEST_CASE("a sweep killed at any moment and started again has each point once and none lost", "[studies][sweep]") {
+  const Scratch folder;
+  const Study study = study_of(150);
+  run_sweep(study, moody(milliseconds(0)), folder / "undisturbed");
+  const auto file = folder / "killed";
+  std::mt19937 random(20130501);
+  std::uniform_int_distribution<int> moment(0, 25000);
+  int before = 0;
+  for (int kill_number = 0; kill_number < 12; ++kill_number) {
+    const pid_t child =
+        in_child([&] { run_sweep(study, moody(milliseconds(1)), file, {.jobs = 2, .grouping = milliseconds(3)}); });
+    usleep(static_cast<useconds_t>(moment(random)));
+    kill(child, SIGKILL);
+    wait_for(child);
+    if (!std::filesystem::exists(file) || std::filesystem::file_size(file) == 0) continue;
+    const int now = message_of([&] { Database(file, Access::read); }) == "nothing"
+                        ? count(file, "SELECT count(*) FROM evaluation")
+                        : 0;
+    CHECK(now >= before);
+    before = now;
+  }
+  const SweepReport last = run_sweep(study, moody(milliseconds(0)), file);
+  CHECK(last.solved == 300 - static_cast<std::size_t>(before));
+  CHECK(last.study.answered == 300);
+  CHECK(rows(file, study.name) == rows(folder / "undisturbed", study.name));
+  CHECK(count(file, "SELECT count(*) FROM evaluation") == 300);
+  SQLite::Database plain(file.string());
+  CHECK(plain.execAndGet("PRAGMA integrity_check").getString() == "ok");
+}
+
+TEST_CASE("what a killed sweep had solved is stored but for a moment's worth", "[studies][sweep]") {
+  const Scratch folder;
+  const auto file = folder / "a.db";
+  int pipe_ends[2];
+  REQUIRE(pipe(pipe_ends) == 0);
+  const pid_t child = in_child([&] {
+    run_sweep(study_of(200),
+              [&](const RollingScene& scene) {
+                std::this_thread::sleep_for(milliseconds(5));
+                const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+                if (write(pipe_ends[1], &now, sizeof now) != sizeof now) _exit(2);
+                return closed_form(scene);
+              },
+              file, {.jobs = 1});
+  });
+  close(pipe_ends[1]);
+  usleep(600'000);
+  kill(child, SIGKILL);
+  wait_for(child);
+  std::vector<std::chrono::steady_clock::rep> solved;
+  for (std::chrono::steady_clock::rep time; read(pipe_ends[0], &time, sizeof time) == sizeof time;)
+    solved.push_back(time);
+  close(pipe_ends[0]);
+  REQUIRE(solved.size() > 40);
+  const auto stored = static_cast<std::size_t>(count(file, "SELECT count(*) FROM evaluation"));
+  REQUIRE(stored <= solved.size());
+  const double lost = stored == solved.size() ? 0.0 : 1e-9 * static_cast<double>(solved.back() - solved[stored]);
+  CHECK(lost < 0.2);
+}
+
+TEST_CASE("a stop signal ends a sweep after the points in work, and the next run does the rest", "[studies][sweep]") {
+  const Scratch folder;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto file = folder / std::to_string(signal);
+    int pipe_ends[2];
+    REQUIRE(pipe(pipe_ends) == 0);
+    const pid_t child = in_child([&] {
+      const StopSignal stop;
+      std::atomic<int> solved = 0;
+      const SweepReport report = run_sweep(study_of(50),
+                                           [&](const RollingScene& scene) {
+                                             std::this_thread::sleep_for(milliseconds(2));
+                                             if (++solved == 10 && write(pipe_ends[1], "x", 1) != 1) _exit(2);
+                                             return closed_form(scene);
+                                           },
+                                           file, {.jobs = 2, .stop = &stop.requested()});
+      const bool clean = report.interrupted && report.solved == static_cast<std::size_t>(solved) &&
+                         report.study.answered == solved && solved < 100;
+      if (!clean) _exit(3);
+    });
+    char letter = 0;
+    REQUIRE(read(pipe_ends[0], &letter, 1) == 1);
+    kill(child, signal);
+    const int status = wait_for(child);
+    close(pipe_ends[0]);
+    close(pipe_ends[1]);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+    const SweepReport rest = run_sweep(study_of(50), closed_form, file);
+    CHECK(rest.recalled >= 10);
+    CHECK(rest.recalled + rest.solved == 100);
+  }
+}
+
+TEST_CASE("two processes on one study and one file answer each point once and share the work", "[studies][sweep]") {
+  const Scratch folder;
+  const auto file = folder / "shared";
+  const Study study = study_of(200, 1);
+  run_sweep(study, moody(milliseconds(0)), folder / "alone");
+  int pipe_ends[2];
+  REQUIRE(pipe(pipe_ends) == 0);
+  std::vector<pid_t> children;
+  for (int i = 0; i < 2; ++i)
+    children.push_back(in_child([&] {
+      const SweepReport report =
+          run_sweep(study, moody(milliseconds(3)), file, {.jobs = 2, .grouping = milliseconds(5)});
+      if (report.study.answered != 200) _exit(2);
+      if (write(pipe_ends[1], &report.solved, sizeof report.solved) < 0) _exit(3);
+    }));
+  for (const pid_t child : children) CHECK(wait_for(child) == 0);
+  std::size_t one = 0, two = 0;
+  REQUIRE(read(pipe_ends[0], &one, sizeof one) == sizeof one);
+  REQUIRE(read(pipe_ends[0], &two, sizeof two) == sizeof two);
+  close(pipe_ends[0]);
+  close(pipe_ends[1]);
+  CHECK(one + two >= 200);
+  CHECK(one + two < 350);  // less than doing everything twice
+  CHECK(rows(file, study.name) == rows(folder / "alone", study.name));
+  CHECK(count(file, "SELECT count(*) FROM evaluation") == 200);
+}
+
+TEST_CASE("readers in a loop never make a sweep fail", "[studies][sweep]") {
+  const Scratch folder;
+  const auto file = folder / "a.db";
+  { ResultStore created(file); }
+  std::atomic<bool> done = false;
+  std::atomic<int> read = 0;
+  std::vector<std::string> trouble;
+  std::thread reader([&] {
+    while (!done) {
+      const std::string message = message_of([&] { run_query(Database(file, Access::read), {}); });
+      if (message != "nothing") trouble.push_back(message);
+      ++read;
+    }
+  });
+  const SweepReport report =
+      run_sweep(study_of(100), moody(milliseconds(1)), file, {.jobs = 2, .grouping = milliseconds(1)});
+  done = true;
+  reader.join();
+  CHECK(report.study.answered == 200);
+  CHECK(read > 0);
+  CHECK(trouble == std::vector<std::string>{});
+}
+
+TEST_CASE("a full disk ends a sweep with a message, and what was stored stays", "[studies][sweep]") {
+  const Scratch folder;
+  const auto file = folder / "a.db";
+  const pid_t child = in_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{512 * 1024, 512 * 1024};  // no file may grow beyond
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string message =
+        message_of([&] { run_sweep(study_of(2000), closed_form, file, {.jobs = 2, .grouping = milliseconds(1)}); });
+    if (!message.starts_with(file.string() + ": ") || message.find("disk") == std::string::npos) _exit(2);
+  });
+  const int status = wait_for(child);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  const SweepReport rest = run_sweep(study_of(2000), closed_form, file);
+  CHECK(rest.recalled + rest.solved == 4000);
+}
+
+TEST_CASE("an answer is solved once and then recalled, failed ones too", "[studies][evaluate]") {
+  const Scratch folder;
+  ResultStore store(folder / "a.db");
+  int calls = 0;
+  const Evaluate evaluate = recalling(store, [&](const RollingScene& scene) {
+    ++calls;
+    if (scene.speed > 1) throw std::runtime_error("singular matrix");
+    return closed_form(scene);
+  });
+  for (int i = 0; i < 3; ++i) {
+    CHECK(evaluate(plain_scene(0.5)).rolling_resistance == closed_form(plain_scene(0.5)).rolling_resistance);
+    CHECK(evaluate(plain_scene(2)).reason == "singular matrix");
+  }
+  CHECK(calls == 2);
+}
