@@ -38,10 +38,9 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
   return guess;
 }
 
-/// Frictionless solution first, then with all contact nodes sticking: needs no start.
-NewtonOutcome solve_cold(const ContactLevel& level, const ContactUnknowns& guess, const NewtonOptions& options) {
-  const ContactProblem& problem = *level.problem;
-  if (!problem.friction) return newton_contact(problem, *level.table, *level.influence, guess, options);
+/// Frictionless tractions as a start for friction, the rotation ratio as given.
+ContactUnknowns frictionless_start(const ContactProblem& problem, const ContactLevel& level,
+                                   const ContactUnknowns& guess, double rotation_ratio, const NewtonOptions& options) {
   RollingScene frictionless = problem.scene;
   frictionless.friction_coefficient = 0;
   const ContactProblem normal(frictionless, problem.grid);
@@ -49,10 +48,122 @@ NewtonOutcome solve_cold(const ContactLevel& level, const ContactUnknowns& guess
   ContactUnknowns start = newton_contact(normal, *level.table, influence, guess, options).unknowns;
   start.shear_x = Vector::Zero(problem.grid.size());
   if (problem.sphere) start.shear_y = start.shear_x;
-  start.rotation_ratio = problem.scene.rotation_ratio.value_or(1.0);
+  start.rotation_ratio = rotation_ratio;
+  return start;
+}
+
+/// Frictionless solution first, then with all contact nodes sticking: needs no start.
+NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                         const NewtonOptions& options) {
+  if (!problem.friction) return newton_contact(problem, *level.table, *level.influence, guess, options);
+  const ContactUnknowns start =
+      frictionless_start(problem, level, guess, problem.scene.rotation_ratio.value_or(1.0), options);
   NewtonOptions sticking = options;
   sticking.first_all_stick = !problem.rotation_given();
   return newton_contact(problem, *level.table, *level.influence, start, sticking);
+}
+
+/// The drive's row as a function of a given rotation rises with it: brackets its root, narrows the bracket, and hands
+/// over to the coupled iteration as soon as that converges. For scenes that slide almost everywhere, where the coupled
+/// iteration alone wanders among sets without a sticking node.
+NewtonOutcome solve_by_rotation(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                                const NewtonOptions& options) {
+  RollingScene turning = problem.scene;
+  turning.drive = Drive::rotation;
+  turning.driving_torque.reset();
+  turning.rotation_ratio = 1;
+  const ContactProblem given_rotation(turning, problem.grid);
+  const ContactUnknowns start = frictionless_start(given_rotation, level, guess, 1, options);
+
+  struct Trial {
+    double ratio, surplus;
+    NewtonOutcome outcome;
+  };
+  int iterations = 0;
+  const auto attempt = [&](double ratio, const ContactUnknowns& from) {
+    ContactUnknowns first = from;
+    first.rotation_ratio = ratio;
+    Trial trial{ratio, RollingSolution::absent,
+                newton_contact(given_rotation, *level.table, *level.influence, first, options)};
+    iterations += trial.outcome.iterations;
+    if (!trial.outcome.converged) {  // from the other side
+      first = start;
+      first.rotation_ratio = ratio;
+      trial.outcome = newton_contact(given_rotation, *level.table, *level.influence, first, options);
+      iterations += trial.outcome.iterations;
+    }
+    if (trial.outcome.converged)
+      trial.surplus =
+          problem.drive(trial.outcome.unknowns.pressure, trial.outcome.unknowns.shear_x) - problem.drive_target;
+    return trial;
+  };
+
+  NewtonOutcome failed;
+  Trial low = attempt(1, start), high = low;
+  if (std::isnan(low.surplus)) return low.outcome.converged = false, low.outcome;
+  // The strains under the body set the scale of the creepage.
+  double width = 1e-3;
+  for (; width < 1e6 && low.surplus > 0; width *= 3) low = attempt(1 - width, low.outcome.unknowns);
+  for (width = 1e-3; width < 1e6 && high.surplus < 0; width *= 3) high = attempt(1 + width, high.outcome.unknowns);
+  if (!(low.surplus <= 0) || !(high.surplus >= 0)) return failed;
+
+  bool bisect = false;
+  for (int step = 0; step < 80; ++step, bisect = !bisect) {
+    const double share = bisect ? 0.5 : std::clamp(low.surplus / (low.surplus - high.surplus), 0.05, 0.95);
+    const double ratio = low.ratio + share * (high.ratio - low.ratio);
+    if (ratio == low.ratio || ratio == high.ratio) break;
+    Trial middle =
+        attempt(ratio, std::abs(low.surplus) < std::abs(high.surplus) ? low.outcome.unknowns : high.outcome.unknowns);
+    if (std::isnan(middle.surplus)) return failed;
+    const bool sticking =
+        std::find(middle.outcome.zone.begin(), middle.outcome.zone.end(), Zone::stick) != middle.outcome.zone.end();
+    if (sticking) {
+      NewtonOutcome coupled = newton_contact(problem, *level.table, *level.influence, middle.outcome.unknowns, options);
+      iterations += coupled.iterations;
+      if (coupled.converged) {
+        coupled.iterations = iterations;
+        return coupled;
+      }
+    }
+    (middle.surplus < 0 ? low : high) = std::move(middle);
+  }
+  return failed;
+}
+
+/// Solves the largest smaller friction that can be solved and follows the solution up to the friction wanted. For thin
+/// layers and friction near or above one, where shear lifts or drags down much of the contact.
+NewtonOutcome solve_by_friction(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                                const NewtonOptions& options) {
+  const double wanted = problem.scene.friction_coefficient;
+  const auto with_friction = [&](double friction) {
+    RollingScene scene = problem.scene;
+    scene.friction_coefficient = friction;
+    return std::make_unique<ContactProblem>(scene, problem.grid);
+  };
+  NewtonOutcome outcome;
+  double reached = 0;
+  for (const double share : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
+    reached = share * wanted;
+    const std::unique_ptr<ContactProblem> weaker = with_friction(reached);
+    outcome = solve_cold(*weaker, level, guess, options);
+    if (!outcome.converged && !weaker->rotation_given()) outcome = solve_by_rotation(*weaker, level, guess, options);
+    if (outcome.converged) break;
+  }
+  double step = 0.1 * wanted;
+  while (outcome.converged && reached < wanted && step > 1e-3 * wanted) {
+    const double next = std::min(wanted, reached + step);
+    NewtonOutcome further = newton_contact(next == wanted ? problem : *with_friction(next), *level.table,
+                                           *level.influence, outcome.unknowns, options);
+    if (further.converged) {
+      outcome = std::move(further);
+      reached = next;
+      step *= 1.5;
+    } else {
+      step *= 0.5;
+    }
+  }
+  outcome.converged = outcome.converged && reached == wanted;
+  return outcome;
 }
 
 /// Bilinear values on a finer grid, zero outside the coarser one.
@@ -134,20 +245,28 @@ NewtonOptions options_for(const RollingScene& scene) {
 }
 
 /// Solves on a window that grows until the contact keeps clear of its border.
-/// @param start tried first if not null
-ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser) {
+/// @param coarser tried first if not null   @param last_resort whether to follow the solution from a smaller friction
+ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort) {
   const NewtonOptions options = options_for(scene);
   const ContactEstimate estimate = estimate_contact(scene);
   ContactLevel level;
   for (int growth = 0; growth < 12; ++growth) {
     level = make_level(scene, grid);
-    if (coarser) {
-      level.outcome = newton_contact(*level.problem, *level.table, *level.influence, transfer(*coarser, grid), options);
-      if (!level.outcome.converged && !level.outcome.reached_border)
-        level.outcome = solve_cold(level, first_guess(*level.problem, estimate), options);
-    } else {
-      level.outcome = solve_cold(level, first_guess(*level.problem, estimate), options);
-    }
+    const ContactProblem& problem = *level.problem;
+    if (coarser)
+      level.outcome = newton_contact(problem, *level.table, *level.influence, transfer(*coarser, grid), options);
+    // Safer and slower, one after the other.
+    const ContactUnknowns guess = first_guess(problem, estimate);
+    const auto attempt = [&](const auto& method) {
+      if (level.outcome.converged || level.outcome.reached_border) return;
+      if (NewtonOutcome outcome = method(problem, level, guess, options); outcome.converged || outcome.reached_border)
+        level.outcome = std::move(outcome);
+      else if (level.outcome.zone.empty())
+        level.outcome = std::move(outcome);
+    };
+    attempt(solve_cold);
+    if (problem.friction && !problem.rotation_given()) attempt(solve_by_rotation);
+    if (problem.friction && last_resort) attempt(solve_by_friction);
     if (!level.outcome.reached_border) break;
     const double reach = -grid.x(0);
     if (reach >= widest_window(scene) && grid.x(grid.columns - 1) >= widest_window(scene)) break;
@@ -175,7 +294,7 @@ double sliding_surplus(RollingScene scene, const SurfaceGrid& grid, int directio
   scene.drive = Drive::rotation;
   scene.driving_torque.reset();
   scene.rotation_ratio = 1 + direction * 1e4;
-  const ContactLevel level = solve_level(scene, grid, nullptr);
+  const ContactLevel level = solve_level(scene, grid, nullptr, false);
   if (!level.outcome.converged || level.problem->grid.size() == 0) return RollingSolution::absent;
   const ContactProblem on_grid(
       [&] {
@@ -233,13 +352,17 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
   while (half_width / (spacing * std::ldexp(1.0, coarsenings + 1)) >= coarsest_cells_per_half_width) ++coarsenings;
 
   double current = spacing * std::ldexp(1.0, coarsenings);
-  const double reach = std::min(1.3 * half_width + 3 * current, widest_window(scene));
-  nested.finest = solve_level(scene, window(scene.indenter, current, reach), nullptr);
+  const auto first_window = [&] {
+    return window(scene.indenter, current, std::min(1.3 * half_width + 3 * current, widest_window(scene)));
+  };
+  nested.finest = solve_level(scene, first_window(), nullptr, coarsenings == 0);
   for (;;) {
     const ContactLevel& level = nested.finest;
-    if (!level.outcome.converged || level.outcome.reached_border) break;
-    nested.finest.rolling_resistance = resistance(level);
+    if (level.outcome.reached_border) break;
+    const bool solved = level.outcome.converged;
+    if (solved) nested.finest.rolling_resistance = resistance(level);
     if (coarsenings == 0) {
+      if (!solved) break;
       nested.status = Status::converged;
       if (!finer || !finer(nested)) return nested;
       ++coarsenings;
@@ -248,8 +371,11 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
     --coarsenings;
     const double coarse = current;
     current *= 0.5;
-    ContactLevel next = solve_level(scene, follow(level, current, 1.5 * coarse + 2 * current), &level);
-    nested.coarser_resistance = level.rolling_resistance;
+    // A grid too coarse for its layer may have no solution: the next one then starts afresh.
+    ContactLevel next =
+        solved ? solve_level(scene, follow(level, current, 1.5 * coarse + 2 * current), &level, coarsenings == 0)
+               : solve_level(scene, first_window(), nullptr, coarsenings == 0);
+    nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
     nested.finest = std::move(next);
   }
   const bool drive_may_fail = nested.finest.problem->friction && scene.drive != Drive::rotation;

@@ -47,18 +47,30 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
   laws.direction_x = laws.direction_y = laws.beta = Vector::Zero(n);
   if (!problem.friction || all_stick) return laws;
   const double per_slip = 1 / influence.self_slip();
+  bool sticking = false;
+  Eigen::Index closest = 0;  // to sticking
+  double least_excess = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index node = laws.contact[static_cast<std::size_t>(i)];
     const double qx = x.shear_x(node) + maps.slip_x(node) * per_slip;
     const double qy = problem.sphere ? x.shear_y(node) + maps.slip_y(node) * per_slip : 0;
     const double size = std::hypot(qx, qy);
     const double bound = problem.scene.friction_coefficient * std::abs(x.pressure(node));
-    if (size <= bound) continue;
+    if (size <= bound) {
+      sticking = true;
+      continue;
+    }
+    if (size - bound < least_excess) {
+      least_excess = size - bound;
+      closest = i;
+    }
     laws.zone[static_cast<std::size_t>(i)] = Zone::slip;
     laws.direction_x(i) = qx / size;
     laws.direction_y(i) = qy / size;
     laws.beta(i) = bound / size;
   }
+  // Without any sticking node the drive could not determine the rotation.
+  if (!sticking && n > 0 && !problem.rotation_given()) laws.zone[static_cast<std::size_t>(closest)] = Zone::stick;
   return laws;
 }
 
