@@ -167,7 +167,7 @@ std::string accuracy_text(const AccuracyReport& report, bool markdown) {
 ChartRequest accuracy_chart(const AccuracyReport& report) {
   ChartRequest request;
   request.title = report.name + ": error against time";
-  request.x = {.name = "time of a solution", .unit = "s", .logarithmic = true};
+  request.x = {.name = "time of a solution", .unit = "s", .logarithmic = true, .margin = 0.05};
   request.y = {.name = "relative error of", .symbol = "R_r", .logarithmic = true};
   request.family = {.name = "method"};
   request.mark_peaks = false;
