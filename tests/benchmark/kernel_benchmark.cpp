@@ -11,14 +11,14 @@ namespace {
 
 /// A speed and a spacing of the paper's sphere: the spacings have about 939 and 14,919 nodes in contact.
 void speeds(benchmark::internal::Benchmark* timing) {
-  timing->ArgNames({"µm/s", "nm"})->Unit(benchmark::kMillisecond);
+  timing->ArgNames({"speed_um_s", "spacing_nm"})->Unit(benchmark::kMillisecond);
   for (const long spacing : {250'000, 62'500})
     for (const long speed : {100, 30'000'000}) timing->Args({speed, spacing});
 }
 
 /// Spacings of the paper's sphere with about 939, 3,728, 14,919 and 59,590 nodes in contact.
 void spacings(benchmark::internal::Benchmark* timing) {
-  timing->ArgName("nm")->Unit(benchmark::kMillisecond);
+  timing->ArgName("spacing_nm")->Unit(benchmark::kMillisecond);
   for (const long spacing : {250'000, 125'000, 62'500, 31'250}) timing->Arg(spacing);
 }
 

@@ -34,14 +34,14 @@ void solve_sphere_known_kernel(benchmark::State& state) {
 }
 /// 939, 3,728, 14,919 and 59,590 nodes.
 BENCHMARK(solve_sphere)
-    ->ArgName("nm")
+    ->ArgName("spacing_nm")
     ->Arg(250'000)
     ->Arg(125'000)
     ->Arg(62'500)
     ->Arg(31'250)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(solve_sphere_known_kernel)->ArgName("nm")->Arg(250'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(solve_sphere_known_kernel)->ArgName("spacing_nm")->Arg(250'000)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// About 200,000 nodes without friction.
 void solve_frictionless(benchmark::State& state) {
@@ -49,14 +49,14 @@ void solve_frictionless(benchmark::State& state) {
   scene.friction_coefficient = 0;
   time_solve(state, scene, false);
 }
-BENCHMARK(solve_frictionless)->ArgName("nm")->Arg(17'060)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(solve_frictionless)->ArgName("spacing_nm")->Arg(17'060)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// About 29,000 nodes: CONTACT takes 197 s for an elastic sphere on a half-space under a given force.
 void solve_elastic_force_given(benchmark::State& state) {
   time_solve(state, timed::elastic_sphere(static_cast<double>(state.range(0))), false);
 }
 BENCHMARK(solve_elastic_force_given)
-    ->ArgName("per_radius")
+    ->ArgName("nodes_per_radius")
     ->Arg(18)
     ->Arg(48)
     ->Arg(96)
