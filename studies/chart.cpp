@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "studies/gnuplot.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
+#include "studies/write_file.hpp"
 
 namespace rollres {
 
@@ -24,13 +24,6 @@ std::vector<bool> marked(const std::vector<ChartPoint>& points, std::size_t curv
     marks[i] = alone || (i + curve) % step == 0;
   }
   return marks;
-}
-
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
 }  // namespace
@@ -91,20 +84,17 @@ std::string chart_data(const ChartRequest& request) {
 }
 
 ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
-  const ChartFiles files = chart_files(name);
+  ChartFiles files = chart_files(name);
   const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
     return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.drawn(); });
   });
   if (!something)
     throw std::invalid_argument(request.title + ": nothing to draw, no point has a value of " + request.y.name);
 
-  std::error_code error;
-  if (const auto folder = files.script.parent_path(); !folder.empty()) {
-    std::filesystem::create_directories(folder, error);
-    if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
-  }
+  if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
   write_file(files.data, chart_data(request));
   write_file(files.script, chart_script(request, files));
+  std::error_code error;
   for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
   gnuplot::run(files.script, gnuplot);
   for (const auto& picture : {files.svg, files.png})

@@ -7,14 +7,14 @@
 #include "studies/chart.hpp"
 #include "studies/chart_layout.hpp"
 #include "studies/gnuplot.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 
 namespace {
 
 // Sizes in pixels of the SVG; the PNG has twice as many.
-constexpr int width = 560, plot_height = 350, title_height = 36, legend_row_height = 23;
+constexpr double picture_width = 560, plot_height = 345, title_height = 36, legend_row_height = 23, font_size = 17;
 
 /// Look of the n-th curve. The colours are those of Okabe and Ito (2008) without their yellow; the periods 7, 6 and 5
 /// of colours, marks and dashes have no common factor, so 210 curves differ.
@@ -32,23 +32,19 @@ Look look(std::size_t curve) {
           dashes[curve % dashes.size()]};
 }
 
-std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
-/// Text set smaller, down to two thirds, where it is longer than `room` letters, and cut where that is not enough.
+/// A quoted text, set in smaller letters, down to two thirds, where it is longer than `room`, and cut where that is not
+/// enough.
 std::string fitted(std::string text, const std::string& markup, std::size_t room) {
-  const std::size_t length = letters(text);
+  const std::size_t length = width(text), longest = room * 3 / 2;
   if (length <= room) return gnuplot::quoted(markup);
-  const std::size_t longest = room * 3 / 2;
   const double scale = static_cast<double>(room) / static_cast<double>(std::min(length, longest));
-  const std::string size = "{/*" + short_number(scale, 2) + " ";
-  if (length <= longest) return gnuplot::quoted(size + markup + "}");
-  while (letters(text) >= longest) {
+  const std::string font = " font '," + short_number(font_size * scale, 3) + "'";
+  if (length <= longest) return gnuplot::quoted(markup) + font;
+  while (width(text) >= longest) {
     while ((text.back() & 0xc0) == 0x80) text.pop_back();
     text.pop_back();
   }
-  return gnuplot::quoted(size + gnuplot::plain(text) + "…}");
+  return gnuplot::quoted(gnuplot::plain(text) + "…") + font;
 }
 
 std::string axis_label(const ChartAxis& axis, std::size_t room) {
@@ -118,7 +114,7 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
     const std::string& symbol = request.family.symbol;
     const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
     entries.push_back({"linespoints linetype " + std::to_string(i + 1), equals + gnuplot::plain(label) + kept_blanks,
-                       letters(label) + (symbol.empty() ? 0 : letters(symbol) + 3)});
+                       width(label) + (symbol.empty() ? 0 : width(symbol) + 3)});
   }
   const std::string grey = " lw 1.5 lc rgb '#444444'";
   if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
@@ -126,14 +122,36 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
   return entries;
 }
 
-/// As many columns as the width of the picture holds.
-int legend_columns(const std::vector<Entry>& entries) {
-  std::size_t longest = 1;
-  for (const Entry& entry : entries) longest = std::max(longest, entry.letters);
-  return std::clamp(static_cast<int>(56 / (longest + 6)), 1, 4);
-}
+/// Where the entries of a legend stand: row by row, as many side by side as the picture holds.
+struct LegendGrid {
+  static constexpr double sample = 54;  // room left of the text [px]
+  double column = 1;                    // width of a column [px]
+  std::size_t columns = 1, rows = 0;
 
-void write_plot(std::ostream& script, const ChartRequest& request, const std::vector<Entry>& entries) {
+  explicit LegendGrid(const std::vector<Entry>& entries) {
+    if (entries.empty()) return;
+    std::size_t longest = 1;
+    for (const Entry& entry : entries) longest = std::max(longest, entry.letters);
+    column = sample + 14 + 8.8 * static_cast<double>(longest);
+    columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 20) / column), 1, 4);
+    columns = std::min(columns, entries.size());
+    rows = (entries.size() + columns - 1) / columns;
+  }
+  double height() const { return legend_row_height * static_cast<double>(rows); }
+  /// Start of an entry's text, from the left [px].
+  double x(std::size_t entry) const {
+    const double all = column * static_cast<double>(columns);
+    return (picture_width - all) / 2 + sample + column * static_cast<double>(entry % columns);
+  }
+  /// Middle of its height, from the top [px].
+  double y(std::size_t entry) const {
+    const std::size_t row = entry / columns;
+    return title_height + legend_row_height * (static_cast<double>(row) + 0.3);
+  }
+};
+
+void write_plot(std::ostream& script, const ChartRequest& request, const std::vector<Entry>& entries,
+                const LegendGrid& grid, double height) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const auto& points = request.curves[i].points;
@@ -155,8 +173,9 @@ void write_plot(std::ostream& script, const ChartRequest& request, const std::ve
                         " using 1:2 with points pt 6 ps 1.3 lw 1.5 lc rgb '" + std::string(look(i).colour) +
                         "' notitle");
       }
-  for (const Entry& entry : entries)
-    parts.push_back("keyentry with " + entry.sample + " title " + gnuplot::quoted(entry.markup));
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    parts.push_back("keyentry with " + entries[i].sample + " title " + gnuplot::quoted(entries[i].markup) + " at " +
+                    short_number(grid.x(i) / picture_width, 4) + "," + short_number(1 - grid.y(i) / height, 4));
   script << "plot ";
   for (std::size_t i = 0; i < parts.size(); ++i) script << (i == 0 ? "" : ", \\\n     ") << parts[i];
   script << "\n";
@@ -184,22 +203,21 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
   script << "\n";
   if (request.mark_peaks) write_peak_values(script, request, layout);
   const std::vector<Entry> entries = legend(request, write_crosses(script, request));
-  const int columns = legend_columns(entries);
-  const int rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
-  const int head = title_height + legend_row_height * rows, height = plot_height + head;
-  const auto from_top = [&](int pixels) { return short_number(1.0 - static_cast<double>(pixels) / height, 4); };
+  const LegendGrid grid(entries);
+  const double height = std::round(plot_height + title_height + grid.height());
+  const auto from_top = [&](double pixels) { return short_number(1 - pixels / height, 4); };
   script << "set label " << fitted(request.title, gnuplot::plain(request.title) + kept_blanks, 46)
          << " at screen 0.5, screen " << from_top(title_height / 2) << " center\n"
-         << "set tmargin at screen " << from_top(head + 12) << "\nset rmargin at screen 0.955\n"
-         << "set key at screen 0.5, screen " << from_top(title_height - 4) << " center top horizontal maxcols "
-         << columns << " Left reverse samplen 2.2 width -3\n";
+         << "set tmargin at screen " << from_top(title_height + grid.height() + 10)
+         << "\nset rmargin at screen 0.955\nset key Left reverse samplen 2.2\n";
 
-  script << "\nset terminal svg size " << width << "," << height
-         << " dynamic enhanced background rgb 'white' font 'sans-serif,17'\n"
+  script << "\nset terminal svg size " << picture_width << "," << height
+         << " dynamic enhanced background rgb 'white' font 'sans-serif," << font_size << "'\n"
          << "set output " << here(files.svg) << "\n";
-  write_plot(script, request, entries);
-  script << "\nset terminal pngcairo size " << 2 * width << "," << 2 * height
-         << " enhanced background rgb 'white' font 'sans-serif,12.75' fontscale 2 linewidth 2 pointscale 3.2\n"
+  write_plot(script, request, entries, grid, height);
+  script << "\nset terminal pngcairo size " << 2 * picture_width << "," << 2 * height
+         << " enhanced background rgb 'white' font 'sans-serif," << font_size
+         << "' fontscale 1.5 linewidth 2 pointscale 3.2\n"
          << "set output " << here(files.png) << "\nreplot\nunset output\n";
   return script.str();
 }
