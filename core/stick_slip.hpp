@@ -75,7 +75,7 @@ class TangentialProblem {
   Drive drive = Drive::top_force;
   std::optional<double> given_rotation;  // R Omega / V
   std::vector<int> contact;
-  Eigen::VectorXd limit;       // mu |F_W| at every node; zero in tension
+  Eigen::VectorXd limit;       // mu |F_W| at every node, also in tension
   Eigen::VectorXd moment_arm;  // at every node, over R: sum(moment_arm F_U) = moment
   double moment = 0;           // [N; cylinder: N/m]
   Eigen::VectorXd roll;        // R(y)/R at every node

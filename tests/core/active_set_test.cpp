@@ -102,3 +102,15 @@ TEST_CASE("a contact that reaches the border of its grid is not an answer", "[co
   CHECK(state.reached_border);
   CHECK(state.reason == "the contact reached the border of the grid");
 }
+
+TEST_CASE("an adhesive body that rolls with friction obeys every law of contact", "[core][active_set]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    RollingScene scene = paper_scene(indenter);
+    scene.adhesion_threshold = 2e6;
+    scene.spacing = indenter == Indenter::cylinder ? 0.25e-3 : 0.6e-3;
+    const Solved solved = solve_on(scene, 8e-3);
+    REQUIRE(solved.state.status == Status::converged);
+    CHECK(solved.state.pressure.minCoeff() < 0);
+    CHECK(solved.solution.law_violation < 1e-8);
+  }
+}

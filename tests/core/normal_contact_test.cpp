@@ -53,17 +53,23 @@ TEST_CASE("the approach that a load causes, given in its place, causes that load
   }
 }
 
-TEST_CASE("with an adhesion threshold no node bears more tension than it, and the contact is longer",
-          "[core][normal_contact]") {
-  RollingScene scene = paper_scene(Indenter::cylinder);
-  const SurfaceGrid grid = window(Indenter::cylinder, *scene.spacing, 8e-3);
-  const NormalContact plain = press(scene, grid, all_nodes(grid));
-  scene.adhesion_threshold = 5e5;
-  const NormalContact sticky = press(scene, grid, all_nodes(grid));
-  REQUIRE(sticky.converged);
-  CHECK(sticky.force.maxCoeff() <= scene.adhesion_threshold * grid.cell_area());
-  CHECK(sticky.force.maxCoeff() > 0);
-  CHECK(sticky.contact.size() > plain.contact.size());
+TEST_CASE("the more tension a node bears before it lets go, the longer the contact", "[core][normal_contact]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    RollingScene scene = paper_scene(indenter);
+    scene.spacing = indenter == Indenter::cylinder ? 0.1e-3 : 0.5e-3;
+    const SurfaceGrid grid = mirrored(window(indenter, *scene.spacing, 8e-3), indenter == Indenter::sphere);
+    std::size_t nodes = press(scene, grid).contact.size();
+    for (const double threshold : {1e6, 4e6}) {
+      scene.adhesion_threshold = threshold;
+      const NormalContact contact = press(scene, grid);
+      REQUIRE(contact.converged);
+      CHECK(contact.force.maxCoeff() > 0);
+      CHECK(contact.force.maxCoeff() <= threshold * grid.cell_area());
+      CHECK(contact.contact.size() > nodes);
+      CHECK(static_cast<int>(contact.contact.size()) < grid.size());
+      nodes = contact.contact.size();
+    }
+  }
 }
 
 TEST_CASE("on an elastic layer the pressure under a cylinder is even in x", "[core][normal_contact]") {
