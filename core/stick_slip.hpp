@@ -98,6 +98,7 @@ class LineStickSlip {
   LineStickSlip(const LineStickSlip&) = delete;
   LineStickSlip& operator=(const LineStickSlip&) = delete;
 
+  /// @param tolerance unused: once the zones are found, the answer is exact
   StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance = 0);
   const SubsetSolver& system() const { return system_; }
 
