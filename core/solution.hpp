@@ -72,6 +72,7 @@ struct RollingSolution {
   double viscous_loss = absent, frictional_loss = absent;
   double energy_residual = absent;
   double law_violation = absent;
+  double friction_needed = absent;
   double error_estimate = absent;
   double spacing = absent;
   int iterations = 0;
@@ -117,6 +118,8 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"frictional_loss", "", "W", "power lost to friction", any_number, "W/m"}, s.frictional_loss);
   visitor(Q{"energy_residual", "", "1", "what the power balance misses, over R_r V"}, s.energy_residual);
   visitor(Q{"law_violation", "", "1", "largest relative violation of a law of contact at any node"}, s.law_violation);
+  visitor(Q{"friction_needed", "", "1", "least friction coefficient with a steady state, where there is none"},
+          s.friction_needed);
   visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
   visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
   visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);
