@@ -90,6 +90,22 @@ std::string chart_data(const ChartRequest& request) {
   return data.str();
 }
 
+void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
+                   const std::string& gnuplot) {
+  std::error_code error;
+  if (const auto folder = files.script.parent_path(); !folder.empty()) {
+    std::filesystem::create_directories(folder, error);
+    if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
+  }
+  write_file(files.data, data);
+  write_file(files.script, script);
+  for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
+  gnuplot::run(files.script, gnuplot);
+  for (const auto& picture : {files.svg, files.png})
+    if (const auto size = std::filesystem::file_size(picture, error); error || size == 0)
+      throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but drew nothing");
+}
+
 ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
   const ChartFiles files = chart_files(name);
   const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
@@ -97,19 +113,7 @@ ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& 
   });
   if (!something)
     throw std::invalid_argument(request.title + ": nothing to draw, no point has a value of " + request.y.name);
-
-  std::error_code error;
-  if (const auto folder = files.script.parent_path(); !folder.empty()) {
-    std::filesystem::create_directories(folder, error);
-    if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
-  }
-  write_file(files.data, chart_data(request));
-  write_file(files.script, chart_script(request, files));
-  for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
-  gnuplot::run(files.script, gnuplot);
-  for (const auto& picture : {files.svg, files.png})
-    if (const auto size = std::filesystem::file_size(picture, error); error || size == 0)
-      throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but drew nothing");
+  draw_pictures(files, chart_data(request), chart_script(request, files), gnuplot);
   return files;
 }
 
