@@ -383,6 +383,7 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
     const double needed = friction_needed(scene, nested.finest.problem->grid);
     if (needed > scene.friction_coefficient) {
       nested.status = Status::no_steady_state;
+      nested.friction_needed = needed;
       std::ostringstream text;
       text << "the drive asks for more traction than friction can give: needs a friction coefficient of at least "
            << needed << ", has " << scene.friction_coefficient;

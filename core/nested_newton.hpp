@@ -25,6 +25,7 @@ struct NestedOutcome {
   double coarser_resistance = RollingSolution::absent;
   Status status = Status::not_converged;
   std::string reason;
+  double friction_needed = RollingSolution::absent;  // with no_steady_state
 };
 
 /// @param spacing of the finest grid [m]
