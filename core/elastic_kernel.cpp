@@ -1,6 +1,8 @@
 #include "core/elastic_kernel.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/layer_compliance.hpp"
 #include "core/quadrature.hpp"
@@ -9,62 +11,89 @@ namespace rollres {
 
 namespace {
 
-constexpr double table_end = 30.0;           // r/H
-constexpr double highest_wavenumber = 18.0;  // k H: the corrections have fallen to e^{-36}
-constexpr int table_panels = 20, table_degree = 15;
+constexpr double table_end = 30.0;  // r/H
+constexpr int table_degree = 15;
 
-/// Nodes and weights in k H for the transforms below.
-const QuadratureRule& wavenumber_rule() {
-  static const QuadratureRule rule = [] {
-    QuadratureRule sum;
-    const QuadratureRule gauss = gauss_legendre(20);
-    // Panels of kH = 1 hold at most 30 rad of the oscillation at the table's end.
-    for (int panel = 0; panel < static_cast<int>(highest_wavenumber); ++panel)
-      for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
-        sum.nodes.push_back(panel + gauss.nodes[q]);
-        sum.weights.push_back(gauss.weights[q]);
-      }
-    return sum;
-  }();
-  return rule;
+/// Borders of the tables' panels in r/H. The corrections are singular at r/H = +-2i only, so that panels may widen
+/// with r.
+std::vector<double> table_borders() { return {0, 1.5, 3.5, 6.5, 11, 18.5, table_end}; }
+
+/// A wavenumber of the transforms below with its weight and the layer's symbols.
+struct WavenumberNode {
+  double wavenumber, weight;  // times H
+  LayerSymbols symbols;
+};
+
+/// Gauss panels of k H = 1 up to 16, where the corrections have fallen to e^{-32}; an oscillation of r rad within one
+/// takes about r/2 nodes more.
+std::vector<WavenumberNode> wavenumber_nodes(double r) {
+  std::vector<WavenumberNode> nodes;
+  const QuadratureRule gauss = gauss_legendre(10 + static_cast<int>(0.5 * r));
+  for (int panel = 0; panel < 16; ++panel)
+    for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
+      const double k = panel + gauss.nodes[q];
+      nodes.push_back({k, gauss.weights[q], layer_correction(k)});
+    }
+  return nodes;
 }
+
+/// Wavenumber nodes fit for every r up to the panel's end, kept for the panel's samples.
+class WavenumberNodes {
+ public:
+  const std::vector<WavenumberNode>& operator()(double r) {
+    const std::vector<double> borders = table_borders();
+    const double end = *std::lower_bound(borders.begin(), borders.end(), r);
+    if (end != end_) {
+      nodes_ = wavenumber_nodes(end);
+      end_ = end;
+    }
+    return nodes_;
+  }
+
+ private:
+  double end_ = -1;
+  std::vector<WavenumberNode> nodes_;
+};
 
 /// Radial functions of r/H [1/H]: normal (J0), mean tangential (J0), half difference tangential (J2), cross (J1).
 const ChebyshevTable<4>& radial_table() {
-  static const ChebyshevTable<4> table(table_end, table_panels, table_degree, [](double r) {
-    Eigen::Array4d sum = Eigen::Array4d::Zero();
-    const QuadratureRule& rule = wavenumber_rule();
-    for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-      const double k = rule.nodes[q], z = k * r;
-      const LayerSymbols c = layer_correction(k);
-      const double j0 = ::j0(z), j1 = ::j1(z), j2 = z > 1e-2 ? 2 * j1 / z - j0 : z * z / 8 * (1 - z * z / 12);
-      sum += rule.weights[q] * k / (2 * M_PI) *
-             Eigen::Array4d(c.normal * j0, 0.5 * (c.longitudinal + c.transverse) * j0,
-                            0.5 * (c.longitudinal - c.transverse) * j2, c.cross * j1);
-    }
-    return sum;
-  });
+  static const ChebyshevTable<4> table = [] {
+    WavenumberNodes nodes;
+    return ChebyshevTable<4>(table_borders(), table_degree, [&](double r) {
+      Eigen::Array4d sum = Eigen::Array4d::Zero();
+      for (const auto& [k, weight, c] : nodes(r)) {
+        const double z = k * r, j0 = ::j0(z), j1 = ::j1(z);
+        const double j2 = z > 1e-2 ? 2 * j1 / z - j0 : z * z / 8 * (1 - z * z / 12);
+        sum += weight * k / (2 * M_PI) *
+               Eigen::Array4d(c.normal * j0, 0.5 * (c.longitudinal + c.transverse) * j0,
+                              0.5 * (c.longitudinal - c.transverse) * j2, c.cross * j1);
+      }
+      return sum;
+    });
+  }();
   return table;
 }
 
 /// Antiderivatives over x/H of the layer's correction to a line load, less the part (1 - e^{-2kH})/(2k) that is known
 /// in closed form: normal, longitudinal [1], cross [1].
 const ChebyshevTable<3>& line_table() {
-  static const ChebyshevTable<3> table(table_end, table_panels, table_degree, [](double x) {
-    Eigen::Array3d sum = Eigen::Array3d::Zero();
-    const QuadratureRule& rule = wavenumber_rule();
-    for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-      const double k = rule.nodes[q];
-      const LayerSymbols c = layer_correction(k);
-      const double known = -std::exp(-2 * k) / (2 * k);
-      sum += rule.weights[q] / (M_PI * k) *
-             Eigen::Array3d((c.normal - known) * std::sin(k * x), (c.longitudinal - known) * std::sin(k * x),
-                            -2 * c.cross * std::pow(std::sin(0.5 * k * x), 2));
-    }
-    return sum;
-  });
+  static const ChebyshevTable<3> table = [] {
+    WavenumberNodes nodes;
+    return ChebyshevTable<3>(table_borders(), table_degree, [&](double x) {
+      Eigen::Array3d sum = Eigen::Array3d::Zero();
+      for (const auto& [k, weight, c] : nodes(x)) {
+        const double known = -std::exp(-2 * k) / (2 * k), sine = std::sin(k * x), half_sine = std::sin(0.5 * k * x);
+        sum += weight / (M_PI * k) *
+               Eigen::Array3d((c.normal - known) * sine, (c.longitudinal - known) * sine,
+                              -2 * c.cross * half_sine * half_sine);
+      }
+      return sum;
+    });
+  }();
   return table;
 }
+
+double distance(double x, double y) { return std::sqrt(x * x + y * y); }
 
 double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
 
@@ -104,15 +133,22 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
   if (std::hypot(x, y) > reach()) return sum;
-  for (const int sx : {1, -1})
-    for (const int sy : {1, -1}) {
-      const double cx = x + 0.5 * sx * cell_x_, cy = y + 0.5 * sy * cell_y_;
-      const double a = x_asinh(cx, cy), b = x_asinh(cy, cx), sign = sx * sy;
-      sum(ww) += sign * (a + b);
-      sum(uu) += sign * (a + 2 * b);
-      sum(vv) += sign * (2 * a + b);
-      sum(uv) -= sign * std::hypot(cx, cy);
-    }
+  const double right = x + 0.5 * cell_x_, left = x - 0.5 * cell_x_;
+  const double above = y + 0.5 * cell_y_, below = y - 0.5 * cell_y_;
+  const double r_ra = distance(right, above), r_rb = distance(right, below);
+  const double r_la = distance(left, above), r_lb = distance(left, below);
+  double a, b;  // x asinh(y/|x|) and y asinh(x/|y|), differenced over the corners
+  if (left > 0 && below > 0) {
+    a = right * std::log((above + r_ra) / (below + r_rb)) - left * std::log((above + r_la) / (below + r_lb));
+    b = above * std::log((right + r_ra) / (left + r_la)) - below * std::log((right + r_rb) / (left + r_lb));
+  } else {
+    a = x_asinh(right, above) - x_asinh(right, below) - x_asinh(left, above) + x_asinh(left, below);
+    b = x_asinh(above, right) - x_asinh(above, left) - x_asinh(below, right) + x_asinh(below, left);
+  }
+  sum(ww) = a + b;
+  sum(uu) = a + 2 * b;
+  sum(vv) = 2 * a + b;
+  sum(uv) = -(r_ra - r_rb - r_la + r_lb);
   sum /= 4 * M_PI * cell_x_ * cell_y_;
   if (std::isinf(thickness_)) return sum;
 

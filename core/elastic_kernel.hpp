@@ -9,6 +9,7 @@
 /// cosine and sine transforms of what is left of the symbols.
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "core/quantity.hpp"
 

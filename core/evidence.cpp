@@ -31,7 +31,7 @@ class Assessment {
       : problem_(given_problem),
         unknowns_(given),
         zone_(given_zone),
-        moved_(influence.apply(given.pressure, given.shear_x, given.shear_y)) {}
+        moved_(influence.apply(given.pressure, shear_or_zero(given.shear_x), lateral_shear(given))) {}
 
   RollingSolution run() {
     measure_contact();
@@ -44,6 +44,13 @@ class Assessment {
   }
 
  private:
+  // Without friction the shear is zero, but the pressure moves the surface sideways all the same.
+  Vector shear_or_zero(const Vector& shear) const {
+    return shear.size() > 0 ? shear : Vector(Vector::Zero(problem_.grid.size()));
+  }
+  Vector lateral_shear(const ContactUnknowns& given) const {
+    return problem_.sphere ? shear_or_zero(given.shear_y) : Vector();
+  }
   Eigen::Index moved_index(Eigen::Index node) const {
     const Eigen::Index columns = problem_.grid.columns;
     return node / columns * (columns + 1) + node % columns;

@@ -8,6 +8,8 @@
 #include <complex>
 #include <cstddef>
 #include <cstring>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <utility>
 
@@ -42,6 +44,9 @@ class FftBuffer {
   std::size_t size_ = 0;
 };
 
+/// Guards the planner of FFTW.
+std::mutex& fftw_planner_mutex();
+
 /// Plans for real arrays of `columns` by `rows` and spectra of (columns/2 + 1) by rows; usable from many threads.
 class FftPlan {
  public:
@@ -63,7 +68,10 @@ class FftPlan {
   fftw_plan forward_ = nullptr, inverse_ = nullptr;
 };
 
-/// Smallest size >= `size` whose only prime factors are 2, 3, 5 and 7.
+/// The plan for a size, made once and shared by all threads.
+std::shared_ptr<const FftPlan> shared_fft_plan(int columns, int rows);
+
+/// Smallest size >= `size` that transforms fast: only prime factors 2, 3 and 5, a multiple of 4 (of 8 above 64).
 int good_fft_size(int size);
 
 /// One inverse transform (unnormalised), plan included.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/layer_compliance.hpp"
+#include "core/material.hpp"
+
 namespace rollres {
 
 namespace {
@@ -12,200 +15,160 @@ constexpr double slip_shift = 0.005;
 /// Floor of the normal symbol, which vanishes at k = 0 for an incompressible layer, relative to its largest value.
 constexpr double normal_floor = 1e-3;
 
+/// Symbols of displacements at the nodes from tractions uniform over cells, unit shear modulus [m].
+struct CellSymbols {
+  double ww = 0, uu = 0, uv = 0, vv = 0;
+};
+
+/// Sum over the aliases that matter: the nearest ones, for wavelengths of a few cells.
+CellSymbols cell_symbols(double kx, double ky, double thickness, double cell_x, double cell_y) {
+  const auto factor = [](double k, double cell) {
+    const double z = 0.5 * k * cell;
+    return z == 0 ? 1 : std::sin(z) / z;
+  };
+  const bool alias_x = kx * cell_x > 1, alias_y = ky * cell_y > 1;
+  CellSymbols sum;
+  for (int m = alias_x ? -1 : 0; m <= (alias_x ? 1 : 0); ++m)
+    for (int n = alias_y ? -1 : 0; n <= (alias_y ? 1 : 0); ++n) {
+      const double x = kx + (m == 0 ? 0 : m * 2 * M_PI / cell_x), y = ky + (n == 0 ? 0 : n * 2 * M_PI / cell_y);
+      const double k = std::hypot(x, y), lx = x / k, ly = y / k, average = factor(x, cell_x) * factor(y, cell_y);
+      const LayerSymbols c = layer_symbols(k, thickness);
+      sum.ww += average * c.normal;
+      sum.uu += average * (lx * lx * c.longitudinal + ly * ly * c.transverse);
+      sum.uv += average * lx * ly * (c.longitudinal - c.transverse);
+      sum.vv += average * (ly * ly * c.longitudinal + lx * lx * c.transverse);
+    }
+  return sum;
+}
+
 }  // namespace
 
-InfluenceOperator::InfluenceOperator(const InfluenceTable& table, const SurfaceGrid& half, bool sphere, bool friction)
-    : grid_(half), sphere_(sphere), friction_(friction) {
-  padded_columns_ = good_fft_size(2 * half.columns + 1);
-  padded_rows_ = sphere ? good_fft_size(4 * half.rows - 3) : 1;
-  plan_ = FftPlan(padded_columns_, padded_rows_);
-  const auto field_size = static_cast<std::size_t>(padded_columns_) * static_cast<std::size_t>(padded_rows_);
-  const auto spectrum_size = static_cast<std::size_t>(padded_columns_ / 2 + 1) * static_cast<std::size_t>(padded_rows_);
-
-  const int reach_x = half.columns, reach_y = sphere ? 2 * (half.rows - 1) : 0;
-  const double normalise = half.cell_area() / static_cast<double>(field_size);
-  FftBuffer<double> field(field_size);
-  const auto transform = [&](const std::vector<double>& component, double row_parity) {
-    std::fill(field.data(), field.data() + field_size, 0.0);
-    for (int row = -reach_y; row <= reach_y; ++row)
-      for (int column = -reach_x; column <= reach_x; ++column) {
-        const int px = (column + padded_columns_) % padded_columns_, py = (row + padded_rows_) % padded_rows_;
-        field[static_cast<std::size_t>(py) * static_cast<std::size_t>(padded_columns_) + static_cast<std::size_t>(px)] =
-            normalise * (row < 0 ? row_parity : 1) *
-            component[static_cast<std::size_t>(table.index(column, std::abs(row)))];
-      }
-    Spectrum spectrum(spectrum_size);
-    plan_.forward(field, spectrum);
-    return spectrum;
+InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& half,
+                                     bool friction)
+    : grid_(half),
+      sphere_(scene.indenter == Indenter::sphere),
+      transform_(std::make_unique<SurfaceTransform>(half.columns, half.rows, 1)) {
+  const int reach_x = half.columns, reach_y = 2 * (half.rows - 1);
+  const double padded = static_cast<double>(transform_->padded_columns()) * transform_->padded_rows();
+  const double normalise = half.cell_area() / padded;
+  const auto kernel = [&](const std::vector<double>& component, bool odd_in_y) {
+    return transform_->kernel(reach_x, reach_y, odd_in_y, [&](int column, int row) {
+      return normalise * component[static_cast<std::size_t>(table.index(column, row))];
+    });
   };
-  ww_ = transform(table.ww, 1);
+  ww_ = kernel(table.ww, false);
   if (friction) {
-    uu_ = transform(table.uu, 1);
-    uw_ = transform(table.uw, 1);
-    if (sphere) {
-      vv_ = transform(table.vv, 1);
-      uv_ = transform(table.uv, -1);
-      vw_ = transform(table.vw, -1);
+    uu_ = kernel(table.uu, false);
+    uw_ = kernel(table.uw, false);
+    if (sphere_) {
+      vv_ = kernel(table.vv, false);
+      uv_ = kernel(table.uv, true);
+      vw_ = kernel(table.vw, true);
     }
   }
   self_normal_ = table(Direction::w, Direction::w, 0) * half.cell_area();
   self_slip_ =
       (table(Direction::u, Direction::u, 0) - table(Direction::u, Direction::u, 1)) * half.cell_area() / half.spacing_x;
+  prepare_inverses(scene, friction);
+}
 
-  const double back = 1.0 / (static_cast<double>(field_size) * static_cast<double>(field_size));
-  inverse_ww_ = Spectrum(spectrum_size);
-  double largest = 0;
-  for (std::size_t i = 0; i < spectrum_size; ++i) largest = std::max(largest, std::abs(ww_[i]));
-  for (std::size_t i = 0; i < spectrum_size; ++i) {
-    const double size = std::abs(ww_[i]);
-    inverse_ww_[i] = back * std::conj(ww_[i]) / std::max(size * size, std::pow(normal_floor * largest, 2));
+void InfluenceOperator::prepare_inverses(const RollingScene& scene, bool friction) {
+  const double normalise = 1 / (static_cast<double>(transform_->padded_columns()) * transform_->padded_rows());
+  const std::size_t size = transform_->quarter_size();
+  const int rows = transform_->quarter_rows();
+  const double step_x = 2 * M_PI / (transform_->padded_columns() * grid_.spacing_x);
+  const double step_y = sphere_ ? 2 * M_PI / (transform_->padded_rows() * grid_.spacing_y) : 0;
+  const CreepSpectrum material = creep_spectrum(scene);
+  inverse_ww_.resize(size);
+  if (friction) inverse_xx_.resize(size);
+  if (friction && sphere_) {
+    inverse_xy_.resize(size);
+    inverse_yy_.resize(size);
   }
+  // Symbols first, then their reciprocals.
+  double largest_ww = 0, largest_xx = 0;
+  for (int column = 0; column < transform_->quarter_columns(); ++column) {
+    const double kx = std::max(column, column == 0 && !sphere_ ? 1 : 0) * step_x;  // a line's symbol at k = 0: the next
+    const complex compliance = material(-kx * scene.speed);
+    // Minus the forward difference over a cell, as a symbol.
+    const complex difference = (1.0 - std::polar(1.0, kx * grid_.spacing_x)) / grid_.spacing_x;
+    for (int row = 0; row < rows; ++row) {
+      const double ky = sphere_ ? (row == 0 && column == 0 ? 1 : row) * step_y : 0;
+      const CellSymbols c = cell_symbols(kx, ky, scene.layer_thickness, grid_.spacing_x, sphere_ ? grid_.spacing_y : 0);
+      const auto i = static_cast<std::size_t>(column) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(row);
+      inverse_ww_[i] = compliance * c.ww;
+      largest_ww = std::max(largest_ww, std::abs(inverse_ww_[i]));
+      if (!friction) continue;
+      inverse_xx_[i] = difference * compliance * c.uu;
+      largest_xx = std::max(largest_xx, std::abs(inverse_xx_[i]));
+      if (!sphere_) continue;
+      inverse_xy_[i] = difference * compliance * c.uv;
+      inverse_yy_[i] = difference * compliance * c.vv;
+    }
+  }
+  const double floor = std::pow(normal_floor * largest_ww, 2), shift = slip_shift * largest_xx;
+  for (complex& value : inverse_ww_) value = normalise * std::conj(value) / std::max(std::norm(value), floor);
   if (!friction) return;
-  inverse_xx_ = Spectrum(spectrum_size);
-  if (sphere) {
-    inverse_xy_ = Spectrum(spectrum_size);
-    inverse_yy_ = Spectrum(spectrum_size);
+  if (!sphere_) {
+    for (complex& value : inverse_xx_) value = normalise / (value + shift);
+    return;
   }
-  const int width = padded_columns_ / 2 + 1;
-  const auto difference = [&](std::size_t i) {
-    const double angle = 2 * M_PI * static_cast<double>(i % static_cast<std::size_t>(width)) / padded_columns_;
-    return (1.0 - std::polar(1.0, angle)) / half.spacing_x;  // minus the forward difference
-  };
-  largest = 0;
-  for (std::size_t i = 0; i < spectrum_size; ++i) largest = std::max(largest, std::abs(difference(i) * uu_[i]));
-  for (std::size_t i = 0; i < spectrum_size; ++i) {
-    const complex d = difference(i), shift = slip_shift * largest;
-    const complex xx = d * uu_[i] + shift;
-    if (!sphere) {
-      inverse_xx_[i] = back / xx;
-      continue;
-    }
-    const complex xy = d * uv_[i], yy = d * vv_[i] + shift, determinant = xx * yy - xy * xy;
-    inverse_xx_[i] = back * yy / determinant;
-    inverse_xy_[i] = -back * xy / determinant;
-    inverse_yy_[i] = back * xx / determinant;
+  for (std::size_t i = 0; i < size; ++i) {
+    const complex xx = inverse_xx_[i] + shift, xy = inverse_xy_[i], yy = inverse_yy_[i] + shift;
+    const complex over_determinant = normalise / (xx * yy - xy * xy);
+    inverse_xx_[i] = yy * over_determinant;
+    inverse_xy_[i] = -xy * over_determinant;
+    inverse_yy_[i] = xx * over_determinant;
   }
-}
-
-std::size_t InfluenceOperator::conjugate_row(std::size_t at) const {
-  const auto width = static_cast<std::size_t>(padded_columns_ / 2 + 1);
-  const std::size_t row = at / width, column = at % width;
-  return (row == 0 ? 0 : static_cast<std::size_t>(padded_rows_) - row) * width + column;
-}
-
-/// Writes even + odd, mirrored to y < 0, into the padded field.
-void InfluenceOperator::load_field(FftBuffer<double>& field, const Vector& even, const Vector& odd) const {
-  const int columns = grid_.columns;
-  for (int row = 0; row < grid_.rows; ++row) {
-    double* upper = field.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(padded_columns_);
-    double* lower = row == 0 ? nullptr
-                             : field.data() + static_cast<std::size_t>(padded_rows_ - row) *
-                                                  static_cast<std::size_t>(padded_columns_);
-    const Eigen::Index first = static_cast<Eigen::Index>(row) * columns;
-    for (int column = 0; column < columns; ++column) {
-      const double e = even.size() > 0 ? even(first + column) : 0, o = odd.size() > 0 ? odd(first + column) : 0;
-      upper[column] = row == 0 ? e : e + o;
-      if (lower) lower[column] = e - o;
-    }
-  }
-}
-
-/// Reads the even part and, if wanted, the odd part of the padded field on the first `columns` columns.
-void InfluenceOperator::read_field(const FftBuffer<double>& field, int columns, Vector& even, Vector* odd) const {
-  even.resize(static_cast<Eigen::Index>(columns) * grid_.rows);
-  if (odd) odd->resize(even.size());
-  for (int row = 0; row < grid_.rows; ++row) {
-    const double* upper = field.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(padded_columns_);
-    const double* lower = field.data() + static_cast<std::size_t>(row == 0 ? 0 : padded_rows_ - row) *
-                                             static_cast<std::size_t>(padded_columns_);
-    const Eigen::Index first = static_cast<Eigen::Index>(row) * columns;
-    for (int column = 0; column < columns; ++column) {
-      even(first + column) = odd ? 0.5 * (upper[column] + lower[column]) : upper[column];
-      if (odd) (*odd)(first + column) = 0.5 * (upper[column] - lower[column]);
-    }
-  }
-}
-
-InfluenceOperator::Spectrum InfluenceOperator::spectrum_of(const Vector& even, const Vector& odd) const {
-  FftBuffer<double> field(static_cast<std::size_t>(padded_columns_) * static_cast<std::size_t>(padded_rows_));
-  load_field(field, even, odd);
-  Spectrum spectrum(static_cast<std::size_t>(padded_columns_ / 2 + 1) * static_cast<std::size_t>(padded_rows_));
-  plan_.forward(field, spectrum);
-  return spectrum;
 }
 
 Displacements InfluenceOperator::apply(const Vector& pressure, const Vector& shear_x, const Vector& shear_y) const {
-  Displacements result;
-  FftBuffer<double> field(static_cast<std::size_t>(padded_columns_) * static_cast<std::size_t>(padded_rows_));
+  using Triple = SurfaceTransform::Triple;
+  Displacements moved;
   const int columns = grid_.columns + 1;
-  if (!friction_) {
-    Spectrum p = spectrum_of(pressure, {});
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] *= -ww_[i];
-    plan_.inverse(p, field);
-    read_field(field, columns, result.w, nullptr);
-    return result;
+  transform_->forward(pressure, shear_y, shear_x);
+  if (shear_x.size() == 0) {
+    transform_->multiply([&](std::size_t i, const Triple& t) { return Triple{-ww_[i] * t.even, 0, 0}; });
+    transform_->inverse(columns, &moved.w, nullptr, nullptr);
+  } else if (!sphere_) {
+    transform_->multiply([&](std::size_t i, const Triple& t) {
+      const complex p = t.even, x = t.second_even;
+      return Triple{-ww_[i] * p - uw_[i] * x, 0, -uw_[i] * p + uu_[i] * x};
+    });
+    transform_->inverse(columns, &moved.w, nullptr, &moved.u);
+  } else {
+    transform_->multiply([&](std::size_t i, const Triple& t) {
+      const complex p = t.even, y = t.odd, x = t.second_even;
+      return Triple{-ww_[i] * p - uw_[i] * x - vw_[i] * y, -vw_[i] * p + uv_[i] * x + vv_[i] * y,
+                    -uw_[i] * p + uu_[i] * x + uv_[i] * y};
+    });
+    transform_->inverse(columns, &moved.w, &moved.v, &moved.u);
   }
-  if (!sphere_) {
-    Spectrum p = spectrum_of(pressure, {}), x = spectrum_of(shear_x, {});
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const complex w = -ww_[i] * p[i] - uw_[i] * x[i], u = -uw_[i] * p[i] + uu_[i] * x[i];
-      p[i] = w;
-      x[i] = u;
-    }
-    plan_.inverse(p, field);
-    read_field(field, columns, result.w, nullptr);
-    plan_.inverse(x, field);
-    read_field(field, columns, result.u, nullptr);
-    return result;
-  }
-  // p + tau_y in one spectrum: the part even under ky -> -ky belongs to p, the odd one to tau_y.
-  const Spectrum packed = spectrum_of(pressure, shear_y);
-  Spectrum x = spectrum_of(shear_x, {});
-  Spectrum both(packed.size());
-  for (std::size_t i = 0; i < packed.size(); ++i) {
-    const complex mirror = packed[conjugate_row(i)];
-    const complex p = 0.5 * (packed[i] + mirror), y = 0.5 * (packed[i] - mirror);
-    const complex w = -ww_[i] * p - uw_[i] * x[i] - vw_[i] * y;
-    const complex v = -vw_[i] * p + uv_[i] * x[i] + vv_[i] * y;
-    x[i] = -uw_[i] * p + uu_[i] * x[i] + uv_[i] * y;
-    both[i] = w + v;
-  }
-  plan_.inverse(both, field);
-  read_field(field, columns, result.w, &result.v);
-  plan_.inverse(x, field);
-  read_field(field, columns, result.u, nullptr);
-  return result;
+  return moved;
 }
 
-Vector InfluenceOperator::approximate_pressure(const Vector& displacement) const {
-  Spectrum spectrum = spectrum_of(displacement, {});
-  for (std::size_t i = 0; i < spectrum.size(); ++i) spectrum[i] *= inverse_ww_[i];
-  FftBuffer<double> field(static_cast<std::size_t>(padded_columns_) * static_cast<std::size_t>(padded_rows_));
-  plan_.inverse(spectrum, field);
-  Vector pressure;
-  read_field(field, grid_.columns, pressure, nullptr);
-  return pressure;
-}
-
-void InfluenceOperator::approximate_shear(const Vector& slip_x, const Vector& slip_y, Vector& shear_x,
-                                          Vector& shear_y) const {
-  FftBuffer<double> field(static_cast<std::size_t>(padded_columns_) * static_cast<std::size_t>(padded_rows_));
-  // slip_x and slip_y in one spectrum, told apart as in `apply`.
-  Spectrum packed = spectrum_of(slip_x, sphere_ ? slip_y : Vector());
-  if (!sphere_) {
-    for (std::size_t i = 0; i < packed.size(); ++i) packed[i] *= inverse_xx_[i];
-    plan_.inverse(packed, field);
-    read_field(field, grid_.columns, shear_x, nullptr);
-    return;
+Tractions InfluenceOperator::approximate_inverse(const Vector& displacement, const Vector& slip_x,
+                                                 const Vector& slip_y) const {
+  using Triple = SurfaceTransform::Triple;
+  Tractions tractions;
+  transform_->forward(displacement, slip_y, slip_x);
+  if (slip_x.size() == 0) {
+    transform_->multiply([&](std::size_t i, const Triple& t) { return Triple{inverse_ww_[i] * t.even, 0, 0}; });
+    transform_->inverse(grid_.columns, &tractions.pressure, nullptr, nullptr);
+  } else if (!sphere_) {
+    transform_->multiply([&](std::size_t i, const Triple& t) {
+      return Triple{inverse_ww_[i] * t.even, 0, inverse_xx_[i] * t.second_even};
+    });
+    transform_->inverse(grid_.columns, &tractions.pressure, nullptr, &tractions.shear_x);
+  } else {
+    transform_->multiply([&](std::size_t i, const Triple& t) {
+      const complex x = t.second_even, y = t.odd;
+      return Triple{inverse_ww_[i] * t.even, inverse_xy_[i] * x + inverse_yy_[i] * y,
+                    inverse_xx_[i] * x + inverse_xy_[i] * y};
+    });
+    transform_->inverse(grid_.columns, &tractions.pressure, &tractions.shear_y, &tractions.shear_x);
   }
-  Spectrum both(packed.size());
-  for (std::size_t i = 0; i < packed.size(); ++i) {
-    const complex mirror = packed[conjugate_row(i)];
-    const complex x = 0.5 * (packed[i] + mirror), y = 0.5 * (packed[i] - mirror);
-    both[i] = inverse_xx_[i] * x + inverse_xy_[i] * y + inverse_xy_[i] * x + inverse_yy_[i] * y;
-  }
-  plan_.inverse(both, field);
-  read_field(field, grid_.columns, shear_x, &shear_y);
+  return tractions;
 }
 
 }  // namespace rollres

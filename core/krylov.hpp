@@ -26,7 +26,8 @@ KrylovResult gmres(const Apply& apply, const Precondition& precondition, const E
   Eigen::VectorXd residual = b;
   double norm = b.norm();
   while (norm > target && norm > 0 && result.iterations < most_iterations) {
-    Eigen::MatrixXd basis(b.size(), restart + 1);
+    static thread_local Eigen::MatrixXd basis;  // kept: large blocks are costly to get afresh for every system
+    if (basis.rows() != b.size() || basis.cols() < restart + 1) basis.resize(b.size(), restart + 1);
     Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(restart + 1, restart);
     Eigen::VectorXd cosine(restart), sine(restart), g = Eigen::VectorXd::Zero(restart + 1);
     basis.col(0) = residual / norm;

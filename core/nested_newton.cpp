@@ -10,14 +10,14 @@ namespace rollres {
 
 namespace {
 
-constexpr double coarsest_cells_per_half_width = 5;
+constexpr double coarsest_cells_per_half_width = 4;
 
 ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid) {
   ContactLevel level;
   const bool sphere = scene.indenter == Indenter::sphere;
   level.problem = std::make_unique<ContactProblem>(scene, grid);
   level.table = std::make_unique<InfluenceTable>(influence_table(scene, mirrored(grid, sphere)));
-  level.influence = std::make_unique<InfluenceOperator>(*level.table, grid, sphere, level.problem->friction);
+  level.influence = std::make_unique<InfluenceOperator>(scene, *level.table, grid, level.problem->friction);
   return level;
 }
 
@@ -44,8 +44,7 @@ ContactUnknowns frictionless_start(const ContactProblem& problem, const ContactL
   RollingScene frictionless = problem.scene;
   frictionless.friction_coefficient = 0;
   const ContactProblem normal(frictionless, problem.grid);
-  const InfluenceOperator influence(*level.table, problem.grid, problem.sphere, false);
-  ContactUnknowns start = newton_contact(normal, *level.table, influence, guess, options).unknowns;
+  ContactUnknowns start = newton_contact(normal, *level.table, *level.influence, guess, options).unknowns;
   start.shear_x = Vector::Zero(problem.grid.size());
   if (problem.sphere) start.shear_y = start.shear_x;
   start.rotation_ratio = rotation_ratio;
@@ -195,7 +194,10 @@ ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to) {
   const SurfaceGrid& grid = from.problem->grid;
   const bool sphere = from.problem->sphere;
   ContactUnknowns start = from.outcome.unknowns;
-  start.pressure = interpolate(start.pressure, grid, to, sphere, 1);
+  // Pressure inside and gap outside join at the contact's edge: their interpolated sign tells the finer contact.
+  const Vector sign =
+      interpolate(start.pressure - from.outcome.gap.cwiseMax(0) / from.influence->self_normal(), grid, to, sphere, 1);
+  start.pressure = (sign.array() > 0).select(interpolate(start.pressure, grid, to, sphere, 1), 0.0);
   if (start.shear_x.size() > 0) start.shear_x = interpolate(start.shear_x, grid, to, sphere, 1);
   if (start.shear_y.size() > 0) start.shear_y = interpolate(start.shear_y, grid, to, sphere, -1);
   return start;

@@ -104,6 +104,13 @@ LawResiduals residuals(const ContactProblem& problem, const InfluenceOperator& i
   return right;
 }
 
+/// Tolerance of the linear solution: what the step can gain, as the maps converge quadratically, and no more than the
+/// last step needs.
+double forcing(double residual, const NewtonOptions& options) {
+  const double last = 0.2 * options.tolerance / residual;
+  return std::clamp(std::max(residual, last), 1e-5, 2e-2);
+}
+
 bool touches_border(const ContactProblem& problem, const Mask& contact) {
   const SurfaceGrid& grid = problem.grid;
   for (int row = 0; row < grid.rows; ++row)
@@ -129,6 +136,7 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
   }
   const double scale = std::max(x.pressure.cwiseAbs().maxCoeff(), 1e-300);
   const double friction = problem.scene.friction_coefficient;
+  const double per_friction = 1 / std::min(1.0, std::max(friction, 1e-300));  // shear is measured by mu p
   const auto count = [&](double residual) {
     const double relative = std::abs(residual) / scale;
     maps.largest = std::max(maps.largest, relative);
@@ -159,8 +167,8 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
       const double qy =
           problem.sphere && grid.first_row + row > 0 ? x.shear_y(i) + maps.slip_y(i) / influence.self_slip() : 0;
       const double length = std::hypot(qx, qy), factor = length > bound ? bound / length : 1;
-      count(x.shear_x(i) - factor * qx);
-      if (problem.sphere) count(x.shear_y(i) - factor * qy);
+      count((x.shear_x(i) - factor * qx) * per_friction);
+      if (problem.sphere) count((x.shear_y(i) - factor * qy) * per_friction);
     }
   const Vector none = Vector::Zero(size);
   const Vector& shear = problem.friction ? x.shear_x : none;
@@ -203,7 +211,8 @@ NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable
     const LawResiduals right = residuals(problem, influence, base, base_maps, laws);
     const auto components = static_cast<int>(problem.friction ? (problem.sphere ? 3 : 2) : 1);
     const bool dense = options.dense || static_cast<int>(laws.contact.size()) * components <= options.dense_unknowns;
-    LinearStep linear = dense ? system.solve_dense(table, right) : system.solve_krylov(right, 2e-2, 300);
+    LinearStep linear =
+        dense ? system.solve_dense(table, right) : system.solve_krylov(right, forcing(maps.largest, options), 300);
     outcome.krylov_iterations += linear.iterations;
     if (!linear.solved) break;
 
@@ -253,6 +262,7 @@ NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable
     outcome.zone[static_cast<std::size_t>(laws.contact[i])] = laws.zone[i];
   release(x, contact);
   outcome.unknowns = std::move(x);
+  outcome.gap = std::move(maps.gap);
   return outcome;
 }
 

@@ -22,6 +22,7 @@ struct NewtonOptions {
 struct NewtonOutcome {
   ContactUnknowns unknowns;
   std::vector<Zone> zone;  // on the whole (half) grid
+  Vector gap;              // profile - d - w [m]
   bool converged = false;
   int iterations = 0, krylov_iterations = 0;
   double residual = 0;  // largest violation, relative to the largest pressure

@@ -163,35 +163,33 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
 
 Vector NewtonSystem::precondition_laws(const Vector& right_side) const {
   const Eigen::Index n = contacts(), size = problem_.grid.size();
-  Vector x = Vector::Zero(unknowns());
-  Vector field = Vector::Zero(size);
-  for (Eigen::Index i = 0; i < n; ++i)
-    field(laws_.contact[static_cast<std::size_t>(i)]) = right_side(i) * influence_.self_normal();
-  const Vector pressure = influence_.approximate_pressure(field);
-  for (Eigen::Index i = 0; i < n; ++i) x(i) = pressure(laws_.contact[static_cast<std::size_t>(i)]);
-  if (components_ == 1) return x;
-
-  Vector slip_x = Vector::Zero(size), slip_y = components_ > 2 ? Vector::Zero(size) : Vector();
+  Vector lowered = Vector::Zero(size);
+  Vector slip_x = components_ > 1 ? Vector(Vector::Zero(size)) : Vector();
+  Vector slip_y = components_ > 2 ? Vector(Vector::Zero(size)) : Vector();
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto c = static_cast<std::size_t>(i);
-    if (laws_.zone[c] != Zone::stick) continue;
-    slip_x(laws_.contact[c]) = right_side(n + i) * influence_.self_slip();
-    if (components_ > 2) slip_y(laws_.contact[c]) = right_side(2 * n + i) * influence_.self_slip();
+    const Eigen::Index node = laws_.contact[c];
+    lowered(node) = right_side(i) * influence_.self_normal();
+    if (components_ == 1 || laws_.zone[c] != Zone::stick) continue;
+    slip_x(node) = right_side(n + i) * influence_.self_slip();
+    if (components_ > 2) slip_y(node) = right_side(2 * n + i) * influence_.self_slip();
   }
-  Vector shear_x, shear_y;
-  influence_.approximate_shear(slip_x, slip_y, shear_x, shear_y);
+  const Tractions tractions = influence_.approximate_inverse(lowered, slip_x, slip_y);
+
+  Vector x = Vector::Zero(unknowns());
   const double friction = problem_.scene.friction_coefficient;
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto c = static_cast<std::size_t>(i);
     const Eigen::Index node = laws_.contact[c];
+    x(i) = tractions.pressure(node);
+    if (components_ == 1) continue;
     const bool stick = laws_.zone[c] == Zone::stick;
-    x(n + i) = stick ? shear_x(node) : right_side(n + i) + friction * laws_.direction_x(i) * x(i);
-    if (components_ > 2) {
-      const bool axis = problem_.grid.first_row + node / problem_.grid.columns == 0;
-      x(2 * n + i) = axis    ? right_side(2 * n + i)
-                     : stick ? shear_y(node)
-                             : right_side(2 * n + i) + friction * laws_.direction_y(i) * x(i);
-    }
+    x(n + i) = stick ? tractions.shear_x(node) : right_side(n + i) + friction * laws_.direction_x(i) * x(i);
+    if (components_ == 2) continue;
+    const bool axis = problem_.grid.first_row + node / problem_.grid.columns == 0;
+    x(2 * n + i) = axis    ? right_side(2 * n + i)
+                   : stick ? tractions.shear_y(node)
+                           : right_side(2 * n + i) + friction * laws_.direction_y(i) * x(i);
   }
   return x;
 }

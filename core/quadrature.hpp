@@ -3,6 +3,8 @@
 /// Small tools of numerical integration and approximation shared by the kernels.
 
 #include <Eigen/Core>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace rollres {
@@ -38,35 +40,37 @@ class MemoryRule {
   std::vector<double> nodes_;
 };
 
-/// Several functions on [0, end] as Chebyshev series on panels of equal width.
+/// Several functions of a distance as Chebyshev series on panels; the panels may widen with the distance, as the
+/// functions get smoother.
 template <int Functions>
 class ChebyshevTable {
  public:
   using Values = Eigen::Array<double, Functions, 1>;
 
-  /// @param sample values of the functions at a point
+  /// @param borders of the panels, ascending   @param sample values of the functions at a point
   template <class Sample>
-  ChebyshevTable(double end, int panels, int degree, const Sample& sample)
-      : inverse_width_(panels / end), panels_(panels), degree_(degree) {
-    const int count = degree + 1;
+  ChebyshevTable(std::vector<double> borders, int degree, const Sample& sample)
+      : borders_(std::move(borders)), degree_(degree) {
+    const int count = degree + 1, panels = static_cast<int>(borders_.size()) - 1;
     coefficients_.resize(static_cast<std::size_t>(panels * count), Values::Zero());
-    for (int panel = 0; panel < panels; ++panel)
+    for (int panel = 0; panel < panels; ++panel) {
+      const auto p = static_cast<std::size_t>(panel);
       for (int node = 0; node < count; ++node) {
         const double angle = M_PI * (node + 0.5) / count;
-        const Values value = sample((panel + 0.5 * (1 + std::cos(angle))) / inverse_width_);
+        const Values value = sample(borders_[p] + 0.5 * (borders_[p + 1] - borders_[p]) * (1 + std::cos(angle)));
         for (int k = 0; k < count; ++k)
           coefficients_[static_cast<std::size_t>(panel * count + k)] +=
               value * ((k == 0 ? 1.0 : 2.0) / count * std::cos(k * angle));
       }
+    }
   }
 
-  double end() const { return panels_ / inverse_width_; }
-
+  /// @param x between the first and the last border
   Values operator()(double x) const {
-    const double scaled = x * inverse_width_;
-    const int panel = std::min(static_cast<int>(scaled), panels_ - 1);
-    const double t = 2 * (scaled - panel) - 1;
-    const Values* c = &coefficients_[static_cast<std::size_t>(panel * (degree_ + 1))];
+    std::size_t panel = 0;
+    while (panel + 2 < borders_.size() && x > borders_[panel + 1]) ++panel;
+    const double t = 2 * (x - borders_[panel]) / (borders_[panel + 1] - borders_[panel]) - 1;
+    const Values* c = &coefficients_[panel * static_cast<std::size_t>(degree_ + 1)];
     Values b1 = Values::Zero(), b2 = Values::Zero();
     for (int k = degree_; k > 0; --k) {  // Clenshaw
       const Values b0 = c[k] + 2 * t * b1 - b2;
@@ -77,8 +81,8 @@ class ChebyshevTable {
   }
 
  private:
-  double inverse_width_;
-  int panels_, degree_;
+  std::vector<double> borders_;
+  int degree_;
   std::vector<Values> coefficients_;
 };
 

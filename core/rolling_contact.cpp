@@ -39,7 +39,7 @@ RollingSolution solve_newton(const RollingScene& scene) {
     if (level.problem->friction) {
       solution = summarise(*level.problem, *level.influence, level.outcome.unknowns, level.outcome.zone);
     } else {
-      const InfluenceOperator all_components(*level.table, level.problem->grid, sphere, true);
+      const InfluenceOperator all_components(scene, *level.table, level.problem->grid, true);
       solution = summarise(*level.problem, all_components, level.outcome.unknowns, level.outcome.zone);
     }
     solution.error_estimate = estimate(nested);

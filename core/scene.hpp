@@ -54,6 +54,13 @@ struct ChoiceNames<Resticking> {
   static constexpr std::array<std::string_view, 2> names{"on", "off"};
 };
 
+/// How the zones of stick and slip change in 3D (stick_slip.hpp).
+enum class SlipRule { projected, printed };
+template <>
+struct ChoiceNames<SlipRule> {
+  static constexpr std::array<std::string_view, 2> names{"projected", "printed"};
+};
+
 struct RollingScene {
   Indenter indenter = Indenter::cylinder;
   double radius = 0;            // R [m]
@@ -80,6 +87,7 @@ struct RollingScene {
   SlipStencil slip_stencil = SlipStencil::forward;  // active_set
   double slip_threshold = 1e-9;                     // w_th / V [1], active_set
   Resticking resticking = Resticking::on;           // active_set in 2D
+  SlipRule slip_rule = SlipRule::projected;         // active_set in 3D
 };
 
 /// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double> or an
@@ -135,6 +143,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
       Q{"slip_threshold", "w_th/V", "1", "active_set: slip speed over speed below which a node sticks", not_negative},
       scene.slip_threshold);
   visitor(Q{"resticking", "", "", "active_set in 2D: whether a slipping node may stick again"}, scene.resticking);
+  visitor(Q{"slip_rule", "", "", "active_set in 3D: how nodes change between stick and slip"}, scene.slip_rule);
 }
 
 /// Keys of all inputs, in the order of the list.

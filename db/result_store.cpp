@@ -98,6 +98,15 @@ struct ResultStore::Parts {
     return found;
   }
 
+  std::vector<std::string> keys_of(std::int64_t study, std::size_t expected) {
+    std::vector<std::string> keys;
+    keys.reserve(expected);
+    SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
+    row.bind(1, study);
+    while (row.executeStep()) keys.push_back(row.getColumn(0).getString());
+    return keys;
+  }
+
   std::vector<StudySummary> summaries(const std::string* name) {
     SQLite::Statement row(connection(), std::string("SELECT name, axes, count(study_point.key), count(evaluation.id), "
                                                     "count(evaluation.id) FILTER (WHERE status IS NOT 'converged'), "
@@ -176,6 +185,10 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
     record.executeStep();
     const std::int64_t id = record.getColumn(0).getInt64();
     record.reset();
+    if (parts_->keys_of(id, keys.size()) == std::vector<std::string>(keys.begin(), keys.end())) {
+      transaction.commit();
+      return;
+    }
     SQLite::Statement remove(connection, "DELETE FROM study_point WHERE study = ?");
     remove.bind(1, id);
     remove.exec();

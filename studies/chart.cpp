@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "studies/gnuplot.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
+#include "studies/write_file.hpp"
 
 namespace rollres {
 
@@ -24,13 +24,6 @@ std::vector<bool> marked(const std::vector<ChartPoint>& points, std::size_t curv
     marks[i] = alone || (i + curve) % step == 0;
   }
   return marks;
-}
-
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
 }  // namespace
@@ -92,13 +85,10 @@ std::string chart_data(const ChartRequest& request) {
 
 void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
                    const std::string& gnuplot) {
-  std::error_code error;
-  if (const auto folder = files.script.parent_path(); !folder.empty()) {
-    std::filesystem::create_directories(folder, error);
-    if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
-  }
+  if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
   write_file(files.data, data);
   write_file(files.script, script);
+  std::error_code error;
   for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
   gnuplot::run(files.script, gnuplot);
   for (const auto& picture : {files.svg, files.png})
@@ -107,7 +97,7 @@ void draw_pictures(const ChartFiles& files, const std::string& data, const std::
 }
 
 ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
-  const ChartFiles files = chart_files(name);
+  ChartFiles files = chart_files(name);
   const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
     return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.drawn(); });
   });

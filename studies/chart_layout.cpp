@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 
@@ -95,7 +95,8 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const Layout& la
     taken.push_back({layout.x.fraction(top.point.x), layout.y.fraction(top.point.y), 0.014, 0.02});
   std::vector<PeakValue> values;
   for (const auto& [i, top] : tops) {
-    const std::string value = short_number(top.y, 3);
+    const double fineness = layout.y.logarithmic ? 1 : std::abs(top.y) / (layout.y.highest - layout.y.lowest);
+    const std::string value = short_number(top.y, 3 + static_cast<int>(std::log10(std::max(1.0, fineness))));
     const double x = layout.x.fraction(top.x), y = layout.y.fraction(top.y);
     for (const int side : {1, -1}) {
       const Box box{x, y + 0.075 * side, 0.012 * static_cast<double>(value.size()) + 0.005, 0.04};

@@ -52,7 +52,7 @@ std::vector<double> ticks(const Span& span);
 struct PeakValue {
   std::size_t curve;
   ChartPoint point;
-  std::string text;  ///< three significant digits
+  std::string text;  ///< three significant digits, more where the axis spans little of the value
   bool above;
 };
 

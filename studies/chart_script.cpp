@@ -5,17 +5,14 @@
 #include <sstream>
 
 #include "studies/chart.hpp"
-#include "studies/chart_axis.hpp"
+#include "studies/chart_frame.hpp"
 #include "studies/chart_layout.hpp"
 #include "studies/gnuplot.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 
 namespace {
-
-// Sizes in pixels of the SVG; the PNG has twice as many.
-constexpr int width = 560, plot_height = 350, title_height = 36, legend_row_height = 23;
 
 /// Look of the n-th curve. The colours are those of Okabe and Ito (2008) without their yellow; the periods 7, 6 and 5
 /// of colours, marks and dashes have no common factor, so 210 curves differ.
@@ -54,17 +51,8 @@ bool write_crosses(std::ostream& script, const ChartRequest& request) {
   return any;
 }
 
-/// gnuplot keeps the blanks of an SVG's text only where two stand together.
-constexpr const char* kept_blanks = "  ";
-
-/// One line of the legend.
-struct Entry {
-  std::string sample;  // how it looks
-  std::string markup;
-  std::size_t letters;
-};
-std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
-  std::vector<Entry> entries;
+std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses) {
+  std::vector<LegendEntry> entries;
   bool hollow = false;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const auto& [label, points] = request.curves[i];
@@ -73,7 +61,7 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
     const std::string& symbol = request.family.symbol;
     const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
     entries.push_back({"linespoints linetype " + std::to_string(i + 1), equals + gnuplot::plain(label) + kept_blanks,
-                       letters(label) + (symbol.empty() ? 0 : letters(symbol) + 3)});
+                       width(label) + (symbol.empty() ? 0 : width(symbol) + 3)});
   }
   const std::string grey = " lw 1.5 lc rgb '#444444'";
   if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
@@ -81,14 +69,8 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
   return entries;
 }
 
-/// As many columns as the width of the picture holds.
-int legend_columns(const std::vector<Entry>& entries) {
-  std::size_t longest = 1;
-  for (const Entry& entry : entries) longest = std::max(longest, entry.letters);
-  return std::clamp(static_cast<int>(56 / (longest + 6)), 1, 4);
-}
-
-void write_plot(std::ostream& script, const ChartRequest& request, const std::vector<Entry>& entries) {
+/// What is plotted, without the legend.
+std::vector<std::string> plots(const ChartRequest& request) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const auto& points = request.curves[i].points;
@@ -110,52 +92,22 @@ void write_plot(std::ostream& script, const ChartRequest& request, const std::ve
                         " using 1:2 with points pt 6 ps 1.3 lw 1.5 lc rgb '" + std::string(look(i).colour) +
                         "' notitle");
       }
-  for (const Entry& entry : entries)
-    parts.push_back("keyentry with " + entry.sample + " title " + gnuplot::quoted(entry.markup));
-  script << "plot ";
-  for (std::size_t i = 0; i < parts.size(); ++i) script << (i == 0 ? "" : ", \\\n     ") << parts[i];
-  script << "\n";
+  return parts;
 }
 
 }  // namespace
 
 std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
-  const auto here = [](const std::filesystem::path& file) {
-    return gnuplot::quoted("./" + file.filename().string());  // never read as a pipe or a home folder
-  };
   const Layout layout = lay_out(request);
   std::ostringstream script;
-  script << "# Draws the pictures anew when run in this folder with gnuplot.\n"
-         << "reset\nset encoding utf8\n"
-         << "data = " << here(files.data) << "\n\n"
-         << "set xlabel " << axis_label(request.x, 44) << "\nset ylabel " << axis_label(request.y, 34) << "\n";
-  write_axis(script, 'x', layout.x);
-  write_axis(script, 'y', layout.y);
-  script << "set border 3 lw 1.2 lc rgb '#444444'\nset tics nomirror\n"
-         << "set grid xtics ytics lw 0.8 lc rgb '#CCCCCC' dt 1\n";
+  write_axes(script, files, request.x, layout.x, request.y, layout.y);
   for (std::size_t i = 0; i < request.curves.size(); ++i)
     script << "set linetype " << i + 1 << " lc rgb '" << look(i).colour << "' lw 2 dt " << look(i).dash << " pt "
            << look(i).filled << " ps 0.7\n";
   script << "\n";
   if (request.mark_peaks) write_peak_values(script, request, layout);
-  const std::vector<Entry> entries = legend(request, write_crosses(script, request));
-  const int columns = legend_columns(entries);
-  const int rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
-  const int head = title_height + legend_row_height * rows, height = plot_height + head;
-  const auto from_top = [&](int pixels) { return short_number(1.0 - static_cast<double>(pixels) / height, 4); };
-  script << "set label " << fitted(request.title, gnuplot::plain(request.title) + kept_blanks, 46)
-         << " at screen 0.5, screen " << from_top(title_height / 2) << " center\n"
-         << "set tmargin at screen " << from_top(head + 12) << "\nset rmargin at screen 0.955\n"
-         << "set key at screen 0.5, screen " << from_top(title_height - 4) << " center top horizontal maxcols "
-         << columns << " Left reverse samplen 2.2 width -3\n";
-
-  script << "\nset terminal svg size " << width << "," << height
-         << " dynamic enhanced background rgb 'white' font 'sans-serif,17'\n"
-         << "set output " << here(files.svg) << "\n";
-  write_plot(script, request, entries);
-  script << "\nset terminal pngcairo size " << 2 * width << "," << 2 * height
-         << " enhanced background rgb 'white' font 'sans-serif,12.75' fontscale 2 linewidth 2 pointscale 3.2\n"
-         << "set output " << here(files.png) << "\nreplot\nunset output\n";
+  const std::vector<LegendEntry> entries = legend(request, write_crosses(script, request));
+  write_pictures(script, files, request.title, plots(request), entries);
   return script.str();
 }
 

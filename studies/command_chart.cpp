@@ -5,7 +5,7 @@
 
 #include "studies/commands.hpp"
 #include "studies/read_filter.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 #include "studies/study_chart.hpp"
 
 namespace rollres {

@@ -7,6 +7,8 @@
 #include "db/result_store.hpp"
 #include "db/schema.hpp"
 #include "studies/commands.hpp"
+#include "studies/solution_json.hpp"
+#include "studies/summary.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
 
@@ -68,19 +70,16 @@ void show_study(const ShowWords& words, ResultStore& store, const StudySummary& 
   write_aligned(session.out, table);
 }
 
-void show_evaluation(const ShowWords& words, ResultStore& store, const StoredEvaluation& evaluation, Session& session) {
-  const Query query{.filters = {{"id", Comparison::equal, std::to_string(evaluation.id)}}};
-  const Table row = run_query(store.database(), query);
+void show_evaluation(const ShowWords& words, const StoredEvaluation& evaluation, Session& session) {
   const Provenance& program = evaluation.provenance;
   if (words.json) {
-    Json object = json_of(row).at(0);
-    object["warnings"] = evaluation.solution.warnings;
-    object["studies"] = evaluation.studies;
+    Json object{{"id", evaluation.id}, {"created", evaluation.created}, {"studies", evaluation.studies}};
     object["provenance"] = {{"version", program.version},
                             {"git_hash", program.git_hash},
                             {"solver", program.solver},
                             {"compiler", program.compiler},
                             {"machine", program.machine}};
+    object.update(Json::parse(solution_json(evaluation.scene, evaluation.solution)));
     session.out << text_of(object, 2) << '\n';
     return;
   }
@@ -88,18 +87,7 @@ void show_evaluation(const ShowWords& words, ResultStore& store, const StoredEva
               << program.version << " (" << program.git_hash << ", solver " << program.solver << ", "
               << program.compiler << ") on " << program.machine << '\n';
   for (const std::string& study : evaluation.studies) session.out << "a point of the study " << study << '\n';
-  for (const bool inputs : {true, false}) {
-    Table table{{inputs ? "given" : "found", "", "", ""}, {}};
-    for (std::size_t i = 0; i < row.columns.size(); ++i) {
-      const QuantityColumn* column = find_quantity_column(row.columns[i]);
-      if (!column || column->is_input != inputs || std::holds_alternative<std::monostate>(row.rows.at(0)[i])) continue;
-      const std::string_view unit = column->quantity.unit_for(evaluation.scene.indenter);
-      table.rows.push_back({std::string(column->quantity.key), std::string(column->quantity.symbol), row.rows.at(0)[i],
-                            std::string(unit == "1" ? "" : unit)});
-    }
-    session.out << '\n';
-    write_aligned(session.out, table);
-  }
+  session.out << '\n' << summary(evaluation.scene, evaluation.solution);
 }
 
 void show(const ShowWords& words, Session& session) {
@@ -108,7 +96,7 @@ void show(const ShowWords& words, Session& session) {
   std::int64_t id = 0;
   const char* end = words.what.data() + words.what.size();
   if (std::from_chars(words.what.data(), end, id).ptr == end)
-    if (const auto evaluation = store.find(id)) return show_evaluation(words, store, *evaluation, session);
+    if (const auto evaluation = store.find(id)) return show_evaluation(words, *evaluation, session);
   std::vector<std::string_view> names;
   const std::vector<StudySummary> studies = store.studies();
   for (const StudySummary& study : studies) names.push_back(study.name);

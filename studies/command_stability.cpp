@@ -8,7 +8,6 @@
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
 #include "studies/readable_number.hpp"
-#include "studies/scaled_unit.hpp"
 #include "studies/stability.hpp"
 #include "studies/stability_map.hpp"
 #include "studies/stop_signal.hpp"

@@ -12,6 +12,9 @@ namespace rollres {
 /// Five significant digits; "-" for NaN, "infinite" for infinity; unit "1" or "" shows the number alone.
 std::string readable(double value, std::string_view unit);
 
+/// A number rounded to `digits` significant digits, without trailing zeros and, at everyday sizes, without an exponent.
+std::string short_number(double value, int digits = 6);
+
 /// A number as short as it can be read back without loss.
 std::string shortest(double value);
 

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <string_view>
 
-#include "studies/chart_axis.hpp"
+#include "studies/chart_frame.hpp"
 #include "studies/gnuplot.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 
@@ -15,21 +15,20 @@ namespace {
 
 constexpr std::size_t outcomes = ChoiceNames<Outcome>::names.size();
 
-// Sizes in pixels of the SVG; the PNG has twice as many.
-constexpr int width = 560, plot_height = 400, title_height = 36, legend_row_height = 23, legend_columns = 3;
-
-/// Colours of Okabe and Ito (2008) and gnuplot's point types, in the order of Outcome. What is well is small and pale.
+/// gnuplot's point types and the colours of Okabe and Ito (2008), in the order of Outcome. What is well is pale and
+/// small, the smaller the more scenes there are; what is not stands out.
 struct Mark {
   std::string_view colour;
   int type;
-  double size;
+  double size, size_among_many;
 };
-constexpr std::array<Mark, outcomes> marks{{{"#56B4E9", 7, 0.3},     // disc
-                                            {"#999999", 8, 0.5},     // triangle
-                                            {"#E69F00", 11, 0.8},    // filled triangle on its point
-                                            {"#D55E00", 2, 0.8},     // cross
-                                            {"#CC79A7", 5, 0.8},     // filled square
-                                            {"#000000", 13, 0.9}}};  // filled diamond
+constexpr std::size_t many = 2000;
+constexpr std::array<Mark, outcomes> marks{{{"#56B4E9", 7, 0.3, 0.15},    // disc
+                                            {"#555555", 8, 0.5, 0.4},     // triangle
+                                            {"#E69F00", 11, 0.8, 0.8},    // filled triangle on its point
+                                            {"#D55E00", 2, 0.8, 0.8},     // cross
+                                            {"#CC79A7", 5, 0.7, 0.7},     // filled square
+                                            {"#000000", 13, 0.9, 0.9}}};  // filled diamond
 
 std::array<std::size_t, outcomes> numbers_of(const std::vector<Trial>& trials) {
   std::array<std::size_t, outcomes> numbers{};
@@ -84,9 +83,6 @@ std::string stability_map_data(const std::vector<Trial>& trials) {
 }
 
 std::string stability_map_script(const std::vector<Trial>& trials, const ChartFiles& files) {
-  const auto here = [](const std::filesystem::path& file) {
-    return gnuplot::quoted("./" + file.filename().string());  // never read as a pipe or a home folder
-  };
   Span speed{.logarithmic = true}, friction{.logarithmic = true};
   for (const Trial& trial : trials) {
     speed.include(trial.scene.speed);
@@ -96,44 +92,21 @@ std::string stability_map_script(const std::vector<Trial>& trials, const ChartFi
   friction.widen(0.03, 0.03);
 
   std::ostringstream script;
-  script << "# Draws the pictures anew when run in this folder with gnuplot.\n"
-         << "reset\nset encoding utf8\n"
-         << "data = " << here(files.data) << "\n\n"
-         << "set xlabel " << axis_label(axis_of("speed", "speed"), 44) << "\nset ylabel "
-         << axis_label(axis_of("friction_coefficient", "friction coefficient"), 34) << "\n";
-  write_axis(script, 'x', speed);
-  write_axis(script, 'y', friction);
-  script << "set border 3 lw 1.2 lc rgb '#444444'\nset tics nomirror\n"
-         << "set grid xtics ytics lw 0.8 lc rgb '#CCCCCC' dt 1\n\n";
-
+  write_axes(script, files, axis_of("speed", "speed"), speed, axis_of("friction_coefficient", "friction coefficient"),
+             friction);
   const std::array<std::size_t, outcomes> numbers = numbers_of(trials);
-  std::string points, legend;
-  int entries = 0;
+  std::vector<std::string> plots;
+  std::vector<LegendEntry> legend;
   for (std::size_t outcome = 0; outcome < outcomes; ++outcome) {
     if (numbers[outcome] == 0) continue;
     const Mark& mark = marks[outcome];
     const std::string look = "points pt " + std::to_string(mark.type) + " lc rgb '" + std::string(mark.colour) + "'";
-    points += (points.empty() ? "" : ", \\\n     ") + ("data index " + std::to_string(outcome)) + " using 1:2 with " +
-              look + " ps " + short_number(mark.size) + " notitle";
-    legend += ", \\\n     keyentry with " + look + " ps 0.9 title " +
-              gnuplot::quoted(gnuplot::plain(std::to_string(numbers[outcome]) + " " + words_of(outcome)) + "  ");
-    ++entries;
+    const std::string words = std::to_string(numbers[outcome]) + " " + words_of(outcome);
+    plots.push_back("data index " + std::to_string(outcome) + " using 1:2 with " + look + " ps " +
+                    short_number(trials.size() > many ? mark.size_among_many : mark.size) + " notitle");
+    legend.push_back({look + " ps 0.9", gnuplot::plain(words) + kept_blanks, width(words)});
   }
-  const int columns = std::min(entries, legend_columns), rows = (entries + columns - 1) / columns;
-  const int head = title_height + legend_row_height * rows, height = plot_height + head;
-  const auto from_top = [&](int pixels) { return short_number(1.0 - static_cast<double>(pixels) / height, 4); };
-  const std::string title = title_of(trials);
-  script << "set label " << fitted(title, gnuplot::plain(title) + "  ", 46) << " at screen 0.5, screen "
-         << from_top(title_height / 2) << " center\n"
-         << "set tmargin at screen " << from_top(head + 12) << "\nset rmargin at screen 0.955\n"
-         << "set key at screen 0.5, screen " << from_top(title_height - 4) << " center top horizontal maxcols "
-         << columns << " Left reverse samplen 1.2 width -3\n"
-         << "\nset terminal svg size " << width << "," << height
-         << " dynamic enhanced background rgb 'white' font 'sans-serif,17'\n"
-         << "set output " << here(files.svg) << "\nplot " << points << legend << "\n"
-         << "\nset terminal pngcairo size " << 2 * width << "," << 2 * height
-         << " enhanced background rgb 'white' font 'sans-serif,12.75' fontscale 2 linewidth 2 pointscale 3.2\n"
-         << "set output " << here(files.png) << "\nreplot\nunset output\n";
+  write_pictures(script, files, title_of(trials), plots, legend);
   return script.str();
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "db/schema.hpp"
+#include "studies/readable_number.hpp"
 #include "studies/scaled_unit.hpp"
 #include "studies/strict_json.hpp"
 
@@ -122,7 +123,7 @@ std::string in_words(std::string key) {
 std::string value_in_words(const Cell& cell, std::string_view unit) {
   if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
-  if (const auto* const number = std::get_if<double>(&cell)) return with_scaled_unit(*number, unit);
+  if (const auto* const number = std::get_if<double>(&cell)) return readable(*number, unit);
   return "none";
 }
 
@@ -246,8 +247,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
                     std::to_string(chart.unanswered) + " without an answer" + common_inputs(rows);
   request.x = described(*x);
   request.y = described(*y);
-  request.x.unit = x_scale.unit.name;
-  request.y.unit = y_scale.unit.name;
+  request.x.unit = typeset_unit(x_scale.unit.name);
+  request.y.unit = typeset_unit(y_scale.unit.name);
   request.x.logarithmic = x_scale.logarithmic;
   request.y.logarithmic = y_scale.logarithmic;
   if (families.size() == 1) request.family = described(*families.front());

@@ -1,11 +1,11 @@
 #include "studies/table_output.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <ostream>
 
+#include "studies/readable_number.hpp"
 #include "studies/table_json.hpp"
 
 namespace rollres {
@@ -16,11 +16,6 @@ std::string six_digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
-}
-
-std::string all_digits(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 std::string in_words(const Cell& cell) {
@@ -34,16 +29,11 @@ std::string in_words(const Cell& cell) {
   return "-";
 }
 
-/// Letters, not bytes: what follows the first byte of a letter in UTF-8 does not count.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xc0) != 0x80; }));
-}
-
 std::string csv_cell(const Cell& cell) {
   if (std::holds_alternative<std::monostate>(cell)) return "";
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
-  if (const auto* number = std::get_if<double>(&cell)) return all_digits(*number);
+  if (const auto* number = std::get_if<double>(&cell))
+    return std::isinf(*number) ? (*number > 0 ? "inf" : "-inf") : shortest(*number);
   const std::string& text = std::get<std::string>(cell);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -84,7 +74,7 @@ void write_aligned(std::ostream& out, const Table& table) {
   }
   std::vector<std::size_t> widths(table.columns.size(), 0);
   for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width_of(line[i]));
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
   auto is_text = [&](std::size_t column) {
     return std::any_of(table.rows.begin(), table.rows.end(),
                        [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
@@ -94,7 +84,7 @@ void write_aligned(std::ostream& out, const Table& table) {
   for (const auto& line : lines) {
     std::string text;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::string blanks(widths[i] - width_of(line[i]), ' ');
+      const std::string blanks(widths[i] - width(line[i]), ' ');
       text += (i > 0 ? "  " : "") + (left[i] ? line[i] + blanks : blanks + line[i]);
     }
     text.erase(text.find_last_not_of(' ') + 1);

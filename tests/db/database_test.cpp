@@ -8,7 +8,8 @@
 #include "db/result_store.hpp"
 #include "db/schema.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 
@@ -31,9 +32,9 @@ void fill(const std::filesystem::path& file, int count) {
 }  // namespace
 
 TEST_CASE("a new database carries the program's number and the version of its schema", "[db][database]") {
-  const Scratch folder;
-  fill(folder / "a.db", 1);
-  SQLite::Database plain((folder / "a.db").string());
+  const TemporaryDirectory folder;
+  fill(folder.path / "a.db", 1);
+  SQLite::Database plain((folder.path / "a.db").string());
   CHECK(plain.execAndGet("PRAGMA application_id").getInt() == Database::application_id);
   CHECK(plain.execAndGet("PRAGMA user_version").getInt() == static_cast<int>(schema_migrations().size()));
   CHECK(plain.execAndGet("PRAGMA integrity_check").getString() == "ok");
@@ -44,60 +45,59 @@ TEST_CASE("a new database carries the program's number and the version of its sc
 }
 
 TEST_CASE("a file that is no database of this program is refused and left as it was", "[db][database]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   for (const std::string& text : {std::string("speed,load\n1,2\n"), std::string("x"), std::string(5000, 'z')}) {
-    const auto file = folder / "text.db";
-    write_file(file, text);
+    const auto file = folder.write("text.db", text);
     for (const Access access : {Access::read, Access::write})
       CHECK(opening(file, access) == file.string() + ": file is not a database");
-    CHECK(read_file(file) == text);
+    CHECK(file_text(file) == text);
   }
 
-  const auto other = folder / "other.db";
+  const auto other = folder.path / "other.db";
   {
     SQLite::Database foreign(other.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     foreign.exec("CREATE TABLE photograph(name TEXT)");
   }
-  const std::string before = read_file(other);
+  const std::string before = file_text(other);
   for (const Access access : {Access::read, Access::write})
     CHECK(opening(other, access) == other.string() + ": an SQLite database, but not one of rollres");
-  CHECK(read_file(other) == before);
+  CHECK(file_text(other) == before);
 
-  CHECK(opening(folder / "none.db", Access::read) == (folder / "none.db").string() + ": no such file");
-  CHECK_FALSE(std::filesystem::exists(folder / "none.db"));
-  CHECK(opening(folder / "no/folder.db", Access::write) ==
-        (folder / "no/folder.db").string() + ": unable to open database file");
-  CHECK(opening(folder / "", Access::write) == (folder / "").string() + ": unable to open database file");
+  CHECK(opening(folder.path / "none.db", Access::read) == (folder.path / "none.db").string() + ": no such file");
+  CHECK_FALSE(std::filesystem::exists(folder.path / "none.db"));
+  CHECK(opening(folder.path / "no/folder.db", Access::write) ==
+        (folder.path / "no/folder.db").string() + ": unable to open database file");
+  CHECK(opening(folder.path / "", Access::write) == (folder.path / "").string() + ": unable to open database file");
   CHECK(opening("", Access::write) == "db = : must name a file");
-  write_file(folder / "empty.db", "");
-  CHECK(opening(folder / "empty.db", Access::read) ==
-        (folder / "empty.db").string() + ": an empty file, no database of rollres");
+  folder.write("empty.db", "");
+  CHECK(opening(folder.path / "empty.db", Access::read) ==
+        (folder.path / "empty.db").string() + ": an empty file, no database of rollres");
 }
 
 TEST_CASE("a database of a newer schema is refused and left as it was", "[db][database]") {
-  const Scratch folder;
-  const auto file = folder / "newer.db";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "newer.db";
   fill(file, 1);
   {
     SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);
     plain.exec("PRAGMA user_version = 999");
   }
-  const std::string before = read_file(file);
+  const std::string before = file_text(file);
   for (const Access access : {Access::read, Access::write})
     CHECK(opening(file, access) == file.string() +
                                        ": written by a newer version of rollres (schema 999, this one knows " +
                                        std::to_string(schema_migrations().size()) + ")");
-  CHECK(read_file(file) == before);
+  CHECK(file_text(file) == before);
 }
 
 TEST_CASE("a damaged database is reported with its name and SQLite's words", "[db][database]") {
-  const Scratch folder;
-  const auto file = folder / "damaged.db";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "damaged.db";
   fill(file, 200);
-  std::string bytes = read_file(file);
+  std::string bytes = file_text(file);
   REQUIRE(bytes.size() > 65536);
   bytes.replace(8192, bytes.size() - 8192, bytes.size() - 8192, '\x5a');
-  write_file(file, bytes);
+  folder.write("damaged.db", bytes);
   const std::string message = message_of([&] {
     ResultStore store(file);
     fill(file, 400);
@@ -107,13 +107,13 @@ TEST_CASE("a damaged database is reported with its name and SQLite's words", "[d
 }
 
 TEST_CASE("a read-only database is read, and refused for writing", "[db][database]") {
-  const Scratch folder;
-  const auto file = folder / "archive/a.db";
-  std::filesystem::create_directory(folder / "archive");
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "archive/a.db";
+  std::filesystem::create_directory(folder.path / "archive");
   fill(file, 3);
-  chmod((folder / "").c_str(), 0755);
+  chmod(folder.path.c_str(), 0755);
   chmod(file.c_str(), 0444);
-  chmod((folder / "archive").c_str(), 0555);
+  chmod((folder.path / "archive").c_str(), 0555);
   const pid_t child = fork();
   if (child == 0) {
     if (geteuid() == 0 && seteuid(65534) != 0) _exit(9);  // root may write everything
@@ -127,14 +127,14 @@ TEST_CASE("a read-only database is read, and refused for writing", "[db][databas
   }
   int status = 0;
   waitpid(child, &status, 0);
-  chmod((folder / "archive").c_str(), 0755);
+  chmod((folder.path / "archive").c_str(), 0755);
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 0);
 }
 
 TEST_CASE("an older schema is migrated once, also by a reader, and keeps its rows", "[db][database]") {
-  const Scratch folder;
-  const auto file = folder / "older.db";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "older.db";
   fill(file, 5);
   const Migration next = [](SQLite::Database& connection) {
     connection.exec("CREATE TABLE fit(id INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT");
@@ -160,8 +160,8 @@ TEST_CASE("an older schema is migrated once, also by a reader, and keeps its row
 
 TEST_CASE("a database that lacks columns of newer quantities gets them, and its rows are still read",
           "[db][database]") {
-  const Scratch folder;
-  const auto file = folder / "narrow.db";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "narrow.db";
   fill(file, 2);
   {
     SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);

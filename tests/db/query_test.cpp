@@ -2,7 +2,8 @@
 
 #include "db/result_store.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 
@@ -11,7 +12,7 @@ namespace {
 /// Speeds 0.1 to 0.5, the fourth without an answer; the first three are a study, in falling order.
 class Filled {
  public:
-  Filled() : store_(folder_ / "a.db") {
+  Filled() : store_(folder_.path / "a.db") {
     std::vector<Evaluation> all;
     for (const double speed : {0.1, 0.2, 0.1 + 0.2, 0.4, 0.5}) {
       const RollingScene scene = plain_scene(speed);
@@ -37,7 +38,7 @@ class Filled {
   }
 
  private:
-  Scratch folder_;
+  TemporaryDirectory folder_;
   ResultStore store_;
 };
 

@@ -1,7 +1,5 @@
 #include "studies/chart.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +9,7 @@
 
 #include "studies/gnuplot.hpp"
 #include "tests/catch.hpp"
+#include "tests/scratch.hpp"
 
 using namespace rollres;
 namespace fs = std::filesystem;
@@ -19,25 +18,6 @@ using Catch::Matchers::Contains;
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// A folder of its own for each test, removed at its end.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("rollres_chart_" + std::to_string(getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
-
-std::string content(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 ChartRequest two_loads() {
   return {.title = "speed and load",
@@ -49,7 +29,7 @@ ChartRequest two_loads() {
 }
 
 /// Writes a program that stands in for gnuplot.
-fs::path stand_in(const fs::path& folder, const std::string& commands) {
+fs::path stand_in(const Scratch& folder, const std::string& commands) {
   const fs::path program = folder / "drawer";
   std::ofstream(program) << "#!/bin/sh\n" << commands << "\n";
   fs::permissions(program, fs::perms::owner_all);
@@ -59,20 +39,20 @@ fs::path stand_in(const fs::path& folder, const std::string& commands) {
 }  // namespace
 
 TEST_CASE("a chart is drawn as SVG and PNG with its script and data beside them", "[studies][chart]") {
-  const Folder folder;
-  const ChartFiles files = draw_chart(two_loads(), folder.path / "new" / "chart.svg");
+  const Scratch folder;
+  const ChartFiles files = draw_chart(two_loads(), folder / "new" / "chart.svg");
 
-  CHECK(files.svg == folder.path / "new" / "chart.svg");
-  CHECK(content(files.png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
-  const std::string svg = content(files.svg);
+  CHECK(files.svg == folder / "new" / "chart.svg");
+  CHECK(read_file(files.png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  const std::string svg = read_file(files.svg);
   CHECK_THAT(svg, Contains("<svg") && Contains("</svg>"));
   CHECK_THAT(svg, Contains("speed and load") && Contains("rolling resistance") && Contains("10 kN/m"));
-  CHECK_THAT(content(files.data), Contains("0.1 140 1 1\n"));
+  CHECK_THAT(read_file(files.data), Contains("0.1 140 1 1\n"));
 
   // The files left behind draw the same picture again.
   fs::remove(files.svg);
   gnuplot::run(files.script);
-  CHECK(content(files.svg) == svg);
+  CHECK(read_file(files.svg) == svg);
 }
 
 TEST_CASE("a point without an answer stays in the data as a gap, with its status", "[studies][chart]") {
@@ -108,6 +88,14 @@ TEST_CASE("the peak of a curve lies between lower converged points", "[studies][
   CHECK_THAT(script, Contains("set label '140' at first 0.1, first 140"));
   CHECK_THAT(script, Contains("data index 0 every ::1::1 using 1:2 with points pt 6"));
   CHECK_THAT(script, !Contains("data index 1 every"));
+}
+
+TEST_CASE("the value of a peak has as many digits as its axis tells apart", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.curves = {{"", {{0.01, 1.0371}, {0.1, 1.0853}, {1, 1.0568}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.085'"));
+  request.curves = {{"", {{0.01, 0}, {0.1, 1.0853}, {1, 0.5}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.09'"));
 }
 
 TEST_CASE("values of peaks are left out where they would cover a curve or each other", "[studies][chart]") {
@@ -152,21 +140,22 @@ TEST_CASE("210 curves all look different", "[studies][chart]") {
 }
 
 TEST_CASE("names of studies and files are never read as commands of gnuplot or the shell", "[studies][chart]") {
-  const Folder folder;
+  const Scratch folder;
   ChartRequest request = two_loads();
   const std::string file_name = "<it's `touch here` $(touch here) \"|x\" %d & ~.chart";
   request.title = "it's `touch here` $(touch here) \"q\" %d _{a} ^b @c &{d} \\n <b>\n$E";
   request.curves[0].label = "'.system('touch here').'";
   request.x.name = "\"; system 'touch here'; #";
   request.comment = "one\nsystem('touch here')";
-  const ChartFiles files = draw_chart(request, folder.path / file_name);
+  const ChartFiles files = draw_chart(request, folder / file_name);
   std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(folder.path)) found.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator((folder / "x").parent_path()))
+    found.push_back(entry.path().filename().string());
   std::sort(found.begin(), found.end());
   CHECK(found ==
         std::vector<std::string>{file_name + ".dat", file_name + ".gp", file_name + ".png", file_name + ".svg"});
-  CHECK_THAT(content(files.svg), Contains("'.system('touch here').'"));
-  CHECK_THAT(content(files.data), Contains("\n# system('touch here')\n"));
+  CHECK_THAT(read_file(files.svg), Contains("'.system('touch here').'"));
+  CHECK_THAT(read_file(files.data), Contains("\n# system('touch here')\n"));
 }
 
 TEST_CASE("text in gnuplot's quotes and markup says itself", "[studies][gnuplot]") {
@@ -176,6 +165,35 @@ TEST_CASE("text in gnuplot's quotes and markup says itself", "[studies][gnuplot]
   CHECK(gnuplot::symbol("G0") == "{/:Italic G}_{0}");
   CHECK(gnuplot::symbol("RΩ/V") == "{/:Italic RΩ}/{/:Italic V}");
   CHECK(gnuplot::symbol("max|τ_xz|") == "{/:Italic max}|{/:Italic τ}_{xz}|");
+}
+
+TEST_CASE("entries of the legend stand in rows inside the picture", "[studies][chart]") {
+  for (const std::size_t count : {1U, 3U, 12U})
+    for (const char* label : {"1", "10 kN/m", "P = 10 kN/m, μ = 0.25, f = 1"}) {
+      ChartRequest request = two_loads();
+      request.curves.assign(count, {label, request.curves[0].points});
+      std::istringstream script(chart_script(request, chart_files("chart")));
+      std::vector<std::pair<double, double>> places;
+      for (std::string line; std::getline(script, line);)
+        if (const auto at = line.rfind("' at ");
+            line.find("keyentry") != std::string::npos && at != std::string::npos) {
+          std::istringstream numbers(line.substr(at + 5));
+          double x = 0, y = 0;
+          char comma = 0;
+          numbers >> x >> comma >> y;
+          places.emplace_back(x, y);
+        }
+      REQUIRE(places.size() == count);
+      // 560 pixels wide; a letter of this size takes 8.8 pixels on average, the sample 54 to the left of the text.
+      const double text = 8.8 * (static_cast<double>(std::string(label).size()) + 4) / 560;
+      for (const auto& [x, y] : places) {
+        CHECK(x > 54.0 / 560);
+        CHECK(x + text < 1.01);
+        CHECK(y < 1);
+      }
+      std::sort(places.begin(), places.end());
+      CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());
+    }
 }
 
 TEST_CASE("the files of a chart share its name whatever suffix it is given", "[studies][chart]") {
@@ -191,21 +209,20 @@ TEST_CASE("the files of a chart share its name whatever suffix it is given", "[s
 }
 
 TEST_CASE("a chart that cannot be drawn says why", "[studies][chart]") {
-  const Folder folder;
-  const fs::path chart = folder.path / "chart";
+  const Scratch folder;
+  const fs::path chart = folder / "chart";
 
   CHECK_THROWS_WITH(draw_chart(two_loads(), chart, "no-such-gnuplot"),
                     Contains("no-such-gnuplot: cannot be started") && Contains("gnuplot-nox"));
-  CHECK_THROWS_WITH(
-      draw_chart(two_loads(), chart, stand_in(folder.path, "echo first; echo 'line 7: no font' >&2; exit 4")),
-      Contains("chart.gp") && Contains("exit status 4") && Contains("line 7: no font"));
-  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder.path, "kill -9 $$")), Contains("signal 9"));
-  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder.path, "exit 0")),
+  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder, "echo first; echo 'line 7: no font' >&2; exit 4")),
+                    Contains("chart.gp") && Contains("exit status 4") && Contains("line 7: no font"));
+  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder, "kill -9 $$")), Contains("signal 9"));
+  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder, "exit 0")),
                     Contains("chart.svg") && Contains("drew nothing"));
-  CHECK_THROWS_AS(draw_chart(two_loads(), folder.path / "drawer" / "chart"), std::runtime_error);  // a file, no folder
+  CHECK_THROWS_AS(draw_chart(two_loads(), folder / "drawer" / "chart"), std::runtime_error);  // a file, no folder
 
-  std::ofstream(folder.path / "wrong.gp") << "plot no_such_function(x)\n";
-  CHECK_THROWS_WITH(gnuplot::run(folder.path / "wrong.gp"), Contains("undefined function"));
+  std::ofstream(folder / "wrong.gp") << "plot no_such_function(x)\n";
+  CHECK_THROWS_WITH(gnuplot::run(folder / "wrong.gp"), Contains("undefined function"));
 
   ChartRequest empty = two_loads();
   for (ChartCurve& curve : empty.curves)
@@ -214,12 +231,12 @@ TEST_CASE("a chart that cannot be drawn says why", "[studies][chart]") {
 }
 
 TEST_CASE("a chart of a single point, and of points of one height, is drawn", "[studies][chart]") {
-  const Folder folder;
+  const Scratch folder;
   ChartRequest request = two_loads();
   request.curves = {{"", {{0.1, 5}}}};
-  CHECK_NOTHROW(draw_chart(request, folder.path / "one"));
+  CHECK_NOTHROW(draw_chart(request, folder / "one"));
   request.curves = {{"", {{0.1, 0}, {1, 0}}}};
-  CHECK_NOTHROW(draw_chart(request, folder.path / "flat"));
+  CHECK_NOTHROW(draw_chart(request, folder / "flat"));
   request.curves = {{"", {{-1, -2}, {1, -1e-7}}}, {"empty", {}}};
-  CHECK_NOTHROW(draw_chart(request, folder.path / "negative"));
+  CHECK_NOTHROW(draw_chart(request, folder / "negative"));
 }

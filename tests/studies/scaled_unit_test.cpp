@@ -1,41 +1,27 @@
 #include "studies/scaled_unit.hpp"
 
-#include <limits>
-
+#include "studies/readable_number.hpp"
 #include "tests/catch.hpp"
 
 using namespace rollres;
 
-TEST_CASE("a number is shown in the unit in which it lies between 1 and 1000", "[studies][scaled_unit]") {
-  CHECK(with_scaled_unit(0.005, "m") == "5 mm");
-  CHECK(with_scaled_unit(3.6982e-4, "m") == "369.82 µm");
-  CHECK(with_scaled_unit(20000, "N/m") == "20 kN/m");
-  CHECK(with_scaled_unit(3e6, "Pa") == "3 MPa");
-  CHECK(with_scaled_unit(0.05, "m/s") == "50 mm/s");
-  CHECK(with_scaled_unit(0.25, "s") == "250 ms");
-  CHECK(with_scaled_unit(0.02, "N.m") == "20 mN·m");
-  CHECK(with_scaled_unit(-1500, "W/m") == "-1.5 kW/m");
+TEST_CASE("the prefix of a unit puts its number between 1 and 1000", "[studies][scaled_unit]") {
+  CHECK(scaled_unit("N/m", 20000).name == "kN/m");
+  CHECK(scaled_unit("N/m", 20000).factor == Approx(1e3));
+  CHECK(scaled_unit("m/s", 0.05).name == "mm/s");
+  CHECK(scaled_unit("W/m", -1500).name == "kW/m");
+  CHECK(scaled_unit("N", 999.999).name == "kN");
+  CHECK(scaled_unit("N", 999.98).name == "N");
+  CHECK(scaled_unit("m", 2000).name == "m");
+  CHECK(scaled_unit("s", 5000).name == "s");
+  CHECK(scaled_unit("kg/m3", 1000).name == "kg/m3");
+  CHECK(scaled_unit("rad/s", 2000).name == "rad/s");
+  CHECK(scaled_unit("1", 1e-9).name.empty());
 }
 
 TEST_CASE("a square takes the square of its prefix", "[studies][scaled_unit]") {
-  CHECK(with_scaled_unit(5.9e-5, "m2") == "59 mm²");
-  CHECK(with_scaled_unit(2, "m2") == "2 m²");
-}
-
-TEST_CASE("units that nobody prefixes stay as they are", "[studies][scaled_unit]") {
-  CHECK(with_scaled_unit(1000, "kg/m3") == "1000 kg/m³");
-  CHECK(with_scaled_unit(2.6, "rad/s") == "2.6 rad/s");
-  CHECK(with_scaled_unit(5000, "s") == "5000 s");
-  CHECK(with_scaled_unit(2000, "m") == "2000 m");
-  CHECK(with_scaled_unit(0.2, "1") == "0.2");
-  CHECK(with_scaled_unit(0, "Pa") == "0 Pa");
-  CHECK(with_scaled_unit(std::numeric_limits<double>::infinity(), "m") == "infinite");
-}
-
-TEST_CASE("a number that rounds up to 1000 takes the next prefix", "[studies][scaled_unit]") {
-  CHECK(with_scaled_unit(999.9999999, "N") == "1 kN");
-  CHECK(with_scaled_unit(999.99, "N") == "999.99 N");
-  CHECK(with_scaled_unit(0.3 - 0.1, "m") == "200 mm");
+  CHECK(scaled_unit("m2", 5.9e-5).name == "mm2");
+  CHECK(scaled_unit("m2", 5.9e-5).factor == Approx(1e-6));
 }
 
 TEST_CASE("a logarithmic axis keeps the plain unit where its numbers are short", "[studies][scaled_unit]") {
@@ -44,6 +30,11 @@ TEST_CASE("a logarithmic axis keeps the plain unit where its numbers are short",
   CHECK(scaled_unit_logarithmic("m", 1e-6, 1e-4).name == "µm");
   CHECK(scaled_unit_logarithmic("m", 1e-6, 1e-4).factor == Approx(1e-6));
   CHECK(scaled_unit_logarithmic("1", 1e-9, 1).name.empty());
+}
+
+TEST_CASE("units are printed with raised powers", "[studies][scaled_unit]") {
+  CHECK(typeset_unit("kg/m3") == "kg/m³");
+  CHECK(typeset_unit("mN.m") == "mN·m");
 }
 
 TEST_CASE("short numbers have no exponent at everyday sizes and no trailing zeros", "[studies][scaled_unit]") {

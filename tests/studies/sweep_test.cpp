@@ -13,7 +13,8 @@
 #include "studies/evaluate.hpp"
 #include "studies/stop_signal.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 
@@ -83,13 +84,13 @@ int wait_for(pid_t child) {
 }  // namespace
 
 TEST_CASE("a sweep answers every point, and run again it solves nothing", "[studies][sweep]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   std::atomic<int> calls = 0;
   const Evaluate counted = [&](const RollingScene& scene) {
     ++calls;
     return closed_form(scene);
   };
-  const SweepReport first = run_sweep(study_of(50), counted, folder / "a.db", {.jobs = 4});
+  const SweepReport first = run_sweep(study_of(50), counted, folder.path / "a.db", {.jobs = 4});
   CHECK(first.study.points == 100);
   CHECK(first.study.answered == 100);
   CHECK(first.study.failed == 0);
@@ -97,23 +98,23 @@ TEST_CASE("a sweep answers every point, and run again it solves nothing", "[stud
   CHECK(first.recalled == 0);
   CHECK_FALSE(first.interrupted);
   CHECK(calls == 100);
-  const SweepReport again = run_sweep(study_of(50), counted, folder / "a.db");
+  const SweepReport again = run_sweep(study_of(50), counted, folder.path / "a.db");
   CHECK(again.recalled == 100);
   CHECK(again.solved == 0);
   CHECK(calls == 100);
-  const SweepReport longer = run_sweep(study_of(60, 2, "longer"), counted, folder / "a.db");
+  const SweepReport longer = run_sweep(study_of(60, 2, "longer"), counted, folder.path / "a.db");
   CHECK(longer.recalled == 100);
   CHECK(longer.solved == 20);
   CHECK(calls == 120);
-  CHECK(count(folder / "a.db", "SELECT count(*) FROM evaluation") == 120);
+  CHECK(count(folder.path / "a.db", "SELECT count(*) FROM evaluation") == 120);
 }
 
 TEST_CASE("a failed point is a row with its reason, also where the solver throws", "[studies][sweep]") {
-  const Scratch folder;
-  const SweepReport report = run_sweep(study_of(50, 1), moody(milliseconds(0)), folder / "a.db", {.jobs = 3});
+  const TemporaryDirectory folder;
+  const SweepReport report = run_sweep(study_of(50, 1), moody(milliseconds(0)), folder.path / "a.db", {.jobs = 3});
   CHECK(report.study.answered == 50);
   CHECK(report.study.failed == 11);
-  ResultStore store(folder / "a.db", Access::read);
+  ResultStore store(folder.path / "a.db", Access::read);
   const std::vector<Failure> failures = store.failures("speed and load");
   REQUIRE(failures.size() == 3);
   CHECK(failures[0].status == "no_steady_state");
@@ -122,19 +123,19 @@ TEST_CASE("a failed point is a row with its reason, also where the solver throws
   CHECK(failures[1].status == "not_converged");
   CHECK(failures[1].reason == "singular matrix");
   CHECK(failures[2].reason == "an unknown error");
-  CHECK(run_sweep(study_of(50, 1), moody(milliseconds(0)), folder / "a.db").solved == 0);
+  CHECK(run_sweep(study_of(50, 1), moody(milliseconds(0)), folder.path / "a.db").solved == 0);
 }
 
 TEST_CASE("the table does not depend on the number of threads", "[studies][sweep]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   for (const int jobs : {1, 8})
-    run_sweep(study_of(100), moody(milliseconds(0)), folder / std::to_string(jobs), {.jobs = jobs});
-  CHECK(rows(folder / "1", "speed and load").size() == 200);
-  CHECK(rows(folder / "1", "speed and load") == rows(folder / "8", "speed and load"));
+    run_sweep(study_of(100), moody(milliseconds(0)), folder.path / std::to_string(jobs), {.jobs = jobs});
+  CHECK(rows(folder.path / "1", "speed and load").size() == 200);
+  CHECK(rows(folder.path / "1", "speed and load") == rows(folder.path / "8", "speed and load"));
 }
 
 TEST_CASE("a wrong point is found before the first one is solved or stored", "[studies][sweep]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   Study study = study_of(3);
   study.axes[0].values.back() = -1;
   bool called = false;
@@ -145,18 +146,18 @@ TEST_CASE("a wrong point is found before the first one is solved or stored", "[s
           called = true;
           return closed_form(scene);
         },
-        folder / "a.db");
+        folder.path / "a.db");
   });
   CHECK(message.find("speed = -1") != std::string::npos);
   CHECK_FALSE(called);
-  CHECK_FALSE(std::filesystem::exists(folder / "a.db"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "a.db"));
 }
 
 TEST_CASE("a sweep killed at any moment and started again has each point once and none lost", "[studies][sweep]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   const Study study = study_of(150);
-  run_sweep(study, moody(milliseconds(0)), folder / "undisturbed");
-  const auto file = folder / "killed";
+  run_sweep(study, moody(milliseconds(0)), folder.path / "undisturbed");
+  const auto file = folder.path / "killed";
   std::mt19937 random(20130501);
   std::uniform_int_distribution<int> moment(0, 25000);
   int before = 0;
@@ -176,15 +177,15 @@ TEST_CASE("a sweep killed at any moment and started again has each point once an
   const SweepReport last = run_sweep(study, moody(milliseconds(0)), file);
   CHECK(last.solved == 300 - static_cast<std::size_t>(before));
   CHECK(last.study.answered == 300);
-  CHECK(rows(file, study.name) == rows(folder / "undisturbed", study.name));
+  CHECK(rows(file, study.name) == rows(folder.path / "undisturbed", study.name));
   CHECK(count(file, "SELECT count(*) FROM evaluation") == 300);
   SQLite::Database plain(file.string());
   CHECK(plain.execAndGet("PRAGMA integrity_check").getString() == "ok");
 }
 
 TEST_CASE("what a killed sweep had solved is stored but for a moment's worth", "[studies][sweep]") {
-  const Scratch folder;
-  const auto file = folder / "a.db";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "a.db";
   int pipe_ends[2];
   REQUIRE(pipe(pipe_ends) == 0);
   const pid_t child = in_child([&] {
@@ -213,9 +214,9 @@ TEST_CASE("what a killed sweep had solved is stored but for a moment's worth", "
 }
 
 TEST_CASE("a stop signal ends a sweep after the points in work, and the next run does the rest", "[studies][sweep]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   for (const int signal : {SIGINT, SIGTERM}) {
-    const auto file = folder / std::to_string(signal);
+    const auto file = folder.path / std::to_string(signal);
     int pipe_ends[2];
     REQUIRE(pipe(pipe_ends) == 0);
     const pid_t child = in_child([&] {
@@ -247,10 +248,10 @@ TEST_CASE("a stop signal ends a sweep after the points in work, and the next run
 }
 
 TEST_CASE("two processes on one study and one file answer each point once and share the work", "[studies][sweep]") {
-  const Scratch folder;
-  const auto file = folder / "shared";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "shared";
   const Study study = study_of(200, 1);
-  run_sweep(study, moody(milliseconds(0)), folder / "alone");
+  run_sweep(study, moody(milliseconds(0)), folder.path / "alone");
   int pipe_ends[2];
   REQUIRE(pipe(pipe_ends) == 0);
   std::vector<pid_t> children;
@@ -269,13 +270,13 @@ TEST_CASE("two processes on one study and one file answer each point once and sh
   close(pipe_ends[1]);
   CHECK(one + two >= 200);
   CHECK(one + two < 350);  // less than doing everything twice
-  CHECK(rows(file, study.name) == rows(folder / "alone", study.name));
+  CHECK(rows(file, study.name) == rows(folder.path / "alone", study.name));
   CHECK(count(file, "SELECT count(*) FROM evaluation") == 200);
 }
 
 TEST_CASE("readers in a loop never make a sweep fail", "[studies][sweep]") {
-  const Scratch folder;
-  const auto file = folder / "a.db";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "a.db";
   { ResultStore created(file); }
   std::atomic<bool> done = false;
   std::atomic<int> read = 0;
@@ -297,8 +298,8 @@ TEST_CASE("readers in a loop never make a sweep fail", "[studies][sweep]") {
 }
 
 TEST_CASE("a full disk ends a sweep with a message, and what was stored stays", "[studies][sweep]") {
-  const Scratch folder;
-  const auto file = folder / "a.db";
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "a.db";
   const pid_t child = in_child([&] {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit small{512 * 1024, 512 * 1024};  // no file may grow beyond
@@ -315,8 +316,8 @@ TEST_CASE("a full disk ends a sweep with a message, and what was stored stays", 
 }
 
 TEST_CASE("an answer is solved once and then recalled, failed ones too", "[studies][evaluate]") {
-  const Scratch folder;
-  ResultStore store(folder / "a.db");
+  const TemporaryDirectory folder;
+  ResultStore store(folder.path / "a.db");
   int calls = 0;
   const Evaluate evaluate = recalling(store, [&](const RollingScene& scene) {
     ++calls;
