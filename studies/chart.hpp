@@ -66,6 +66,11 @@ std::string chart_data(const ChartRequest& request);
 /// The gnuplot script. It names the files without their folder and is to be run there.
 std::string chart_script(const ChartRequest& request, const ChartFiles& files);
 
+/// Writes script and data and lets gnuplot draw the two pictures: what every picture of this program does.
+/// @throws std::runtime_error as draw_chart
+void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
+                   const std::string& gnuplot = "gnuplot");
+
 /// Writes script and data and draws the pictures; folders are made, older files of that name replaced.
 /// @param gnuplot the program that draws
 /// @throws std::invalid_argument as chart_files, or if there is nothing to draw: no point has a value

@@ -25,6 +25,7 @@ constexpr AddCommand commands[] = {
     add_query,
     add_chart,
     add_accuracy,
+    add_stability,
     add_quantities,
 };
 
