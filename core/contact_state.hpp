@@ -19,7 +19,7 @@ struct ContactState {
   double approach = 0;               // d [m]
   double rotation_ratio = 0;         // R Omega / V [1]; NaN without friction
   int iterations = 0;
-  bool reached_border = false;       // the contact wants more than `grid`
+  bool reached_border = false;  // the contact wants more than `grid`
   Status status = Status::not_converged;
   std::string reason;
 };

@@ -159,7 +159,10 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
       const double px = x + nodes_x_[i], py = y + nodes_y_[j], r2 = px * px + py * py, r = std::sqrt(r2);
       const double cosine = r > 0 ? px / r : 1, sine = r > 0 ? py / r : 0;
       const double cosine2 = cosine * cosine - sine * sine, sine2 = 2 * sine * cosine;
-      const Eigen::Array4d f = table(std::min(r / thickness_, table_end));
+      // Beyond the table the correction cancels the half-space's part.
+      const Eigen::Array4d f = r < table_end * thickness_
+                                   ? table(r / thickness_)
+                                   : Eigen::Array4d(Eigen::Array4d(-2, -3, 1, 0) * thickness_ / (8 * M_PI * r));
       Coefficients value;
       value << f(0), f(1) - cosine2 * f(2), f(1) + cosine2 * f(2), -sine2 * f(2), -cosine * f(3), -sine * f(3);
       correction += weights_x_[i] * weights_y_[j] * value;
@@ -171,7 +174,8 @@ Coefficients ElasticKernel::cylinder(double x) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
   if (std::abs(x) > reach()) return sum;
-  const double right = x + 0.5 * cell_x_, left = x - 0.5 * cell_x_;
+  // A cell across the end of the response ends there.
+  const double right = std::min(x + 0.5 * cell_x_, reach()), left = std::max(x - 0.5 * cell_x_, -reach());
   const double half_space = -(integrated_log(right, 0) - integrated_log(left, 0)) / (4 * M_PI * cell_x_);
   sum(ww) = sum(uu) = half_space;
   if (std::isinf(thickness_)) return sum;

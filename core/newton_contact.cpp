@@ -69,8 +69,10 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
     laws.direction_y(i) = qy / size;
     laws.beta(i) = bound / size;
   }
-  // Without any sticking node the drive could not determine the rotation.
-  if (!sticking && n > 0 && !problem.rotation_given()) laws.zone[static_cast<std::size_t>(closest)] = Zone::stick;
+  // Without any sticking node of a cylinder the drive could not determine the rotation; a sphere's slip also has a
+  // direction, which the rotation turns.
+  if (!sticking && n > 0 && !problem.rotation_given() && !problem.sphere)
+    laws.zone[static_cast<std::size_t>(closest)] = Zone::stick;
   return laws;
 }
 
@@ -209,11 +211,13 @@ NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable
 
     const NewtonSystem system(problem, influence, laws);
     const LawResiduals right = residuals(problem, influence, base, base_maps, laws);
-    const auto components = static_cast<int>(problem.friction ? (problem.sphere ? 3 : 2) : 1);
-    const bool dense = options.dense || static_cast<int>(laws.contact.size()) * components <= options.dense_unknowns;
+    const int unknowns = static_cast<int>(laws.contact.size()) * (problem.friction ? (problem.sphere ? 3 : 2) : 1);
+    const bool dense = options.dense || unknowns <= options.dense_unknowns;
     LinearStep linear =
         dense ? system.solve_dense(table, right) : system.solve_krylov(right, forcing(maps.largest, options), 300);
     outcome.krylov_iterations += linear.iterations;
+    if (!linear.solved && !dense && unknowns <= options.factorisable_unknowns)
+      linear = system.solve_dense(table, right);
     if (!linear.solved) break;
 
     // Full step from the released state, shortened while the maps grow beyond what they were lately.

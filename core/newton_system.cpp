@@ -228,7 +228,7 @@ LinearStep NewtonSystem::solve_krylov(const LawResiduals& residuals, double tole
             pack(residuals), tolerance, most_iterations);
   LinearStep result;
   result.iterations = krylov.iterations;
-  result.solved = krylov.x.allFinite() && krylov.relative_residual < 0.9;
+  result.solved = krylov.x.allFinite() && krylov.relative_residual < 0.1;
   if (result.solved) result.step = unpack(krylov.x);
   return result;
 }

@@ -29,7 +29,7 @@ PassageKernel::PassageKernel(Indenter indenter, double thickness, double cell_x,
 
   const double start = columns * cell_x;
   const double end = std::isinf(thickness) ? start * std::ldexp(1.0, 40) : kernel.reach();
-  for (double s = 0, length = 0.5 * start; start + s < end; length *= 1.5) {
+  for (double s = 0, length = 0.5 * start; end - start - s > 1e-9 * end; length *= 1.5) {
     // Over a layer the response falls by e^{-0.74 s/H}: the farther, the less it takes.
     const double kept = std::min({length, end - start - s, 2.5 * thickness});
     const bool faint = start + s > 8 * thickness;
@@ -109,18 +109,31 @@ InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed,
   return table;
 }
 
-std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, double thickness, double cell_x,
-                                                           double cell_y, int columns, int rows) {
+namespace {
+
+struct KernelCache {
   struct Entry {
     Indenter indenter;
     double thickness, cell_x, cell_y;
     std::shared_ptr<const PassageKernel> kernel;
   };
-  static std::mutex mutex;
-  static std::list<Entry> cache;  // most recently used first
+  std::mutex mutex;
+  std::list<Entry> entries;  // most recently used first
+};
+
+KernelCache& kernel_cache() {
+  static KernelCache cache;
+  return cache;
+}
+
+}  // namespace
+
+std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, double thickness, double cell_x,
+                                                           double cell_y, int columns, int rows) {
+  auto& [mutex, cache] = kernel_cache();
   constexpr std::size_t capacity = 16;
 
-  const auto fits = [&](const Entry& entry) {
+  const auto fits = [&](const KernelCache::Entry& entry) {
     return entry.indenter == indenter && entry.thickness == thickness && entry.cell_x == cell_x &&
            entry.cell_y == cell_y && entry.kernel->columns() >= columns && entry.kernel->rows() >= rows;
   };
@@ -137,6 +150,12 @@ std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, do
   cache.push_front({indenter, thickness, cell_x, cell_y, kernel});
   if (cache.size() > capacity) cache.pop_back();
   return kernel;
+}
+
+void forget_passage_kernels() {
+  KernelCache& cache = kernel_cache();
+  const std::lock_guard lock(cache.mutex);
+  cache.entries.clear();
 }
 
 }  // namespace rollres

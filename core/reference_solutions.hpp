@@ -67,18 +67,19 @@ struct ElasticLayerRow {
   double sphere_load;        ///< P R / (G a^3) [1]
   double sphere_flatness;    ///< a^2 / (R d) [1]
   double cylinder_load;      ///< P R / (pi G a^2) [1]
-  double cylinder_approach;  ///< d R / a^2 [1], known to about 1e-3
+  double cylinder_approach;  ///< d R / a^2 [1]
 };
 
-/// Dense numerical solutions by a program that is not part of this one; both ends agree with Hertz and with the thin
-/// layer. The cylinder's column of loads is recomputed in the tests.
-inline constexpr std::array<ElasticLayerRow, 7> elastic_layer_table{{{0.1, 5.33761, 1.08018, 1.01022, 1.2738},
-                                                                     {0.3, 5.43854, 1.25871, 1.09106, 0.78789},
-                                                                     {0.5, 5.75417, 1.43627, 1.24748, 0.60903},
-                                                                     {1, 7.52267, 1.78758, 1.90330, 0.43831},
-                                                                     {2, 13.8566, 2.19827, 4.04782, 0.33225},
-                                                                     {5, 53.0469, 2.78455, 18.2833, 0.24707},
-                                                                     {20, 1195.77, 3.52642, 482.233, 0.18996}}};
+/// Solutions of the integral equations of the contact (cylinder: collocation of the slope; sphere: Lebedev and Ufliand
+/// 1958), converged to the digits shown; the tests solve them again. Dense solutions by another program agree in every
+/// digit but the cylinder's d R / a^2, which they have to 1e-3. Both ends tend to Hertz and to the thin layer.
+inline constexpr std::array<ElasticLayerRow, 7> elastic_layer_table{{{0.1, 5.33761, 1.08018, 1.01022, 1.27382},
+                                                                     {0.3, 5.43854, 1.25871, 1.09106, 0.787911},
+                                                                     {0.5, 5.75417, 1.43627, 1.24748, 0.609056},
+                                                                     {1, 7.52267, 1.78758, 1.90330, 0.438344},
+                                                                     {2, 13.8566, 2.19827, 4.04782, 0.332296},
+                                                                     {5, 53.0469, 2.78455, 18.2833, 0.247165},
+                                                                     {20, 1195.77, 3.52642, 482.229, 0.189717}}};
 
 /// tau' = lim G"/(omega G') at low frequency = f tau/(1 + f) [s] for a Zener solid.
 double slow_loss_time(double stiffening, double creep_time);

@@ -35,6 +35,7 @@ struct ChartAxis {
   std::string symbol = {};
   std::string unit = {};
   bool logarithmic = false;  ///< drawn linear all the same if a value is not positive
+  double margin = 0;         ///< of the x axis: left free at either end, as a fraction of its length
 };
 
 struct ChartRequest {

@@ -1,13 +1,14 @@
 #include "core/contact_estimate.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include "core/reference_solutions.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/elastic_layer_contact.hpp"
 
 using namespace rollres;
 using std::numbers::pi;
@@ -19,30 +20,35 @@ constexpr double R = 0.1, G = 0.8e6;
 
 }  // namespace
 
-TEST_CASE("the estimate reproduces tabulated contacts on an elastic bonded layer", "[core][contact_estimate]") {
-  struct Row {
-    double alpha, sphere_load, sphere_flatness, cylinder_load, cylinder_approach;
-  };
-  // Dense numerical solutions; the last column is known to 1e-3 only.
-  constexpr std::array<Row, 7> rows{{{0.1, 5.33761, 1.08018, 1.01022, 1.2738},
-                                     {0.3, 5.43854, 1.25871, 1.09106, 0.78789},
-                                     {0.5, 5.75417, 1.43627, 1.24748, 0.60903},
-                                     {1, 7.52267, 1.78758, 1.90330, 0.43831},
-                                     {2, 13.8566, 2.19827, 4.04782, 0.33225},
-                                     {5, 53.0469, 2.78455, 18.2833, 0.24707},
-                                     {20, 1195.77, 3.52642, 482.233, 0.18996}}};
+TEST_CASE("the estimate reproduces the tabulated contacts on an elastic bonded layer", "[core][contact_estimate]") {
   const double H = 0.004;
-  for (const Row& row : rows) {
-    CAPTURE(row.alpha);
-    const double a = row.alpha * H;
-    const double sphere_load = row.sphere_load * G * a * a * a / R, sphere_approach = a * a / (R * row.sphere_flatness);
-    const double line_load = row.cylinder_load * pi * G * a * a / R, line_approach = row.cylinder_approach * a * a / R;
-    const auto sphere = elastic_contact_from_load(Indenter::sphere, R, H, G, sphere_load);
+  for (const ElasticLayerRow& row : elastic_layer_table) {
+    CAPTURE(row.width_ratio);
+    const double a = row.width_ratio * H;
+    const auto sphere = elastic_contact_from_load(Indenter::sphere, R, H, G, row.sphere_load * G * a * a * a / R);
     CHECK(sphere.half_width == Approx(a).epsilon(1e-10));
-    CHECK(sphere.approach == Approx(sphere_approach).epsilon(1e-10));
-    const auto cylinder = elastic_contact_from_load(Indenter::cylinder, R, H, G, line_load);
+    CHECK(sphere.approach == Approx(a * a / (R * row.sphere_flatness)).epsilon(1e-10));
+    const auto cylinder =
+        elastic_contact_from_load(Indenter::cylinder, R, H, G, row.cylinder_load * pi * G * a * a / R);
     CHECK(cylinder.half_width == Approx(a).epsilon(1e-10));
-    CHECK(cylinder.approach == Approx(line_approach).epsilon(1e-10));
+    CHECK(cylinder.approach == Approx(row.cylinder_approach * a * a / R).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("between and beyond tabulated points the estimate is within one per cent", "[core][contact_estimate]") {
+  for (const double alpha : {0.02, 0.17, 0.7, 3.2, 7.0}) {
+    CAPTURE(alpha);
+    const auto line = testing::layer_contact_line(alpha, 40);
+    const auto cylinder = elastic_contact_from_load(Indenter::cylinder, 1, 1 / alpha, 1, line.load);
+    CHECK(cylinder.half_width == Approx(1).epsilon(0.01));
+    CHECK(cylinder.approach == Approx(line.approach).epsilon(0.01));
+  }
+  for (const double alpha : {0.02, 0.17, 0.7, 3.2, 7.0, 11.0, 30.0}) {
+    CAPTURE(alpha);
+    const auto point = testing::layer_contact_sphere(alpha, alpha < 6 ? 24 : alpha < 20 ? 60 : 100);
+    const auto sphere = elastic_contact_from_load(Indenter::sphere, 1, 1 / alpha, 1, point.load);
+    CHECK(sphere.half_width == Approx(1).epsilon(0.01));
+    CHECK(sphere.approach == Approx(point.approach).epsilon(0.01));
   }
 }
 

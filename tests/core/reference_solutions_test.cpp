@@ -1,11 +1,12 @@
 #include "core/reference_solutions.hpp"
 
-#include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "tests/catch.hpp"
+#include "tests/core/elastic_layer_contact.hpp"
 
 using namespace rollres;
 using std::numbers::pi;
@@ -20,36 +21,6 @@ double integral(Function f, double end, int intervals) {
   double sum = 0;
   for (int i = 0; i < intervals; ++i) sum += f(end * (i + 0.5) / intervals);
   return sum * end / intervals;
-}
-
-/// Contact of half-width 1 on an elastic bonded layer of thickness 1/alpha, G = R = 1: load over pi.
-/// p = sqrt(1 - t^2) phi(t), phi at Gauss-Chebyshev nodes of the second kind; the surface's slope is collocated midway:
-/// (1/2 pi) int p(t) [1/(x - t) - m(x - t)] dt = x, m(u) = alpha int_0^inf (1 - S(h)) sin(h alpha u) dh,
-/// S = (sinh 2h - 2h)/(cosh 2h + 1 + 2 h^2), the surface's compliance over the half-space's.
-double layer_line_load(double alpha) {
-  constexpr int n = 40, steps = 4000;
-  const double step = 25.0 / steps;  // Simpson's rule; 1 - S is below 1e-18 beyond
-  Eigen::ArrayXd h(steps + 1), density(steps + 1);
-  for (int k = 0; k <= steps; ++k) {
-    h[k] = k * step;
-    const double e = std::exp(-2 * h[k]);
-    const double S = ((1 - e * e) / 2 - 2 * h[k] * e) / ((1 + e * e) / 2 + (1 + 2 * h[k] * h[k]) * e);
-    density[k] = (1 - S) * step / 3 * (k == 0 || k == steps ? 1 : k % 2 == 1 ? 4 : 2);
-  }
-  const auto correction = [&](double u) { return alpha * (density * (h * (alpha * u)).sin()).sum(); };
-  Eigen::MatrixXd system(n + 1, n);
-  Eigen::VectorXd shape(n + 1), weights(n);
-  for (int j = 0; j < n; ++j) weights[j] = pi / (n + 1) * std::pow(std::sin(pi * (j + 1) / (n + 1)), 2);
-  for (int i = 0; i <= n; ++i) {
-    shape[i] = std::cos(pi * (i + 0.5) / (n + 1));
-    for (int j = 0; j < n; ++j) {
-      const double u = shape[i] - std::cos(pi * (j + 1) / (n + 1));
-      system(i, j) = weights[j] / (2 * pi) * (1 / u - correction(u));
-    }
-  }
-  // Symmetric contact: one equation is spare (n + 1 odd: the one in the middle is 0 = 0).
-  const Eigen::VectorXd phi = system.colPivHouseholderQr().solve(shape);
-  return weights.dot(phi) / pi;
 }
 
 }  // namespace
@@ -99,11 +70,37 @@ TEST_CASE("the thin layer's pressures carry the load and obey the lubrication eq
   }
 }
 
-TEST_CASE("a collocated contact on the elastic layer has the tabulated loads", "[core][reference]") {
+TEST_CASE("the integral equations of contact on the elastic layer have the tabulated solutions", "[core][reference]") {
   for (const auto& row : elastic_layer_table) {
-    if (row.width_ratio > 5) continue;  // boundary layers of the thin limit want more nodes
     CAPTURE(row.width_ratio);
-    CHECK(layer_line_load(row.width_ratio) == Approx(row.cylinder_load).epsilon(1e-5));  // the digits printed
+    const bool thin = row.width_ratio > 5;
+    const auto sphere = testing::layer_contact_sphere(row.width_ratio, thin ? 80 : 40);
+    CHECK(sphere.load == Approx(row.sphere_load).epsilon(5e-6));  // the digits shown
+    CHECK(1 / sphere.approach == Approx(row.sphere_flatness).epsilon(5e-6));
+    if (thin) continue;  // wants 150 nodes and a second
+    const auto cylinder = testing::layer_contact_line(row.width_ratio, 40);
+    CHECK(cylinder.load / pi == Approx(row.cylinder_load).epsilon(5e-6));
+    CHECK(cylinder.approach == Approx(row.cylinder_approach).epsilon(5e-6));
+  }
+}
+
+TEST_CASE("the elastic layer's table agrees with dense solutions by another program", "[core][reference]") {
+  struct Row {
+    double sphere_load, sphere_flatness, cylinder_load, cylinder_approach;
+  };
+  constexpr std::array<Row, 7> rows{{{5.33761, 1.08018, 1.01022, 1.2738},
+                                     {5.43854, 1.25871, 1.09106, 0.78789},
+                                     {5.75417, 1.43627, 1.24748, 0.60903},
+                                     {7.52267, 1.78758, 1.90330, 0.43831},
+                                     {13.8566, 2.19827, 4.04782, 0.33225},
+                                     {53.0469, 2.78455, 18.2833, 0.24707},
+                                     {1195.77, 3.52642, 482.233, 0.18996}}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    CAPTURE(elastic_layer_table[i].width_ratio);
+    CHECK(elastic_layer_table[i].sphere_load == Approx(rows[i].sphere_load).epsilon(1e-5));
+    CHECK(elastic_layer_table[i].sphere_flatness == Approx(rows[i].sphere_flatness).epsilon(1e-5));
+    CHECK(elastic_layer_table[i].cylinder_load == Approx(rows[i].cylinder_load).epsilon(1e-5));
+    CHECK(elastic_layer_table[i].cylinder_approach == Approx(rows[i].cylinder_approach).epsilon(1.5e-3));
   }
 }
 
