@@ -8,7 +8,7 @@
 #include "studies/accuracy_reference.hpp"
 #include "studies/power_law.hpp"
 #include "studies/progress.hpp"
-#include "studies/scaled_unit.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 
@@ -112,8 +112,7 @@ RollingScene with_grid(RollingScene scene, Method method, double spacing) {
 }
 
 void tell(const AccuracyOptions& options, const std::string& name, Method method, double spacing) {
-  if (options.report)
-    options.report(name + ": " + std::string(name_of(method)) + " at " + with_scaled_unit(spacing, "m", 4));
+  if (options.report) options.report(name + ": " + std::string(name_of(method)) + " at " + readable(spacing, "m"));
 }
 
 std::vector<double> usual_spacings(const RollingScene& scene) {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "studies/readable_number.hpp"
-#include "studies/scaled_unit.hpp"
 
 namespace rollres {
 
@@ -89,7 +88,7 @@ std::string table_text(const AccuracyReport& report, bool markdown) {
       cells.push_back(three_digits(point->seconds, "-"));
       cells.push_back(std::isfinite(point->peak_memory) ? short_number(point->peak_memory / megabyte, 2) : "-");
     }
-    cells.insert(cells.begin(), {with_scaled_unit(spacing, "m", 4), nodes > 0 ? std::to_string(nodes) : "-"});
+    cells.insert(cells.begin(), {readable(spacing, "m"), nodes > 0 ? std::to_string(nodes) : "-"});
     lines.push_back(std::move(cells));
   }
   return aligned(lines, markdown);
@@ -98,11 +97,11 @@ std::string table_text(const AccuracyReport& report, bool markdown) {
 std::string reference_in_words(const AccuracyReport& report) {
   const AccuracyReference& reference = report.reference;
   if (!reference.found()) return "no reference: no answer can be trusted, so that no error is known";
-  const std::string_view unit = report.scene.indenter == Indenter::cylinder ? "N/m" : "N";
-  std::string text = "reference: R_r = " + with_scaled_unit(reference.rolling_resistance, unit, 8) + ", " +
+  const std::string unit = report.scene.indenter == Indenter::cylinder ? "N/m" : "N";
+  std::string text = "reference: R_r = " + short_number(reference.rolling_resistance, 8) + " " + unit + ", " +
                      (reference.extrapolated ? "extrapolated from four grids of " : "of ") +
                      std::string(name_of(reference.method)) + (reference.extrapolated ? ", the finest" : "") + " at " +
-                     with_scaled_unit(reference.spacing, "m", 4) + " with " + std::to_string(reference.contact_nodes) +
+                     readable(reference.spacing, "m") + " with " + std::to_string(reference.contact_nodes) +
                      " nodes in contact";
   text += std::isfinite(reference.uncertainty) ? "; certain to about " + scientific(reference.uncertainty, 1)
                                                : std::string("; nothing tells how certain it is");
@@ -127,7 +126,7 @@ std::vector<std::string> notes(const AccuracyReport& report) {
       return other.method == point.method && other.status == point.status && other.spacing > point.spacing;
     };
     if (std::any_of(report.points.begin(), report.points.end(), same)) continue;
-    lines.push_back(std::string(name_of(point.method)) + " at " + with_scaled_unit(point.spacing, "m", 4) + ": " +
+    lines.push_back(std::string(name_of(point.method)) + " at " + readable(point.spacing, "m") + ": " +
                     std::string(name_of(point.status)) + ": " + point.reason);
   }
   return lines;
