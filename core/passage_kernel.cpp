@@ -41,6 +41,9 @@ PassageKernel::PassageKernel(Indenter indenter, double thickness, double cell_x,
   for (int row = 0; row <= rows; ++row) {
     const double y = row * cell_y;
     for (int column = 0; column <= columns; ++column) nodes_.push_back(kernel(column * cell_x, y));
+    // Odd coefficients vanish under the load, to the last digit.
+    Coefficients& under = nodes_[nodes_.size() - static_cast<std::size_t>(columns) - 1];
+    under = 0.5 * (under + coefficient::mirror_x * under);
     for (int column = 0; column < columns; ++column) {
       first_sample_.push_back(samples_.size());
       for (const double s : cell_rules_[rule_of(column, row)].nodes())
