@@ -5,7 +5,8 @@
 #include "core/passage_kernel.hpp"
 #include "studies/sweep.hpp"
 #include "tests/benchmark/scenes.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 namespace rollres {
 
@@ -22,7 +23,7 @@ void sweep_sphere(benchmark::State& state) {
   std::int64_t failed = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    const Scratch folder;
+    const TemporaryDirectory folder;
     forget_passage_kernels();
     state.ResumeTiming();
     failed = run_sweep(study, solve, folder / "sweep.db").study.failed;

@@ -8,7 +8,8 @@
 #include "studies/accuracy_table.hpp"
 #include "studies/scene_file.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 

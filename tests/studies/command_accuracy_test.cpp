@@ -5,7 +5,8 @@
 #include "studies/scene_file.hpp"
 #include "studies/solution_json.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 #include "tests/studies/program.hpp"
 
 using namespace rollres;
@@ -41,12 +42,12 @@ TEST_CASE("the program holds the paper's scenes as they stand in the examples", 
 
 TEST_CASE("accuracy writes one row for each scene, method and spacing, and a chart for each scene",
           "[studies][accuracy]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   const std::string out = (folder / "a/b").string();
   const ProgramRun run = run_rollres({"accuracy", "--out", out, "--levels", "3", "--repeats", "1"}, answer);
   INFO(run.err);
   CHECK(run.status == 0);
-  const std::vector<std::string> csv = lines_of(read_file(out + "/accuracy.csv"));
+  const std::vector<std::string> csv = lines_of(file_text(out + "/accuracy.csv"));
   const std::size_t methods = ChoiceNames<Method>::names.size();
   REQUIRE(csv.size() == 1 + 2 * methods * 3);
   CHECK(csv.front().starts_with("scene,method,spacing,contact_nodes,rolling_resistance,relative_error,seconds,"));
@@ -64,7 +65,7 @@ TEST_CASE("accuracy writes one row for each scene, method and spacing, and a cha
 }
 
 TEST_CASE("accuracy as JSON is one object, and as Markdown nothing but Markdown", "[studies][accuracy]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   const std::string out = (folder / "out").string();
   std::vector<std::string> words{"accuracy",  "paper_sphere", "--out",     out, "--spacings", "1 mm,0.0005",
                                  "--methods", "newton",       "--repeats", "1", "--set",      "load=100 N"};
@@ -88,7 +89,7 @@ TEST_CASE("accuracy as JSON is one object, and as Markdown nothing but Markdown"
 }
 
 TEST_CASE("a method that gives no answer is told by the exit status", "[studies][accuracy]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   const Evaluate partly = [](const RollingScene& scene) {
     if (scene.method == Method::active_set) throw std::runtime_error("no method for this");
     return answer(scene);
@@ -100,7 +101,7 @@ TEST_CASE("a method that gives no answer is told by the exit status", "[studies]
 }
 
 TEST_CASE("wrong words after accuracy end with exit status 2 and one line", "[studies][accuracy]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   const std::string out = (folder / "out").string();
   const std::vector<std::pair<std::vector<std::string>, std::string>> commands{
       {{}, "--out"},
