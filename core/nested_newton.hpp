@@ -1,28 +1,22 @@
 #pragma once
 
-/// The Newton method on nested grids: from a grid with a dozen nodes along the contact, halving the spacing, to the
-/// one asked for. Windows follow the contact; where a level fails, safer starts are tried.
+/// The Newton method on nested grids: from a grid with eight cells along the contact, halving the spacing, to the one
+/// asked for. Windows follow the contact; where a level fails, safer starts are tried.
 
 #include <functional>
-#include <memory>
 
-#include "core/newton_contact.hpp"
+#include "core/contact_level.hpp"
 
 namespace rollres {
 
-/// One grid with all that belongs to it.
-struct ContactLevel {
-  std::unique_ptr<ContactProblem> problem;
-  std::unique_ptr<InfluenceTable> table;
-  std::unique_ptr<InfluenceOperator> influence;
-  NewtonOutcome outcome;
-  double rolling_resistance = 0;
-};
-
 struct NestedOutcome {
   ContactLevel finest;
-  /// Rolling resistance at twice the finest spacing; NaN if there was no coarser level.
-  double coarser_resistance = RollingSolution::absent;
+  /// Rolling resistance at twice and at four times the finest spacing; NaN if there was no such level.
+  double coarser_resistance = RollingSolution::absent, coarsest_resistance = RollingSolution::absent;
+  /// Estimated relative error of the finest rolling resistance: its change at the last halving of the spacing, or half
+  /// the change before if that is larger (the edges of the contact move by whole cells, so that one change alone may
+  /// be small by chance). NaN with a single grid.
+  double error_estimate() const;
   Status status = Status::not_converged;
   std::string reason;
   double friction_needed = RollingSolution::absent;  // with no_steady_state
@@ -33,8 +27,8 @@ struct NestedOutcome {
 NestedOutcome solve_nested(const RollingScene& scene, double spacing,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
 
-/// Friction coefficient at which sliding just gives the traction that the scene's drive asks for, on a given grid.
-/// Infinite if no friction suffices.
-double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid);
+/// Solves on one window, which grows until the contact keeps clear of its border.
+/// @param coarser tried first if not null   @param last_resort whether to follow the solution from a smaller friction
+ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort);
 
 }  // namespace rollres

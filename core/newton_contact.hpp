@@ -14,7 +14,8 @@ namespace rollres {
 struct NewtonOptions {
   bool dense = false;  ///< factorise always; otherwise only systems up to `dense_unknowns`
   int dense_unknowns = 200;
-  double tolerance = 2e-10;  ///< largest violation of a law, relative to the largest pressure
+  int factorisable_unknowns = 2000;  ///< and those up to here where GMRES fails
+  double tolerance = 2e-10;  ///< largest violation of a law, relative to the largest pressure (shear: to mu times it)
   int most_iterations = 60;
   bool first_all_stick = false;  ///< whether the first step holds every contact node sticking
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -85,7 +86,10 @@ NormalContact NormalContactSolver::solve(const Eigen::VectorXd& shear_x, const E
 
   NormalContact state;
   state.contact = std::move(start);
-  if (state.contact.empty()) {
+  if (state.contact.empty() && largest_tension_ > 0) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(state.contact),
+                 [&](int node) { return std::isfinite(profile_[node]); });
+  } else if (state.contact.empty()) {
     Eigen::Index lowest = 0;
     profile_.minCoeff(&lowest);
     state.contact = {static_cast<int>(lowest)};
@@ -120,7 +124,8 @@ NormalContact NormalContactSolver::solve(const Eigen::VectorXd& shear_x, const E
     const double hair = 1e-11 * std::abs(state.approach);
     for (std::size_t k = 0; k < free_nodes.size(); ++k)
       if (rise[k] > profile_[free_nodes[k]] - state.approach + hair) conflicts.push_back(free_nodes[k]);
-    const double largest = largest_tension_ + 1e-12 * state.force.cwiseAbs().maxCoeff();
+    double largest = largest_tension_ + 1e-12 * state.force.cwiseAbs().maxCoeff();
+    if (largest_tension_ > 0) largest = std::max(largest, 0.5 * state.force.maxCoeff());
     for (const int node : state.contact)
       if (state.force[node] > largest) tense.push_back(node);
 

@@ -12,6 +12,10 @@
 ///     C_WW(c,c) F_W + d = profile - C_WU(c,:) F_U - C_WV(c,:) F_V,    sum(F_W) = -P;
 /// with the approach d given, without its last row and column.
 ///
+/// With an adhesion threshold above zero many contact areas obey these laws. A body that rolls leaves its contact by
+/// pulling, so the widest area is wanted: the iteration then begins with all nodes, and phase B peels, freeing only
+/// nodes that bear more than half of the largest tension.
+///
 /// Two safeguards are added. One iteration of phase A at most doubles the extent of the contact, because a load on far
 /// too few nodes sinks much deeper than it finally does. And once a set of contact nodes comes back, single nodes
 /// change from then on (the last one in the grid that breaks a law; Murty 1974), which cannot cycle for a P-matrix.
@@ -48,7 +52,7 @@ class NormalContactSolver {
   NormalContactSolver& operator=(const NormalContactSolver&) = delete;
 
   /// @param shear_x, shear_y nodal forces F_U, F_V over the grid (shear_y empty for a cylinder)
-  /// @param start contact nodes to begin with; empty: the one node under the axis
+  /// @param start contact nodes to begin with; empty: the one node under the axis, or all if there is adhesion
   NormalContact solve(const Eigen::VectorXd& shear_x, const Eigen::VectorXd& shear_y, std::vector<int> start = {});
 
   const SubsetSolver& system() const { return system_; }

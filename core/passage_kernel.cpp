@@ -41,6 +41,9 @@ PassageKernel::PassageKernel(Indenter indenter, double thickness, double cell_x,
   for (int row = 0; row <= rows; ++row) {
     const double y = row * cell_y;
     for (int column = 0; column <= columns; ++column) nodes_.push_back(kernel(column * cell_x, y));
+    // Odd coefficients vanish under the load, to the last digit.
+    Coefficients& under = nodes_[nodes_.size() - static_cast<std::size_t>(columns) - 1];
+    under = 0.5 * (under + coefficient::mirror_x * under);
     for (int column = 0; column < columns; ++column) {
       first_sample_.push_back(samples_.size());
       for (const double s : cell_rules_[rule_of(column, row)].nodes())
@@ -109,18 +112,31 @@ InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed,
   return table;
 }
 
-std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, double thickness, double cell_x,
-                                                           double cell_y, int columns, int rows) {
+namespace {
+
+struct KernelCache {
   struct Entry {
     Indenter indenter;
     double thickness, cell_x, cell_y;
     std::shared_ptr<const PassageKernel> kernel;
   };
-  static std::mutex mutex;
-  static std::list<Entry> cache;  // most recently used first
+  std::mutex mutex;
+  std::list<Entry> entries;  // most recently used first
+};
+
+KernelCache& kernel_cache() {
+  static KernelCache cache;
+  return cache;
+}
+
+}  // namespace
+
+std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, double thickness, double cell_x,
+                                                           double cell_y, int columns, int rows) {
+  auto& [mutex, cache] = kernel_cache();
   constexpr std::size_t capacity = 16;
 
-  const auto fits = [&](const Entry& entry) {
+  const auto fits = [&](const KernelCache::Entry& entry) {
     return entry.indenter == indenter && entry.thickness == thickness && entry.cell_x == cell_x &&
            entry.cell_y == cell_y && entry.kernel->columns() >= columns && entry.kernel->rows() >= rows;
   };
@@ -137,6 +153,12 @@ std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, do
   cache.push_front({indenter, thickness, cell_x, cell_y, kernel});
   if (cache.size() > capacity) cache.pop_back();
   return kernel;
+}
+
+void forget_passage_kernels() {
+  KernelCache& cache = kernel_cache();
+  const std::lock_guard lock(cache.mutex);
+  cache.entries.clear();
 }
 
 }  // namespace rollres

@@ -46,4 +46,7 @@ class PassageKernel {
 std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, double thickness, double cell_x,
                                                            double cell_y, int columns, int rows);
 
+/// Empties that cache, so that the next solution is as cold as a program's first.
+void forget_passage_kernels();
+
 }  // namespace rollres

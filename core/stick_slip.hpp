@@ -75,7 +75,7 @@ class TangentialProblem {
   Drive drive = Drive::top_force;
   std::optional<double> given_rotation;  // R Omega / V
   std::vector<int> contact;
-  Eigen::VectorXd limit;       // mu |F_W| at every node; zero in tension
+  Eigen::VectorXd limit;       // mu |F_W| at every node, also in tension
   Eigen::VectorXd moment_arm;  // at every node, over R: sum(moment_arm F_U) = moment
   double moment = 0;           // [N; cylinder: N/m]
   Eigen::VectorXd roll;        // R(y)/R at every node
@@ -98,6 +98,7 @@ class LineStickSlip {
   LineStickSlip(const LineStickSlip&) = delete;
   LineStickSlip& operator=(const LineStickSlip&) = delete;
 
+  /// @param tolerance unused: once the zones are found, the answer is exact
   StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance = 0);
   const SubsetSolver& system() const { return system_; }
 

@@ -24,7 +24,7 @@ class SubsetSolver {
 
   /// @param size number of rows of M   @param largest_change fraction of the base set that may change before a new
   /// decomposition is made; 0: a new one for every set
-  SubsetSolver(int size, Element element, double largest_change = 0.15);
+  SubsetSolver(int size, Element element, double largest_change = 0.1);
 
   /// x over `set` for the right-hand side `rhs` over `set`. A singular system gives numbers that are not finite.
   Eigen::VectorXd solve(const std::vector<int>& set, const Eigen::VectorXd& rhs);

@@ -44,7 +44,7 @@ TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceT
 void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eigen::VectorXd& normal_force) {
   contact = in_contact;
   normal_force_ = normal_force;
-  limit = friction * (-normal_force).cwiseMax(0);
+  limit = friction * normal_force.cwiseAbs();
   const double normal_moment = x_.dot(normal_force) / radius;
   if (drive == Drive::top_force)
     moment = sphere ? -normal_moment : normal_moment;

@@ -83,6 +83,19 @@ std::string chart_data(const ChartRequest& request) {
   return data.str();
 }
 
+void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
+                   const std::string& gnuplot) {
+  if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
+  write_file(files.data, data);
+  write_file(files.script, script);
+  std::error_code error;
+  for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
+  gnuplot::run(files.script, gnuplot);
+  for (const auto& picture : {files.svg, files.png})
+    if (const auto size = std::filesystem::file_size(picture, error); error || size == 0)
+      throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but drew nothing");
+}
+
 ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
   ChartFiles files = chart_files(name);
   const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
@@ -90,16 +103,7 @@ ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& 
   });
   if (!something)
     throw std::invalid_argument(request.title + ": nothing to draw, no point has a value of " + request.y.name);
-
-  if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
-  write_file(files.data, chart_data(request));
-  write_file(files.script, chart_script(request, files));
-  std::error_code error;
-  for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
-  gnuplot::run(files.script, gnuplot);
-  for (const auto& picture : {files.svg, files.png})
-    if (const auto size = std::filesystem::file_size(picture, error); error || size == 0)
-      throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but drew nothing");
+  draw_pictures(files, chart_data(request), chart_script(request, files), gnuplot);
   return files;
 }
 

@@ -35,6 +35,7 @@ struct ChartAxis {
   std::string symbol = {};
   std::string unit = {};
   bool logarithmic = false;  ///< drawn linear all the same if a value is not positive
+  double margin = 0;         ///< of the x axis: left free at either end, as a fraction of its length
 };
 
 struct ChartRequest {
@@ -64,6 +65,11 @@ std::string chart_data(const ChartRequest& request);
 
 /// The gnuplot script. It names the files without their folder and is to be run there.
 std::string chart_script(const ChartRequest& request, const ChartFiles& files);
+
+/// Writes script and data and lets gnuplot draw the two pictures: what every picture of this program does.
+/// @throws std::runtime_error as draw_chart
+void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
+                   const std::string& gnuplot = "gnuplot");
 
 /// Writes script and data and draws the pictures; folders are made, older files of that name replaced.
 /// @param gnuplot the program that draws

@@ -57,9 +57,9 @@ Layout lay_out(const ChartRequest& request) {
   auto& [x, y] = layout;
   x.logarithmic = request.x.logarithmic && x.lowest > 0;
   y.logarithmic = request.y.logarithmic && y.lowest > 0;
-  x.widen(0, 0);
+  x.widen(request.x.margin, request.x.margin);
   const bool from_zero = !y.logarithmic && y.lowest >= 0 && y.lowest <= 0.5 * y.highest && y.highest > 0;
-  y.widen(0.06, 0.14);  // above: room for the value of a peak
+  y.widen(0.06, request.mark_peaks ? 0.14 : 0.06);  // above: room for the value of a peak
   if (from_zero) y.lowest = 0;
   return layout;
 }

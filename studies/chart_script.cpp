@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "studies/chart.hpp"
+#include "studies/chart_frame.hpp"
 #include "studies/chart_layout.hpp"
 #include "studies/gnuplot.hpp"
 #include "studies/readable_number.hpp"
@@ -12,9 +13,6 @@
 namespace rollres {
 
 namespace {
-
-// Sizes in pixels of the SVG; the PNG has twice as many.
-constexpr double picture_width = 560, plot_height = 345, title_height = 36, legend_row_height = 23, font_size = 17;
 
 /// Look of the n-th curve. The colours are those of Okabe and Ito (2008) without their yellow; the periods 7, 6 and 5
 /// of colours, marks and dashes have no common factor, so 210 curves differ.
@@ -30,48 +28,6 @@ Look look(std::size_t curve) {
   constexpr std::array<std::string_view, 5> dashes{"1", "(10,4)", "(3,3)", "(10,3,2,3)", "(6,2)"};
   return {colours[curve % colours.size()], filled[curve % filled.size()], hollow[curve % hollow.size()],
           dashes[curve % dashes.size()]};
-}
-
-/// A quoted text, set in smaller letters, down to two thirds, where it is longer than `room`, and cut where that is not
-/// enough.
-std::string fitted(std::string text, const std::string& markup, std::size_t room) {
-  const std::size_t length = width(text), longest = room * 3 / 2;
-  if (length <= room) return gnuplot::quoted(markup);
-  const double scale = static_cast<double>(room) / static_cast<double>(std::min(length, longest));
-  const std::string font = " font '," + short_number(font_size * scale, 3) + "'";
-  if (length <= longest) return gnuplot::quoted(markup) + font;
-  while (width(text) >= longest) {
-    while ((text.back() & 0xc0) == 0x80) text.pop_back();
-    text.pop_back();
-  }
-  return gnuplot::quoted(gnuplot::plain(text) + "…") + font;
-}
-
-std::string axis_label(const ChartAxis& axis, std::size_t room) {
-  std::string text = axis.name, markup = gnuplot::plain(axis.name);
-  if (!axis.symbol.empty()) {
-    text += "  " + axis.symbol;
-    markup += " " + gnuplot::symbol(axis.symbol);
-  }
-  if (!axis.unit.empty()) {
-    text += "  [" + axis.unit + "]";
-    markup += "  [" + gnuplot::plain(axis.unit) + "]";
-  }
-  return fitted(text, markup, room);
-}
-
-void write_axis(std::ostream& script, char name, const Span& span) {
-  script << "set " << name << "range [" << short_number(span.lowest, 15) << ":" << short_number(span.highest, 15)
-         << "]\n";
-  if (!span.logarithmic) return;
-  script << "set logscale " << name << "\n";
-  const bool plain_numbers = span.lowest >= 0.9e-4 && span.highest <= 1.1e5;
-  const std::vector<double> numbers = ticks(span);
-  script << "set format " << name << (plain_numbers || !numbers.empty() ? " '%g'\n" : " '10^{%L}'\n");
-  if (numbers.empty()) return;
-  script << "set " << name << "tics (";
-  for (std::size_t i = 0; i < numbers.size(); ++i) script << (i == 0 ? "" : ", ") << short_number(numbers[i]);
-  script << ")\n";
 }
 
 void write_peak_values(std::ostream& script, const ChartRequest& request, const Layout& layout) {
@@ -95,17 +51,8 @@ bool write_crosses(std::ostream& script, const ChartRequest& request) {
   return any;
 }
 
-/// gnuplot keeps the blanks of an SVG's text only where two stand together.
-constexpr const char* kept_blanks = "  ";
-
-/// One line of the legend.
-struct Entry {
-  std::string sample;  // how it looks
-  std::string markup;
-  std::size_t letters;
-};
-std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
-  std::vector<Entry> entries;
+std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses) {
+  std::vector<LegendEntry> entries;
   bool hollow = false;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const auto& [label, points] = request.curves[i];
@@ -122,36 +69,8 @@ std::vector<Entry> legend(const ChartRequest& request, bool crosses) {
   return entries;
 }
 
-/// Where the entries of a legend stand: row by row, as many side by side as the picture holds.
-struct LegendGrid {
-  static constexpr double sample = 54;  // room left of the text [px]
-  double column = 1;                    // width of a column [px]
-  std::size_t columns = 1, rows = 0;
-
-  explicit LegendGrid(const std::vector<Entry>& entries) {
-    if (entries.empty()) return;
-    std::size_t longest = 1;
-    for (const Entry& entry : entries) longest = std::max(longest, entry.letters);
-    column = sample + 14 + 8.8 * static_cast<double>(longest);
-    columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 20) / column), 1, 4);
-    columns = std::min(columns, entries.size());
-    rows = (entries.size() + columns - 1) / columns;
-  }
-  double height() const { return legend_row_height * static_cast<double>(rows); }
-  /// Start of an entry's text, from the left [px].
-  double x(std::size_t entry) const {
-    const double all = column * static_cast<double>(columns);
-    return (picture_width - all) / 2 + sample + column * static_cast<double>(entry % columns);
-  }
-  /// Middle of its height, from the top [px].
-  double y(std::size_t entry) const {
-    const std::size_t row = entry / columns;
-    return title_height + legend_row_height * (static_cast<double>(row) + 0.3);
-  }
-};
-
-void write_plot(std::ostream& script, const ChartRequest& request, const std::vector<Entry>& entries,
-                const LegendGrid& grid, double height) {
+/// What is plotted, without the legend.
+std::vector<std::string> plots(const ChartRequest& request) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const auto& points = request.curves[i].points;
@@ -173,52 +92,22 @@ void write_plot(std::ostream& script, const ChartRequest& request, const std::ve
                         " using 1:2 with points pt 6 ps 1.3 lw 1.5 lc rgb '" + std::string(look(i).colour) +
                         "' notitle");
       }
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    parts.push_back("keyentry with " + entries[i].sample + " title " + gnuplot::quoted(entries[i].markup) + " at " +
-                    short_number(grid.x(i) / picture_width, 4) + "," + short_number(1 - grid.y(i) / height, 4));
-  script << "plot ";
-  for (std::size_t i = 0; i < parts.size(); ++i) script << (i == 0 ? "" : ", \\\n     ") << parts[i];
-  script << "\n";
+  return parts;
 }
 
 }  // namespace
 
 std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
-  const auto here = [](const std::filesystem::path& file) {
-    return gnuplot::quoted("./" + file.filename().string());  // never read as a pipe or a home folder
-  };
   const Layout layout = lay_out(request);
   std::ostringstream script;
-  script << "# Draws the pictures anew when run in this folder with gnuplot.\n"
-         << "reset\nset encoding utf8\n"
-         << "data = " << here(files.data) << "\n\n"
-         << "set xlabel " << axis_label(request.x, 44) << "\nset ylabel " << axis_label(request.y, 34) << "\n";
-  write_axis(script, 'x', layout.x);
-  write_axis(script, 'y', layout.y);
-  script << "set border 3 lw 1.2 lc rgb '#444444'\nset tics nomirror\n"
-         << "set grid xtics ytics lw 0.8 lc rgb '#CCCCCC' dt 1\n";
+  write_axes(script, files, request.x, layout.x, request.y, layout.y);
   for (std::size_t i = 0; i < request.curves.size(); ++i)
     script << "set linetype " << i + 1 << " lc rgb '" << look(i).colour << "' lw 2 dt " << look(i).dash << " pt "
            << look(i).filled << " ps 0.7\n";
   script << "\n";
   if (request.mark_peaks) write_peak_values(script, request, layout);
-  const std::vector<Entry> entries = legend(request, write_crosses(script, request));
-  const LegendGrid grid(entries);
-  const double height = std::round(plot_height + title_height + grid.height());
-  const auto from_top = [&](double pixels) { return short_number(1 - pixels / height, 4); };
-  script << "set label " << fitted(request.title, gnuplot::plain(request.title) + kept_blanks, 46)
-         << " at screen 0.5, screen " << from_top(title_height / 2) << " center\n"
-         << "set tmargin at screen " << from_top(title_height + grid.height() + 10)
-         << "\nset rmargin at screen 0.955\nset key Left reverse samplen 2.2\n";
-
-  script << "\nset terminal svg size " << picture_width << "," << height
-         << " dynamic enhanced background rgb 'white' font 'sans-serif," << font_size << "'\n"
-         << "set output " << here(files.svg) << "\n";
-  write_plot(script, request, entries, grid, height);
-  script << "\nset terminal pngcairo size " << 2 * picture_width << "," << 2 * height
-         << " enhanced background rgb 'white' font 'sans-serif," << font_size
-         << "' fontscale 1.5 linewidth 2 pointscale 3.2\n"
-         << "set output " << here(files.png) << "\nreplot\nunset output\n";
+  const std::vector<LegendEntry> entries = legend(request, write_crosses(script, request));
+  write_pictures(script, files, request.title, plots(request), entries);
   return script.str();
 }
 

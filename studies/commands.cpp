@@ -24,6 +24,8 @@ constexpr AddCommand commands[] = {
     add_show,
     add_query,
     add_chart,
+    add_accuracy,
+    add_stability,
     add_quantities,
 };
 

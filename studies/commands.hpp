@@ -45,6 +45,8 @@ void add_list(CLI::App& program, Session& session);
 void add_show(CLI::App& program, Session& session);
 void add_query(CLI::App& program, Session& session);
 void add_chart(CLI::App& program, Session& session);
+void add_accuracy(CLI::App& program, Session& session);
+void add_stability(CLI::App& program, Session& session);
 void add_quantities(CLI::App& program, Session& session);
 
 }  // namespace rollres

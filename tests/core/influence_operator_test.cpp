@@ -67,7 +67,7 @@ TEST_CASE("convolution by Fourier transform equals sums over all nodes, on half 
       shear_y.head(half.columns).setZero();  // odd in y
     }
     const Displacements expected = dense_sums(table, half, sphere, pressure, shear_x, shear_y);
-    const Displacements got = InfluenceOperator(table, half, sphere, true).apply(pressure, shear_x, shear_y);
+    const Displacements got = InfluenceOperator(scene, table, half, true).apply(pressure, shear_x, shear_y);
     // Rounding of transforms of some hundred values
     CHECK(relative(got.w, expected.w) < 1e-13);
     CHECK(relative(got.u, expected.u) < 1e-13);
@@ -75,10 +75,10 @@ TEST_CASE("convolution by Fourier transform equals sums over all nodes, on half 
 
     const Vector none = Vector::Zero(half.size());
     const Displacements pressed = dense_sums(table, half, sphere, pressure, none, none);
-    const InfluenceOperator frictionless_operator(table, half, sphere, false);
+    const InfluenceOperator frictionless_operator(scene, table, half, false);
     CHECK(relative(frictionless_operator.apply(pressure, {}, {}).w, pressed.w) < 1e-13);
 
-    const InfluenceOperator with_friction(table, half, sphere, true);
+    const InfluenceOperator with_friction(scene, table, half, true);
     CHECK(with_friction.self_normal() ==
           Approx(table(Direction::w, Direction::w, 0) * half.cell_area()).epsilon(1e-14));
     CHECK(with_friction.self_slip() > 0);

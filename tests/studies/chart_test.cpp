@@ -9,7 +9,8 @@
 
 #include "studies/gnuplot.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 namespace fs = std::filesystem;
@@ -29,7 +30,7 @@ ChartRequest two_loads() {
 }
 
 /// Writes a program that stands in for gnuplot.
-fs::path stand_in(const Scratch& folder, const std::string& commands) {
+fs::path stand_in(const TemporaryDirectory& folder, const std::string& commands) {
   const fs::path program = folder / "drawer";
   std::ofstream(program) << "#!/bin/sh\n" << commands << "\n";
   fs::permissions(program, fs::perms::owner_all);
@@ -39,20 +40,20 @@ fs::path stand_in(const Scratch& folder, const std::string& commands) {
 }  // namespace
 
 TEST_CASE("a chart is drawn as SVG and PNG with its script and data beside them", "[studies][chart]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   const ChartFiles files = draw_chart(two_loads(), folder / "new" / "chart.svg");
 
   CHECK(files.svg == folder / "new" / "chart.svg");
-  CHECK(read_file(files.png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
-  const std::string svg = read_file(files.svg);
+  CHECK(file_text(files.png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  const std::string svg = file_text(files.svg);
   CHECK_THAT(svg, Contains("<svg") && Contains("</svg>"));
   CHECK_THAT(svg, Contains("speed and load") && Contains("rolling resistance") && Contains("10 kN/m"));
-  CHECK_THAT(read_file(files.data), Contains("0.1 140 1 1\n"));
+  CHECK_THAT(file_text(files.data), Contains("0.1 140 1 1\n"));
 
   // The files left behind draw the same picture again.
   fs::remove(files.svg);
   gnuplot::run(files.script);
-  CHECK(read_file(files.svg) == svg);
+  CHECK(file_text(files.svg) == svg);
 }
 
 TEST_CASE("a point without an answer stays in the data as a gap, with its status", "[studies][chart]") {
@@ -140,7 +141,7 @@ TEST_CASE("210 curves all look different", "[studies][chart]") {
 }
 
 TEST_CASE("names of studies and files are never read as commands of gnuplot or the shell", "[studies][chart]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   ChartRequest request = two_loads();
   const std::string file_name = "<it's `touch here` $(touch here) \"|x\" %d & ~.chart";
   request.title = "it's `touch here` $(touch here) \"q\" %d _{a} ^b @c &{d} \\n <b>\n$E";
@@ -154,8 +155,8 @@ TEST_CASE("names of studies and files are never read as commands of gnuplot or t
   std::sort(found.begin(), found.end());
   CHECK(found ==
         std::vector<std::string>{file_name + ".dat", file_name + ".gp", file_name + ".png", file_name + ".svg"});
-  CHECK_THAT(read_file(files.svg), Contains("'.system('touch here').'"));
-  CHECK_THAT(read_file(files.data), Contains("\n# system('touch here')\n"));
+  CHECK_THAT(file_text(files.svg), Contains("'.system('touch here').'"));
+  CHECK_THAT(file_text(files.data), Contains("\n# system('touch here')\n"));
 }
 
 TEST_CASE("text in gnuplot's quotes and markup says itself", "[studies][gnuplot]") {
@@ -209,7 +210,7 @@ TEST_CASE("the files of a chart share its name whatever suffix it is given", "[s
 }
 
 TEST_CASE("a chart that cannot be drawn says why", "[studies][chart]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   const fs::path chart = folder / "chart";
 
   CHECK_THROWS_WITH(draw_chart(two_loads(), chart, "no-such-gnuplot"),
@@ -231,7 +232,7 @@ TEST_CASE("a chart that cannot be drawn says why", "[studies][chart]") {
 }
 
 TEST_CASE("a chart of a single point, and of points of one height, is drawn", "[studies][chart]") {
-  const Scratch folder;
+  const TemporaryDirectory folder;
   ChartRequest request = two_loads();
   request.curves = {{"", {{0.1, 5}}}};
   CHECK_NOTHROW(draw_chart(request, folder / "one"));

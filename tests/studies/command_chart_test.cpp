@@ -5,7 +5,8 @@
 #include "studies/commands.hpp"
 #include "studies/sweep.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -22,7 +23,7 @@ Run run(const std::vector<std::string>& words) {
   return {status, out.str(), err.str()};
 }
 
-std::string database(const Scratch& scratch, const Evaluate& evaluate = closed_form) {
+std::string database(const TemporaryDirectory& scratch, const Evaluate& evaluate = closed_form) {
   const Study study{.name = "speed/load",
                     .base = plain_scene(),
                     .axes = {{.key = "load", .values = {1e4, 2e4}}, {.key = "speed", .values = {0.1, 1, 10}}}};
@@ -33,7 +34,7 @@ std::string database(const Scratch& scratch, const Evaluate& evaluate = closed_f
 }  // namespace
 
 TEST_CASE("rollres chart draws beside the database and names the peaks and the files", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   const std::string file = database(scratch);
   const Run drawn = run({"chart", "--db", file});
   CHECK(drawn.status == 0);
@@ -52,7 +53,7 @@ TEST_CASE("rollres chart draws beside the database and names the peaks and the f
 }
 
 TEST_CASE("rollres chart tells how many points have no answer", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   const std::string file = database(scratch, [](const RollingScene& scene) {
     if (scene.speed > 5) throw std::runtime_error("no");
     return closed_form(scene);
@@ -60,12 +61,12 @@ TEST_CASE("rollres chart tells how many points have no answer", "[studies][chart
   const Run drawn = run({"chart", "--db", file, "--out", (scratch / "a.png").string()});
   CHECK(drawn.status == 0);
   CHECK_THAT(drawn.err, Contains("2 of 6 points have no answer"));
-  CHECK_THAT(read_file(scratch / "a.svg"), Contains("no answer"));
+  CHECK_THAT(file_text(scratch / "a.svg"), Contains("no answer"));
 }
 
 TEST_CASE("rollres chart refuses wrong words with status 2 and reports the outside world with status 3",
           "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   const std::string file = database(scratch);
   CHECK(run({"chart"}).status == 2);
   CHECK(run({"chart", "--db", file, "--y-scale", "cubic"}).status == 2);

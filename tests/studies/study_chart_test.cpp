@@ -4,14 +4,15 @@
 
 #include "studies/sweep.hpp"
 #include "tests/catch.hpp"
-#include "tests/scratch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 using Catch::Matchers::Contains;
 
 namespace {
 
-/// Solved by the closed form of scratch.hpp: a resistance of load/200 at its peak, which lies at 1 m/s.
+/// Solved by the closed form of plain_scene.hpp: a resistance of load/200 at its peak, which lies at 1 m/s.
 Study speed_and_load() {
   return {.name = "speed and load",
           .base = plain_scene(),
@@ -19,7 +20,7 @@ Study speed_and_load() {
                    {.key = "speed", .values = {0.01, 0.1, 1, 10}, .logarithmic = true}}};
 }
 
-ResultStore stored(const Scratch& scratch, const Study& study, const Evaluate& evaluate = closed_form,
+ResultStore stored(const TemporaryDirectory& scratch, const Study& study, const Evaluate& evaluate = closed_form,
                    const std::string& definition = "") {
   SweepOptions options;
   options.definition = definition;
@@ -31,7 +32,7 @@ ResultStore stored(const Scratch& scratch, const Study& study, const Evaluate& e
 
 TEST_CASE("a stored study is charted along its longest axis with one curve for each value of the other",
           "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   ResultStore store = stored(scratch, speed_and_load());
   const StoredChart chart = stored_chart(store, {});
   const ChartRequest& request = chart.request;
@@ -60,7 +61,7 @@ TEST_CASE("a stored study is charted along its longest axis with one curve for e
 }
 
 TEST_CASE("the units of a chart of a sphere are those of forces", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   Study study = speed_and_load();
   study.base.indenter = Indenter::sphere;
   ResultStore store = stored(scratch, study);
@@ -71,7 +72,7 @@ TEST_CASE("the units of a chart of a sphere are those of forces", "[studies][cha
 
 TEST_CASE("the study file's own chart and spacing come before the defaults, and wishes before both",
           "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   ResultStore store = stored(scratch, speed_and_load(), closed_form,
                              R"({"axes": {"load": {"from": 1, "to": 2, "points": 2, "spacing": "logarithmic"}},
                                  "chart": {"x": "load", "y": "rolling_resistance_coefficient", "family": "speed"}})");
@@ -91,7 +92,7 @@ TEST_CASE("the study file's own chart and spacing come before the defaults, and 
 }
 
 TEST_CASE("a point without an answer is a gap with a sign and one not computed a gap without", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   const Evaluate failing = [](const RollingScene& scene) {
     if (scene.speed == 1 && scene.load == 2e4) throw std::runtime_error("no");
     return closed_form(scene);
@@ -120,7 +121,7 @@ TEST_CASE("a point without an answer is a gap with a sign and one not computed a
 }
 
 TEST_CASE("three axes give a curve for every combination of two, and a filter takes some of them", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   Study study = speed_and_load();
   study.axes.push_back({.key = "friction_coefficient", .values = {0.1, 0.2, 0.3}});
   ResultStore store = stored(scratch, study);
@@ -136,7 +137,7 @@ TEST_CASE("three axes give a curve for every combination of two, and a filter ta
 }
 
 TEST_CASE("an output along x is joined in the order of the longest axis", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   ResultStore store = stored(scratch, speed_and_load());
   const ChartRequest request = stored_chart(store, {.x = "rolling_resistance_coefficient"}).request;
   REQUIRE(request.curves.size() == 2);
@@ -148,7 +149,7 @@ TEST_CASE("an output along x is joined in the order of the longest axis", "[stud
 }
 
 TEST_CASE("a study of methods has one curve for each, by its name", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   Study study = speed_and_load();
   study.axes[0] = {.key = "method", .texts = {"newton", "active_set"}};
   ResultStore store = stored(scratch, study);
@@ -159,7 +160,7 @@ TEST_CASE("a study of methods has one curve for each, by its name", "[studies][c
 }
 
 TEST_CASE("a chart that cannot be made names what is wrong and the nearest known name", "[studies][chart]") {
-  const Scratch scratch;
+  const TemporaryDirectory scratch;
   ResultStore store = stored(scratch, speed_and_load());
   const auto refused = [&](const StudyChartWishes& wishes) {
     CHECK_THROWS_AS(stored_chart(store, wishes), std::invalid_argument);

@@ -1,0 +1,112 @@
+#include "core/contact_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/grid_choice.hpp"
+
+namespace rollres {
+
+ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid) {
+  ContactLevel level;
+  const bool sphere = scene.indenter == Indenter::sphere;
+  level.problem = std::make_unique<ContactProblem>(scene, grid);
+  level.table = std::make_unique<InfluenceTable>(influence_table(scene, mirrored(grid, sphere)));
+  level.influence = std::make_unique<InfluenceOperator>(scene, *level.table, grid, level.problem->friction);
+  return level;
+}
+
+ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate& estimate) {
+  ContactUnknowns guess;
+  const SurfaceGrid& grid = problem.grid;
+  guess.pressure = Vector::Zero(grid.size());
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const double y = problem.sphere ? grid.y(row) : 0, r = std::hypot(grid.x(column), y) / estimate.half_width;
+      if (r < 1) guess.pressure(grid.index(column, row)) = std::sqrt(1 - r * r);
+    }
+  const Vector none = Vector::Zero(grid.size());
+  const double load = problem.load(guess.pressure, none);
+  if (load > 0) guess.pressure *= estimate.load / load;
+  guess.approach = problem.scene.approach.value_or(std::isfinite(estimate.approach) ? estimate.approach : 0);
+  return guess;
+}
+
+namespace {
+
+/// Bilinear values on a finer grid, zero outside the coarser one.
+Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceGrid& to, bool sphere, double parity) {
+  Vector result(to.size());
+  const auto at = [&](int column, int row) {
+    double sign = 1;
+    if (row < 0) {
+      row = -row;
+      sign = parity;
+    }
+    if (column < 0 || column >= from.columns || row >= from.rows) return 0.0;
+    return sign * values(from.index(column, row));
+  };
+  for (int row = 0; row < to.rows; ++row)
+    for (int column = 0; column < to.columns; ++column) {
+      const double x = to.x(column) / from.spacing_x - from.first_column;
+      const double y = sphere ? to.y(row) / from.spacing_y : 0;
+      const double left = std::floor(x), below = std::floor(y), fx = x - left, fy = y - below;
+      const int c = static_cast<int>(left), r = static_cast<int>(below);
+      double value = (1 - fx) * at(c, r) + fx * at(c + 1, r);
+      if (fy > 0) value = (1 - fy) * value + fy * ((1 - fx) * at(c, r + 1) + fx * at(c + 1, r + 1));
+      result(to.index(column, row)) = value;
+    }
+  return result;
+}
+
+}  // namespace
+
+ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to) {
+  const SurfaceGrid& grid = from.problem->grid;
+  const bool sphere = from.problem->sphere;
+  ContactUnknowns start = from.outcome.unknowns;
+  // Pressure inside and gap outside join at the contact's edge: their interpolated sign tells the finer contact.
+  const Vector sign =
+      interpolate(start.pressure - from.outcome.gap.cwiseMax(0) / from.influence->self_normal(), grid, to, sphere, 1);
+  start.pressure = (sign.array() > 0).select(interpolate(start.pressure, grid, to, sphere, 1), 0.0);
+  if (start.shear_x.size() > 0) start.shear_x = interpolate(start.shear_x, grid, to, sphere, 1);
+  if (start.shear_y.size() > 0) start.shear_y = interpolate(start.shear_y, grid, to, sphere, -1);
+  return start;
+}
+
+SurfaceGrid follow(const ContactLevel& level, double spacing, double margin) {
+  const SurfaceGrid& grid = level.problem->grid;
+  double leading = -INFINITY, trailing = INFINITY, half_width = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (level.outcome.zone[static_cast<std::size_t>(grid.index(column, row))] != Zone::free) {
+        leading = std::max(leading, grid.x(column));
+        trailing = std::min(trailing, grid.x(column));
+        if (level.problem->sphere) half_width = std::max(half_width, grid.y(row));
+      }
+  const double widest = widest_window(level.problem->scene);
+  SurfaceGrid next = grid;
+  next.spacing_x = spacing;
+  if (level.problem->sphere) next.spacing_y = spacing;
+  const auto cells = [&](double distance) {
+    return static_cast<int>(std::ceil(std::clamp(distance, -widest, widest) / spacing - 1e-9));
+  };
+  next.first_column = -cells(margin - trailing);
+  next.columns = cells(leading + margin) - next.first_column + 1;
+  if (level.problem->sphere) next.rows = cells(half_width + margin) + 1;
+  return next;
+}
+
+double resistance(const ContactLevel& level) {
+  const ContactProblem& problem = *level.problem;
+  const ContactUnknowns& x = level.outcome.unknowns;
+  if (!problem.friction) {
+    const Vector none = Vector::Zero(x.pressure.size());
+    return problem.sphere ? problem.torque(x.pressure, none) / problem.scene.radius
+                          : problem.driving_force(x.pressure, none);
+  }
+  return problem.driving_force(x.pressure, x.shear_x) +
+         problem.torque(x.pressure, x.shear_x) * x.rotation_ratio / problem.scene.radius;
+}
+
+}  // namespace rollres

@@ -1,0 +1,35 @@
+#pragma once
+
+/// One grid with all that belongs to it: the discretised problem, its coefficients, its operator, its solution.
+
+#include <memory>
+
+#include "core/contact_estimate.hpp"
+#include "core/newton_contact.hpp"
+
+namespace rollres {
+
+struct ContactLevel {
+  std::unique_ptr<ContactProblem> problem;
+  std::unique_ptr<InfluenceTable> table;
+  std::unique_ptr<InfluenceOperator> influence;
+  NewtonOutcome outcome;
+  double rolling_resistance = 0;
+};
+
+/// A level without a solution yet, on a half grid.
+ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid);
+
+/// Pressure like an elliptical dome over the estimated contact, without shear.
+ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate& estimate);
+
+/// The solution of a level, interpolated to a finer grid.
+ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to);
+
+/// Grid of another spacing that leaves `margin` [m] around the level's contact.
+SurfaceGrid follow(const ContactLevel& level, double spacing, double margin);
+
+/// Rolling resistance of the level's solution [N] (per metre for a cylinder).
+double resistance(const ContactLevel& level);
+
+}  // namespace rollres

@@ -1,0 +1,25 @@
+#pragma once
+
+/// Ways to start the Newton method on one grid without a solution at hand, from the fastest to the safest.
+
+#include "core/contact_level.hpp"
+
+namespace rollres {
+
+/// Solves `problem` (the level's, or one with another drive or friction on the same grid) from a guess.
+using NewtonStart = NewtonOutcome(const ContactProblem& problem, const ContactLevel& level,
+                                  const ContactUnknowns& guess, const NewtonOptions& options);
+
+/// Frictionless solution first, then with all contact nodes sticking.
+NewtonStart solve_cold;
+
+/// Brackets the rotation, as a function of which the drive's row rises, and hands over to the coupled iteration as soon
+/// as that converges. For scenes that slide almost everywhere, where the coupled iteration alone wanders among sets
+/// without a sticking node.
+NewtonStart solve_by_rotation;
+
+/// Solves the largest smaller friction that can be solved and follows the solution up to the friction wanted. For thin
+/// layers and friction near or above one, where shear lifts or drags down much of the contact.
+NewtonStart solve_by_friction;
+
+}  // namespace rollres

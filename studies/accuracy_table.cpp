@@ -1,0 +1,186 @@
+#include "studies/accuracy_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "studies/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Line = std::vector<std::string>;
+
+Cell cell(double value) { return std::isnan(value) ? Cell() : Cell(value); }
+Cell cell(const std::string& text) { return text.empty() ? Cell() : Cell(text); }
+Cell cell(int count) { return static_cast<std::int64_t>(count); }
+
+std::string scientific(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*e", digits, value);
+  return text;
+}
+
+std::string three_digits(double value, const std::string& otherwise) {
+  return std::isfinite(value) ? short_number(value, 3) : otherwise;
+}
+
+std::vector<Method> methods_of(const AccuracyReport& report) {
+  std::vector<Method> methods;
+  for (const AccuracyTrend& trend : report.trends) methods.push_back(trend.method);
+  return methods;
+}
+
+const AccuracyPoint* find_point(const AccuracyReport& report, Method method, double spacing) {
+  const auto found = std::find_if(report.points.begin(), report.points.end(), [&](const AccuracyPoint& point) {
+    return point.method == method && point.spacing == spacing;
+  });
+  return found == report.points.end() ? nullptr : &*found;
+}
+
+std::string error_in_words(const AccuracyPoint& point, const AccuracyReference& reference) {
+  if (point.status == AccuracyStatus::no_steady_state) return "no steady state";
+  if (point.status == AccuracyStatus::not_converged) return "not converged";
+  if (point.status != AccuracyStatus::converged) return std::string(name_of(point.status));
+  if (std::isnan(point.error)) return reference.found() ? "reference" : "?";
+  if (std::abs(point.error) <= reference.uncertainty) return "< " + scientific(reference.uncertainty, 1);
+  return scientific(std::abs(point.error), 1);
+}
+
+/// Columns as wide as their longest entry; the first two lines of Markdown are its heading and its rule.
+std::string aligned(const std::vector<Line>& lines, bool markdown) {
+  std::vector<std::size_t> widths(lines.front().size(), 3);
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+  std::string text;
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text += (markdown ? (i == 0 ? "| " : " | ") : (i == 0 ? "" : "   ")) +
+              std::string(widths[i] - width(line[i]), ' ') + line[i];
+    text += markdown ? " |\n" : "\n";
+    if (!markdown || &line != &lines.front()) continue;
+    for (const std::size_t columns : widths) text += "|" + std::string(columns + 1, '-') + ":";
+    text += "|\n";
+  }
+  return text;
+}
+
+std::string table_text(const AccuracyReport& report, bool markdown) {
+  std::vector<Line> lines{{"spacing", "nodes"}};
+  for (const Method method : methods_of(report))
+    for (const std::string part : {": error", "s", "MB"})
+      lines.front().push_back(part.front() == ':' ? std::string(name_of(method)) + part : part);
+  std::vector<double> spacings;
+  for (const AccuracyPoint& point : report.points) spacings.push_back(point.spacing);
+  std::sort(spacings.rbegin(), spacings.rend());
+  spacings.erase(std::unique(spacings.begin(), spacings.end()), spacings.end());
+  for (const double spacing : spacings) {
+    int nodes = 0;
+    Line cells;
+    for (const Method method : methods_of(report)) {
+      const AccuracyPoint* const point = find_point(report, method, spacing);
+      if (!point) continue;
+      if (nodes == 0 && point->status == AccuracyStatus::converged) nodes = point->solution.contact_nodes;
+      constexpr double megabyte = 1e6;
+      cells.push_back(error_in_words(*point, report.reference));
+      cells.push_back(three_digits(point->seconds, "-"));
+      cells.push_back(std::isfinite(point->peak_memory) ? short_number(point->peak_memory / megabyte, 2) : "-");
+    }
+    cells.insert(cells.begin(), {readable(spacing, "m"), nodes > 0 ? std::to_string(nodes) : "-"});
+    lines.push_back(std::move(cells));
+  }
+  return aligned(lines, markdown);
+}
+
+std::string reference_in_words(const AccuracyReport& report) {
+  const AccuracyReference& reference = report.reference;
+  if (!reference.found()) return "no reference: no answer can be trusted, so that no error is known";
+  const std::string unit = report.scene.indenter == Indenter::cylinder ? "N/m" : "N";
+  std::string text = "reference: R_r = " + short_number(reference.rolling_resistance, 8) + " " + unit + ", " +
+                     (reference.extrapolated ? "extrapolated from four grids of " : "of ") +
+                     std::string(name_of(reference.method)) + (reference.extrapolated ? ", the finest" : "") + " at " +
+                     readable(reference.spacing, "m") + " with " + std::to_string(reference.contact_nodes) +
+                     " nodes in contact";
+  text += std::isfinite(reference.uncertainty) ? "; certain to about " + scientific(reference.uncertainty, 1)
+                                               : std::string("; nothing tells how certain it is");
+  return text;
+}
+
+/// Trends, and what is missing and why, each reason once.
+std::vector<std::string> notes(const AccuracyReport& report) {
+  std::vector<std::string> lines;
+  for (const AccuracyTrend& trend : report.trends) {
+    std::string text;
+    if (std::isfinite(trend.order))
+      text += "error ~ spacing^" + short_number(std::round(100 * trend.order) / 100, 4) + " (± " +
+              short_number(trend.order_deviation, 1) + ")";
+    if (std::isfinite(trend.growth))
+      text += (text.empty() ? "" : ", ") + std::string("seconds ~ nodes^") + short_number(trend.growth, 3);
+    if (!text.empty()) lines.push_back(std::string(name_of(trend.method)) + ": " + text);
+  }
+  for (const AccuracyPoint& point : report.points) {
+    if (point.reason.empty()) continue;
+    const auto same = [&](const AccuracyPoint& other) {
+      return other.method == point.method && other.status == point.status && other.spacing > point.spacing;
+    };
+    if (std::any_of(report.points.begin(), report.points.end(), same)) continue;
+    lines.push_back(std::string(name_of(point.method)) + " at " + readable(point.spacing, "m") + ": " +
+                    std::string(name_of(point.status)) + ": " + point.reason);
+  }
+  return lines;
+}
+
+}  // namespace
+
+Table accuracy_rows(const std::vector<AccuracyReport>& reports) {
+  Table table{{"scene", "method", "spacing", "contact_nodes", "rolling_resistance", "relative_error", "seconds",
+               "processor_seconds", "repeats", "peak_memory", "iterations", "law_violation", "status", "reason",
+               "reference", "reference_method", "reference_spacing", "reference_extrapolated", "reference_uncertainty"},
+              {}};
+  for (const AccuracyReport& report : reports)
+    for (const AccuracyPoint& point : report.points) {
+      const RollingSolution& solution = point.solution;
+      const AccuracyReference& reference = report.reference;
+      const bool solved = point.repeats > 0;
+      table.rows.push_back(
+          {cell(report.name), cell(std::string(name_of(point.method))), cell(point.spacing),
+           solved ? cell(solution.contact_nodes) : Cell(), cell(solution.rolling_resistance), cell(point.error),
+           cell(point.seconds), cell(point.processor_seconds), cell(point.repeats), cell(point.peak_memory),
+           solved ? cell(solution.iterations) : Cell(), cell(solution.law_violation),
+           cell(std::string(name_of(point.status))), cell(point.reason), cell(reference.rolling_resistance),
+           reference.found() ? cell(std::string(name_of(reference.method))) : Cell(), cell(reference.spacing),
+           cell(reference.extrapolated ? 1 : 0), cell(reference.uncertainty)});
+    }
+  return table;
+}
+
+std::string accuracy_text(const AccuracyReport& report, bool markdown) {
+  std::string text = (markdown ? "### " : "") + report.name + "\n\n" + table_text(report, markdown) + "\n";
+  text += (markdown ? "- " : "") + reference_in_words(report) + "\n";
+  for (const std::string& line : notes(report)) text += (markdown ? "- " : "") + line + "\n";
+  return text;
+}
+
+ChartRequest accuracy_chart(const AccuracyReport& report) {
+  ChartRequest request;
+  request.title = report.name + ": error against time";
+  request.x = {.name = "time of a solution", .unit = "s", .logarithmic = true, .margin = 0.05};
+  request.y = {.name = "relative error of", .symbol = "R_r", .logarithmic = true};
+  request.family = {.name = "method"};
+  request.mark_peaks = false;
+  request.comment = reference_in_words(report);
+  for (const Method method : methods_of(report)) {
+    ChartCurve curve{std::string(name_of(method)), {}};
+    for (const AccuracyPoint& point : report.points) {
+      const double error = std::abs(point.error);
+      if (point.method != method || !(error > 0) || error <= report.reference.uncertainty) continue;
+      curve.points.push_back({point.seconds, error});
+    }
+    if (!curve.points.empty()) request.curves.push_back(std::move(curve));
+  }
+  return request;
+}
+
+}  // namespace rollres

@@ -1,0 +1,25 @@
+#pragma once
+
+/// What measure_accuracy found, as tables, as text and as a work-precision chart.
+
+#include <string>
+#include <vector>
+
+#include "db/query.hpp"
+#include "studies/accuracy.hpp"
+#include "studies/chart.hpp"
+
+namespace rollres {
+
+/// One row for each scene, method and spacing, all of it in SI; what is absent is empty.
+Table accuracy_rows(const std::vector<AccuracyReport>& reports);
+
+/// A heading, one row for each spacing with the error, seconds and memory of each method, what the reference was, the
+/// observed orders, and why answers are missing; to be read as it is, or as Markdown.
+std::string accuracy_text(const AccuracyReport& report, bool markdown);
+
+/// Error against seconds, both logarithmic, one curve for each method; errors below the uncertainty of the reference
+/// are left out. Without curves if there is none.
+ChartRequest accuracy_chart(const AccuracyReport& report);
+
+}  // namespace rollres

@@ -1,0 +1,34 @@
+#pragma once
+
+/// What every picture of this program has around its plots, as lines of its gnuplot script: axes and grid, and above
+/// them a title and a legend that stands clear of the points; drawn as SVG and PNG.
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "studies/chart.hpp"
+#include "studies/chart_layout.hpp"
+
+namespace rollres {
+
+/// gnuplot keeps the blanks of an SVG's text only where two stand together.
+inline constexpr const char* kept_blanks = "  ";
+
+/// One entry of the legend.
+struct LegendEntry {
+  std::string sample;   ///< how it looks: "points pt 7 lc rgb 'red'"
+  std::string markup;   ///< what it says, in gnuplot's markup
+  std::size_t letters;  ///< of what it says
+};
+
+/// The head of a script: the data file (as `data`), axes with labels and numbers, grid.
+void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
+                const ChartAxis& y, const Span& y_span);
+
+/// The tail of a script: title, legend and the two pictures of all `plots` ("data index 0 using 1:2 with lines").
+void write_pictures(std::ostream& script, const ChartFiles& files, const std::string& title,
+                    std::vector<std::string> plots, const std::vector<LegendEntry>& entries);
+
+}  // namespace rollres

@@ -1,0 +1,203 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "studies/accuracy_table.hpp"
+#include "studies/commands.hpp"
+#include "studies/paper_scenes.hpp"
+#include "studies/progress.hpp"
+#include "studies/scene_file.hpp"
+#include "studies/table_json.hpp"
+#include "studies/table_output.hpp"
+#include "studies/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct AccuracyWords {
+  std::vector<std::string> scenes, overrides, methods, spacings;
+  std::string out, format = "text";
+  bool json = false;
+  AccuracyOptions options;
+};
+
+struct NamedScene {
+  std::string name, file;
+
+  RollingScene with(const std::vector<std::string>& overrides) const {
+    for (const PaperScene& paper : paper_scenes())
+      if (file == paper.name && !std::filesystem::exists(file)) return parse_scene(paper.json, file, overrides);
+    return read_scene(file, overrides);
+  }
+};
+
+/// Scenes under the names of their files, a number after a name that was taken before.
+std::vector<NamedScene> named_scenes(const std::vector<std::string>& files) {
+  std::vector<NamedScene> scenes;
+  for (const std::string& file : files) {
+    const std::string stem = std::filesystem::path(file).stem().string();
+    std::string name = stem;
+    const auto taken = [&](const NamedScene& scene) { return scene.name == name; };
+    for (int number = 2; std::any_of(scenes.begin(), scenes.end(), taken); ++number)
+      name = stem + "_" + std::to_string(number);
+    scenes.push_back({name, file});
+  }
+  return scenes;
+}
+
+std::vector<Method> methods_named(const std::vector<std::string>& names) {
+  std::vector<Method> methods;
+  for (const std::string& name : names) {
+    const int found = find_name(ChoiceNames<Method>::names, name);
+    if (found < 0)
+      throw std::invalid_argument("--methods = \"" + name +
+                                  "\": " + unknown("unknown method", ChoiceNames<Method>::names, name));
+    if (std::find(methods.begin(), methods.end(), static_cast<Method>(found)) == methods.end())
+      methods.push_back(static_cast<Method>(found));
+  }
+  return methods;
+}
+
+Json json_of(const AccuracyReport& report) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  const AccuracyReference& reference = report.reference;
+  Json object{{"scene", report.name},
+              {"reference", nullptr},
+              {"trends", Json::array()},
+              {"points", json_of(accuracy_rows({report}))}};
+  if (reference.found())
+    object["reference"] = {{"rolling_resistance", reference.rolling_resistance},
+                           {"method", name_of(reference.method)},
+                           {"spacing", reference.spacing},
+                           {"contact_nodes", reference.contact_nodes},
+                           {"extrapolated", reference.extrapolated},
+                           {"uncertainty", number(reference.uncertainty)}};
+  for (const AccuracyTrend& trend : report.trends)
+    object["trends"].push_back({{"method", name_of(trend.method)},
+                                {"order", number(trend.order)},
+                                {"order_deviation", number(trend.order_deviation)},
+                                {"growth", number(trend.growth)}});
+  return object;
+}
+
+/// Says so where others used the processors, so that wall times are too long.
+void warn_of_busy_machine(const std::vector<AccuracyReport>& reports, std::ostream& err) {
+  double wall = 0, processor = 0;
+  for (const AccuracyReport& report : reports)
+    for (const AccuracyPoint& point : report.points)
+      if (point.repeats > 0) {
+        wall += point.seconds;
+        processor += point.processor_seconds;
+      }
+  constexpr double disturbed = 1.2;
+  if (wall > disturbed * processor)
+    err << "the machine was busy: the solutions took " << duration_in_words(wall) << " but only "
+        << duration_in_words(processor) << " of a processor; times are too long\n";
+}
+
+void accuracy(const AccuracyWords& words, Session& session) {
+  AccuracyOptions options = words.options;
+  options.methods = methods_named(words.methods);
+  const std::size_t columns = terminal_width(session.err);
+  const auto clear_line = [&] {
+    if (columns > 0) session.err << "\r\x1b[K" << std::flush;
+  };
+  if (columns > 0)
+    options.report = [&](const std::string& line) {
+      session.err << "\r" << line.substr(0, columns - 1) << "\x1b[K" << std::flush;
+    };
+  std::vector<std::string> files = words.scenes;
+  if (files.empty())
+    for (const PaperScene& paper : paper_scenes()) files.emplace_back(paper.name);
+  const std::vector<NamedScene> named = named_scenes(files);
+  std::vector<RollingScene> scenes;
+  for (const NamedScene& scene : named) scenes.push_back(scene.with(words.overrides));
+  for (const std::string& spacing : words.spacings)
+    options.spacings.push_back(*named.front().with({"spacing=" + spacing}).spacing);
+  make_directory(words.out);
+
+  const Measure measure = [&](const RollingScene& scene, double limit) {
+    return measured_solve(session.evaluate, scene, limit);
+  };
+  std::vector<AccuracyReport> reports;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    reports.push_back(measure_accuracy(named[i].name, scenes[i], options, measure));
+    clear_line();
+    if (words.json) continue;
+    session.out << accuracy_text(reports.back(), words.format == "markdown") << std::endl;
+  }
+  warn_of_busy_machine(reports, session.err);
+
+  std::vector<std::filesystem::path> written{std::filesystem::path(words.out) / "accuracy.csv"};
+  std::ostringstream csv;
+  write_csv(csv, accuracy_rows(reports));
+  write_file(written.front(), csv.str());
+  for (const AccuracyReport& report : reports) {
+    const ChartRequest request = accuracy_chart(report);
+    if (request.curves.empty()) {
+      session.err << report.name << ": no chart, no error is known\n";
+      continue;
+    }
+    const ChartFiles chart = draw_chart(request, std::filesystem::path(words.out) / ("accuracy_" + report.name));
+    for (const auto& file : {chart.svg, chart.png, chart.script, chart.data}) written.push_back(file);
+  }
+  if (words.json) {
+    Json object{{"scenes", Json::array()}, {"files", Json::array()}};
+    for (const AccuracyReport& report : reports) object["scenes"].push_back(json_of(report));
+    for (const auto& file : written) object["files"].push_back(file.string());
+    session.out << text_of(object, 2) << '\n';
+  } else {
+    for (const auto& file : written) (words.format == "markdown" ? session.err : session.out) << file.string() << '\n';
+  }
+  for (const AccuracyReport& report : reports)
+    for (const AccuracyPoint& point : report.points)
+      if (point.status != AccuracyStatus::converged && point.status != AccuracyStatus::skipped)
+        session.status = ExitStatus::no_answer;
+}
+
+}  // namespace
+
+void add_accuracy(CLI::App& program, Session& session) {
+  CLI::App* const command =
+      program.add_subcommand("accuracy", "Chart error against time, method by method, over a range of spacings");
+  const auto words = std::make_shared<AccuracyWords>();
+  AccuracyOptions& options = words->options;
+  command->add_option("scene", words->scenes,
+                      "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
+                      "these two");
+  command->add_option("--out", words->out, "directory for accuracy.csv and the charts")->required()->option_text("DIR");
+  command->add_option("--methods", words->methods, "methods, separated by commas; left out: all")->delimiter(',');
+  CLI::Option* const spacings =
+      command->add_option("--spacings", words->spacings, "spacings, with a unit or in m, separated by commas")
+          ->delimiter(',');
+  command
+      ->add_option("--levels", options.levels,
+                   "how many spacings, each 1/sqrt(2) of the last, from 8 nodes along the contact; left out: to 500 "
+                   "nodes along a cylinder's, 130 along a sphere's")
+      ->check(CLI::Range(1, 100))
+      ->excludes(spacings);
+  command->add_option("--repeats", options.repeats, "solutions of which the median time is taken; default 5")
+      ->check(CLI::Range(1, 1000));
+  command
+      ->add_option("--seconds-limit", options.seconds_limit,
+                   "what would take longer is skipped, what takes longer is stopped; default 30")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--set", words->overrides, "replace an input of all scenes, in SI or with a unit; may be repeated")
+      ->option_text("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--format", words->format, "text or markdown")->check(CLI::IsMember({"text", "markdown"}));
+  command->add_flag("--json", words->json, "print one JSON object");
+  command->footer(
+      "Each solution is cold, in a process of its own on one core. Exit status 1: a method did not converge "
+      "somewhere.\n"
+      "Example: rollres accuracy studies/examples/paper_sphere.json --out out --methods newton,active_set");
+  command->callback([words, &session] { accuracy(*words, session); });
+}
+
+}  // namespace rollres

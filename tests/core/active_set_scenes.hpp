@@ -1,0 +1,56 @@
+#pragma once
+
+// Scenes and evidence shared by the tests of the paper's algorithms.
+
+#include "core/active_set.hpp"
+#include "core/contact_problem.hpp"
+#include "core/evidence.hpp"
+#include "core/grid_choice.hpp"
+
+namespace rollres::test {
+
+/// Zehil and Gavin (2013), sections 5.1 and 5.2.
+inline RollingScene paper_scene(Indenter indenter) {
+  RollingScene scene;
+  scene.indenter = indenter;
+  scene.radius = 0.02;
+  scene.layer_thickness = 0.005;
+  scene.static_shear_modulus = 3e6;
+  scene.stiffening = 1;
+  scene.creep_time = 0.25;
+  scene.speed = 0.05;
+  scene.load = indenter == Indenter::cylinder ? 20e3 : 150;
+  scene.friction_coefficient = 0.2;
+  scene.spacing = 0.25e-3;
+  scene.method = Method::active_set;
+  return scene;
+}
+
+struct Solved {
+  ContactState state;
+  RollingSolution solution;  // resultants and law_violation, recomputed from the tractions
+  SurfaceGrid grid;
+  InfluenceTable table;
+};
+
+inline Solved solve_on(const RollingScene& scene, double half_width) {
+  const bool sphere = scene.indenter == Indenter::sphere;
+  const SurfaceGrid half = window(scene.indenter, *scene.spacing, half_width);
+  Solved solved;
+  solved.grid = mirrored(half, sphere);
+  solved.table = influence_table(scene, solved.grid);
+  solved.state = solve_active_set(scene, solved.table, solved.grid);
+  const ContactState& state = solved.state;
+  ContactUnknowns unknowns;
+  unknowns.pressure = state.pressure.tail(half.size());
+  unknowns.shear_x = state.shear_x.tail(half.size());
+  if (sphere) unknowns.shear_y = state.shear_y.tail(half.size());
+  unknowns.approach = state.approach;
+  unknowns.rotation_ratio = state.rotation_ratio;
+  const std::vector<Zone> zone(state.zone.end() - half.size(), state.zone.end());
+  solved.solution =
+      summarise(ContactProblem(scene, half), InfluenceOperator(scene, solved.table, half, true), unknowns, zone);
+  return solved;
+}
+
+}  // namespace rollres::test
