@@ -20,10 +20,14 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
   ContactUnknowns guess;
   const SurfaceGrid& grid = problem.grid;
   guess.pressure = Vector::Zero(grid.size());
+  const bool adhesive = problem.scene.adhesion_threshold > 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const double y = problem.sphere ? grid.y(row) : 0, r = std::hypot(grid.x(column), y) / estimate.half_width;
-      if (r < 1) guess.pressure(grid.index(column, row)) = std::sqrt(1 - r * r);
+      if (adhesive)
+        guess.pressure(grid.index(column, row)) = 1;
+      else if (r < 1)
+        guess.pressure(grid.index(column, row)) = std::sqrt(1 - r * r);
     }
   const Vector none = Vector::Zero(grid.size());
   const double load = problem.load(guess.pressure, none);

@@ -20,7 +20,8 @@ struct ContactLevel {
 /// A level without a solution yet, on a half grid.
 ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid);
 
-/// Pressure like an elliptical dome over the estimated contact, without shear.
+/// Pressure like an elliptical dome over the estimated contact, without shear. With adhesion the contact peels from the
+/// widest one, so that the whole window begins in contact.
 ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate& estimate);
 
 /// The solution of a level, interpolated to a finer grid.

@@ -38,6 +38,12 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   if (mach > 0.01) warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10) warnings.push_back(text("only ", across, " nodes along the contact: take a smaller spacing"));
+  for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
+    const double memory = scene.speed * term.time / (1 + scene.stiffening);
+    if (memory < solution.spacing)
+      warnings.push_back(text("unresolved Vτ: the relaxation length Vτ/(1+f) = ", memory, " m is below the spacing ",
+                              solution.spacing, " m"));
+  }
   if (scene.period)
     for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
       const double left = std::exp(-*scene.period / (scene.speed * term.time));

@@ -52,7 +52,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
   for (int growth = 0; growth < 12; ++growth) {
     level = make_level(scene, grid);
     const ContactProblem& problem = *level.problem;
-    if (coarser)
+    if (coarser && scene.adhesion_threshold == 0)
       level.outcome = newton_contact(problem, *level.table, *level.influence, transfer(*coarser, grid), options);
     // Safer and slower, one after the other.
     const ContactUnknowns guess = first_guess(problem, estimate);

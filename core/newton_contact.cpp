@@ -191,7 +191,7 @@ NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable
   NewtonOutcome outcome;
   ContactUnknowns x = start;
   Mask contact(static_cast<std::size_t>(problem.grid.size()));
-  for (std::size_t i = 0; i < contact.size(); ++i) contact[i] = x.pressure(static_cast<Eigen::Index>(i)) > 0;
+  for (std::size_t i = 0; i < contact.size(); ++i) contact[i] = x.pressure(static_cast<Eigen::Index>(i)) != 0;
   NaturalMaps maps = natural_maps(problem, influence, x, contact);
   ContactUnknowns best = x;
   double best_norm = std::numeric_limits<double>::infinity();

@@ -30,7 +30,7 @@ struct NewtonOutcome {
   bool reached_border = false;
 };
 
-/// @param start its contact set is where its pressure is positive
+/// @param start its contact set is where its pressure is not zero
 NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable& table,
                              const InfluenceOperator& influence, const ContactUnknowns& start,
                              const NewtonOptions& options);
