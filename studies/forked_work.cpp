@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <thread>
@@ -49,7 +50,7 @@ bool receive_all(int socket, void* data, std::size_t size) {
 }
 
 /// The life of a child: a piece in, an answer out, until the socket is shut.
-/// What the work throws ends the child: it must not unwind into its parent's code.
+/// What the work throws ends the child: nothing may unwind into its parent's code.
 [[noreturn]] void serve(int socket, pid_t parent, const std::function<std::string(std::size_t)>& work) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
@@ -59,7 +60,12 @@ bool receive_all(int socket, void* data, std::size_t size) {
   setrlimit(RLIMIT_CORE, &no_core);
   std::uint64_t piece = 0;
   while (receive_all(socket, &piece, sizeof piece)) {
-    const std::string answer = work(static_cast<std::size_t>(piece));
+    std::string answer;
+    try {
+      answer = work(static_cast<std::size_t>(piece));
+    } catch (...) {
+      std::abort();
+    }
     const std::uint64_t size = answer.size();
     if (!send_all(socket, &size, sizeof size) || !send_all(socket, answer.data(), answer.size())) break;
   }

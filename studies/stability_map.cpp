@@ -1,7 +1,9 @@
 #include "studies/stability_map.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <sstream>
 #include <string_view>
 
@@ -16,19 +18,25 @@ namespace {
 constexpr std::size_t outcomes = ChoiceNames<Outcome>::names.size();
 
 /// gnuplot's point types and the colours of Okabe and Ito (2008), in the order of Outcome. What is well is pale and
-/// small, the smaller the more scenes there are; what is not stands out.
+/// small, and the smaller the more scenes there are; what is not stands out.
 struct Mark {
   std::string_view colour;
   int type;
-  double size, size_among_many;
+  double size;
 };
-constexpr std::size_t many = 2000;
-constexpr std::array<Mark, outcomes> marks{{{"#56B4E9", 7, 0.3, 0.15},    // disc
-                                            {"#555555", 8, 0.5, 0.4},     // triangle
-                                            {"#E69F00", 11, 0.8, 0.8},    // filled triangle on its point
-                                            {"#D55E00", 2, 0.8, 0.8},     // cross
-                                            {"#CC79A7", 5, 0.7, 0.7},     // filled square
-                                            {"#000000", 13, 0.9, 0.9}}};  // filled diamond
+constexpr std::array<Mark, outcomes> marks{{{"#56B4E9", 7, 0.3},     // disc
+                                            {"#555555", 8, 0.5},     // triangle
+                                            {"#E69F00", 11, 0.8},    // filled triangle on its point
+                                            {"#D55E00", 2, 0.8},     // cross
+                                            {"#CC79A7", 5, 0.7},     // filled square
+                                            {"#000000", 13, 0.9}}};  // filled diamond
+
+double size_among(Outcome outcome, std::size_t scenes) {
+  const double size = marks[static_cast<std::size_t>(outcome)].size;
+  if (is_failure(outcome)) return size;
+  constexpr double few = 1000, smallest = 0.15;
+  return size * std::clamp(std::pow(few / static_cast<double>(scenes), 0.4), smallest, 1.0);
+}
 
 std::array<std::size_t, outcomes> numbers_of(const std::vector<Trial>& trials) {
   std::array<std::size_t, outcomes> numbers{};
@@ -100,10 +108,11 @@ std::string stability_map_script(const std::vector<Trial>& trials, const ChartFi
   for (std::size_t outcome = 0; outcome < outcomes; ++outcome) {
     if (numbers[outcome] == 0) continue;
     const Mark& mark = marks[outcome];
-    const std::string look = "points pt " + std::to_string(mark.type) + " lc rgb '" + std::string(mark.colour) + "'";
+    const std::string look =
+        "points pt " + std::to_string(mark.type) + " lc rgb '" + std::string(mark.colour) + "' lw 1.5";
     const std::string words = std::to_string(numbers[outcome]) + " " + words_of(outcome);
     plots.push_back("data index " + std::to_string(outcome) + " using 1:2 with " + look + " ps " +
-                    short_number(trials.size() > many ? mark.size_among_many : mark.size) + " notitle");
+                    short_number(size_among(static_cast<Outcome>(outcome), trials.size()), 3) + " notitle");
     legend.push_back({look + " ps 0.9", gnuplot::plain(words) + kept_blanks, width(words)});
   }
   write_pictures(script, files, title_of(trials), plots, legend);
