@@ -68,7 +68,10 @@ TEST_CASE("work in child processes stops when it is asked to", "[studies][forked
       for (;;) pause();
     return std::string();
   };
-  work.done = [&](PieceEnd) { stop = ++answered == 10; };
+  work.done = [&](PieceEnd) {
+    if (++answered == 10) stop = true;
+  };
   run_forked(work);
-  CHECK(answered == 10);
+  CHECK(answered >= 10);
+  CHECK(answered <= 11);  // the other child may have had its answer ready
 }
