@@ -186,8 +186,9 @@ TEST_CASE("a rolling contact peels: its nodes let go at the adhesion threshold, 
         CHECK(s.contact_nodes >= nodes);
         nodes = s.contact_nodes;
       }
-      // The widest contact that the threshold bears: one more node would bring the tension beyond 1 MPa, as it changes
-      // by about half that from node to node.
+      INFO(name_of(scene.indenter) << (rough ? ", friction" : ", frictionless"));
+      // The widest contact that the threshold bears: with one more node the tension would pass 1 MPa, and it changes by
+      // about half that from node to node.
       CHECK(lowest_pressure(solve(scene)) < -0.5e6);
     }
 }
