@@ -21,8 +21,9 @@ constexpr std::array<double, 3> speeds{1e-4, 0.05, 30};
 /// Zener solid of unit G'(0) with f = 1.
 CreepSpectrum zener() { return {0.5, {{0.5, tau}}}; }
 
-std::array<const std::vector<double>*, 6> components(const InfluenceTable& t) {
-  return {&t.ww, &t.uu, &t.uw, &t.vv, &t.uv, &t.vw};
+template <class Table>  // const or not
+auto components(Table& t) {
+  return std::array{&t.ww, &t.uu, &t.uw, &t.vv, &t.uv, &t.vw};
 }
 
 /// Train of period columns * cell, columns odd, from the single passage: the elastic images decay within 30 H, the
@@ -40,7 +41,7 @@ InfluenceTable train(Indenter indenter, double speed, double thickness, double c
     const auto at = [&](int i, int j) { return (*from[c])[static_cast<std::size_t>(passage.index(i, j))]; };
     for (int j = 0; j <= reach_y; ++j)
       for (int i = -reach_x; i <= reach_x; ++i)
-        const_cast<std::vector<double>&>(*to[c])[static_cast<std::size_t>(sum.index(i, j))] =
+        (*to[c])[static_cast<std::size_t>(sum.index(i, j))] =
             at(i, j) + at(i + columns, j) + series * at(i - columns, j);
   }
   return sum;
