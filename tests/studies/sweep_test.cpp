@@ -69,7 +69,8 @@ pid_t in_child(Work&& work) {
   if (child != 0) return child;
   try {
     work();
-  } catch (...) {
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "child: %s\n", error.what());
     _exit(1);
   }
   _exit(0);
@@ -250,12 +251,12 @@ TEST_CASE("two processes on one study and one file store each point once", "[stu
       if (report.study.answered != 200) _exit(2);
       if (write(pipe_ends[1], &report.solved, sizeof report.solved) < 0) _exit(3);
     }));
+  close(pipe_ends[1]);
   for (const pid_t child : children) CHECK(wait_for(child) == 0);
   std::size_t one = 0, two = 0;
   REQUIRE(read(pipe_ends[0], &one, sizeof one) == sizeof one);
   REQUIRE(read(pipe_ends[0], &two, sizeof two) == sizeof two);
   close(pipe_ends[0]);
-  close(pipe_ends[1]);
   CHECK(one + two >= 200);
   CHECK(rows(file, study.name) == rows(folder.path / "alone", study.name));
   CHECK(count(file, "SELECT count(*) FROM evaluation") == 200);
