@@ -68,12 +68,15 @@ Connection open_for_writing(const std::filesystem::path& file, const std::string
 
 enum class Found { nothing, ours };
 
-/// Refuses a file that is not ours or that is newer than this program.
+/// Refuses a file that is not ours or that is newer than this program. Reads all of it in one state of the file, as
+/// another process may just be creating it.
 Found inspect(SQLite::Database& connection, const std::string& name, int newest) {
+  SQLite::Savepoint one_state(connection, "inspection");
   const int application = number(connection, "PRAGMA application_id");
   const int version = number(connection, "PRAGMA user_version");
-  if (application == 0 && version == 0 && number(connection, "SELECT count(*) FROM sqlite_schema") == 0)
-    return Found::nothing;
+  const bool empty = number(connection, "SELECT count(*) FROM sqlite_schema") == 0;
+  one_state.release();
+  if (application == 0 && version == 0 && empty) return Found::nothing;
   if (application != Database::application_id)
     throw std::runtime_error(name + ": an SQLite database, but not one of rollres");
   if (version > newest)

@@ -3,6 +3,7 @@
 /// SQLite as the sources of this chapter see it; no other header includes it.
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/Savepoint.h>
 
 #include <stdexcept>
 #include <string>

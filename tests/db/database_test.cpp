@@ -183,3 +183,32 @@ TEST_CASE("a database that lacks columns of newer quantities gets them, and its 
   CHECK(columns_of(store.database().connection(), "result").size() ==
         columns_of(store.database().connection(), "evaluation").size() + 2);
 }
+
+TEST_CASE("processes that create one database at the same moment all get it", "[db][database]") {
+  const TemporaryDirectory folder;
+  for (int round = 0; round < 12; ++round) {
+    const auto file = folder.path / std::to_string(round);
+    int gate[2];
+    REQUIRE(pipe(gate) == 0);
+    std::vector<pid_t> children;
+    for (int i = 0; i < 4; ++i) {
+      children.push_back(fork());
+      if (children.back() != 0) continue;
+      close(gate[1]);
+      char letter = 0;
+      const bool opened = read(gate[0], &letter, 1) == 0;  // when the parent closes its end
+      const std::string message = message_of([&] { fill(file, 1 + i); });
+      if (message != "nothing") std::fprintf(stderr, "child: %s\n", message.c_str());
+      _exit(opened && message == "nothing" ? 0 : 1);
+    }
+    close(gate[0]);
+    close(gate[1]);
+    for (const pid_t child : children) {
+      int status = 0;
+      waitpid(child, &status, 0);
+      CHECK(status == 0);
+    }
+    CHECK(ResultStore(file, Access::read).find(std::int64_t{4}));
+    CHECK_FALSE(ResultStore(file, Access::read).find(std::int64_t{5}));
+  }
+}
