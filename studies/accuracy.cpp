@@ -90,7 +90,8 @@ AccuracyTrend trend_of(Method method, const std::vector<AccuracyPoint>& points, 
     nodes.push_back(point.solution.contact_nodes);
     seconds.push_back(point.seconds);
     const double error = std::abs(point.error);
-    if (!(error > 0) || error <= reference.uncertainty) continue;
+    constexpr double clear = 3;  // closer to the uncertainty, an error is half that of the reference
+    if (!(error > 0) || error <= clear * reference.uncertainty) continue;
     spacings.push_back(point.spacing);
     errors.push_back(error);
   }

@@ -59,7 +59,7 @@ struct AccuracyReference {
 /// Exponents of power laws fitted to the points of one method by least squares; NaN with fewer than three points.
 struct AccuracyTrend {
   Method method = Method::newton;
-  double order = RollingSolution::absent;            ///< error ~ spacing^order, all points above the uncertainty
+  double order = RollingSolution::absent;            ///< error ~ spacing^order, errors above thrice the uncertainty
   double order_deviation = RollingSolution::absent;  ///< standard error of `order`
   double growth = RollingSolution::absent;           ///< seconds ~ contact nodes^growth, the finer half of the points
 };

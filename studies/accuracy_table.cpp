@@ -170,14 +170,17 @@ ChartRequest accuracy_chart(const AccuracyReport& report) {
   request.y = {.name = "relative error of", .symbol = "R_r", .logarithmic = true};
   request.family = {.name = "method"};
   request.mark_peaks = false;
-  request.comment = reference_in_words(report);
+  request.comment = reference_in_words(report) +
+                    "\neach point: the largest error at its spacing or a finer one, no less than the uncertainty";
   for (const Method method : methods_of(report)) {
     ChartCurve curve{std::string(name_of(method)), {}};
-    for (const AccuracyPoint& point : report.points) {
-      const double error = std::abs(point.error);
-      if (point.method != method || !(error > 0) || error <= report.reference.uncertainty) continue;
-      curve.points.push_back({point.seconds, error});
+    double largest = std::isfinite(report.reference.uncertainty) ? report.reference.uncertainty : 0;
+    for (auto point = report.points.rbegin(); point != report.points.rend(); ++point) {
+      if (point->method != method || !std::isfinite(point->error)) continue;
+      largest = std::max(largest, std::abs(point->error));
+      if (largest > 0) curve.points.push_back({point->seconds, largest});
     }
+    std::reverse(curve.points.begin(), curve.points.end());
     if (!curve.points.empty()) request.curves.push_back(std::move(curve));
   }
   return request;

@@ -18,8 +18,9 @@ Table accuracy_rows(const std::vector<AccuracyReport>& reports);
 /// observed orders, and why answers are missing; to be read as it is, or as Markdown.
 std::string accuracy_text(const AccuracyReport& report, bool markdown);
 
-/// Error against seconds, both logarithmic, one curve for each method; errors below the uncertainty of the reference
-/// are left out. Without curves if there is none.
+/// Error against seconds, both logarithmic, one curve for each method. On a single grid an error may be small by luck,
+/// so that a point shows the largest one at its spacing or a finer one, and no less than the uncertainty of the
+/// reference: what can be relied on. Without curves if there is no error.
 ChartRequest accuracy_chart(const AccuracyReport& report);
 
 }  // namespace rollres

@@ -69,7 +69,7 @@ struct LegendGrid {
     if (entries.empty()) return;
     std::size_t longest = 1;
     for (const LegendEntry& entry : entries) longest = std::max(longest, entry.letters);
-    column = sample + 14 + 8.8 * static_cast<double>(longest);
+    column = sample + 14 + 9.3 * static_cast<double>(longest);
     columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 20) / column), 1, 4);
     columns = std::min(columns, entries.size());
     rows = (entries.size() + columns - 1) / columns;

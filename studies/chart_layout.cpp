@@ -67,7 +67,9 @@ Layout lay_out(const ChartRequest& request) {
 std::vector<double> ticks(const Span& span) {
   constexpr double rounding = 1e-9;
   std::vector<double> numbers;
-  if (!span.logarithmic || span.decades() >= 1.7) return numbers;
+  if (!span.logarithmic) return numbers;
+  const double powers_of_ten = std::floor(std::log10(span.highest)) - std::ceil(std::log10(span.lowest)) + 1;
+  if (span.decades() >= 1.7 && powers_of_ten >= 2) return numbers;
   if (span.decades() < 0.5) {
     const double step = even_step(span.highest - span.lowest);
     const double last = std::floor(span.highest / step + rounding);

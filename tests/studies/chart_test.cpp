@@ -123,6 +123,8 @@ TEST_CASE("a short logarithmic axis has numbers between its powers of ten", "[st
   ChartRequest request = two_loads();
   request.curves = {{"", {{2, 1}, {5, 2}, {9, 1}}}};
   CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set xtics (1, 2, 3, 5, 7)"));
+  request.curves = {{"", {{0.0015, 1}, {0.005, 2}, {0.08, 1}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set xtics (0.001, 0.002, 0.005, 0.01, 0.02, 0.05"));
   request.curves = {{"", {{2.1, 1}, {2.2, 2}, {2.4, 1}}}};
   CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set xtics (2.1, 2.15, 2.2, 2.25, 2.3, 2.35, 2.4)"));
 }

@@ -6,8 +6,8 @@
 #include "studies/solution_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
-#include "tests/studies/temporary_directory.hpp"
 #include "tests/studies/program.hpp"
+#include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 using nlohmann::json;

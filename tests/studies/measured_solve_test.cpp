@@ -74,9 +74,9 @@ TEST_CASE("exceptions, crashes, exits and endless solutions are findings", "[stu
               std::raise(SIGKILL);
               std::abort();
             },
-            long_enough) == "crashed: SIGKILL");
+            long_enough) == "the process was ended by signal 9 (Killed)");
   CHECK(failure_of([](const RollingScene&) -> RollingSolution { std::_Exit(7); }, long_enough) ==
-        "ended without an answer, exit status 7");
+        "the process ended with exit status 7");
   const Evaluate endless = [](const RollingScene& scene) {
     std::this_thread::sleep_for(std::chrono::seconds(30));
     return closed_form(scene);
