@@ -160,7 +160,7 @@ TEST_CASE("a sweep killed at any moment and started again has each point once an
   run_sweep(study, moody(milliseconds(0)), folder.path / "undisturbed");
   const auto file = folder.path / "killed";
   std::mt19937 random(20130501);
-  std::uniform_int_distribution<int> moment(0, 25000);
+  std::uniform_int_distribution<int> moment(0, 40000);
   int before = 0;
   for (int kill_number = 0; kill_number < 12; ++kill_number) {
     const pid_t child =
