@@ -60,7 +60,7 @@ BENCHMARK(kernel_new_speed)->Apply(speeds);
 /// All displacements from all tractions, once.
 void operator_apply(benchmark::State& state) {
   const Parts parts(1e-9 * static_cast<double>(state.range(0)));
-  const InfluenceOperator influence(parts.table(parts.kernel(), parts.scene.speed), parts.half, true, true);
+  const InfluenceOperator influence(parts.scene, parts.table(parts.kernel(), parts.scene.speed), parts.half, true);
   const Vector traction = Vector::Ones(parts.half.size());
   for (auto _ : state) benchmark::DoNotOptimize(influence.apply(traction, traction, traction));
   state.counters["grid"] = parts.half.size();

@@ -5,7 +5,6 @@
 #include "core/passage_kernel.hpp"
 #include "studies/sweep.hpp"
 #include "tests/benchmark/scenes.hpp"
-#include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 namespace rollres {
