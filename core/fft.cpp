@@ -57,8 +57,4 @@ int good_fft_size(int size) {
   }
 }
 
-void inverse_fft(FftBuffer<std::complex<double>>& spectrum, FftBuffer<double>& field, int columns, int rows) {
-  shared_fft_plan(columns, rows)->inverse(spectrum, field);
-}
-
 }  // namespace rollres

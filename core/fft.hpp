@@ -74,7 +74,4 @@ std::shared_ptr<const FftPlan> shared_fft_plan(int columns, int rows);
 /// Smallest size >= `size` that transforms fast: only prime factors 2, 3 and 5, a multiple of 4 (of 8 above 64).
 int good_fft_size(int size);
 
-/// One inverse transform (unnormalised), plan included.
-void inverse_fft(FftBuffer<std::complex<double>>& spectrum, FftBuffer<double>& field, int columns, int rows);
-
 }  // namespace rollres

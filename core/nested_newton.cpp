@@ -58,10 +58,9 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
     const ContactUnknowns guess = first_guess(problem, estimate);
     const auto attempt = [&](const auto& method) {
       if (level.outcome.converged || level.outcome.reached_border) return;
-      if (NewtonOutcome outcome = method(problem, level, guess, options); outcome.converged || outcome.reached_border)
-        level.outcome = std::move(outcome);
-      else if (level.outcome.zone.empty())
-        level.outcome = std::move(outcome);
+      NewtonOutcome outcome = method(problem, level, guess, options);
+      // Of several failures the first one is kept.
+      if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
     };
     attempt(solve_cold);
     if (problem.friction && !problem.rotation_given()) attempt(solve_by_rotation);

@@ -6,24 +6,13 @@
 #include "core/contact_problem.hpp"
 #include "core/evidence.hpp"
 #include "core/grid_choice.hpp"
+#include "tests/core/paper_scenes.hpp"
 
 namespace rollres::test {
 
 /// Zehil and Gavin (2013), sections 5.1 and 5.2.
 inline RollingScene paper_scene(Indenter indenter) {
-  RollingScene scene;
-  scene.indenter = indenter;
-  scene.radius = 0.02;
-  scene.layer_thickness = 0.005;
-  scene.static_shear_modulus = 3e6;
-  scene.stiffening = 1;
-  scene.creep_time = 0.25;
-  scene.speed = 0.05;
-  scene.load = indenter == Indenter::cylinder ? 20e3 : 150;
-  scene.friction_coefficient = 0.2;
-  scene.spacing = 0.25e-3;
-  scene.method = Method::active_set;
-  return scene;
+  return with_method(indenter == Indenter::cylinder ? paper_cylinder() : paper_sphere(), Method::active_set);
 }
 
 struct Solved {
