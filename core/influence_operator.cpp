@@ -81,9 +81,16 @@ InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceT
 
 InfluenceOperator::~InfluenceOperator() = default;
 
-IterativeInfluence& InfluenceOperator::iterative() const {
-  if (!iterative_) iterative_ = std::make_unique<IterativeInfluence>(scene_, grid_, spectra_, friction_);
-  return *iterative_;
+template <>
+IterativeInfluence<float>& InfluenceOperator::iterative() const {
+  if (!single_) single_ = std::make_unique<IterativeInfluence<float>>(scene_, grid_, spectra_, friction_);
+  return *single_;
+}
+
+template <>
+IterativeInfluence<double>& InfluenceOperator::iterative() const {
+  if (!double_) double_ = std::make_unique<IterativeInfluence<double>>(scene_, grid_, spectra_, friction_);
+  return *double_;
 }
 
 Displacements InfluenceOperator::apply(const Vector& pressure, const Vector& shear_x, const Vector& shear_y) const {

@@ -15,6 +15,7 @@
 
 namespace rollres {
 
+template <class Real>
 class IterativeInfluence;
 
 /// Displacements at the grid's nodes and one column beyond, x running fastest: size (columns + 1) * rows [m].
@@ -43,8 +44,12 @@ class InfluenceOperator {
   /// Change of slip along x at a node for unit shear traction on its own cell, taken positive [1/Pa].
   double self_slip() const { return self_slip_; }
 
-  /// What an iterative solution of the linearised laws asks for; made when first asked for.
-  IterativeInfluence& iterative() const;
+  /// What an iterative solution of the linearised laws asks for, in either precision; made when first asked for.
+  template <class Real>
+  IterativeInfluence<Real>& iterative() const;
+  /// Whether iterations in single precision have reached what they were asked for so far.
+  bool single_precision_suffices() const { return single_precision_suffices_; }
+  void demand_double_precision() const { single_precision_suffices_ = false; }
 
  private:
   RollingScene scene_;
@@ -54,7 +59,9 @@ class InfluenceOperator {
   InfluenceSpectra spectra_;
   mutable std::unique_ptr<SurfaceTransform<double>> transform_;
   mutable std::unique_ptr<EvenTransform<double>> even_transform_;
-  mutable std::unique_ptr<IterativeInfluence> iterative_;
+  mutable bool single_precision_suffices_ = true;
+  mutable std::unique_ptr<IterativeInfluence<float>> single_;
+  mutable std::unique_ptr<IterativeInfluence<double>> double_;
   double self_normal_ = 0, self_slip_ = 0;
 };
 

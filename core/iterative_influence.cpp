@@ -46,38 +46,42 @@ CellSymbols cell_symbols(double kx, double ky, double thickness, double cell_x, 
   return sum;
 }
 
-void store(Spectrum<float>& spectrum, std::size_t at, complex value) {
-  spectrum.re[at] = static_cast<float>(value.real());
-  spectrum.im[at] = static_cast<float>(value.imag());
+template <class Real>
+void store(Spectrum<Real>& spectrum, std::size_t at, complex value) {
+  spectrum.re[at] = static_cast<Real>(value.real());
+  spectrum.im[at] = static_cast<Real>(value.imag());
 }
 
-void resize(std::size_t size, std::initializer_list<Spectrum<float>*> spectra) {
-  for (Spectrum<float>* spectrum : spectra) {
+template <class Real>
+void resize(std::size_t size, std::initializer_list<Spectrum<Real>*> spectra) {
+  for (Spectrum<Real>* spectrum : spectra) {
     spectrum->re.resize(size);
     spectrum->im.resize(size);
   }
 }
 
-Spectrum<float> rounded(const Spectrum<double>& spectrum) {
+template <class Real>
+Spectrum<Real> rounded(const Spectrum<double>& spectrum) {
   return {{spectrum.re.begin(), spectrum.re.end()}, {spectrum.im.begin(), spectrum.im.end()}};
 }
 
 }  // namespace
 
-IterativeInfluence::IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half,
+template <class Real>
+IterativeInfluence<Real>::IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half,
                                        const InfluenceSpectra& spectra, bool friction)
     : grid_(half),
       sphere_(scene.indenter == Indenter::sphere),
       padded_(padded_size(half.columns, half.rows, 1)),
-      ww_(rounded(spectra.ww)) {
+      ww_(rounded<Real>(spectra.ww)) {
   if (friction) {
-    transform_ = std::make_unique<SurfaceTransform<float>>(padded_);
-    uw_ = rounded(spectra.uw);
-    vw_ = rounded(spectra.vw);
+    transform_ = std::make_unique<SurfaceTransform<Real>>(padded_);
+    uw_ = rounded<Real>(spectra.uw);
+    vw_ = rounded<Real>(spectra.vw);
     const std::size_t rows = padded_.quarter_rows();
     // The forward difference over a cell, as a factor.
-    const auto slip = [&](const Spectrum<double>& displacement, Spectrum<float>& result) {
-      resize(displacement.re.size(), {&result});
+    const auto slip = [&](const Spectrum<double>& displacement, Spectrum<Real>& result) {
+      resize<Real>(displacement.re.size(), {&result});
       for (std::size_t i = 0; i < displacement.re.size(); i += rows) {
         const double angle = 2 * M_PI * static_cast<double>(i / rows) / padded_.columns;
         const complex factor = (std::polar(1.0, angle) - 1.0) / grid_.spacing_x;
@@ -94,7 +98,8 @@ IterativeInfluence::IterativeInfluence(const RollingScene& scene, const SurfaceG
   prepare_inverses(scene, friction);
 }
 
-void IterativeInfluence::prepare_inverses(const RollingScene& scene, bool friction) {
+template <class Real>
+void IterativeInfluence<Real>::prepare_inverses(const RollingScene& scene, bool friction) {
   const double normalise = 1 / padded_.points();
   const std::size_t size = padded_.quarter_size(), rows = padded_.quarter_rows();
   const double step_x = 2 * M_PI / (padded_.columns * grid_.spacing_x);
@@ -119,9 +124,9 @@ void IterativeInfluence::prepare_inverses(const RollingScene& scene, bool fricti
     largest_xx = std::max(largest_xx, std::abs(difference[column] * compliance[column]) * symbols[i].uu);
   }
   const double floor = std::pow(normal_floor * largest_ww, 2), shift = slip_shift * largest_xx;
-  resize(size, {&inverse_ww_});
-  if (friction) resize(size, {&inverse_xx_});
-  if (friction && sphere_) resize(size, {&inverse_xy_, &inverse_yy_});
+  resize<Real>(size, {&inverse_ww_});
+  if (friction) resize<Real>(size, {&inverse_xx_});
+  if (friction && sphere_) resize<Real>(size, {&inverse_xy_, &inverse_yy_});
   for (std::size_t i = 0; i < size; ++i) {
     const CellSymbols& c = symbols[i];
     const complex ww = compliance[i / rows] * c.ww;
@@ -140,52 +145,55 @@ void IterativeInfluence::prepare_inverses(const RollingScene& scene, bool fricti
   }
 }
 
-EvenTransform<float>& IterativeInfluence::even_transform() {
-  if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<float>>(padded_);
+template <class Real>
+EvenTransform<Real>& IterativeInfluence<Real>::even_transform() {
+  if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<Real>>(padded_);
   return *even_transform_;
 }
 
-void IterativeInfluence::apply(const Tractions& tractions, Response& response) {
+template <class Real>
+void IterativeInfluence<Real>::apply(const Tractions& tractions, Response& response) {
   if (tractions.shear_x.size() == 0) {
     even_transform().convolve(tractions.pressure, grid_.columns, grid_.rows, ww_, response.w, grid_.columns);
     response.w = -response.w;
     return;
   }
-  const InfluenceTerms<float> terms{ww_, uw_, vw_, slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_};
+  const InfluenceTerms<Real> terms{ww_, uw_, vw_, slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_};
   transform_->convolve({&tractions.pressure, &tractions.shear_y, &tractions.shear_x, grid_.columns, grid_.rows},
-                       [&](const WavenumberBlock<float>& block) { terms.multiply(block, sphere_); },
+                       [&](const WavenumberBlock<Real>& block) { terms.multiply(block, sphere_); },
                        {&response.w, sphere_ ? &response.slip_y : nullptr, &response.slip_x, grid_.columns, grid_.rows});
 }
 
-void IterativeInfluence::approximate_inverse(const Response& wanted, Tractions& tractions) {
+template <class Real>
+void IterativeInfluence<Real>::approximate_inverse(const Response& wanted, Tractions& tractions) {
   if (wanted.slip_x.size() == 0) {
     even_transform().convolve(wanted.w, grid_.columns, grid_.rows, inverse_ww_, tractions.pressure, grid_.columns);
     return;
   }
-  const auto multiply = [&](const WavenumberBlock<float>& block) {
+  const auto multiply = [&](const WavenumberBlock<Real>& block) {
     const std::size_t first = block.first;
-    const float *const wr = inverse_ww_.re.data() + first, *const wi = inverse_ww_.im.data() + first;
-    const float *const xxr = inverse_xx_.re.data() + first, *const xxi = inverse_xx_.im.data() + first;
+    const Real *const wr = inverse_ww_.re.data() + first, *const wi = inverse_ww_.im.data() + first;
+    const Real *const xxr = inverse_xx_.re.data() + first, *const xxi = inverse_xx_.im.data() + first;
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) {
-      const float pr = block.even_re[i], pi = block.even_im[i];
+      const Real pr = block.even_re[i], pi = block.even_im[i];
       block.even_re[i] = wr[i] * pr - wi[i] * pi;
       block.even_im[i] = wr[i] * pi + wi[i] * pr;
     }
     if (!sphere_) {
 #pragma GCC ivdep
       for (int i = 0; i < block.count; ++i) {
-        const float xr = block.second_re[i], xi = block.second_im[i];
+        const Real xr = block.second_re[i], xi = block.second_im[i];
         block.second_re[i] = xxr[i] * xr - xxi[i] * xi;
         block.second_im[i] = xxr[i] * xi + xxi[i] * xr;
       }
       return;
     }
-    const float *const xyr = inverse_xy_.re.data() + first, *const xyi = inverse_xy_.im.data() + first;
-    const float *const yyr = inverse_yy_.re.data() + first, *const yyi = inverse_yy_.im.data() + first;
+    const Real *const xyr = inverse_xy_.re.data() + first, *const xyi = inverse_xy_.im.data() + first;
+    const Real *const yyr = inverse_yy_.re.data() + first, *const yyi = inverse_yy_.im.data() + first;
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) {
-      const float xr = block.second_re[i], xi = block.second_im[i], yr = block.odd_re[i], yi = block.odd_im[i];
+      const Real xr = block.second_re[i], xi = block.second_im[i], yr = block.odd_re[i], yi = block.odd_im[i];
       block.second_re[i] = xxr[i] * xr - xxi[i] * xi + xyr[i] * yr - xyi[i] * yi;
       block.second_im[i] = xxr[i] * xi + xxi[i] * xr + xyr[i] * yi + xyi[i] * yr;
       block.odd_re[i] = xyr[i] * xr - xyi[i] * xi + yyr[i] * yr - yyi[i] * yi;
@@ -196,5 +204,8 @@ void IterativeInfluence::approximate_inverse(const Response& wanted, Tractions& 
       {&wanted.w, &wanted.slip_y, &wanted.slip_x, grid_.columns, grid_.rows}, multiply,
       {&tractions.pressure, sphere_ ? &tractions.shear_y : nullptr, &tractions.shear_x, grid_.columns, grid_.rows});
 }
+
+template class IterativeInfluence<float>;
+template class IterativeInfluence<double>;
 
 }  // namespace rollres

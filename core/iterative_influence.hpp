@@ -1,6 +1,7 @@
 #pragma once
 
-/// The influence operator as GMRES asks for it, in single precision, with an approximate inverse for preconditioning.
+/// The influence operator as GMRES asks for it, in single or double precision, with an approximate inverse for
+/// preconditioning.
 ///
 /// Slips, du/dx and dv/dx by forward differences, are convolved as such: taken from displacements afterwards they
 /// would lose the digits that single precision does not have to spare.
@@ -11,9 +12,10 @@
 
 namespace rollres {
 
+template <class Real>
 class IterativeInfluence {
  public:
-  using Field = Eigen::VectorXf;  // on the half grid
+  using Field = Eigen::Matrix<Real, Eigen::Dynamic, 1>;  // on the half grid
 
   struct Response {
     Field w;               // [m]
@@ -37,16 +39,16 @@ class IterativeInfluence {
 
  private:
   void prepare_inverses(const RollingScene& scene, bool friction);
-  EvenTransform<float>& even_transform();
+  EvenTransform<Real>& even_transform();
 
   SurfaceGrid grid_;
   bool sphere_;
   PaddedSize padded_;
-  std::unique_ptr<SurfaceTransform<float>> transform_;
-  std::unique_ptr<EvenTransform<float>> even_transform_;
-  Spectrum<float> ww_, uw_, vw_;                            // of displacements
-  Spectrum<float> slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_;
-  Spectrum<float> inverse_ww_, inverse_xx_, inverse_xy_, inverse_yy_;
+  std::unique_ptr<SurfaceTransform<Real>> transform_;
+  std::unique_ptr<EvenTransform<Real>> even_transform_;
+  Spectrum<Real> ww_, uw_, vw_;                            // of displacements
+  Spectrum<Real> slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_;
+  Spectrum<Real> inverse_ww_, inverse_xx_, inverse_xy_, inverse_yy_;
 };
 
 }  // namespace rollres

@@ -24,16 +24,18 @@ Vector pack(const LawResiduals& residuals, const LawRows<double>& rows) {
 }
 
 /// What GMRES needs: the rows and their approximate inverse, on packed vectors.
+template <class Real>
 class KrylovRows {
  public:
-  using Field = IterativeInfluence::Field;
+  using Field = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
   KrylovRows(const ContactProblem& problem, const InfluenceOperator& influence, const ActiveLaws& laws)
       : rows_(problem, laws),
         laws_(laws),
-        influence_(influence.iterative()),
-        per_normal_(static_cast<float>(1 / influence.self_normal())),
-        per_slip_(static_cast<float>(1 / influence.self_slip())) {
+        influence_(influence.iterative<Real>()),
+        per_normal_(static_cast<Real>(1 / influence.self_normal())),
+        per_slip_(static_cast<Real>(1 / influence.self_slip())) {
     const Eigen::Index size = problem.grid.size();
     tractions_.pressure = response_.w = Field::Zero(size);
     if (rows_.components() > 1) tractions_.shear_x = response_.slip_x = Field::Zero(size);
@@ -43,9 +45,9 @@ class KrylovRows {
 
   Field apply(const Field& x) {
     const Eigen::Index n = rows_.contacts();
-    scatter(x.head(n), tractions_.pressure, 1);
-    if (rows_.components() > 1) scatter(x.segment(n, n), tractions_.shear_x, 1);
-    if (rows_.components() > 2) scatter(x.segment(2 * n, n), tractions_.shear_y, 1);
+    scatter(x.head(n), tractions_.pressure, Real(1));
+    if (rows_.components() > 1) scatter(x.segment(n, n), tractions_.shear_x, Real(1));
+    if (rows_.components() > 2) scatter(x.segment(2 * n, n), tractions_.shear_y, Real(1));
     influence_.apply(tractions_, moved_);
     gather(moved_.w, scaled_.w, per_normal_);
     if (rows_.components() > 1) gather(moved_.slip_x, scaled_.slip_x, per_slip_);
@@ -66,10 +68,10 @@ class KrylovRows {
 
  private:
   template <class Packed>
-  void scatter(const Packed& values, Field& field, float factor) const {
+  void scatter(const Packed& values, Field& field, Real factor) const {
     for (Eigen::Index i = 0; i < values.size(); ++i) field(laws_.contact[static_cast<std::size_t>(i)]) = factor * values(i);
   }
-  void gather(const Field& field, Field& values, float factor) const {
+  void gather(const Field& field, Field& values, Real factor) const {
     values.resize(rows_.contacts());
     for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = factor * field(laws_.contact[static_cast<std::size_t>(i)]);
   }
@@ -80,7 +82,7 @@ class KrylovRows {
     scatter(right_side.head(n), response_.w, 1 / per_normal_);
     for (Eigen::Index i = 0; rows_.components() > 1 && i < n; ++i) {
       const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
-      const float factor = rows_.sticks(i) ? 1 / per_slip_ : 0.0F;
+      const Real factor = rows_.sticks(i) ? 1 / per_slip_ : Real(0);
       response_.slip_x(node) = factor * right_side(n + i);
       if (lateral) response_.slip_y(node) = factor * right_side(2 * n + i);
     }
@@ -104,9 +106,9 @@ class KrylovRows {
   void prepare_border() {
     const Eigen::Index border = rows_.border(), n = rows_.contacts();
     if (border == 0) return;
-    const ScaledResponse<float> still{Field::Zero(n), Field::Zero(n), Field::Zero(n)};
+    const ScaledResponse<Real> still{Field::Zero(n), Field::Zero(n), Field::Zero(n)};
     border_response_.resize(rows_.unknowns(), border);
-    Eigen::MatrixXf schur(border, border);
+    Matrix schur(border, border);
     for (Eigen::Index b = 0; b < border; ++b) {
       const Field unit = Field::Unit(rows_.unknowns(), rows_.unknowns() - border + b);
       border_response_.col(b) = precondition_laws(rows_(unit, still));
@@ -115,15 +117,15 @@ class KrylovRows {
     border_schur_ = schur.completeOrthogonalDecomposition().pseudoInverse();
   }
 
-  LawRows<float> rows_;
+  LawRows<Real> rows_;
   const ActiveLaws& laws_;
-  IterativeInfluence& influence_;
-  float per_normal_, per_slip_;
-  IterativeInfluence::Tractions tractions_, inverse_;
-  IterativeInfluence::Response moved_, response_;
-  ScaledResponse<float> scaled_;
-  Eigen::MatrixXf border_response_;  // preconditioned columns of the border
-  Eigen::MatrixXf border_schur_;     // and what they leave in the border's rows, inverted
+  IterativeInfluence<Real>& influence_;
+  Real per_normal_, per_slip_;
+  typename IterativeInfluence<Real>::Tractions tractions_, inverse_;
+  typename IterativeInfluence<Real>::Response moved_, response_;
+  ScaledResponse<Real> scaled_;
+  Matrix border_response_;  // preconditioned columns of the border
+  Matrix border_schur_;     // and what they leave in the border's rows, inverted
 };
 
 }  // namespace
@@ -199,21 +201,73 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
   return result;
 }
 
+namespace {
+
+template <class Real>
+KrylovResult<double> iterate(const ContactProblem& problem, const InfluenceOperator& influence, const ActiveLaws& laws,
+                             const Vector& right_side, double tolerance, int most_iterations) {
+  KrylovRows<Real> rows(problem, influence, laws);
+  using Field = typename KrylovRows<Real>::Field;
+  const KrylovResult<Real> found =
+      gmres<Real>([&](const Field& x) { return rows.apply(x); }, [&](const Field& x) { return rows.precondition(x); },
+                  right_side.cast<Real>(), tolerance, most_iterations);
+  return {found.x.template cast<double>(), found.iterations, static_cast<double>(found.relative_residual)};
+}
+
+}  // namespace
+
+Vector NewtonSystem::apply(const Vector& x, const LawRows<double>& rows) const {
+  const ContactUnknowns increment = unpack(x, rows);
+  const Displacements moved = influence_.apply(increment.pressure, increment.shear_x, increment.shear_y);
+  const SurfaceGrid& grid = problem_.grid;
+  const double per_normal = 1 / influence_.self_normal();
+  const double per_slip = 1 / (influence_.self_slip() * grid.spacing_x);
+  const Eigen::Index n = rows.contacts();
+  ScaledResponse<double> response{Vector(n), Vector(n), Vector(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
+    const Eigen::Index at = node + node / grid.columns;  // rows of displacements are one column longer
+    response.w(i) = moved.w(at) * per_normal;
+    if (rows.components() > 1) response.slip_x(i) = (moved.u(at + 1) - moved.u(at)) * per_slip;
+    if (rows.components() > 2) response.slip_y(i) = (moved.v(at + 1) - moved.v(at)) * per_slip;
+  }
+  return rows(x, response);
+}
+
 LinearStep NewtonSystem::solve_krylov(const LawResiduals& residuals, double tolerance, int most_iterations) const {
   const LawRows<double> rows(problem_, laws_);
-  KrylovRows krylov_rows(problem_, influence_, laws_);
-  // Near 1, where single precision has the widest range.
   const Vector right_side = pack(residuals, rows);
-  const double scale = right_side.norm();
+  const double size = right_side.norm(), target = tolerance * size;
   LinearStep result;
-  if (!(scale > 0)) return result;
-  const KrylovResult<float> krylov =
-      gmres<float>([&](const Eigen::VectorXf& x) { return krylov_rows.apply(x); },
-                   [&](const Eigen::VectorXf& x) { return krylov_rows.precondition(x); },
-                   (right_side / scale).cast<float>(), tolerance, most_iterations);
-  result.iterations = krylov.iterations;
-  result.solved = krylov.x.allFinite() && krylov.relative_residual < 0.1;
-  if (result.solved) result.step = unpack(scale * krylov.x.cast<double>(), rows);
+  if (!(size > 0)) return result;
+  Vector x = Vector::Zero(right_side.size()), missing = right_side;
+  double reached = size;
+  // Single precision first, on what is missing in double precision.
+  while (influence_.single_precision_suffices() && reached > target) {
+    const KrylovResult<double> found =
+        iterate<float>(problem_, influence_, laws_, missing / reached, target / reached, most_iterations);
+    result.iterations += found.iterations;
+    const Vector candidate = x + reached * found.x;
+    const Vector left = right_side - apply(candidate, rows);
+    const double now = left.norm();
+    if (now < reached) {
+      x = candidate;
+      missing = left;
+    }
+    // The recurrence's estimate is a little off in single precision.
+    if (!(now <= std::max(1.2 * target, 0.05 * reached))) influence_.demand_double_precision();
+    reached = std::min(now, reached);
+    if (reached <= 1.2 * target) break;
+  }
+  if (reached > 1.2 * target) {
+    const KrylovResult<double> found =
+        iterate<double>(problem_, influence_, laws_, missing / reached, target / reached, most_iterations);
+    result.iterations += found.iterations;
+    x += reached * found.x;
+    reached *= found.relative_residual;
+  }
+  result.solved = x.allFinite() && reached < 0.1 * size;
+  if (result.solved) result.step = unpack(x, rows);
   return result;
 }
 

@@ -41,11 +41,13 @@ class NewtonSystem {
 
   /// Factorises the dense matrix built from the coefficients themselves.
   LinearStep solve_dense(const InfluenceTable& table, const LawResiduals& residuals) const;
-  /// Right-preconditioned GMRES in single precision to a relative residual (not below about 1e-5).
+  /// Right-preconditioned GMRES to a relative residual: in single precision, refined in double, unless that has failed
+  /// with this operator.
   LinearStep solve_krylov(const LawResiduals& residuals, double tolerance, int most_iterations) const;
 
  private:
   ContactUnknowns unpack(const Vector& x, const LawRows<double>& rows) const;
+  Vector apply(const Vector& x, const LawRows<double>& rows) const;
 
   const ContactProblem& problem_;
   const InfluenceOperator& influence_;
