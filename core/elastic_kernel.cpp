@@ -146,10 +146,9 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
       (Eigen::Array4d(right, right, left, left).square() + Eigen::Array4d(above, below, above, below).square()).sqrt();
   double a, b;  // x asinh(y/|x|) and y asinh(x/|y|), differenced over the corners
   if (left > 0 && below > 0) {
-    const Eigen::Array4d logarithm =
-        (Eigen::Array4d(above + r(0), above + r(2), right + r(0), right + r(1)) /
-         Eigen::Array4d(below + r(1), below + r(3), left + r(2), left + r(3)))
-            .log();
+    const Eigen::Array4d logarithm = (Eigen::Array4d(above + r(0), above + r(2), right + r(0), right + r(1)) /
+                                      Eigen::Array4d(below + r(1), below + r(3), left + r(2), left + r(3)))
+                                         .log();
     a = right * logarithm(0) - left * logarithm(1);
     b = above * logarithm(2) - below * logarithm(3);
   } else {
@@ -170,7 +169,8 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
     // Points past the last one repeat it with no weight.
     std::array<double, together> px, py, distances, weights, inside;
     for (std::size_t p = 0; p < together; ++p) {
-      const std::size_t point = std::min(first + p, points - 1), i = point % nodes_x_.size(), j = point / nodes_x_.size();
+      const std::size_t point = std::min(first + p, points - 1), i = point % nodes_x_.size(),
+                        j = point / nodes_x_.size();
       px[p] = x + nodes_x_[i];
       py[p] = y + nodes_y_[j];
       distances[p] = distance(px[p], py[p]);
@@ -182,8 +182,7 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
       const double from_load = distances[p], per_distance = from_load > 0 ? 1 / from_load : 0;
       Eigen::Array4d& f = values[p];
       // Beyond the table the correction cancels the half-space's part.
-      if (from_load >= table_end * thickness_)
-        f = Eigen::Array4d(-2, -3, 1, 0) * thickness_ / (8 * M_PI * from_load);
+      if (from_load >= table_end * thickness_) f = Eigen::Array4d(-2, -3, 1, 0) * thickness_ / (8 * M_PI * from_load);
       const double cosine = from_load > 0 ? px[p] * per_distance : 1, sine = py[p] * per_distance;
       const double cosine2 = cosine * cosine - sine * sine, sine2 = 2 * sine * cosine;
       Coefficients value;

@@ -69,7 +69,7 @@ Spectrum<Real> rounded(const Spectrum<double>& spectrum) {
 
 template <class Real>
 IterativeInfluence<Real>::IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half,
-                                       const InfluenceSpectra& spectra, bool friction)
+                                             const InfluenceSpectra& spectra, bool friction)
     : grid_(half),
       sphere_(scene.indenter == Indenter::sphere),
       padded_(padded_size(half.columns, half.rows, 1)),
@@ -159,9 +159,10 @@ void IterativeInfluence<Real>::apply(const Tractions& tractions, Response& respo
     return;
   }
   const InfluenceTerms<Real> terms{ww_, uw_, vw_, slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_};
-  transform_->convolve({&tractions.pressure, &tractions.shear_y, &tractions.shear_x, grid_.columns, grid_.rows},
-                       [&](const WavenumberBlock<Real>& block) { terms.multiply(block, sphere_); },
-                       {&response.w, sphere_ ? &response.slip_y : nullptr, &response.slip_x, grid_.columns, grid_.rows});
+  transform_->convolve(
+      {&tractions.pressure, &tractions.shear_y, &tractions.shear_x, grid_.columns, grid_.rows},
+      [&](const WavenumberBlock<Real>& block) { terms.multiply(block, sphere_); },
+      {&response.w, sphere_ ? &response.slip_y : nullptr, &response.slip_x, grid_.columns, grid_.rows});
 }
 
 template <class Real>

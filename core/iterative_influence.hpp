@@ -46,7 +46,7 @@ class IterativeInfluence {
   PaddedSize padded_;
   std::unique_ptr<SurfaceTransform<Real>> transform_;
   std::unique_ptr<EvenTransform<Real>> even_transform_;
-  Spectrum<Real> ww_, uw_, vw_;                            // of displacements
+  Spectrum<Real> ww_, uw_, vw_;  // of displacements
   Spectrum<Real> slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_;
   Spectrum<Real> inverse_ww_, inverse_xx_, inverse_xy_, inverse_yy_;
 };

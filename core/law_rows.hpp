@@ -12,7 +12,6 @@
 
 #include "core/contact_problem.hpp"
 
-
 namespace rollres {
 
 /// Which law holds at each node in contact, and its linearisation. The natural scale of displacements and slips is

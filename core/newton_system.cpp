@@ -69,11 +69,13 @@ class KrylovRows {
  private:
   template <class Packed>
   void scatter(const Packed& values, Field& field, Real factor) const {
-    for (Eigen::Index i = 0; i < values.size(); ++i) field(laws_.contact[static_cast<std::size_t>(i)]) = factor * values(i);
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      field(laws_.contact[static_cast<std::size_t>(i)]) = factor * values(i);
   }
   void gather(const Field& field, Field& values, Real factor) const {
     values.resize(rows_.contacts());
-    for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = factor * field(laws_.contact[static_cast<std::size_t>(i)]);
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      values(i) = factor * field(laws_.contact[static_cast<std::size_t>(i)]);
   }
 
   Field precondition_laws(const Field& right_side) {

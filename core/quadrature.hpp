@@ -66,7 +66,8 @@ class ChebyshevTable {
       }
     }
     double narrowest = borders_.back() - borders_.front();
-    for (std::size_t i = 0; i + 1 < borders_.size(); ++i) narrowest = std::min(narrowest, borders_[i + 1] - borders_[i]);
+    for (std::size_t i = 0; i + 1 < borders_.size(); ++i)
+      narrowest = std::min(narrowest, borders_[i + 1] - borders_[i]);
     per_bin_ = 1 / narrowest;
     const auto bins = static_cast<int>(std::ceil((borders_.back() - borders_.front()) * per_bin_));
     for (int bin = 0, panel = 0; bin <= bins; ++bin) {

@@ -7,6 +7,7 @@ namespace rollres {
 namespace {
 
 constexpr int batch = 8;  // rows in the cache at a time
+int batches(int rows) { return (rows + batch - 1) / batch; }
 
 /// Room of a transformed real line, an even number of values to keep the alignment.
 int line_room(PaddedSize size) { return (size.columns / 2 + 2) / 2 * 2; }
@@ -22,11 +23,15 @@ SurfaceTransform<Real>::SurfaceTransform(PaddedSize size)
     : size_(size),
       along_x_(shared_fft_line<Real>(size.columns)),
       along_y_(shared_fft_line<Real>(std::max(size.rows, 4))),
-      lines_(static_cast<std::size_t>(batch * size.columns)),
-      transformed_(static_cast<std::size_t>(batch * size.columns)),
-      columns_(static_cast<std::size_t>(2 * size.rows)),
-      spectrum_(static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows)),
-      block_(6 * (size.rows > 1 ? size.quarter_rows() : size.quarter_size())) {}
+      work_(static_cast<std::size_t>(threads_for(size.points()))),
+      spectrum_(static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows)) {
+  for (Work& work : work_) {
+    for (auto* lines : {&work.lines, &work.transformed})
+      *lines = FftBuffer<complex>(static_cast<std::size_t>(batch * size.columns));
+    work.columns = FftBuffer<complex>(static_cast<std::size_t>(2 * size.rows));
+    work.block = FftBuffer<Real>(6 * (size.rows > 1 ? size.quarter_rows() : size.quarter_size()));
+  }
+}
 
 template <class Real>
 void SurfaceTransform<Real>::load(const Fields& in, int first_column) {
@@ -48,43 +53,45 @@ void SurfaceTransform<Real>::load(const Fields& in, int first_column) {
     copy(line + size_.columns - wrapped, 0, wrapped);
   };
   if (size_.rows == 1) {
-    fill(lines_.data(), 0);
-    along_x_.forward(lines_.data(), spectrum_.data());
+    fill(work_[0].lines.data(), 0);
+    along_x_.forward(work_[0].lines.data(), spectrum_.data());
     return;
   }
   const int first_row = 1 - in.rows, last_row = in.rows - 1;
-  for (int row = first_row; row <= last_row; row += batch) {
+  share_out(batches(2 * in.rows - 1), threads(), [&](int index, int slot) {
+    Work& work = work_[static_cast<std::size_t>(slot)];
+    const int row = first_row + index * batch;
     const int count = std::min(batch, last_row - row + 1);
     for (int i = 0; i < count; ++i) {
       const auto line = static_cast<std::ptrdiff_t>(i) * size_.columns;
-      fill(lines_.data() + line, row + i);
-      along_x_.forward(lines_.data() + line, transformed_.data() + line);
+      fill(work.lines.data() + line, row + i);
+      along_x_.forward(work.lines.data() + line, work.transformed.data() + line);
     }
     // Rows y < 0 stand at the end of a column; a batch may lie across.
     const int before = std::clamp(-row, 0, count);
     for (int kx = 0; kx < size_.columns; ++kx) {
-      const complex* line = transformed_.data() + kx;
+      const complex* line = work.transformed.data() + kx;
       complex* const to = column(kx);
       for (int i = 0; i < before; ++i, line += size_.columns) to[size_.rows + row + i] = *line;
       for (int i = before; i < count; ++i, line += size_.columns) to[row + i] = *line;
     }
-  }
+  });
 }
 
 template <class Real>
-void SurfaceTransform<Real>::transform_columns(int kx, int rows) {
+void SurfaceTransform<Real>::transform_columns(Work& work, int kx, int rows) {
   const int other = kx == 0 ? 0 : size_.columns - kx;
   for (const int k : {kx, other}) {
     std::fill(column(k) + rows, column(k) + size_.rows - rows + 1, complex());
-    along_y_.forward(column(k), columns_.data() + (k == kx ? 0 : size_.rows));
+    along_y_.forward(column(k), work.columns.data() + (k == kx ? 0 : size_.rows));
     if (other == kx) break;
   }
 }
 
 template <class Real>
-void SurfaceTransform<Real>::split(int kx, const WavenumberBlock<Real>& block) {
+void SurfaceTransform<Real>::split(const Work& work, int kx, const WavenumberBlock<Real>& block) {
   const Real half = Real(0.5);
-  const complex* const plus = columns_.data();
+  const complex* const plus = work.columns.data();
   const complex* const minus = single(kx) ? plus : plus + size_.rows;
   for (int ky = 0; ky < block.count; ++ky) {
     const int other = ky == 0 ? 0 : size_.rows - ky;
@@ -99,8 +106,8 @@ void SurfaceTransform<Real>::split(int kx, const WavenumberBlock<Real>& block) {
 }
 
 template <class Real>
-void SurfaceTransform<Real>::join(int kx, const WavenumberBlock<Real>& block) {
-  complex* const plus = columns_.data();
+void SurfaceTransform<Real>::join(Work& work, int kx, const WavenumberBlock<Real>& block) {
+  complex* const plus = work.columns.data();
   complex* const minus = single(kx) ? plus : plus + size_.rows;
   for (int ky = 0; ky < block.count; ++ky) {
     const int other = ky == 0 ? 0 : size_.rows - ky;
@@ -137,12 +144,12 @@ void SurfaceTransform<Real>::join_line(const WavenumberBlock<Real>& block) {
 }
 
 template <class Real>
-void SurfaceTransform<Real>::transform_columns_back(int kx, const Results& out) {
+void SurfaceTransform<Real>::transform_columns_back(Work& work, int kx, const Results& out) {
   const int other = kx == 0 ? 0 : size_.columns - kx;
   const Real half = Real(0.5);
   for (const int k : {kx, other}) {
     complex* const values = column(k);
-    along_y_.inverse(columns_.data() + (k == kx ? 0 : size_.rows), values);
+    along_y_.inverse(work.columns.data() + (k == kx ? 0 : size_.rows), values);
     if (out.odd)
       // (z(y) + z(-y))/2 = p + i q stays on rows y >= 0; (z(y) - z(-y))/2 = o is real.
       for (int row = 1; row < out.rows; ++row) {
@@ -161,54 +168,65 @@ void SurfaceTransform<Real>::unload(const Results& out) {
   for (Vector* field : {out.even, out.odd, out.second_even})
     if (field) field->resize(size);
   if (size_.rows == 1) {
-    along_x_.inverse(spectrum_.data(), lines_.data());
+    complex* const line = work_[0].lines.data();
+    along_x_.inverse(spectrum_.data(), line);
     for (int i = 0; i < out.columns; ++i) {
-      const complex value = lines_[static_cast<std::size_t>(i)];
-      if (out.even) (*out.even)(i) = value.real();
-      if (out.second_even) (*out.second_even)(i) = value.imag();
+      if (out.even) (*out.even)(i) = line[i].real();
+      if (out.second_even) (*out.second_even)(i) = line[i].imag();
       if (out.odd) (*out.odd)(i) = 0;
     }
     return;
   }
-  for (int row = 0; row < out.rows; row += batch) {
-    const int count = std::min(batch, out.rows - row);
-    for (int kx = 0; kx < size_.columns; ++kx) {
-      const complex* const from = column(kx) + row;
-      complex* line = lines_.data() + kx;
-      for (int i = 0; i < count; ++i, line += size_.columns) *line = from[i];
-    }
-    for (int i = 0; i < count; ++i) {
-      const auto line = static_cast<std::ptrdiff_t>(i) * size_.columns;
-      complex* const values = transformed_.data() + line;
-      along_x_.inverse(lines_.data() + line, values);
-      const Eigen::Index first = static_cast<Eigen::Index>(row + i) * out.columns;
-      for (int c = 0; c < out.columns; ++c) {
-        if (out.even) (*out.even)(first + c) = values[c].real();
-        if (out.second_even) (*out.second_even)(first + c) = values[c].imag();
-      }
+  const int rows = batches(out.rows), odd_rows = out.odd ? (batches(out.rows - 1) + 1) / 2 : 0;
+  share_out(rows + odd_rows, threads(), [&](int index, int slot) {
+    Work& work = work_[static_cast<std::size_t>(slot)];
+    if (index < rows)
+      unload_rows(work, index * batch, out);
+    else
+      unload_odd_rows(work, 1 + (index - rows) * 2 * batch, out);
+  });
+  if (out.odd) out.odd->head(out.columns).setZero();
+}
+
+template <class Real>
+void SurfaceTransform<Real>::unload_rows(Work& work, int row, const Results& out) {
+  const int count = std::min(batch, out.rows - row);
+  for (int kx = 0; kx < size_.columns; ++kx) {
+    const complex* const from = column(kx) + row;
+    complex* line = work.lines.data() + kx;
+    for (int i = 0; i < count; ++i, line += size_.columns) *line = from[i];
+  }
+  for (int i = 0; i < count; ++i) {
+    const auto line = static_cast<std::ptrdiff_t>(i) * size_.columns;
+    complex* const values = work.transformed.data() + line;
+    along_x_.inverse(work.lines.data() + line, values);
+    const Eigen::Index first = static_cast<Eigen::Index>(row + i) * out.columns;
+    for (int c = 0; c < out.columns; ++c) {
+      if (out.even) (*out.even)(first + c) = values[c].real();
+      if (out.second_even) (*out.second_even)(first + c) = values[c].imag();
     }
   }
-  if (!out.odd) return;
-  out.odd->head(out.columns).setZero();
+}
+
+template <class Real>
+void SurfaceTransform<Real>::unload_odd_rows(Work& work, int row, const Results& out) {
   // Two rows of the real field o make one complex line.
-  for (int row = 1; row < out.rows; row += 2 * batch) {
-    const int rows = std::min(2 * batch, out.rows - row), count = (rows + 1) / 2;
-    for (int kx = 0; kx < size_.columns; ++kx) {
-      const complex* const from = column(kx) + size_.rows - row;
-      complex* line = lines_.data() + kx;
-      for (int i = 0; i < count; ++i, line += size_.columns) {
-        const complex first = from[-2 * i];
-        const complex second = 2 * i + 1 < rows ? from[-2 * i - 1] : complex();
-        *line = {first.real() - second.imag(), first.imag() + second.real()};
-      }
+  const int rows = std::min(2 * batch, out.rows - row), count = (rows + 1) / 2;
+  for (int kx = 0; kx < size_.columns; ++kx) {
+    const complex* const from = column(kx) + size_.rows - row;
+    complex* line = work.lines.data() + kx;
+    for (int i = 0; i < count; ++i, line += size_.columns) {
+      const complex first = from[-2 * i];
+      const complex second = 2 * i + 1 < rows ? from[-2 * i - 1] : complex();
+      *line = {first.real() - second.imag(), first.imag() + second.real()};
     }
-    for (int i = 0; i < rows; ++i) {
-      const auto line = static_cast<std::ptrdiff_t>(i / 2) * size_.columns;
-      complex* const values = transformed_.data() + line;
-      if (i % 2 == 0) along_x_.inverse(lines_.data() + line, values);
-      Real* const to = out.odd->data() + static_cast<Eigen::Index>(row + i) * out.columns;
-      for (int c = 0; c < out.columns; ++c) to[c] = i % 2 == 0 ? values[c].real() : values[c].imag();
-    }
+  }
+  for (int i = 0; i < rows; ++i) {
+    const auto line = static_cast<std::ptrdiff_t>(i / 2) * size_.columns;
+    complex* const values = work.transformed.data() + line;
+    if (i % 2 == 0) along_x_.inverse(work.lines.data() + line, values);
+    Real* const to = out.odd->data() + static_cast<Eigen::Index>(row + i) * out.columns;
+    for (int c = 0; c < out.columns; ++c) to[c] = i % 2 == 0 ? values[c].real() : values[c].imag();
   }
 }
 
@@ -217,65 +235,69 @@ EvenTransform<Real>::EvenTransform(PaddedSize size)
     : size_(size),
       along_x_(shared_real_fft_line<Real>(size.columns)),
       along_y_(shared_fft_line<Real>(std::max(size.rows, 4))),
-      lines_(static_cast<std::size_t>(batch * size.columns)),
-      transformed_(static_cast<std::size_t>(batch * line_room(size))),
-      column_(static_cast<std::size_t>(size.rows)),
-      spectrum_(static_cast<std::size_t>(size.columns / 2 + 1) * static_cast<std::size_t>(size.rows)) {}
+      work_(static_cast<std::size_t>(threads_for(size.points()))),
+      spectrum_(static_cast<std::size_t>(size.columns / 2 + 1) * static_cast<std::size_t>(size.rows)) {
+  for (Work& work : work_) {
+    work.lines = FftBuffer<Real>(static_cast<std::size_t>(batch * size.columns));
+    work.transformed = FftBuffer<complex>(static_cast<std::size_t>(batch * line_room(size)));
+    work.column = FftBuffer<complex>(static_cast<std::size_t>(size.rows));
+  }
+}
 
 template <class Real>
 void EvenTransform<Real>::convolve(const Vector& in, int columns, int rows, const Spectrum<Real>& kernel, Vector& out,
                                    int out_columns) {
-  const int half = size_.columns / 2 + 1, room = line_room(size_);
+  const int half = size_.columns / 2 + 1, room = line_room(size_), quarter = size_.rows / 2 + 1;
   out.resize(static_cast<Eigen::Index>(out_columns) * rows);
   const auto column = [&](int kx) { return spectrum_.data() + static_cast<std::ptrdiff_t>(kx) * size_.rows; };
-  for (int row = 0; row < rows; row += batch) {
-    const int count = std::min(batch, rows - row);
+  const int threads = static_cast<int>(work_.size());
+  const auto work_of = [&](int slot) -> Work& { return work_[static_cast<std::size_t>(slot)]; };
+
+  share_out(batches(rows), threads, [&](int index, int slot) {
+    Work& work = work_of(slot);
+    const int row = index * batch, count = std::min(batch, rows - row);
     for (int i = 0; i < count; ++i) {
-      Real* const line = lines_.data() + static_cast<std::ptrdiff_t>(i) * size_.columns;
+      Real* const line = work.lines.data() + static_cast<std::ptrdiff_t>(i) * size_.columns;
       const Real* const from = in.data() + static_cast<Eigen::Index>(row + i) * columns;
       std::copy(from, from + columns, line);
       std::fill(line + columns, line + size_.columns, Real(0));
-      along_x_.forward(line, transformed_.data() + static_cast<std::ptrdiff_t>(i) * room);
+      along_x_.forward(line, work.transformed.data() + static_cast<std::ptrdiff_t>(i) * room);
     }
     for (int kx = 0; kx < half; ++kx)
-      for (int i = 0; i < count; ++i) column(kx)[row + i] = transformed_[static_cast<std::size_t>(i * room + kx)];
-  }
+      for (int i = 0; i < count; ++i) column(kx)[row + i] = work.transformed[static_cast<std::size_t>(i * room + kx)];
+  });
 
-  const int quarter = size_.rows / 2 + 1;
-  for (int kx = 0; kx < half; ++kx) {
+  share_out(half, threads, [&](int kx, int slot) {
+    Work& work = work_of(slot);
     complex* const values = column(kx);
+    complex* const spectrum = size_.rows > 1 ? work.column.data() : values;
     if (size_.rows > 1) {
       std::fill(values + rows, values + size_.rows - rows + 1, complex());
       for (int row = 1; row < rows; ++row) values[size_.rows - row] = values[row];
-      along_y_.forward(values, column_.data());
-    } else {
-      column_[0] = values[0];
+      along_y_.forward(values, spectrum);
     }
     const Real* const re = kernel.re.data() + static_cast<std::ptrdiff_t>(kx) * quarter;
     const Real* const im = kernel.im.data() + static_cast<std::ptrdiff_t>(kx) * quarter;
     for (int ky = 0; ky < quarter; ++ky) {
-      complex& value = column_[static_cast<std::size_t>(ky)];
+      complex& value = spectrum[ky];
       value = {re[ky] * value.real() - im[ky] * value.imag(), re[ky] * value.imag() + im[ky] * value.real()};
     }
-    if (size_.rows == 1) {
-      values[0] = column_[0];
-      continue;
-    }
-    for (int ky = 1; ky < size_.rows - quarter + 1; ++ky)
-      column_[static_cast<std::size_t>(size_.rows - ky)] = column_[static_cast<std::size_t>(ky)];
-    along_y_.inverse(column_.data(), values);
-  }
+    if (size_.rows == 1) return;
+    for (int ky = 1; ky < size_.rows - quarter + 1; ++ky) spectrum[size_.rows - ky] = spectrum[ky];
+    along_y_.inverse(spectrum, values);
+  });
 
-  for (int row = 0; row < rows; row += batch) {
-    const int count = std::min(batch, rows - row);
+  share_out(batches(rows), threads, [&](int index, int slot) {
+    Work& work = work_of(slot);
+    const int row = index * batch, count = std::min(batch, rows - row);
     for (int kx = 0; kx < half; ++kx)
-      for (int i = 0; i < count; ++i) transformed_[static_cast<std::size_t>(i * room + kx)] = column(kx)[row + i];
+      for (int i = 0; i < count; ++i) work.transformed[static_cast<std::size_t>(i * room + kx)] = column(kx)[row + i];
     for (int i = 0; i < count; ++i) {
-      Real* const line = lines_.data() + static_cast<std::ptrdiff_t>(i) * size_.columns;
-      along_x_.inverse(transformed_.data() + static_cast<std::ptrdiff_t>(i) * room, line);
+      Real* const line = work.lines.data() + static_cast<std::ptrdiff_t>(i) * size_.columns;
+      along_x_.inverse(work.transformed.data() + static_cast<std::ptrdiff_t>(i) * room, line);
       std::copy(line, line + out_columns, out.data() + static_cast<Eigen::Index>(row + i) * out_columns);
     }
-  }
+  });
 }
 
 template class SurfaceTransform<double>;

@@ -10,13 +10,14 @@
 /// along x, and only those wanted on the way back. Along y a pair of columns +-kx is transformed, multiplied and
 /// transformed back at once, while it is in the cache.
 ///
-/// A single field even in y (EvenTransform) takes half of that.
+/// A single field even in y (EvenTransform) takes half of that. Large grids are shared out to threads (threads.hpp).
 
 #include <Eigen/Core>
 #include <complex>
 #include <vector>
 
 #include "core/fft.hpp"
+#include "core/threads.hpp"
 
 namespace rollres {
 
@@ -91,44 +92,55 @@ class SurfaceTransform {
   }
   /// Whether a column is its own partner at -kx.
   bool single(int kx) const { return kx == 0 || 2 * kx == size_.columns; }
+  struct Work {
+    FftBuffer<complex> lines, transformed;  // some rows
+    FftBuffer<complex> columns;             // a pair of transformed columns
+    FftBuffer<Real> block;
+  };
+  static WavenumberBlock<Real> block_of(Work& work, std::size_t first, std::size_t count) {
+    Real* const at = work.block.data();
+    return {first,          static_cast<int>(count), at, at + count, at + 2 * count, at + 3 * count,
+            at + 4 * count, at + 5 * count};
+  }
+  int threads() const { return static_cast<int>(work_.size()); }
   void load(const Fields& in, int first_column);
   void unload(const Results& out);
-  void split(int kx, const WavenumberBlock<Real>& block);
-  void join(int kx, const WavenumberBlock<Real>& block);
+  void unload_rows(Work& work, int row, const Results& out);
+  void unload_odd_rows(Work& work, int row, const Results& out);
+  void split(const Work& work, int kx, const WavenumberBlock<Real>& block);
+  void join(Work& work, int kx, const WavenumberBlock<Real>& block);
   void split_line(const WavenumberBlock<Real>& block);
   void join_line(const WavenumberBlock<Real>& block);
-  void transform_columns(int kx, int rows);
-  void transform_columns_back(int kx, const Results& out);
+  void transform_columns(Work& work, int kx, int rows);
+  void transform_columns_back(Work& work, int kx, const Results& out);
 
   template <class Map>
   void pass_wavenumbers(int rows, const Map& map, const Results* out) {
-    const std::size_t count = size_.rows > 1 ? size_.quarter_rows() : size_.quarter_size();
-    Real* at = block_.data();
-    WavenumberBlock<Real> block{
-        0, static_cast<int>(count), at, at + count, at + 2 * count, at + 3 * count, at + 4 * count, at + 5 * count};
     if (size_.rows == 1) {
+      const WavenumberBlock<Real> block = block_of(work_[0], 0, size_.quarter_size());
       split_line(block);
       map(block);
       if (out) join_line(block);
       return;
     }
-    for (int kx = 0; kx <= size_.columns / 2; ++kx, block.first += count) {
-      transform_columns(kx, rows);
-      split(kx, block);
+    const std::size_t count = size_.quarter_rows();
+    share_out(size_.columns / 2 + 1, threads(), [&](int kx, int slot) {
+      Work& work = work_[static_cast<std::size_t>(slot)];
+      const WavenumberBlock<Real> block = block_of(work, static_cast<std::size_t>(kx) * count, count);
+      transform_columns(work, kx, rows);
+      split(work, kx, block);
       map(block);
-      if (!out) continue;
-      join(kx, block);
-      transform_columns_back(kx, *out);
-    }
+      if (!out) return;
+      join(work, kx, block);
+      transform_columns_back(work, kx, *out);
+    });
   }
 
   PaddedSize size_;
   const FftLine<Real>& along_x_;
   const FftLine<Real>& along_y_;
-  FftBuffer<complex> lines_, transformed_;  // some rows
-  FftBuffer<complex> columns_;              // a pair of transformed columns
-  FftBuffer<complex> spectrum_;             // y running fastest
-  FftBuffer<Real> block_;
+  std::vector<Work> work_;       // of each thread
+  FftBuffer<complex> spectrum_;  // y running fastest
 };
 
 /// The same for a single field that is even in y.
@@ -150,8 +162,12 @@ class EvenTransform {
   PaddedSize size_;
   const RealFftLine<Real>& along_x_;
   const FftLine<Real>& along_y_;
-  FftBuffer<Real> lines_;
-  FftBuffer<complex> transformed_, column_, spectrum_;
+  struct Work {
+    FftBuffer<Real> lines;
+    FftBuffer<complex> transformed, column;
+  };
+  std::vector<Work> work_;       // of each thread
+  FftBuffer<complex> spectrum_;  // y running fastest
 };
 
 }  // namespace rollres
