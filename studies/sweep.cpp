@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "studies/evaluate.hpp"
 #include "studies/result_writer.hpp"
 #include "studies/work_list.hpp"
@@ -54,12 +55,6 @@ void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, con
   run.changed.notify_one();
 }
 
-std::size_t threads_for(int jobs, std::size_t pieces) {
-  const std::size_t wanted =
-      jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1u, std::thread::hardware_concurrency());
-  return std::min(wanted, pieces);
-}
-
 }  // namespace
 
 SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
@@ -86,7 +81,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
         store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); });
     std::vector<std::jthread> threads;
     try {
-      for (std::size_t count = threads_for(options.jobs, to_solve); count > 0; --count) {
+      for (std::size_t count = thread_count(options.jobs, to_solve); count > 0; --count) {
         threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer); });
         const std::lock_guard lock(run.mutex);
         ++run.started;
