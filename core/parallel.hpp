@@ -10,19 +10,27 @@
 #include <thread>
 #include <vector>
 
+#include "core/threads.hpp"
+
 namespace rollres {
 
-/// Threads for so many pieces of work. `jobs` is what is asked for; 0: one for each core.
-inline std::size_t thread_count(int jobs, std::size_t pieces) {
-  const std::size_t wanted =
-      jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1u, std::thread::hardware_concurrency());
-  return std::min(wanted, pieces);
+/// Jobs side by side for so many pieces of work. `wanted` is what is asked for; 0: one for each core.
+inline std::size_t jobs_for(int wanted, std::size_t pieces) {
+  const std::size_t jobs =
+      wanted > 0 ? static_cast<std::size_t>(wanted) : std::max(1u, std::thread::hardware_concurrency());
+  return std::min(jobs, pieces);
+}
+
+/// Cores that each of so many jobs may take.
+inline int cores_for_each(std::size_t jobs) {
+  return static_cast<int>(
+      std::max<std::size_t>(1, std::thread::hardware_concurrency() / std::max<std::size_t>(1, jobs)));
 }
 
 /// Calls work(0) to work(pieces - 1), each once and in any order, and returns when all have ended. The first exception
-/// is thrown again; what was not begun by then is left out.
+/// is thrown again; what was not begun by then is left out. Solutions share the cores.
 template <class Work>
-void for_each_piece(std::size_t pieces, int jobs, Work work) {
+void for_each_piece(std::size_t pieces, int wanted_jobs, Work work) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr first_error;
@@ -35,9 +43,15 @@ void for_each_piece(std::size_t pieces, int jobs, Work work) {
         next = pieces;
       }
   };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t count = thread_count(jobs, pieces); count > 1; --count) others.emplace_back(run);
+  const std::size_t jobs = jobs_for(wanted_jobs, pieces);
+  if (jobs > 1) {
+    std::vector<std::jthread> threads;
+    for (std::size_t job = 0; job < jobs; ++job)
+      threads.emplace_back([&] {
+        limit_threads(cores_for_each(jobs));
+        run();
+      });
+  } else {
     run();
   }
   if (first_error) std::rethrow_exception(first_error);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "core/threads.hpp"
 #include "studies/evaluate.hpp"
 #include "studies/result_writer.hpp"
 #include "studies/work_list.hpp"
@@ -37,7 +38,8 @@ struct Run {
 };
 
 void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
-          const Evaluate& evaluate, ResultWriter& writer) {
+          const Evaluate& evaluate, ResultWriter& writer, int cores) {
+  limit_threads(cores);
   try {
     while (!run.broken && !run.asked_to_stop()) {
       const std::optional<std::size_t> point = list.next();
@@ -81,8 +83,10 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
         store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); });
     std::vector<std::jthread> threads;
     try {
-      for (std::size_t count = thread_count(options.jobs, to_solve); count > 0; --count) {
-        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer); });
+      const std::size_t jobs = jobs_for(options.jobs, to_solve);
+      const int cores_each = cores_for_each(jobs);
+      for (std::size_t job = 0; job < jobs; ++job) {
+        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer, cores_each); });
         const std::lock_guard lock(run.mutex);
         ++run.started;
       }

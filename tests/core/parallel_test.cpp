@@ -13,8 +13,9 @@ TEST_CASE("each piece of work is done once, by however many threads", "[core][pa
     CHECK(std::all_of(done.begin(), done.end(), [](const std::atomic<int>& count) { return count == 1; }));
   }
   for_each_piece(0, 3, [](std::size_t) { throw std::logic_error("nothing to do"); });
-  CHECK(thread_count(5, 3) == 3);
-  CHECK(thread_count(2, 3) == 2);
+  CHECK(jobs_for(5, 3) == 3);
+  CHECK(jobs_for(2, 3) == 2);
+  CHECK(cores_for_each(1000000) == 1);
 }
 
 TEST_CASE("an exception of one piece is thrown again after all have ended", "[core][parallel]") {
