@@ -63,7 +63,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
     };
     attempt(solve_cold);
-    if (problem.friction && !problem.rotation_given()) attempt(solve_by_rotation);
+    if (problem.friction && (last_resort || !problem.rotation_given())) attempt(solve_by_rotation);
     if (problem.friction && last_resort) attempt(solve_by_friction);
     if (!level.outcome.reached_border) break;
     const double reach = -grid.x(0);
