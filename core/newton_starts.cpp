@@ -56,6 +56,10 @@ std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const 
   ContactUnknowns between = low.unknowns;
   const double part = low_value / (low_value - high_value);
   between.add(part, high.unknowns).add(-part, low.unknowns);
+  // A node that comes into contact at the far end is not in contact yet.
+  for (Vector* field : {&between.pressure, &between.shear_x, &between.shear_y})
+    for (Eigen::Index i = 0; i < field->size(); ++i)
+      if (low.unknowns.pressure(i) == 0) (*field)(i) = 0;
   if (std::optional<NewtonOutcome> found = coupled(between)) return found;
   bool bisect = false;
   for (int step = 0; step < 60; ++step, bisect = !bisect) {
@@ -77,7 +81,7 @@ std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const 
 /// Where following the path ended.
 struct Journey {
   std::optional<NewtonOutcome> found;
-  bool at_end = false;  // everything slides, and the drive's row is not met
+  bool at_end = false;  // everything slides the way that the drive asks for, which is not met
 };
 
 /// Highest point of the drive's surplus (times `direction`) between two points on the path, or any where it is
@@ -123,7 +127,7 @@ Journey follow_path(const ContactProblem& problem, const ContactLevel& level, Ro
   for (int point = 0; point < most_points; ++point) {
     before = std::move(last);
     last = path.here();
-    if (std::abs(path.ratio()) >= end_of_path) return {{}, true};
+    if (std::abs(path.ratio()) >= end_of_path) return {{}, path.direction() == -sign};
     if (!path.advance(path.direction() * end_of_path)) return {};
     const double value = sign * surplus(path.here()), last_value = sign * surplus(last);
     if (value <= 0) return {solve_between(problem, level, path, last, path.here(), options)};
@@ -158,44 +162,10 @@ NewtonOutcome solve_by_rotation(const ContactProblem& problem, const ContactLeve
       return *journey.found;
     }
     if (trial.here().reached_border) failed = trial.here();
-    if (journey.at_end && way == direction) break;
+    if (journey.at_end) break;
   }
   failed.converged = false;
   return failed;
-}
-
-NewtonOutcome solve_by_friction(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
-                                const NewtonOptions& options) {
-  const double wanted = problem.scene.friction_coefficient;
-  const auto with_friction = [&](double friction) {
-    RollingScene scene = problem.scene;
-    scene.friction_coefficient = friction;
-    return std::make_unique<ContactProblem>(scene, problem.grid);
-  };
-  NewtonOutcome outcome;
-  double reached = 0;
-  for (const double share : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
-    reached = share * wanted;
-    const std::unique_ptr<ContactProblem> weaker = with_friction(reached);
-    outcome = solve_cold(*weaker, level, guess, options);
-    if (!outcome.converged && !weaker->rotation_given()) outcome = solve_by_rotation(*weaker, level, guess, options);
-    if (outcome.converged) break;
-  }
-  double step = 0.1 * wanted;
-  while (outcome.converged && reached < wanted && step > 1e-3 * wanted) {
-    const double next = std::min(wanted, reached + step);
-    NewtonOutcome further = newton_contact(next == wanted ? problem : *with_friction(next), *level.table,
-                                           *level.influence, outcome.unknowns, options);
-    if (further.converged) {
-      outcome = std::move(further);
-      reached = next;
-      step *= 1.5;
-    } else {
-      step *= 0.5;
-    }
-  }
-  outcome.converged = outcome.converged && reached == wanted;
-  return outcome;
 }
 
 }  // namespace rollres

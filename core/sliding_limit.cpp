@@ -64,19 +64,20 @@ double best_excess(const RollingScene& scene, const SurfaceGrid& grid, double fr
   const auto value = [&](double excess) { return surplus(scene, grid, friction, direction, excess); };
   double best = sliding, best_value = value(sliding);
   const double force = scene.load.value_or(std::abs(best_value)) * friction;
-  for (double excess = 100; excess > 1e-3; excess /= 3) {
+  constexpr double ratio = 1.8;
+  for (double excess = 100; excess > 1e-3; excess /= ratio) {
     const double found = value(excess);
     if (found > best_value) {
       best = excess;
       best_value = found;
-    } else if (found < best_value - 0.02 * force) {
+    } else if (found < best_value - 0.1 * force) {
       break;
     }
   }
   if (best == sliding) return best;
   // Golden section in the logarithm.
   constexpr double part = 0.381966;
-  double low = best / 3, high = 3 * best;
+  double low = best / ratio, high = best * ratio;
   for (int step = 0; step < 8; ++step) {
     const bool upper = high / best > best / low;
     const double excess = upper ? best * std::pow(high / best, part) : best * std::pow(low / best, part);
