@@ -43,6 +43,15 @@ void refuse(NestedOutcome& nested, const RollingScene& scene, double needed) {
   nested.friction_needed = needed;
 }
 
+/// The smallest grid that holds two of the same spacing: a window may grow, but never moves away from what it held.
+SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
+  SurfaceGrid both = a;
+  both.first_column = std::min(a.first_column, b.first_column);
+  both.columns = std::max(a.first_column + a.columns, b.first_column + b.columns) - both.first_column;
+  both.rows = std::max(a.rows, b.rows);
+  return both;
+}
+
 }  // namespace
 
 ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort) {
@@ -56,19 +65,18 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       level.outcome = newton_contact(problem, *level.table, *level.influence, transfer(*coarser, grid), options);
     // Safer and slower, one after the other.
     const ContactUnknowns guess = first_guess(problem, estimate);
+    const double reach = -grid.x(0);
+    const bool widest = reach >= widest_window(scene) && grid.x(grid.columns - 1) >= widest_window(scene);
     const auto attempt = [&](const auto& method) {
-      if (level.outcome.converged || level.outcome.reached_border) return;
+      if (level.outcome.converged || (level.outcome.reached_border && !widest)) return;
       NewtonOutcome outcome = method(problem, level, guess, options);
       // Of several failures the first one is kept.
       if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
     };
     attempt(solve_cold);
-    if (problem.friction && !problem.rotation_given()) attempt(solve_by_rotation);
-    if (problem.friction && last_resort) attempt(solve_by_friction);
-    if (!level.outcome.reached_border) break;
-    const double reach = -grid.x(0);
-    if (reach >= widest_window(scene) && grid.x(grid.columns - 1) >= widest_window(scene)) break;
-    grid = follow(level, grid.spacing_x, std::max(4 * grid.spacing_x, 0.4 * reach));
+    if (problem.friction && (last_resort || !problem.rotation_given())) attempt(solve_by_rotation);
+    if (!level.outcome.reached_border || widest) break;
+    grid = cover(grid, follow(level, grid.spacing_x, std::max(4 * grid.spacing_x, 0.4 * reach)));
   }
   return level;
 }

@@ -33,7 +33,7 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
 NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene);
 
 /// Solves on one window, which grows until the contact keeps clear of its border.
-/// @param coarser tried first if not null   @param last_resort whether to follow the solution from a smaller friction
+/// @param coarser tried first if not null   @param last_resort whether to follow the path of solutions also where the rotation is given
 ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort);
 
 }  // namespace rollres

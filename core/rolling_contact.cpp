@@ -90,6 +90,7 @@ RollingSolution solve_paper(const RollingScene& scene) {
     RollingSolution solution;
     solution.status = state.status;
     solution.reason = state.reason;
+    solution.friction_needed = state.friction_needed;
     if (state.status == Status::converged) {
       double asymmetry = 0;
       const ContactUnknowns unknowns = upper_half(state, half, sphere, asymmetry);
