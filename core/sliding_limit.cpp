@@ -40,7 +40,8 @@ double friction_root(Function value, double start) {
     if (std::isnan(high_value)) {
       factor = std::sqrt(factor);
     } else if (high_value < 0) {
-      const double expected = high_value > low_value ? high + (high - low) * high_value / (low_value - high_value) : INFINITY;
+      const double expected =
+          high_value > low_value ? high + (high - low) * high_value / (low_value - high_value) : INFINITY;
       low = high;
       low_value = high_value;
       factor = std::clamp(1.01 * expected / high, 1.02, factor * factor);
@@ -117,8 +118,9 @@ double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid) 
   for (int pass = 0; pass < 3 && !std::isnan(needed); ++pass) {
     const double excess = best_excess(scene, half_grid, needed, direction);
     if (excess == sliding) break;
-    const double less = friction_root(
-        [&](double friction) { return surplus(scene, half_grid, friction, direction, excess); }, std::min(given, needed));
+    const double less =
+        friction_root([&](double friction) { return surplus(scene, half_grid, friction, direction, excess); },
+                      std::min(given, needed));
     if (!(less < needed * (1 - 1e-5))) break;
     needed = less;
     if (needed <= given) break;
