@@ -19,7 +19,8 @@ struct NestedOutcome {
   double error_estimate() const;
   Status status = Status::not_converged;
   std::string reason;
-  double friction_needed = RollingSolution::absent;  // with no_steady_state
+  double friction_needed = RollingSolution::absent;  // with no_steady_state: too little friction for the drive,
+  double friction_borne = RollingSolution::absent;   // or so much that the body digs itself in
 };
 
 /// @param spacing of the finest grid [m]

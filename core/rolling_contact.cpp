@@ -50,6 +50,7 @@ RollingSolution solve_newton(const RollingScene& scene) {
   solution.status = nested.status;
   solution.reason = nested.reason;
   solution.friction_needed = nested.friction_needed;
+  solution.friction_borne = nested.friction_borne;
   solution.iterations = nested.finest.outcome.iterations;
   return solution;
 }
