@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "core/threads.hpp"
 #include "studies/evaluate.hpp"
 #include "studies/result_writer.hpp"
@@ -56,12 +57,6 @@ void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, con
   run.changed.notify_one();
 }
 
-std::size_t jobs_for(int jobs, std::size_t pieces) {
-  const std::size_t wanted =
-      jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1u, std::thread::hardware_concurrency());
-  return std::min(wanted, pieces);
-}
-
 }  // namespace
 
 SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
@@ -89,8 +84,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
     std::vector<std::jthread> threads;
     try {
       const std::size_t jobs = jobs_for(options.jobs, to_solve);
-      const int cores_each = static_cast<int>(
-          std::max<std::size_t>(1, std::thread::hardware_concurrency() / std::max<std::size_t>(1, jobs)));
+      const int cores_each = cores_for_each(jobs);
       for (std::size_t job = 0; job < jobs; ++job) {
         threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer, cores_each); });
         const std::lock_guard lock(run.mutex);
