@@ -41,6 +41,16 @@ void refuse(NestedOutcome& nested, const RollingScene& scene, double needed) {
   nested.friction_needed = needed;
 }
 
+void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double borne) {
+  std::ostringstream text;
+  text << "friction makes the body dig itself in until the contact spreads to the edge of the body (more than 0.98 R): "
+          "bears a friction coefficient of at most "
+       << borne << ", has " << scene.friction_coefficient;
+  nested.status = Status::no_steady_state;
+  nested.reason = text.str();
+  nested.friction_borne = borne;
+}
+
 /// The smallest grid that holds two of the same spacing: a window may grow, but never moves away from what it held.
 SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
   SurfaceGrid both = a;
@@ -132,6 +142,13 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     const double needed = friction_needed(scene, nested.finest.problem->grid);
     if (needed > scene.friction_coefficient) {
       refuse(nested, scene, needed);
+      return nested;
+    }
+  }
+  if (scene.friction_coefficient > 0 && nested.finest.outcome.reached_border) {
+    const double borne = friction_borne(scene, first_window());
+    if (!std::isnan(borne)) {
+      refuse_digging(nested, scene, borne);
       return nested;
     }
   }

@@ -21,7 +21,8 @@ struct NestedOutcome {
   double share_left = 1;  // of the series
   Status status = Status::not_converged;
   std::string reason;
-  double friction_needed = RollingSolution::absent;  // with no_steady_state
+  double friction_needed = RollingSolution::absent;  // with no_steady_state: too little friction for the drive,
+  double friction_borne = RollingSolution::absent;   // or so much that the body digs itself in
 };
 
 /// @param finer asked after the finest grid of the series has converged: true to halve the spacing once more

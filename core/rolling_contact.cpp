@@ -68,6 +68,7 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
   solution.status = nested.status;
   solution.reason = nested.reason;
   solution.friction_needed = nested.friction_needed;
+  solution.friction_borne = nested.friction_borne;
   solution.iterations = nested.finest.outcome.iterations;
   return solution;
 }

@@ -128,4 +128,24 @@ double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid) 
   return needed;
 }
 
+double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid) {
+  const auto solved = [&](double friction) {
+    RollingScene weaker = scene;
+    weaker.friction_coefficient = friction;
+    const ContactLevel level = solve_level(weaker, half_grid, nullptr, true);
+    return level.outcome.converged && !level.outcome.reached_border;
+  };
+  double high = scene.friction_coefficient, low = high / 1.2;
+  for (int step = 0; !solved(low); ++step) {
+    if (step == 5) return RollingSolution::absent;
+    high = low;
+    low /= 1.5;
+  }
+  while (high > 1.005 * low) {
+    const double middle = std::sqrt(low * high);
+    (solved(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 }  // namespace rollres
