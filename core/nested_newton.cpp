@@ -146,7 +146,7 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     }
   }
   if (scene.friction_coefficient > 0 && nested.finest.outcome.reached_border) {
-    const double borne = friction_borne(scene, first_window());
+    const double borne = friction_borne(scene, grids.first(coarsening));
     if (!std::isnan(borne)) {
       refuse_digging(nested, scene, borne);
       return nested;
