@@ -12,6 +12,9 @@ namespace rollres {
 
 namespace {
 
+/// Violation of the laws on grids that only give a start, and R_r for the estimate of the error.
+constexpr double start_tolerance = 1e-8;
+
 NewtonOptions options_for(const RollingScene& scene) {
   NewtonOptions options;
   options.dense = scene.method == Method::newton_dense;
@@ -63,7 +66,8 @@ SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
 }  // namespace
 
 ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort) {
-  const NewtonOptions options = options_for(scene);
+  NewtonOptions options = options_for(scene);
+  if (!last_resort) options.tolerance = std::max(options.tolerance, start_tolerance);
   const ContactEstimate estimate = estimate_contact(scene);
   ContactLevel level;
   for (int growth = 0; growth < 12; ++growth) {
