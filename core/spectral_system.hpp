@@ -1,0 +1,71 @@
+#pragma once
+
+/// The linear problem inside given edges of contact and borders of stick: tractions, memories and rotation.
+///
+/// Contact x = c + l t, |t| <= 1; p = sqrt(1 - t^2) sum phi_n U_n(t). Where the body touches, w' is its slope, so that the
+/// elastic slope g = G_inf w' - sum_j g_j R_{rho_j} w' is known but for what each memory has at the leading edge:
+///     R_{rho_j} w'(x) = r_j(x) + (z_j - r_j(x+)) e^{(x - x+)/rho_j},      z_j = sum_m factor_jm R_{T_m} g (x+),
+/// r_j being any solution of r - rho_j r' = w'. The exponential's Chebyshev series is known to any order (Bessel
+/// functions); what lies beyond the order N of the densities goes into the pressure directly, as
+/// 4 Z_j e^{-l/rho_j} I_n(l/rho_j) U_{n-1}, n > N ("tails"), so that memories much shorter than the contact need no more
+/// unknowns. The same holds in the zone of stick, x = c' + l' t', where u' = R Omega/V - 1: there
+///     shear = base + sqrt(1 - t'^2) sum psi_n U_n(t'),
+/// the base being +-mu p outside the stick (sliding_base.hpp). Bounded tractions are possible for the right edges only:
+/// the constants that each system lacks are the residuals that the search for edges and borders must bring to zero.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/spectral_problem.hpp"
+
+namespace rollres {
+
+/// Which zones there are, from the trailing to the leading edge.
+struct SlipPattern {
+  bool shear = false;  // false: no friction, and nothing of the following
+  bool stick = false;  // a zone of stick behind a zone of slip; false: the whole contact slips
+  int trailing = 0;    // direction of the shear in the zone at the trailing edge, +1 or -1
+  int leading = 0;     // and in that at the leading edge; 0: stick up to it
+
+  bool leading_slip() const { return stick && leading != 0; }
+  bool one_direction() const { return !leading_slip() || leading == trailing; }
+  /// Edges and borders to be found.
+  int unknowns() const { return stick ? leading_slip() ? 4 : 3 : 2; }
+};
+
+struct SpectralEdges {
+  double trailing, leading;      // of the contact [m]
+  double stick_from, stick_to;   // of the stick, if any [m]
+
+  double centre() const { return 0.5 * (trailing + leading); }
+  double half_length() const { return 0.5 * (leading - trailing); }
+  double stick_centre() const { return 0.5 * (stick_from + stick_to); }
+  double stick_half_length() const { return 0.5 * (stick_to - stick_from); }
+};
+
+struct SpectralOrders {
+  int contact = 8, stick = 8;
+};
+
+/// A density's unknowns on one interval.
+struct SpectralDensity {
+  Eigen::VectorXd coefficients;  // phi_n or psi_n [Pa]
+  Eigen::VectorXd amplitudes;    // of the exponentials in the elastic slope, Z_j [Pa]
+};
+
+struct SpectralState {
+  SlipPattern pattern;
+  SpectralEdges edges{};
+  SpectralDensity pressure, stick;
+  double rotation_ratio = 1;       // R Omega/V
+  double load = 0, approach = 0;   // P [N/m], d [m] (NaN for a half-space)
+  double driving_torque = 0, driving_force = 0;  // T [N], Q [N/m]
+  Eigen::VectorXd edge_means_w, edge_means_u;    // R_{T_m} g at the leading end of contact and of stick [1 Pa]
+  Eigen::VectorXd residuals;       // relative, one for each edge and border
+};
+
+/// @param edges ascending: trailing < stick_from < stick_to <= leading
+SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
+                           const SpectralOrders& orders);
+
+}  // namespace rollres
