@@ -72,7 +72,7 @@ double SlidingBase::direction(double x) const {
 Eigen::RowVectorXd SlidingBase::jump_mean(double t) const {
   const bool inside = std::abs(t) < 1;
   const double angle = inside ? std::acos(t) : 0, sine = inside ? std::sin(angle) : 0;
-  const double rate = inside ? 0 : std::acosh(t);
+  const double rate = inside ? 0 : std::acosh(std::max(std::abs(t), 1.0));
   Eigen::ArrayXd before = Eigen::ArrayXd::Zero(borders_), here(borders_);
   for (int k = 0; k < borders_; ++k) {
     const double s = border_angles_(k);
@@ -80,10 +80,11 @@ Eigen::RowVectorXd SlidingBase::jump_mean(double t) const {
       const double logarithm = std::log(std::abs(std::sin(0.5 * (s + angle)) / std::sin(0.5 * (s - angle))));
       here(k) = sine * logarithm + t * (M_PI - s) - std::sin(s);
     } else {
-      const double root = std::sinh(rate);
-      const double arc = root > 0 ? 2 / root * std::atan2(std::tanh(0.5 * rate) * std::cos(0.5 * s), std::sin(0.5 * s))
-                                  : 1 / std::tan(0.5 * s);
-      here(k) = -root * root * arc + t * (M_PI - s) - std::sin(s);
+      // int_{-1}^{s} dr/((t - r) sqrt(1 - r^2)) = arc/root, times 1 - t^2
+      const double root = std::sinh(rate), sine_half = std::sin(0.5 * s), cosine_half = std::cos(0.5 * s);
+      const double arc = t > 0 ? 2 * std::atan2(std::tanh(0.5 * rate) * cosine_half, sine_half)
+                               : -2 * std::atan2(cosine_half, std::tanh(0.5 * rate) * sine_half);
+      here(k) = -root * arc + t * (M_PI - s) - std::sin(s);
     }
   }
   // What the rule over s makes of ln|t - s| against its exact mean.
@@ -106,7 +107,7 @@ Eigen::RowVectorXd SlidingBase::slope(double x) const {
   const double t = (x - edges_.centre()) / edges_.half_length();
   const Eigen::RowVectorXd whole = chebyshev_images(t, order_ + 1).tail(order_).transpose();
   if (pattern_.one_direction()) return -0.5 * pattern_.trailing * whole;
-  if (t > 1 && order_ * std::acosh(t) > 8) {  // the recursion would lose its digits; no point of the sources is near
+  if (std::abs(t) > 1 && order_ * std::acosh(std::abs(t)) > 8) {  // the recursion would lose its digits; no point of the sources is near
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(order_);
     for (Eigen::Index q = 0; q < nodes.size(); ++q) sum += densities.row(q) / (x - nodes(q));
     return -sum / (2 * M_PI);

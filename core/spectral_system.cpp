@@ -317,7 +317,10 @@ class System {
     state.driving_force = force_row().dot(solution_);
     state.driving_torque = torque_row().dot(solution_) * scene.radius;
     state.approach = approach();
-    state.edge_means_w = means_w_ * solution_;
+    state.edge_means = means_w_ * solution_;
+    state.sources = sources_;
+    state.pressure_forces = of_pressure_ * solution_;
+    state.shear_forces = of_shear_ * solution_;
     const double scale = state.load / edges_.half_length();
     state.residuals.resize(pattern_.unknowns());
     state.residuals(0) = solution_(slack_) / scale;
@@ -327,8 +330,7 @@ class System {
       state.stick = {solution_.segment(psi_, stick_n_), solution_.segment(stick_amplitude_, terms_)};
       if (pattern_.leading == 0) state.stick.amplitudes += friction_ * pattern_.trailing * state.pressure.amplitudes;
       state.rotation_ratio = 1 + solution_(rotation_) / problem_.rubbery;
-      state.edge_means_u = means_u_ * solution_;
-      state.residuals(2) = solution_(stick_slack_) / scale;
+      if (pattern_.trailing_slip()) state.residuals(2) = solution_(stick_slack_) / scale;
       if (pattern_.leading_slip()) {
         // Bounded slip at the leading border: no root of the distance in the shear, be it the base's or the rest's.
         double end = 0;

@@ -23,14 +23,16 @@ namespace rollres {
 /// Which zones there are, from the trailing to the leading edge.
 struct SlipPattern {
   bool shear = false;  // false: no friction, and nothing of the following
-  bool stick = false;  // a zone of stick behind a zone of slip; false: the whole contact slips
-  int trailing = 0;    // direction of the shear in the zone at the trailing edge, +1 or -1
+  bool stick = false;  // a zone of stick; false: the whole contact slips
+  int trailing = 0;    // direction of the shear in the zone at the trailing edge, +1 or -1; 0: stick up to it
   int leading = 0;     // and in that at the leading edge; 0: stick up to it
 
+  bool trailing_slip() const { return stick && trailing != 0; }
   bool leading_slip() const { return stick && leading != 0; }
   bool one_direction() const { return !leading_slip() || leading == trailing; }
-  /// Edges and borders to be found.
-  int unknowns() const { return stick ? leading_slip() ? 4 : 3 : 2; }
+  /// Edges and borders to be found. Stick all over is possible where the shear happens to vanish at the trailing edge;
+  /// whether it does is left to the check of the slip.
+  int unknowns() const { return 2 + trailing_slip() + leading_slip(); }
 };
 
 struct SpectralEdges {
@@ -60,7 +62,9 @@ struct SpectralState {
   double rotation_ratio = 1;       // R Omega/V
   double load = 0, approach = 0;   // P [N/m], d [m] (NaN for a half-space)
   double driving_torque = 0, driving_force = 0;  // T [N], Q [N/m]
-  Eigen::VectorXd edge_means_w, edge_means_u;    // R_{T_m} g at the leading end of contact and of stick [1 Pa]
+  Eigen::VectorXd edge_means;      // R_{T_m} g_w at the leading edge [Pa]
+  Eigen::VectorXd sources, pressure_forces, shear_forces;  // points and forces that stand for the tractions at a
+                                                           // distance [m], [N/m]
   Eigen::VectorXd residuals;       // relative, one for each edge and border
 };
 
