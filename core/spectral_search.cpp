@@ -48,6 +48,10 @@ double allowed_part(const SlipPattern& pattern, const VectorXd& place, const Vec
   return part;
 }
 
+double largest(const SpectralState& state) {
+  return state.residuals.allFinite() ? state.residuals.cwiseAbs().maxCoeff() : NAN;
+}
+
 /// Zones that have shrunk away.
 bool vanished(const SlipPattern& pattern, const VectorXd& place) {
   if (!pattern.trailing_slip()) return false;
@@ -58,6 +62,11 @@ bool vanished(const SlipPattern& pattern, const VectorXd& place) {
 
 SpectralState EdgeSearch::evaluate(const VectorXd& place, const SpectralOrders& orders) {
   ++evaluations_;
+  if (!place.allFinite() || std::abs(place(1)) > 20 || (pattern_.stick && !(stick_part(place) > 1e-7))) {
+    SpectralState nowhere;
+    nowhere.residuals.setConstant(place.size(), NAN);
+    return nowhere;
+  }
   return solve_inside(problem_, pattern_, edges_at(pattern_, place, unit_), orders);
 }
 
@@ -78,7 +87,7 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
   if (inverse_.size() == 0) unit_ = start.half_length();
   VectorXd place = place_of(pattern_, start, unit_);
   SpectralState state = evaluate(place, orders);
-  double residual = state.residuals.cwiseAbs().maxCoeff();
+  double residual = largest(state);
   bool fresh = false;
   for (int step = 0; step < most_steps && residual > tolerance; ++step) {
     if (!std::isfinite(residual) || vanished(pattern_, place)) return {};
@@ -89,7 +98,7 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
     const VectorXd full = -inverse_ * state.residuals;
     const VectorXd move = allowed_part(pattern_, place, full) * full;
     SpectralState next = evaluate(place + move, orders);
-    const double next_residual = next.residuals.cwiseAbs().maxCoeff();
+    const double next_residual = largest(next);
     if (!(next_residual < 0.5 * residual)) {
       // Broyden's slopes have led astray, or this is as near as rounding lets it come.
       if (!fresh) {
