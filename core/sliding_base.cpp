@@ -69,7 +69,8 @@ double SlidingBase::direction(double x) const {
 }
 
 /// Mean of F_n(t; s) over the borders.
-Eigen::RowVectorXd SlidingBase::jump_mean(double t) const {
+Eigen::RowVectorXd SlidingBase::jump_mean(double x) const {
+  const double t = place_in(x, edges_.centre(), edges_.half_length());
   const bool inside = std::abs(t) < 1;
   const double angle = inside ? std::acos(t) : 0, sine = inside ? std::sin(angle) : 0;
   const double rate = inside ? 0 : std::acosh(std::max(std::abs(t), 1.0));
@@ -88,8 +89,7 @@ Eigen::RowVectorXd SlidingBase::jump_mean(double t) const {
     }
   }
   // What the rule over s makes of ln|t - s| against its exact mean.
-  const double place =
-      (edges_.centre() + edges_.half_length() * t - edges_.stick_centre()) / edges_.stick_half_length();
+  const double place = place_in(x, edges_.stick_centre(), edges_.stick_half_length());
   const double correction = std::abs(place) <= 1
                                 ? std::log(std::abs(2 * std::cos(borders_ * std::acos(place)))) / borders_
                                 : std::log1p(std::exp(-2 * borders_ * std::acosh(std::abs(place)))) / borders_;
@@ -104,7 +104,7 @@ Eigen::RowVectorXd SlidingBase::jump_mean(double t) const {
 }
 
 Eigen::RowVectorXd SlidingBase::slope(double x) const {
-  const double t = (x - edges_.centre()) / edges_.half_length();
+  const double t = place_in(x, edges_.centre(), edges_.half_length());
   const Eigen::RowVectorXd whole = chebyshev_images(t, order_ + 1).tail(order_).transpose();
   if (pattern_.one_direction()) return -0.5 * pattern_.trailing * whole;
   if (std::abs(t) > 1 && order_ * std::acosh(std::abs(t)) > 8) {  // the recursion would lose its digits; no point of the sources is near
@@ -113,7 +113,7 @@ Eigen::RowVectorXd SlidingBase::slope(double x) const {
     return -sum / (2 * M_PI);
   }
   return -0.5 * pattern_.leading * whole -
-         (pattern_.trailing - pattern_.leading) / (2 * M_PI) * jump_mean(t);
+         (pattern_.trailing - pattern_.leading) / (2 * M_PI) * jump_mean(x);
 }
 
 Eigen::RowVectorXd memory_of_base(const SlidingBase& base, const SpectralEdges& edges, double memory_length,

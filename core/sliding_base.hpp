@@ -32,7 +32,7 @@ class SlidingBase {
   double direction(double x) const;
 
  private:
-  Eigen::RowVectorXd jump_mean(double t) const;
+  Eigen::RowVectorXd jump_mean(double x) const;
 
   SlipPattern pattern_;
   SpectralEdges edges_;

@@ -102,7 +102,7 @@ double SpectralField::tail_image(const Tails& tails, double t) const {
 }
 
 double SpectralField::pressure(double x) const {
-  const double t = (x - state_.edges.centre()) / state_.edges.half_length();
+  const double t = place_in(x, state_.edges.centre(), state_.edges.half_length());
   return density_sum(state_.pressure.coefficients, t, 1) + tail_density(contact_tails_, t);
 }
 
@@ -110,7 +110,7 @@ double SpectralField::shear(double x) const {
   if (!state_.pattern.shear) return 0;
   double sum = friction_ * base_->direction(x) * pressure(x);
   if (state_.pattern.stick) {
-    const double t = (x - state_.edges.stick_centre()) / state_.edges.stick_half_length();
+    const double t = place_in(x, state_.edges.stick_centre(), state_.edges.stick_half_length());
     sum += density_sum(state_.stick.coefficients, t, 1) - tail_density(stick_tails_, t);
   }
   return sum;
@@ -125,14 +125,14 @@ Zone SpectralField::zone(double x) const {
 
 SpectralField::Slopes SpectralField::elastic_slopes(double x) const {
   const SpectralEdges& edges = state_.edges;
-  const double t = (x - edges.centre()) / edges.half_length();
+  const double t = place_in(x, edges.centre(), edges.half_length());
   const double tail = tail_image(contact_tails_, t);
   Slopes g{0.5 * image_sum(state_.pressure.coefficients, t, 1) + tail, 0};
   if (state_.pattern.shear) {
     g.u = friction_ * base_->slope(x).dot(state_.pressure.coefficients);
     if (state_.pattern.one_direction()) g.u -= friction_ * state_.pattern.trailing * tail;
     if (state_.pattern.stick) {
-      const double s = (x - edges.stick_centre()) / edges.stick_half_length();
+      const double s = place_in(x, edges.stick_centre(), edges.stick_half_length());
       g.u += tail_image(stick_tails_, s) - 0.5 * image_sum(state_.stick.coefficients, s, 1);
     }
   }

@@ -55,7 +55,7 @@ double largest(const SpectralState& state) {
 /// Zones that have shrunk away.
 bool vanished(const SlipPattern& pattern, const VectorXd& place) {
   if (!pattern.trailing_slip()) return false;
-  return place.tail(place.size() - 2).minCoeff() < 1e-6 || stick_part(place) < 1e-5;
+  return place.tail(place.size() - 2).minCoeff() < 1e-8 || stick_part(place) < 1e-5;
 }
 
 }  // namespace

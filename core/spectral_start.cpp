@@ -41,15 +41,15 @@ std::optional<PatternStart> one_border_start(const SpectralProblem& problem, con
     return solve_inside(problem, pattern, edges, {order, order}).residuals(2);
   };
   // With next to no slip the shear would be singular at the trailing edge, in the direction of the slip to come.
-  double low = 1e-5, at_low = missing(low);
+  double low = 1e-7, at_low = missing(low);
   if (!std::isfinite(at_low)) return {};
-  if (std::abs(at_low) < 1e-10) {
+  if (std::abs(at_low) < 1e-9) {
     edges.stick_from = contact.trailing;
     return PatternStart{{.shear = true, .stick = true, .trailing = 0, .leading = 0}, edges};
   }
   pattern.trailing = at_low < 0 ? 1 : -1;
   at_low = missing(low);
-  for (const double high : {1e-3, 0.03, 0.2, 0.45, 0.63, 0.8, 0.92, 0.97, 0.99}) {
+  for (const double high : {1e-5, 1e-3, 0.03, 0.2, 0.45, 0.63, 0.8, 0.92, 0.97, 0.99}) {
     const double at_high = missing(high);
     if (!std::isfinite(at_high)) return {};
     if (std::signbit(at_high) != std::signbit(at_low)) {

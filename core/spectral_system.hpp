@@ -14,6 +14,7 @@
 /// the constants that each system lacks are the residuals that the search for edges and borders must bring to zero.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "core/spectral_problem.hpp"
@@ -44,6 +45,12 @@ struct SpectralEdges {
   double stick_centre() const { return 0.5 * (stick_from + stick_to); }
   double stick_half_length() const { return 0.5 * (stick_to - stick_from); }
 };
+
+/// x in units of an interval; roots of the distance from its ends must not see the ends' rounding.
+inline double place_in(double x, double centre, double half_length) {
+  const double t = (x - centre) / half_length;
+  return std::abs(std::abs(t) - 1) < 1e-12 ? std::copysign(1, t) : t;
+}
 
 struct SpectralOrders {
   int contact = 8, stick = 8;
