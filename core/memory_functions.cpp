@@ -65,10 +65,9 @@ ScaledBesselK scaled_bessel_k(double x) {
   return {growth * std::cyl_bessel_k(0, x), growth * std::cyl_bessel_k(1, x)};
 }
 
-Eigen::VectorXd edge_memory(double x, int count) {
+Eigen::VectorXd edge_memory(double x, int count, const ScaledBesselK& k) {
   // A_n = int e^{-x (cosh h - 1)} e^{-n h} dh obeys x (A_{n-1} - A_{n+1}) = 2 (1 - n A_n), and b_n = 1 - n A_n.
   Eigen::VectorXd values = Eigen::VectorXd::Ones(count);
-  const ScaledBesselK k = scaled_bessel_k(x);
   if (upwards(x, count)) {
     double before = k.order_0, here = k.order_1 - 1 / x;
     for (int n = 1; n < count; ++n) {

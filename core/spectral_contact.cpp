@@ -16,6 +16,7 @@ namespace rollres {
 namespace {
 
 constexpr int most_coefficients = 160;
+constexpr double largest_violation = 5e-9;  // of any law
 constexpr double wrong_pattern = 1e-7;  // violation of an inequality that no order mends
 
 class SpectralContact {
@@ -35,7 +36,7 @@ class SpectralContact {
     }
     if (try_quick_patterns(*smooth)) return finished();
     if (scene_.drive != Drive::rotation)
-      if (const std::optional<double> needed = friction_needed(problem_, smooth->edges)) {
+      if (const std::optional<double> needed = friction_needed(problem_, smooth->edges.contact)) {
         RollingSolution solution;
         solution.status = Status::no_steady_state;
         solution.friction_needed = *needed;
@@ -43,9 +44,9 @@ class SpectralContact {
         return {solution, {}};
       }
     for (const double nodes : {60.0, 240.0})
-      if (const std::optional<PatternStart> start = pattern_on_grid(scene_, smooth->edges.half_length() / nodes))
+      if (const std::optional<PatternStart> start = pattern_on_grid(scene_, smooth->edges.contact.half_length() / nodes))
         if (refine(start->pattern, start->edges)) return finished();
-    return {{}, "no pattern of one zone of stick fits"};
+    return {{}, "no pattern of zones fits"};
   }
 
  private:
@@ -58,31 +59,30 @@ class SpectralContact {
   bool try_quick_patterns(const SpectralState& smooth) {
     if (scene_.drive == Drive::rotation) {
       const int direction = *scene_.rotation_ratio < 1 ? 1 : -1;
-      if (refine({.shear = true, .stick = false, .trailing = direction, .leading = 0}, smooth.edges)) return true;
+      if (refine({.shear = true, .slips = {direction}}, smooth.edges)) return true;
     }
-    const std::optional<PatternStart> start = one_border_start(problem_, smooth.edges);
+    const std::optional<PatternStart> start = one_border_start(problem_, smooth.edges.contact);
     if (!start) return false;
     if (refine(start->pattern, start->edges)) return true;
     // Overloaded ahead of the border: slip at the leading edge from there on.
-    if (!last_ || last_->pattern.leading_slip()) return false;
-    if (!std::isfinite(overloaded_)) return false;
+    if (!last_ || !std::isfinite(overloaded_)) return false;
     SlipPattern pattern = start->pattern;
-    pattern.leading = overload_direction_;
+    pattern.slips.back() = overload_direction_;
     SpectralEdges edges = last_->edges;
-    const SpectralField field(problem_, *last_);
-    edges.stick_to = overload_start(field, edges);
+    edges.sticks[0].to = overload_start(edges.sticks[0]);
     return refine(pattern, edges);
   }
 
-  /// The point nearest to the trailing edge from which on the stick is overloaded.
-  double overload_start(const SpectralField& field, const SpectralEdges& edges) const {
-    double x = edges.leading;
-    const double step = 0.01 * (edges.leading - edges.stick_from);
+  /// The point of the stick from which on the last state's shear is too large.
+  double overload_start(const Interval& stick) const {
+    const SpectralField field(problem_, *last_);
+    const double step = 0.01 * (stick.to - stick.from);
+    double start = stick.to - 0.5 * step;
     for (int k = 1; k < 99; ++k) {
-      const double next = edges.leading - k * step;
-      if (std::abs(field.shear(next)) > scene_.friction_coefficient * field.pressure(next)) x = next;
+      const double x = stick.to - k * step;
+      if (std::abs(field.shear(x)) > scene_.friction_coefficient * field.pressure(x)) start = x;
     }
-    return std::min(x, edges.leading - 0.5 * step);
+    return start;
   }
 
   /// Solves with rising orders until the tolerance is met; true if the answer obeys all laws.
@@ -114,7 +114,7 @@ class SpectralContact {
           overloaded_ = evidence.overloaded;
           overload_direction_ = evidence.overload_direction;
         }
-        if (evidence.solution.law_violation < std::max(0.3 * wrong_pattern * 0.1, 0.1 * tolerance_)) {
+        if (evidence.solution.law_violation < largest_violation) {
           evidence.solution.error_estimate = error;
           best_ = std::move(evidence);
           return true;
@@ -132,8 +132,9 @@ class SpectralContact {
     const auto part = [](const Eigen::VectorXd& c) {
       return c.size() > 2 ? c.tail(2).cwiseAbs().maxCoeff() : 0.0;
     };
-    return (part(state.pressure.coefficients) + part(state.stick.coefficients)) /
-           state.pressure.coefficients.cwiseAbs().maxCoeff();
+    double tail = part(state.pressure.coefficients);
+    for (const SpectralDensity& stick : state.sticks) tail += part(stick.coefficients);
+    return tail / state.pressure.coefficients.cwiseAbs().maxCoeff();
   }
 
   RollingScene scene_;

@@ -17,7 +17,7 @@ class SpectralAssessment {
         field_(given_problem, given_state),
         panels_(surface_panels(given_problem, given_state, field_)),
         friction_(given_problem.scene.friction_coefficient),
-        half_(given_state.edges.half_length()) {}
+        half_(given_state.edges.contact.half_length()) {}
 
   SpectralEvidence run() {
     measure_contact();
@@ -70,9 +70,9 @@ class SpectralAssessment {
   }
 
   void measure_contact() {
-    const SpectralEdges& edges = state_.edges;
-    s_.leading_edge = edges.leading;
-    s_.trailing_edge = edges.trailing;
+    const Interval& contact = state_.edges.contact;
+    s_.leading_edge = contact.to;
+    s_.trailing_edge = contact.from;
     s_.contact_area = 2 * half_;
     s_.approach = state_.approach;
     s_.contact_nodes = static_cast<int>(state_.pressure.coefficients.size());
@@ -141,7 +141,7 @@ class SpectralAssessment {
     if (scene.load) violated(std::abs(load - *scene.load) / *scene.load);
     if (scene.approach) violated(std::abs(s_.approach - *scene.approach) / *scene.approach);
     violated(std::abs(force - s_.driving_force) / load);
-    if (state_.pattern.stick && scene.drive != Drive::rotation) {
+    if (!state_.sticks.empty() && scene.drive != Drive::rotation) {
       double drive = torque / scene.radius;
       if (scene.drive == Drive::top_force) drive -= force;
       if (scene.drive == Drive::torque) drive -= *scene.driving_torque / scene.radius;
@@ -180,7 +180,7 @@ class SpectralAssessment {
     grid.spacing_x = half_ / intervals_per_half_length;
     grid.spacing_y = 1;
     grid.rows = 1;
-    const double behind = state_.edges.trailing - 0.5 * half_, ahead = state_.edges.leading + 0.5 * half_;
+    const double behind = state_.edges.contact.from - 0.5 * half_, ahead = state_.edges.contact.to + 0.5 * half_;
     grid.first_column = static_cast<int>(std::ceil(behind / grid.spacing_x));
     grid.columns = static_cast<int>(std::floor(ahead / grid.spacing_x)) - grid.first_column + 1;
     const auto columns = static_cast<std::size_t>(grid.columns);

@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_tail_terms = 4000;
+constexpr int most_tail_terms = 4000, most_mixed_tail_terms = 300;
 
 /// sum c_k T_k(t), and with `first` = 1 sum c_k T_{k+1}(t), ...; beyond |t| = 1 the field's continuation.
 double image_sum(const VectorXd& c, double t, Index first) {
@@ -81,11 +81,18 @@ SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState
     : problem_(problem),
       state_(state),
       friction_(state.pattern.shear ? problem.scene.friction_coefficient : 0),
-      contact_tails_(tails_of(problem, state.pressure, state.edges.half_length())),
-      stick_tails_(tails_of(problem, state.stick, state.edges.stick_half_length())) {
+      contact_tails_(tails_of(problem, state.pressure, state.edges.contact.half_length())) {
+  for (std::size_t z = 0; z < state.sticks.size(); ++z)
+    stick_tails_.push_back(tails_of(problem, state.sticks[z], state.edges.sticks[z].half_length()));
   if (state.pattern.shear)
-    base_.emplace(state.pattern, state.edges, static_cast<int>(state.pressure.coefficients.size()),
-                  static_cast<int>(state.stick.coefficients.size()));
+    base_.emplace(state.pattern, state.edges, static_cast<int>(state.pressure.coefficients.size() + mixed_tail().size()),
+                  state.sticks.empty() ? 0 : static_cast<int>(state.sticks.front().coefficients.size()));
+}
+
+/// What of the pressure's tails a base of several directions mixes into other places, as coefficients.
+VectorXd SpectralField::mixed_tail() const {
+  if (state_.pattern.one_direction()) return {};
+  return 2 * contact_tails_.left.head(std::min<Index>(contact_tails_.left.size(), most_mixed_tail_terms));
 }
 
 double SpectralField::tail_density(const Tails& tails, double t) const {
@@ -102,38 +109,44 @@ double SpectralField::tail_image(const Tails& tails, double t) const {
 }
 
 double SpectralField::pressure(double x) const {
-  const double t = place_in(x, state_.edges.centre(), state_.edges.half_length());
+  const double t = place_in(state_.edges.contact, x);
   return density_sum(state_.pressure.coefficients, t, 1) + tail_density(contact_tails_, t);
 }
 
 double SpectralField::shear(double x) const {
   if (!state_.pattern.shear) return 0;
   double sum = friction_ * base_->direction(x) * pressure(x);
-  if (state_.pattern.stick) {
-    const double t = place_in(x, state_.edges.stick_centre(), state_.edges.stick_half_length());
-    sum += density_sum(state_.stick.coefficients, t, 1) - tail_density(stick_tails_, t);
+  for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
+    const double t = place_in(state_.edges.sticks[z], x);
+    if (std::abs(t) < 1)
+      sum += density_sum(state_.sticks[z].coefficients, t, 1) - tail_density(stick_tails_[z], t);
   }
   return sum;
 }
 
 Zone SpectralField::zone(double x) const {
   const SpectralEdges& edges = state_.edges;
-  if (!(x >= edges.trailing && x <= edges.leading)) return Zone::free;
-  if (!state_.pattern.shear) return Zone::slip;
-  return state_.pattern.stick && x >= edges.stick_from && x <= edges.stick_to ? Zone::stick : Zone::slip;
+  if (!(x >= edges.contact.from && x <= edges.contact.to)) return Zone::free;
+  for (const Interval& stick : edges.sticks)
+    if (x >= stick.from && x <= stick.to) return Zone::stick;
+  return Zone::slip;
 }
 
 SpectralField::Slopes SpectralField::elastic_slopes(double x) const {
-  const SpectralEdges& edges = state_.edges;
-  const double t = place_in(x, edges.centre(), edges.half_length());
+  const double t = place_in(state_.edges.contact, x);
   const double tail = tail_image(contact_tails_, t);
-  Slopes g{0.5 * image_sum(state_.pressure.coefficients, t, 1) + tail, 0};
+  const VectorXd& phi = state_.pressure.coefficients;
+  Slopes g{0.5 * image_sum(phi, t, 1) + tail, 0};
   if (state_.pattern.shear) {
-    g.u = friction_ * base_->slope(x).dot(state_.pressure.coefficients);
-    if (state_.pattern.one_direction()) g.u -= friction_ * state_.pattern.trailing * tail;
-    if (state_.pattern.stick) {
-      const double s = place_in(x, edges.stick_centre(), edges.stick_half_length());
-      g.u += tail_image(stick_tails_, s) - 0.5 * image_sum(state_.stick.coefficients, s, 1);
+    const Eigen::RowVectorXd slope = base_->slope(x);
+    const double m = base_->direction(x);
+    g.u = friction_ * (slope.head(phi.size()).dot(phi) - m * tail);
+    const VectorXd mixed = mixed_tail();
+    if (mixed.size() > 0)
+      g.u += friction_ * (slope.tail(mixed.size()).dot(mixed) + 0.5 * m * image_sum(mixed, t, phi.size() + 1));
+    for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
+      const double s = place_in(state_.edges.sticks[z], x);
+      g.u += tail_image(stick_tails_[z], s) - 0.5 * image_sum(state_.sticks[z].coefficients, s, 1);
     }
   }
   if (problem_.layered())
@@ -206,13 +219,14 @@ double SurfacePanel::at(const ArrayXd& values, double position) const {
 
 std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
                                          const SpectralField& field) {
-  const SpectralEdges& edges = state.edges;
-  const double half = edges.half_length();
+  const Interval& contact = state.edges.contact;
+  const double half = contact.half_length();
   std::vector<SurfacePanel> panels;
   // Ends at which tractions or slopes have roots of the distance, and layers as thin as the shortest memory.
-  std::vector<double> ends{edges.trailing, edges.leading};
-  if (state.pattern.trailing_slip()) ends.push_back(edges.stick_from);
-  if (state.pattern.leading_slip()) ends.push_back(edges.stick_to);
+  std::vector<double> ends{contact.from, contact.to};
+  for (const Interval& stick : state.edges.sticks)
+    for (const double end : {stick.from, stick.to})
+      if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
   std::vector<double> borders = ends;
   double shortest = half, reach = 0.5 * half;
   for (const double length : problem.relaxation_length) shortest = std::min(shortest, length);
@@ -221,17 +235,17 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   for (const double end : ends)
     for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= 0.25)
       for (const double border : {end - distance, end + distance})
-        if (border < edges.leading + 0.5 * half) borders.push_back(border);
+        if (border < contact.to + 0.5 * half) borders.push_back(border);
   // Ahead, as far as the memories reach and the layer moves, in panels that widen with the distance.
   double width = std::min(0.5 * half, problem.layered() ? problem.thickness : half), ahead = 0;
-  for (; ahead < reach; width *= 2) borders.push_back(edges.leading + (ahead += width));
-  borders.push_back(edges.trailing - 0.5 * half);
-  borders.push_back(edges.trailing - 1.5 * half);
+  for (; ahead < reach; width *= 2) borders.push_back(contact.to + (ahead += width));
+  borders.push_back(contact.from - 0.5 * half);
+  borders.push_back(contact.from - 1.5 * half);
   // In contact: a number of the coefficients' oscillations for each panel, at most.
   const auto order =
-      static_cast<double>(std::max(state.pressure.coefficients.size(), state.stick.coefficients.size()));
+      static_cast<double>(state.pressure.coefficients.size());
   const int parts = 1 + static_cast<int>(M_PI * order / 14);
-  for (int i = 1; i < parts; ++i) borders.push_back(edges.centre() + half * std::cos(M_PI * i / parts));
+  for (int i = 1; i < parts; ++i) borders.push_back(contact.centre() + half * std::cos(M_PI * i / parts));
   std::sort(borders.rbegin(), borders.rend());
   // Of borders that nearly coincide those stay that are ends.
   std::vector<double> kept;
@@ -289,7 +303,7 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
     for (int k = 0; k < PanelRule::count; ++k) opening(k) = problem.slope(panel.x(k)) - panel.slope_w(k);
     panel.gap = gap + panel.integrated(opening);
     gap = panel.gap(PanelRule::last);
-    if (panel.from == edges.leading) {  // measured from the leading edge
+    if (panel.from == contact.to) {  // measured from the leading edge
       for (SurfacePanel& other : panels) {
         if (other.gap.size() > 0) other.gap -= gap;
         if (&other == &panel) break;

@@ -32,6 +32,7 @@ class SpectralField {
 
  private:
   struct Tails;  // what lies beyond a density's coefficients
+  Eigen::VectorXd mixed_tail() const;
   double tail_density(const Tails& tails, double t) const;
   double tail_image(const Tails& tails, double t) const;
 
@@ -45,7 +46,8 @@ class SpectralField {
   const SpectralProblem& problem_;
   const SpectralState& state_;
   double friction_;
-  Tails contact_tails_, stick_tails_;
+  Tails contact_tails_;
+  std::vector<Tails> stick_tails_;
   std::optional<SlidingBase> base_;
 };
 

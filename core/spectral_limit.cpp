@@ -12,12 +12,13 @@ namespace {
 
 /// Surplus of the drive's row [N/m] in the direction asked for, when the body turns so fast (+1) or so slowly (-1) that
 /// the whole contact slides one way; NaN if that could not be solved.
-double sliding_surplus(const SpectralProblem& given, const SpectralEdges& contact, double friction, int direction) {
+double sliding_surplus(const SpectralProblem& given, const Interval& contact, double friction, int direction) {
   SpectralProblem problem = given;
   problem.scene.friction_coefficient = friction;
-  const SlipPattern sliding{.shear = true, .stick = false, .trailing = -direction, .leading = 0};
-  const int order = first_order(problem, contact, 1e-8);
-  const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(contact, {order, order}, 1e-10);
+  const SlipPattern sliding{.shear = true, .slips = {-direction}};
+  const SpectralEdges start{contact, {}};
+  const int order = first_order(problem, start, 1e-8);
+  const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
   if (!state) return NAN;
   const RollingScene& scene = problem.scene;
   double drive = state->driving_torque / scene.radius;
@@ -28,7 +29,7 @@ double sliding_surplus(const SpectralProblem& given, const SpectralEdges& contac
 
 }  // namespace
 
-std::optional<double> friction_needed(const SpectralProblem& problem, const SpectralEdges& contact) {
+std::optional<double> friction_needed(const SpectralProblem& problem, const Interval& contact) {
   const double given = problem.scene.friction_coefficient;
   for (const int direction : {1, -1}) {
     const auto surplus = [&](double friction) { return sliding_surplus(problem, contact, friction, direction); };

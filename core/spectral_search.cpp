@@ -12,27 +12,43 @@ using Eigen::VectorXd;
 
 constexpr int most_steps = 40;
 
-/// Centre and logarithm of the half-length, roots of the slipping parts of the contact: the residuals are smooth in
-/// them even as a zone shrinks.
+/// Centre and logarithm of the half-length; roots of the parts of the contact that each zone takes but for the stick next
+/// to the leading edge, which takes the rest: the residuals are smooth in them even as a zone shrinks.
 VectorXd place_of(const SlipPattern& pattern, const SpectralEdges& edges, double unit) {
   VectorXd place(pattern.unknowns());
-  const double length = 2 * edges.half_length();
-  place(0) = edges.centre() / unit;
-  place(1) = std::log(edges.half_length() / unit);
-  if (pattern.trailing_slip()) place(2) = std::sqrt((edges.stick_from - edges.trailing) / length);
-  if (pattern.leading_slip()) place(3) = std::sqrt((edges.leading - edges.stick_to) / length);
+  const Interval& contact = edges.contact;
+  const double length = contact.to - contact.from;
+  place(0) = contact.centre() / unit;
+  place(1) = std::log(contact.half_length() / unit);
+  Eigen::Index at = 2;
+  for (std::size_t i = 0; i <= pattern.sticks() && pattern.sticks() > 0; ++i) {
+    const double from = i == 0 ? contact.from : edges.sticks[i - 1].to;
+    const double to = i == pattern.sticks() ? contact.to : edges.sticks[i].from;
+    if (pattern.slips[i] != 0) place(at++) = std::sqrt((to - from) / length);
+    if (i + 1 < pattern.sticks()) place(at++) = std::sqrt((edges.sticks[i].to - edges.sticks[i].from) / length);
+  }
   return place;
 }
 
 SpectralEdges edges_at(const SlipPattern& pattern, const VectorXd& place, double unit) {
   const double centre = unit * place(0), half = unit * std::exp(place(1));
-  SpectralEdges edges{centre - half, centre + half, centre - half, centre + half};
-  if (pattern.trailing_slip()) edges.stick_from += 2 * half * place(2) * place(2);
-  if (pattern.leading_slip()) edges.stick_to -= 2 * half * place(3) * place(3);
+  SpectralEdges edges{{centre - half, centre + half}, {}};
+  Eigen::Index at = 2;
+  const auto next_length = [&] {
+    const double root = place(at++);
+    return 2 * half * root * root;
+  };
+  double x = edges.contact.from;
+  for (std::size_t i = 0; i < pattern.sticks(); ++i) {
+    if (pattern.slips[i] != 0) x += next_length();
+    edges.sticks.push_back({x, x});
+    if (i + 1 < pattern.sticks()) x = edges.sticks.back().to = x + next_length();
+  }
+  if (pattern.sticks() > 0) edges.sticks.back().to = edges.contact.to - (pattern.slips.back() != 0 ? next_length() : 0);
   return edges;
 }
 
-/// Part of the contact that sticks, between those that slip.
+/// Part of the contact that the stick next to the leading edge takes.
 double stick_part(const VectorXd& place) {
   return 1 - place.tail(place.size() - 2).squaredNorm();
 }
@@ -43,7 +59,7 @@ double allowed_part(const SlipPattern& pattern, const VectorXd& place, const Vec
   for (int i = 0; i < 2; ++i) part = std::min(part, 0.5 / std::max(std::abs(step(i)), 0.5));
   for (Eigen::Index i = 2; i < place.size(); ++i)
     if (step(i) < -0.7 * place(i)) part = std::min(part, -0.7 * place(i) / step(i));
-  if (pattern.trailing_slip())
+  if (pattern.sticks() > 0)
     while (stick_part(place + part * step) < 0.3 * stick_part(place) && part > 1e-6) part *= 0.7;
   return part;
 }
@@ -53,8 +69,8 @@ double largest(const SpectralState& state) {
 }
 
 /// Zones that have shrunk away.
-bool vanished(const SlipPattern& pattern, const VectorXd& place) {
-  if (!pattern.trailing_slip()) return false;
+bool vanished(const VectorXd& place) {
+  if (place.size() == 2) return false;
   return place.tail(place.size() - 2).minCoeff() < 1e-8 || stick_part(place) < 1e-5;
 }
 
@@ -62,7 +78,7 @@ bool vanished(const SlipPattern& pattern, const VectorXd& place) {
 
 SpectralState EdgeSearch::evaluate(const VectorXd& place, const SpectralOrders& orders) {
   ++evaluations_;
-  if (!place.allFinite() || std::abs(place(1)) > 20 || (pattern_.stick && !(stick_part(place) > 1e-7))) {
+  if (!place.allFinite() || std::abs(place(1)) > 20 || (pattern_.sticks() > 0 && !(stick_part(place) > 1e-7))) {
     SpectralState nowhere;
     nowhere.residuals.setConstant(place.size(), NAN);
     return nowhere;
@@ -84,13 +100,13 @@ bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state
 
 std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const SpectralOrders& orders,
                                               double tolerance) {
-  if (inverse_.size() == 0) unit_ = start.half_length();
+  if (inverse_.size() == 0) unit_ = start.contact.half_length();
   VectorXd place = place_of(pattern_, start, unit_);
   SpectralState state = evaluate(place, orders);
   double residual = largest(state);
   bool fresh = false;
   for (int step = 0; step < most_steps && residual > tolerance; ++step) {
-    if (!std::isfinite(residual) || vanished(pattern_, place)) return {};
+    if (!std::isfinite(residual) || vanished(place)) return {};
     if (inverse_.size() == 0) {
       if (!differentiate(place, state, orders)) return {};
       fresh = true;

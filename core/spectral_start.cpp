@@ -10,9 +10,15 @@
 
 namespace rollres {
 
+namespace {
+
+constexpr std::size_t most_sticks = 3;
+
+}  // namespace
+
 int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance) {
   // The layer's corrections are singular at 2 H from the surface: coefficients fall like rate^{-n}.
-  const double distance = 2 * problem.thickness / edges.half_length();
+  const double distance = 2 * problem.thickness / edges.contact.half_length();
   const double rate = std::isfinite(distance) ? std::log(distance + std::sqrt(distance * distance + 1)) : 5;
   return std::clamp(static_cast<int>(3 - std::log(tolerance) / (2.2 * rate)), 4, 40);
 }
@@ -24,30 +30,29 @@ std::optional<SpectralState> frictionless_start(const SpectralProblem& problem) 
     for (const double shift : {0.0, 0.3}) {
       const double l = std::min(size * half, 0.7 * widest), c = shift * l;
       EdgeSearch search(problem, {});
-      const SpectralEdges start{c - l, c + l, c - l, c + l};
+      const SpectralEdges start{{c - l, c + l}, {}};
       const int order = first_order(problem, start, 1e-3);
       if (std::optional<SpectralState> state = search.find(start, {order, order}, 1e-4)) return state;
     }
   return {};
 }
 
-std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const SpectralEdges& contact) {
-  const int order = first_order(problem, contact, 1e-4);
-  SpectralEdges edges = contact;
-  edges.stick_to = contact.leading;
-  SlipPattern pattern{.shear = true, .stick = true, .trailing = 1, .leading = 0};
+std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const Interval& contact) {
+  SpectralEdges edges{contact, {contact}};
+  const int order = first_order(problem, edges, 1e-4);
+  SlipPattern pattern{.shear = true, .slips = {1, 0}};
   const auto missing = [&](double place) {  // root of the slipping part
-    edges.stick_from = contact.trailing + 2 * contact.half_length() * place * place;
+    edges.sticks[0].from = contact.from + 2 * contact.half_length() * place * place;
     return solve_inside(problem, pattern, edges, {order, order}).residuals(2);
   };
   // With next to no slip the shear would be singular at the trailing edge, in the direction of the slip to come.
   double low = 1e-7, at_low = missing(low);
   if (!std::isfinite(at_low)) return {};
   if (std::abs(at_low) < 1e-9) {
-    edges.stick_from = contact.trailing;
-    return PatternStart{{.shear = true, .stick = true, .trailing = 0, .leading = 0}, edges};
+    edges.sticks[0] = contact;
+    return PatternStart{{.shear = true, .slips = {0, 0}}, edges};
   }
-  pattern.trailing = at_low < 0 ? 1 : -1;
+  pattern.slips[0] = at_low < 0 ? 1 : -1;
   at_low = missing(low);
   for (const double high : {1e-5, 1e-3, 0.03, 0.2, 0.45, 0.63, 0.8, 0.92, 0.97, 0.99}) {
     const double at_high = missing(high);
@@ -85,28 +90,32 @@ std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double sp
       runs.push_back({zone, direction, x - 0.5 * spacing, x + 0.5 * spacing});
     runs.back().from = x - 0.5 * spacing;
   }
+  // Single nodes at the edges are artefacts of the grid: slip ahead of all stick, stick behind all slip.
+  const auto single = [&](const Run& run) { return run.to - run.from < 1.5 * spacing; };
   if (runs.empty()) return {};
-  PatternStart start;
-  start.edges = {runs.back().from, runs.front().to, runs.back().from, runs.front().to};
-  start.pattern.shear = true;
-  // A single slipping node at the leading edge is an artefact of the grid.
-  if (runs.size() > 1 && runs.front().zone == Zone::slip && runs.front().to - runs.front().from < 1.5 * spacing)
+  const double leading = runs.front().to, trailing = runs.back().from;
+  if (runs.size() > 1 && runs.front().zone == Zone::slip && single(runs.front())) {
     runs.erase(runs.begin());
-  if (runs.size() == 1) {
-    if (runs[0].zone == Zone::stick) return {};
-    start.pattern.trailing = runs[0].direction;
-    return start;
+    runs.front().to = leading;
   }
-  const bool leading = runs[0].zone == Zone::slip;
-  const std::size_t stick = leading ? 1 : 0;
-  if (runs.size() != stick + 2 || runs[stick].zone != Zone::stick) return {};
-  start.pattern.stick = true;
-  start.pattern.trailing = runs[stick + 1].direction;
-  start.edges.stick_from = runs[stick].from;
-  if (leading) {
-    start.pattern.leading = runs[0].direction;
-    start.edges.stick_to = runs[stick].to;
+  if (runs.size() > 1 && runs.back().zone == Zone::stick && single(runs.back())) {
+    runs.pop_back();
+    runs.back().from = trailing;
   }
+  std::reverse(runs.begin(), runs.end());
+  PatternStart start;
+  start.edges.contact = {trailing, leading};
+  start.pattern.shear = true;
+  if (runs.front().zone == Zone::stick) start.pattern.slips.push_back(0);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i > 0 && runs[i].zone == runs[i - 1].zone) return {};  // slip turns round within a single node
+    if (runs[i].zone == Zone::stick)
+      start.edges.sticks.push_back({runs[i].from, runs[i].to});
+    else
+      start.pattern.slips.push_back(runs[i].direction);
+  }
+  if (runs.back().zone == Zone::stick) start.pattern.slips.push_back(0);
+  if (start.pattern.sticks() > most_sticks) return {};
   return start;
 }
 

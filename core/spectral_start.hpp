@@ -20,9 +20,9 @@ int first_order(const SpectralProblem& problem, const SpectralEdges& edges, doub
 std::optional<SpectralState> frictionless_start(const SpectralProblem& problem);
 
 /// Stick up to the leading edge: the direction of the slip behind it and its border, for given edges of contact.
-std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const SpectralEdges& contact);
+std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const Interval& contact);
 
-/// The zones that a grid of this spacing has; none if they are not a pattern of one zone of stick.
+/// The zones that a grid of this spacing has; none if they are too many, or slip turns round without stick between.
 std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double spacing);
 
 }  // namespace rollres

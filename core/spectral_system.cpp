@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "core/chebyshev_rule.hpp"
-#include "core/memory_functions.hpp"
-#include "core/quadrature.hpp"
 #include "core/sliding_base.hpp"
+#include "core/spectral_memory.hpp"
 
 namespace rollres {
 
@@ -19,64 +18,8 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// The exponential e^{rate (t - 1)} on an interval and the memory beyond its leading end.
-struct Exponentials {
-  MatrixXd series;  // [n, j]: Chebyshev coefficients of the exponential, n = 0 ... order
-  MatrixXd memory;  // [n, m]: b_n, n = 0 ... order
-  MatrixXd tails;   // [j, m]: mean of the field of what the series leaves out, over the memory
-
-  Exponentials(const SpectralProblem& problem, double half_length, int order) {
-    const Index terms = problem.terms();
-    series.resize(order + 1, terms);
-    memory.resize(order + 1, terms);
-    tails.resize(terms, terms);
-    for (Index m = 0; m < terms; ++m)
-      memory.col(m) = edge_memory(half_length / problem.creep_length[static_cast<std::size_t>(m)], order + 1);
-    for (Index j = 0; j < terms; ++j) {
-      const double rate = half_length / problem.relaxation_length[static_cast<std::size_t>(j)];
-      const VectorXd bessel = scaled_bessel_i(rate, order + 1);
-      series.col(j) = 2 * bessel;
-      series(0, j) = bessel(0);
-      // All orders together in closed form; without a tail that is worth it, no difference of large numbers.
-      const bool resolved = std::abs(bessel(order)) < 1e-17;
-      for (Index m = 0; m < terms; ++m) {
-        const double decay = half_length / problem.creep_length[static_cast<std::size_t>(m)];
-        const ScaledBesselK k = scaled_bessel_k(decay);
-        const double all =
-            decay * (rate * (bessel(1) * k.order_0 + bessel(0) * k.order_1) - 1) / (rate - decay) - bessel(0);
-        tails(j, m) = resolved ? 0 : all - series.col(j).tail(order).dot(memory.col(m).tail(order));
-      }
-    }
-  }
-};
-
-/// Solutions r_j of r - rho r' = slope of the body, at points and at the leading edge.
-class SlopeMemory {
- public:
-  SlopeMemory(const SpectralProblem& problem, const SpectralEdges& edges, std::size_t term)
-      : problem_(problem),
-        length_(problem.relaxation_length[term]),
-        end_(edges.leading),
-        // A short memory of the slope as if the body went on; a long one from the edge.
-        goes_on_(edges.half_length() > 8 * length_ && edges.leading + 40 * length_ < 0.9 * problem.radius) {}
-
-  double at_edge() const { return goes_on_ ? (*this)(end_) : 0; }
-  double operator()(double x) const {
-    static const QuadratureRule rule = gauss_legendre(32);
-    const double range = goes_on_ ? 40 : std::min((end_ - x) / length_, 40.0);
-    double sum = 0;
-    for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-      const double s = range * rule.nodes[q];
-      sum += rule.weights[q] * std::exp(-s) * problem_.slope(x + length_ * s);
-    }
-    return range * sum;
-  }
-
- private:
-  const SpectralProblem& problem_;
-  double length_, end_;
-  bool goes_on_;
-};
+/// Coefficients of the pressure's tails that a base of several directions mixes into other places.
+constexpr int mixed_tail_terms = 120;
 
 class System {
  public:
@@ -87,18 +30,18 @@ class System {
         edges_(given_edges),
         friction_(given_pattern.shear ? given_problem.scene.friction_coefficient : 0),
         n_(orders.contact),
-        stick_n_(given_pattern.stick ? orders.stick : 0),
+        stick_n_(orders.stick),
         terms_(given_problem.terms()),
         rule_(chebyshev_rule(orders.contact)),
-        exponentials_(given_problem, given_edges.half_length(), orders.contact),
-        phi_(0),
+        stick_rule_(chebyshev_rule(orders.stick)),
+        memory_(given_problem, given_edges.contact, orders.contact),
         slack_(n_),
         amplitude_(n_ + 1),
-        psi_(n_ + 1 + terms_),
-        stick_slack_(psi_ + stick_n_),
-        rotation_(stick_slack_ + 1),
-        stick_amplitude_(rotation_ + 1),
-        size_(pattern_.stick ? stick_amplitude_ + terms_ : psi_) {
+        rotation_(n_ + 1 + terms_ + static_cast<Index>(pattern_.sticks()) * (stick_n_ + 1 + terms_)),
+        size_(rotation_ + (pattern_.sticks() > 0 ? 1 : 0)) {
+    for (std::size_t z = 0; z < pattern_.sticks(); ++z)
+      zones_.push_back({edges_.sticks[z], n_ + 1 + terms_ + static_cast<Index>(z) * (stick_n_ + 1 + terms_), stick_n_,
+                        IntervalMemory(problem_, edges_.sticks[z], orders.stick)});
     place_sources();
   }
 
@@ -107,150 +50,226 @@ class System {
     right_ = VectorXd::Zero(size_);
     collocate_normal();
     remember_normal();
-    if (pattern_.stick) {
-      collocate_stick();
-      remember_stick();
-      drive();
+    for (std::size_t z = 0; z < zones_.size(); ++z) {
+      collocate_stick(z);
+      remember_stick(z);
     }
+    if (!zones_.empty()) drive();
     solution_ = matrix_.partialPivLu().solve(right_);
     return state();
   }
 
  private:
+  /// A zone of stick with the places of its unknowns.
+  struct Stick {
+    Interval interval;
+    Index psi, order;
+    IntervalMemory memory;
+    Index slack() const { return psi + order; }
+    Index amplitude() const { return psi + order + 1; }
+  };
+
+  bool at_leading_edge(std::size_t z) const { return z + 1 == zones_.size() && pattern_.sticks_at_leading_edge(); }
+
   /// Points at which smooth functions of x are integrated against the tractions.
   void place_sources() {
-    const Index p = n_, s = stick_n_;
-    const bool own_base = pattern_.shear && !pattern_.one_direction();
-    if (pattern_.shear && (pattern_.stick || own_base)) base_.emplace(pattern_, edges_, static_cast<int>(n_), static_cast<int>(stick_n_));
-    const Index b = own_base ? base_->nodes.size() : 0;
-    sources_.resize(p + s + b);
-    of_pressure_ = MatrixXd::Zero(p + s + b, size_);
-    of_shear_ = MatrixXd::Zero(p + s + b, size_);
-    sources_.head(p) = edges_.centre() + edges_.half_length() * rule_.nodes.array();
-    of_pressure_.topLeftCorner(p, n_) = edges_.half_length() * rule_.densities;
-    if (pattern_.shear && pattern_.one_direction())
-      of_shear_.topLeftCorner(p, n_) = friction_ * pattern_.trailing * of_pressure_.topLeftCorner(p, n_);
-    if (s > 0) {
-      const ChebyshevRule& stick = chebyshev_rule(static_cast<int>(stick_n_));
-      sources_.segment(p, s) = edges_.stick_centre() + edges_.stick_half_length() * stick.nodes.array();
-      of_shear_.block(p, psi_, s, s) = edges_.stick_half_length() * stick.densities;
+    const auto stick_sources = static_cast<Index>(zones_.size()) * stick_n_;
+    const bool own_nodes = pattern_.shear && !pattern_.one_direction();
+    if (pattern_.shear) {
+      const int tail = own_nodes && memory_.any_tail() ? mixed_tail_terms : 0;
+      base_.emplace(pattern_, edges_, static_cast<int>(n_) + tail, static_cast<int>(stick_n_));
     }
-    if (b > 0) {
-      sources_.tail(b) = base_->nodes;
-      of_shear_.bottomLeftCorner(b, n_) = friction_ * base_->densities;
+    const Index base_nodes = own_nodes ? base_->nodes().size() : 0;
+    sources_.resize(n_ + stick_sources + base_nodes);
+    of_pressure_ = MatrixXd::Zero(sources_.size(), size_);
+    of_shear_ = MatrixXd::Zero(sources_.size(), size_);
+    const Interval& contact = edges_.contact;
+    sources_.head(n_) = contact.centre() + contact.half_length() * rule_.nodes.array();
+    of_pressure_.topLeftCorner(n_, n_) = contact.half_length() * rule_.densities;
+    if (pattern_.shear && !own_nodes)
+      of_shear_.topLeftCorner(n_, n_) = friction_ * pattern_.direction(0) * of_pressure_.topLeftCorner(n_, n_);
+    Index at = n_;
+    for (const Stick& zone : zones_) {
+      sources_.segment(at, stick_n_) =
+          zone.interval.centre() + zone.interval.half_length() * stick_rule_.nodes.array();
+      of_shear_.block(at, zone.psi, stick_n_, stick_n_) = zone.interval.half_length() * stick_rule_.densities;
+      at += stick_n_;
+    }
+    if (base_nodes > 0) {
+      sources_.tail(base_nodes) = base_->nodes();
+      of_shear_.bottomLeftCorner(base_nodes, n_) = friction_ * base_->densities().leftCols(n_);
     }
   }
 
-  /// Rows of g_w (component 0) or g_u (1) of the layer's correction, at x or over a memory beyond it.
+  /// Rows of g_w and g_u of the layer's correction, at x or over a memory beyond it.
   template <class Kernel>
   std::pair<RowVectorXd, RowVectorXd> correction(const Kernel& kernel, double x) const {
-    VectorXd normal(sources_.size()), tangential(sources_.size()), cross(sources_.size());
+    RowVectorXd normal(sources_.size()), tangential(sources_.size()), cross(sources_.size());
     for (Index q = 0; q < sources_.size(); ++q) {
       const LayerSlopes k = kernel(x - sources_(q));
       normal(q) = k(0);
       tangential(q) = k(1);
       cross(q) = k(2);
     }
-    RowVectorXd w = -normal.transpose() * of_pressure_, u;
+    RowVectorXd w = -normal.head(n_) * of_pressure_.topRows(n_), u;
     if (pattern_.shear) {
-      w -= cross.transpose() * of_shear_;
-      u = tangential.transpose() * of_shear_ - cross.transpose() * of_pressure_;
+      w -= cross * of_shear_;
+      u = tangential * of_shear_ - cross.head(n_) * of_pressure_.topRows(n_);
     }
     return {w, u};
   }
 
   void collocate_normal() {
+    const Interval& contact = edges_.contact;
     const auto layer = [&](double x) { return layer_slope_correction(x, problem_.thickness); };
+    const auto point = [&](Index i) { return contact.centre() + contact.half_length() * rule_.points(i); };
     matrix_.topLeftCorner(n_ + 1, n_) = 0.5 * rule_.images.rightCols(n_);
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
-    if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * exponentials_.series;
+    if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * memory_.series;
     for (Index i = 0; i <= n_; ++i) {
-      const double x = edges_.centre() + edges_.half_length() * rule_.points(i);
-      if (problem_.layered()) matrix_.row(i) += correction(layer, x).first;
-      right_(i) = problem_.glassy * problem_.slope(x);
+      if (problem_.layered()) matrix_.row(i) += correction(layer, point(i)).first;
+      right_(i) = problem_.glassy * problem_.slope(point(i));
     }
     for (std::size_t j = 0; j < static_cast<std::size_t>(terms_); ++j) {
-      const SlopeMemory memory(problem_, edges_, j);
-      for (Index i = 0; i <= n_; ++i)
-        right_(i) -= problem_.relaxation_modulus[j] *
-                     memory(edges_.centre() + edges_.half_length() * rule_.points(i));
+      const SlopeMemory memory(problem_, contact, j);
+      for (Index i = 0; i <= n_; ++i) right_(i) -= problem_.relaxation_modulus[j] * memory(point(i));
       right_(amplitude_ + static_cast<Index>(j)) = problem_.relaxation_modulus[j] * memory.at_edge();
     }
   }
 
-  void remember_normal() {
-    means_w_ = MatrixXd::Zero(terms_, size_);
-    for (Index m = 0; m < terms_; ++m) {
-      means_w_.row(m).head(n_) = 0.5 * exponentials_.memory.col(m).tail(n_).transpose();
-      means_w_.row(m).segment(amplitude_, terms_) = exponentials_.tails.col(m).transpose();
-      if (problem_.layered())
-        means_w_.row(m) += correction(problem_.memories[static_cast<std::size_t>(m)], edges_.leading).first;
-    }
+  /// Z_j + g_j sum_m factor_jm R_{T_m} g = ...
+  void remember(Index amplitude, const MatrixXd& means) {
     for (Index j = 0; j < terms_; ++j) {
-      matrix_.row(amplitude_ + j) = problem_.relaxation_modulus[static_cast<std::size_t>(j)] *
-                                    (problem_.memory_factor.row(j) * means_w_);
-      matrix_(amplitude_ + j, amplitude_ + j) += 1;
+      auto row = matrix_.row(amplitude + j);
+      row = problem_.relaxation_modulus[static_cast<std::size_t>(j)] * (problem_.memory_factor.row(j) * means);
+      row(amplitude + j) += 1;
     }
   }
 
-  void collocate_stick() {
-    const ChebyshevRule& stick = chebyshev_rule(static_cast<int>(stick_n_));
-    stick_exponentials_.emplace(problem_, edges_.stick_half_length(), static_cast<int>(stick_n_));
+  void remember_normal() {
+    means_ = MatrixXd::Zero(terms_, size_);
+    for (Index m = 0; m < terms_; ++m) {
+      means_.row(m).head(n_) = 0.5 * memory_.memory.col(m).tail(n_).transpose();
+      means_.row(m).segment(amplitude_, terms_) = memory_.tails.col(m).transpose();
+      if (problem_.layered())
+        means_.row(m) += correction(problem_.memories[static_cast<std::size_t>(m)], edges_.contact.to).first;
+    }
+    remember(amplitude_, means_);
+  }
+
+  /// Half-space's slope g_u of the base at x, with what the pressure's tails add to it but for their own image there.
+  void add_base(double x, Eigen::Ref<RowVectorXd> row) const {
+    const RowVectorXd slope = friction_ * base_->slope(x);
+    row.head(n_) += slope.head(n_);
+    const Index mixed = slope.size() - n_;
+    if (mixed == 0) return;
+    const double t = place_in(edges_.contact, x);
+    const double m = t > 1 ? pattern_.direction(pattern_.slips.size() - 1) : base_->direction(x);
+    const RowVectorXd images = chebyshev_images(t, static_cast<int>(n_ + mixed) + 1).tail(mixed).transpose();
+    const Index kept = std::min<Index>(mixed, memory_.beyond.rows());
+    for (Index j = 0; j < terms_; ++j)
+      row(amplitude_ + j) += 2 * (slope.segment(n_, kept) + 0.5 * friction_ * m * images.head(kept))
+                                     .dot(memory_.beyond.col(j).head(kept).transpose());
+  }
+
+  /// The image of the pressure's tail j at x in the contact, per amplitude.
+  double tail_image(Index j, double x, double whole) const {
+    const VectorXd images = chebyshev_images(place_in(edges_.contact, x), static_cast<int>(n_) + 1);
+    return whole - images.dot(memory_.series.col(j));
+  }
+  double exponential(const Interval& interval, Index j, double x) const {
+    return std::exp((x - interval.to) / problem_.relaxation_length[static_cast<std::size_t>(j)]);
+  }
+
+  /// Half-space's slope g_u at x of the densities of a zone of stick, outside it.
+  void add_distant_stick(const Stick& zone, double x, Eigen::Ref<RowVectorXd> row) const {
+    const double t = place_in(zone.interval, x);
+    row.segment(zone.psi, stick_n_) -=
+        0.5 * chebyshev_images(t, static_cast<int>(stick_n_) + 1).tail(stick_n_).transpose();
+    for (Index j = 0; j < terms_; ++j)
+      if (zone.memory.has_tail[static_cast<std::size_t>(j)])
+        row(zone.amplitude() + j) += zone.memory.tail_field(static_cast<std::size_t>(j), zone.interval, x);
+  }
+
+  void collocate_stick(std::size_t z) {
+    const Stick& zone = zones_[z];
     const auto layer = [&](double x) { return layer_slope_correction(x, problem_.thickness); };
-    matrix_.block(psi_, psi_, stick_n_ + 1, stick_n_) = -0.5 * stick.images.rightCols(stick_n_);
-    matrix_.block(psi_, stick_slack_, stick_n_ + 1, 1).setOnes();
-    matrix_.block(psi_, rotation_, stick_n_ + 1, 1).setConstant(-1);
+    matrix_.block(zone.psi, zone.psi, stick_n_ + 1, stick_n_) = -0.5 * stick_rule_.images.rightCols(stick_n_);
+    matrix_.block(zone.psi, zone.slack(), stick_n_ + 1, 1).setOnes();
+    matrix_.block(zone.psi, rotation_, stick_n_ + 1, 1).setConstant(-1);
+    // The amplitudes are those of the exponentials in the densities' own field: without slip ahead, the tails of the
+    // pressure, which the base follows, are tails of the stick as well.
     MatrixXd kept;
     if (terms_ > 0) {
-      kept = stick.images * stick_exponentials_->series;
-      matrix_.block(psi_, stick_amplitude_, stick_n_ + 1, terms_) = -kept;
+      kept = stick_rule_.images * zone.memory.series;
+      matrix_.block(zone.psi, zone.amplitude(), stick_n_ + 1, terms_) = -kept;
     }
+    RowVectorXd row(size_);
     for (Index i = 0; i <= stick_n_; ++i) {
-      const double x = edges_.stick_centre() + edges_.stick_half_length() * stick.points(i);
-      auto row = matrix_.row(psi_ + i);
-      row.head(n_) += friction_ * base_->slope(x);
+      const double x = zone.interval.centre() + zone.interval.half_length() * stick_rule_.points(i);
+      row.setZero();
+      add_base(x, row);
+      for (const Stick& other : zones_)
+        if (&other != &zone) add_distant_stick(other, x, row);
       if (problem_.layered()) row += correction(layer, x).second;
-      if (terms_ > 0 && pattern_.one_direction()) {
-        // The base follows the pressure's tails; without leading slip they are tails of the stick as well.
-        const double t = (x - edges_.centre()) / edges_.half_length();
-        const RowVectorXd kept_by_pressure =
-            chebyshev_images(t, static_cast<int>(n_) + 1).transpose() * exponentials_.series;
-        for (Index j = 0; j < terms_; ++j) {
-          const double whole =
-              pattern_.leading_slip()
-                  ? std::exp((x - edges_.leading) / problem_.relaxation_length[static_cast<std::size_t>(j)])
-                  : kept(i, j);
-          row(amplitude_ + j) -= friction_ * pattern_.trailing * (whole - kept_by_pressure(j));
-        }
+      for (Index j = 0; j < terms_; ++j) {
+        // With slip ahead of it the tails' exponential is a given field; at the leading edge it is in the amplitude.
+        const double whole = at_leading_edge(z) ? 0 : exponential(edges_.contact, j, x);
+        row(amplitude_ + j) -= friction_ * base_->direction(x) * tail_image(j, x, whole);
       }
+      matrix_.row(zone.psi + i) += row;
     }
   }
 
-  void remember_stick() {
-    const double direction = friction_ * pattern_.trailing;
-    means_u_ = MatrixXd::Zero(terms_, size_);
-    for (Index m = 0; m < terms_; ++m) {
-      const double length = problem_.creep_length[static_cast<std::size_t>(m)];
-      auto row = means_u_.row(m);
-      row.segment(psi_, stick_n_) = -0.5 * stick_exponentials_->memory.col(m).tail(stick_n_).transpose();
-      row.segment(stick_amplitude_, terms_) = stick_exponentials_->tails.col(m).transpose();
-      if (pattern_.leading_slip()) {
-        row.head(n_) += friction_ * memory_of_base(*base_, edges_, length, static_cast<int>(n_));
-      } else {
-        row.head(n_) -= direction * 0.5 * exponentials_.memory.col(m).tail(n_).transpose();
-        row.segment(amplitude_, terms_) +=
-            direction * (stick_exponentials_->tails.col(m) - exponentials_.tails.col(m)).transpose();
+  void remember_stick(std::size_t z) {
+    const Stick& zone = zones_[z];
+    MatrixXd means = MatrixXd::Zero(terms_, size_);
+    const double direction = friction_ * pattern_.direction(pattern_.slips.size() - 1);
+    RowVectorXd row(size_);
+    const bool at_edge = at_leading_edge(z);
+    if (terms_ > 0 && (!at_edge || zones_.size() > 1 || !pattern_.one_direction())) {
+      const PointsAhead points(problem_, edges_, zone.interval.to, static_cast<int>(n_));
+      for (Index q = 0; q < points.x.size(); ++q) {
+        const double x = points.x(q);
+        row.setZero();
+        add_base(x, row);
+        for (std::size_t other = 0; other < zones_.size(); ++other)
+          if (other != z) add_stick(other, x, row);
+        if (x < edges_.contact.to)
+          for (Index j = 0; j < terms_; ++j)
+            row(amplitude_ + j) -= friction_ * base_->direction(x) * tail_image(j, x, exponential(edges_.contact, j, x));
+        for (Index m = 0; m < terms_; ++m) means.row(m) += points.weights(q, m) * row;
       }
+    } else if (terms_ > 0) {
+      means.leftCols(n_) -= 0.5 * direction * memory_.memory.bottomRows(n_).transpose();
+    }
+    for (Index m = 0; m < terms_; ++m) {
+      auto mean = means.row(m);
+      const double length = problem_.creep_length[static_cast<std::size_t>(m)];
+      mean.segment(zone.psi, stick_n_) -= 0.5 * zone.memory.memory.col(m).tail(stick_n_).transpose();
+      mean.segment(zone.amplitude(), terms_) += zone.memory.tails.col(m).transpose();
+      mean.segment(amplitude_, terms_) -=
+          direction * std::exp((zone.interval.to - edges_.contact.to) / length) * memory_.tails.col(m).transpose();
       if (problem_.layered())
-        row += correction(problem_.memories[static_cast<std::size_t>(m)], edges_.stick_to).second;
+        mean += correction(problem_.memories[static_cast<std::size_t>(m)], zone.interval.to).second;
     }
+    remember(zone.amplitude(), means);
     for (Index j = 0; j < terms_; ++j) {
-      const double modulus = problem_.relaxation_modulus[static_cast<std::size_t>(j)];
-      auto row = matrix_.row(stick_amplitude_ + j);
-      row = modulus * (problem_.memory_factor.row(j) * means_u_);
-      row(stick_amplitude_ + j) += 1;
-      row(rotation_) -= modulus / problem_.rubbery;
+      auto equation = matrix_.row(zone.amplitude() + j);
+      equation(rotation_) -= problem_.relaxation_modulus[static_cast<std::size_t>(j)] / problem_.rubbery;
+      if (at_edge) equation(amplitude_ + j) -= direction;
     }
+  }
+
+  /// The same as `add_distant_stick`, in the zone as well.
+  void add_stick(std::size_t z, double x, Eigen::Ref<RowVectorXd> row) const {
+    const Stick& zone = zones_[z];
+    const double t = place_in(zone.interval, x);
+    if (std::abs(t) > 1) return add_distant_stick(zone, x, row);
+    const VectorXd images = chebyshev_images(t, static_cast<int>(stick_n_) + 1);
+    row.segment(zone.psi, stick_n_) -= 0.5 * images.tail(stick_n_).transpose();
+    for (Index j = 0; j < terms_; ++j)
+      row(zone.amplitude() + j) += exponential(zone.interval, j, x) - images.dot(zone.memory.series.col(j));
   }
 
   RowVectorXd resultant(double (*of_pressure)(const SpectralProblem&, double),
@@ -281,14 +300,14 @@ class System {
       right_(rotation_) = problem_.rubbery * (*scene.rotation_ratio - 1);
       return;
     }
-    row = torque_row() / edges_.half_length();
-    if (scene.drive == Drive::top_force) row -= force_row() / edges_.half_length();
-    if (scene.drive == Drive::torque) right_(rotation_) = *scene.driving_torque / scene.radius / edges_.half_length();
+    row = torque_row() / edges_.contact.half_length();
+    if (scene.drive == Drive::top_force) row -= force_row() / edges_.contact.half_length();
+    if (scene.drive == Drive::torque) right_(rotation_) = *scene.driving_torque / scene.radius / edges_.contact.half_length();
   }
 
   double approach() const {
     if (!problem_.layered()) return NAN;
-    const double half = edges_.half_length(), leading = edges_.leading;
+    const double half = edges_.contact.half_length(), leading = edges_.contact.to;
     double w = 0;  // of unit modulus
     for (Index n = 0; n < n_; ++n) {
       const double mean = n == 0 ? 0.5 - std::log(2 / half) : 1.0 / static_cast<double>(n + 2) - 1.0 / static_cast<double>(n);
@@ -299,7 +318,7 @@ class System {
       w -= k(0) * of_pressure_.row(q).dot(solution_) + k(2) * of_shear_.row(q).dot(solution_);
     }
     w *= problem_.rubbery_compliance;
-    const VectorXd means = means_w_ * solution_;
+    const VectorXd means = means_ * solution_;
     for (Index m = 0; m < terms_; ++m) {
       const auto i = static_cast<std::size_t>(m);
       w += problem_.creep_compliance[i] * problem_.creep_length[i] * means(m);
@@ -317,43 +336,52 @@ class System {
     state.driving_force = force_row().dot(solution_);
     state.driving_torque = torque_row().dot(solution_) * scene.radius;
     state.approach = approach();
-    state.edge_means = means_w_ * solution_;
+    state.edge_means = means_ * solution_;
     state.sources = sources_;
     state.pressure_forces = of_pressure_ * solution_;
     state.shear_forces = of_shear_ * solution_;
-    const double scale = state.load / edges_.half_length();
+    const double scale = state.load / edges_.contact.half_length();
     state.residuals.resize(pattern_.unknowns());
     state.residuals(0) = solution_(slack_) / scale;
     state.residuals(1) =
         scene.load ? (state.load - *scene.load) / *scene.load : (state.approach - *scene.approach) / *scene.approach;
-    if (pattern_.stick) {
-      state.stick = {solution_.segment(psi_, stick_n_), solution_.segment(stick_amplitude_, terms_)};
-      if (pattern_.leading == 0) state.stick.amplitudes += friction_ * pattern_.trailing * state.pressure.amplitudes;
+    if (!zones_.empty())
       state.rotation_ratio = 1 + solution_(rotation_) / problem_.rubbery;
-      if (pattern_.trailing_slip()) state.residuals(2) = solution_(stick_slack_) / scale;
-      if (pattern_.leading_slip()) {
-        // Bounded slip at the leading border: no root of the distance in the shear, be it the base's or the rest's.
-        double end = 0;
-        if (!pattern_.one_direction()) {
-          const double angle = std::acos((edges_.stick_to - edges_.centre()) / edges_.half_length());
-          for (Index n = 0; n < n_; ++n) end += solution_(n) * std::sin(static_cast<double>(n + 1) * angle);
-          end *= friction_ * (pattern_.trailing - pattern_.leading) / M_PI;
-        }
-        for (Index n = 0; n < stick_n_; ++n) end += static_cast<double>(n + 1) * solution_(psi_ + n);
-        for (Index j = 0; j < terms_; ++j) {
-          const VectorXd& series = stick_exponentials_->series.col(j);
-          const double rate =
-              edges_.stick_half_length() / problem_.relaxation_length[static_cast<std::size_t>(j)];
-          double rest = rate * (series(0) + 0.5 * series(1));
-          for (Index n = 1; n <= stick_n_; ++n) rest -= static_cast<double>(n) * series(n);
-          end -= 2 * state.stick.amplitudes(j) * rest;
-        }
-        state.residuals(3) = end / scale;
-      }
-    } else {
-      if (scene.drive == Drive::rotation) state.rotation_ratio = *scene.rotation_ratio;
+    else if (scene.drive == Drive::rotation)
+      state.rotation_ratio = *scene.rotation_ratio;
+    Index residual = 2;
+    for (std::size_t z = 0; z < zones_.size(); ++z) {
+      const Stick& zone = zones_[z];
+      state.sticks.push_back(
+          {solution_.segment(zone.psi, stick_n_), solution_.segment(zone.amplitude(), terms_)});
+      if (pattern_.slips[z] != 0) state.residuals(residual++) = solution_(zone.slack()) / scale;
+      if (pattern_.slips[z + 1] != 0) state.residuals(residual++) = root_at_leading_end(z) / scale;
     }
     return state;
+  }
+
+  /// Bounded slip ahead of a stick: no root of the distance in the shear there, be it the base's or the rest's.
+  double root_at_leading_end(std::size_t z) const {
+    const Stick& zone = zones_[z];
+    const int change = pattern_.direction(z + 1) - pattern_.direction(z);
+    double end = 0;
+    if (change != 0) {
+      const double angle = std::acos(place_in(edges_.contact, zone.interval.to));
+      for (Index n = 0; n < n_; ++n) end -= solution_(n) * std::sin(static_cast<double>(n + 1) * angle);
+      for (Index k = 0; k < memory_.beyond.rows(); ++k)
+        end -= 2 * memory_.beyond.row(k).dot(solution_.segment(amplitude_, terms_)) *
+               std::sin(static_cast<double>(n_ + 1 + k) * angle);
+      end *= friction_ * change / M_PI;
+    }
+    for (Index n = 0; n < stick_n_; ++n) end += static_cast<double>(n + 1) * solution_(zone.psi + n);
+    for (Index j = 0; j < terms_; ++j) {
+      const VectorXd series = zone.memory.series.col(j);
+      const double rate = zone.interval.half_length() / problem_.relaxation_length[static_cast<std::size_t>(j)];
+      double rest = rate * (series(0) + 0.5 * series(1));  // sum of n times the coefficients, from beyond the order
+      for (Index n = 1; n <= stick_n_; ++n) rest -= static_cast<double>(n) * series(n);
+      end -= 2 * solution_(zone.amplitude() + j) * rest;
+    }
+    return end;
   }
 
   const SpectralProblem& problem_;
@@ -361,14 +389,14 @@ class System {
   SpectralEdges edges_;
   double friction_;
   Index n_, stick_n_, terms_;
-  const ChebyshevRule& rule_;
-  Exponentials exponentials_;
-  std::optional<Exponentials> stick_exponentials_;
+  const ChebyshevRule &rule_, &stick_rule_;
+  IntervalMemory memory_;
+  Index slack_, amplitude_, rotation_, size_;  // places of unknowns after the coefficients phi
+  std::vector<Stick> zones_;
   std::optional<SlidingBase> base_;
-  Index phi_, slack_, amplitude_, psi_, stick_slack_, rotation_, stick_amplitude_, size_;  // places of the unknowns
   VectorXd sources_;
   MatrixXd of_pressure_, of_shear_;  // [source, unknown]
-  MatrixXd matrix_, means_w_, means_u_;
+  MatrixXd matrix_, means_;
   VectorXd right_, solution_;
 };
 

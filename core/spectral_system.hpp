@@ -21,34 +21,41 @@
 
 namespace rollres {
 
-/// Which zones there are, from the trailing to the leading edge.
+/// Which zones there are: slip and stick in turn, from the trailing to the leading edge.
 struct SlipPattern {
-  bool shear = false;  // false: no friction, and nothing of the following
-  bool stick = false;  // a zone of stick; false: the whole contact slips
-  int trailing = 0;    // direction of the shear in the zone at the trailing edge, +1 or -1; 0: stick up to it
-  int leading = 0;     // and in that at the leading edge; 0: stick up to it
+  bool shear = false;      // false: no friction, and no zones
+  std::vector<int> slips;  // direction of the shear in each zone of slip, +1 or -1; 0 first or last: stick up to the edge
 
-  bool trailing_slip() const { return stick && trailing != 0; }
-  bool leading_slip() const { return stick && leading != 0; }
-  bool one_direction() const { return !leading_slip() || leading == trailing; }
+  std::size_t sticks() const { return slips.empty() ? 0 : slips.size() - 1; }
+  bool sticks_at_trailing_edge() const { return sticks() > 0 && slips.front() == 0; }
+  bool sticks_at_leading_edge() const { return sticks() > 0 && slips.back() == 0; }
+  /// Direction of the base on a zone of slip, continued up to an edge that sticks.
+  int direction(std::size_t slip) const {
+    if (slips[slip] != 0 || slips.size() == 1) return slips[slip];
+    return slips[slip == 0 ? 1 : slip - 1];
+  }
+  bool one_direction() const;
   /// Edges and borders to be found. Stick all over is possible where the shear happens to vanish at the trailing edge;
   /// whether it does is left to the check of the slip.
-  int unknowns() const { return 2 + trailing_slip() + leading_slip(); }
+  int unknowns() const {
+    return 2 + 2 * static_cast<int>(sticks()) - sticks_at_trailing_edge() - sticks_at_leading_edge();
+  }
+};
+
+struct Interval {
+  double from, to;  // trailing and leading end [m]
+  double centre() const { return 0.5 * (from + to); }
+  double half_length() const { return 0.5 * (to - from); }
 };
 
 struct SpectralEdges {
-  double trailing, leading;      // of the contact [m]
-  double stick_from, stick_to;   // of the stick, if any [m]
-
-  double centre() const { return 0.5 * (trailing + leading); }
-  double half_length() const { return 0.5 * (leading - trailing); }
-  double stick_centre() const { return 0.5 * (stick_from + stick_to); }
-  double stick_half_length() const { return 0.5 * (stick_to - stick_from); }
+  Interval contact{};
+  std::vector<Interval> sticks;  // from the trailing to the leading edge
 };
 
 /// x in units of an interval; roots of the distance from its ends must not see the ends' rounding.
-inline double place_in(double x, double centre, double half_length) {
-  const double t = (x - centre) / half_length;
+inline double place_in(const Interval& interval, double x) {
+  const double t = (x - interval.centre()) / interval.half_length();
   return std::abs(std::abs(t) - 1) < 1e-12 ? std::copysign(1, t) : t;
 }
 
@@ -65,7 +72,8 @@ struct SpectralDensity {
 struct SpectralState {
   SlipPattern pattern;
   SpectralEdges edges{};
-  SpectralDensity pressure, stick;
+  SpectralDensity pressure;
+  std::vector<SpectralDensity> sticks;
   double rotation_ratio = 1;       // R Omega/V
   double load = 0, approach = 0;   // P [N/m], d [m] (NaN for a half-space)
   double driving_torque = 0, driving_force = 0;  // T [N], Q [N/m]
@@ -75,7 +83,7 @@ struct SpectralState {
   Eigen::VectorXd residuals;       // relative, one for each edge and border
 };
 
-/// @param edges ascending: trailing < stick_from < stick_to <= leading
+/// @param edges with the pattern's zones of stick, inside the contact
 SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
                            const SpectralOrders& orders);
 
