@@ -1,6 +1,7 @@
 #include "core/elastic_kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,11 +13,16 @@ namespace rollres {
 namespace {
 
 constexpr double table_end = 30.0;  // r/H
-constexpr int table_degree = 15;
+constexpr int table_degree = 15;    // of the series that is sampled,
+constexpr int fast_degree = 9;      // and of the one that is used, on narrower panels
 
 /// Borders of the tables' panels in r/H. The corrections are singular at r/H = +-2i only, so that panels may widen
 /// with r.
 std::vector<double> table_borders() { return {0, 1.5, 3.5, 6.5, 11, 18.5, table_end}; }
+
+std::vector<double> fast_borders() {
+  return {0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9.5, 11, 13, 15.5, 18.5, 22, 26, table_end};
+}
 
 /// A wavenumber of the transforms below with its weight and the layer's symbols.
 struct WavenumberNode {
@@ -59,7 +65,7 @@ class WavenumberNodes {
 const ChebyshevTable<4>& radial_table() {
   static const ChebyshevTable<4> table = [] {
     WavenumberNodes nodes;
-    return ChebyshevTable<4>(table_borders(), table_degree, [&](double r) {
+    const ChebyshevTable<4> sampled(table_borders(), table_degree, [&](double r) {
       Eigen::Array4d sum = Eigen::Array4d::Zero();
       for (const auto& [k, weight, c] : nodes(r)) {
         const double z = k * r, j0 = ::j0(z), j1 = ::j1(z);
@@ -70,6 +76,7 @@ const ChebyshevTable<4>& radial_table() {
       }
       return sum;
     });
+    return ChebyshevTable<4>(fast_borders(), fast_degree, [&](double r) { return sampled(r); });
   }();
   return table;
 }
@@ -132,15 +139,18 @@ Coefficients ElasticKernel::operator()(double x, double y) const {
 Coefficients ElasticKernel::sphere(double x, double y) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
-  if (std::hypot(x, y) > reach()) return sum;
+  if (distance(x, y) > reach()) return sum;
   const double right = x + 0.5 * cell_x_, left = x - 0.5 * cell_x_;
   const double above = y + 0.5 * cell_y_, below = y - 0.5 * cell_y_;
-  const double r_ra = distance(right, above), r_rb = distance(right, below);
-  const double r_la = distance(left, above), r_lb = distance(left, below);
+  const Eigen::Array4d r =  // of the corners
+      (Eigen::Array4d(right, right, left, left).square() + Eigen::Array4d(above, below, above, below).square()).sqrt();
   double a, b;  // x asinh(y/|x|) and y asinh(x/|y|), differenced over the corners
   if (left > 0 && below > 0) {
-    a = right * std::log((above + r_ra) / (below + r_rb)) - left * std::log((above + r_la) / (below + r_lb));
-    b = above * std::log((right + r_ra) / (left + r_la)) - below * std::log((right + r_rb) / (left + r_lb));
+    const Eigen::Array4d logarithm = (Eigen::Array4d(above + r(0), above + r(2), right + r(0), right + r(1)) /
+                                      Eigen::Array4d(below + r(1), below + r(3), left + r(2), left + r(3)))
+                                         .log();
+    a = right * logarithm(0) - left * logarithm(1);
+    b = above * logarithm(2) - below * logarithm(3);
   } else {
     a = x_asinh(right, above) - x_asinh(right, below) - x_asinh(left, above) + x_asinh(left, below);
     b = x_asinh(above, right) - x_asinh(above, left) - x_asinh(below, right) + x_asinh(below, left);
@@ -148,25 +158,38 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
   sum(ww) = a + b;
   sum(uu) = a + 2 * b;
   sum(vv) = 2 * a + b;
-  sum(uv) = -(r_ra - r_rb - r_la + r_lb);
+  sum(uv) = -(r(0) - r(1) - r(2) + r(3));
   sum /= 4 * M_PI * cell_x_ * cell_y_;
   if (std::isinf(thickness_)) return sum;
 
-  const ChebyshevTable<4>& table = radial_table();
   Coefficients correction = Coefficients::Zero();
-  for (std::size_t j = 0; j < nodes_y_.size(); ++j)
-    for (std::size_t i = 0; i < nodes_x_.size(); ++i) {
-      const double px = x + nodes_x_[i], py = y + nodes_y_[j], r2 = px * px + py * py, r = std::sqrt(r2);
-      const double cosine = r > 0 ? px / r : 1, sine = r > 0 ? py / r : 0;
-      const double cosine2 = cosine * cosine - sine * sine, sine2 = 2 * sine * cosine;
+  constexpr std::size_t together = 4;
+  const std::size_t points = nodes_x_.size() * nodes_y_.size();
+  for (std::size_t first = 0; first < points; first += together) {
+    // Points past the last one repeat it with no weight.
+    std::array<double, together> px, py, distances, weights, inside;
+    for (std::size_t p = 0; p < together; ++p) {
+      const std::size_t point = std::min(first + p, points - 1), i = point % nodes_x_.size(),
+                        j = point / nodes_x_.size();
+      px[p] = x + nodes_x_[i];
+      py[p] = y + nodes_y_[j];
+      distances[p] = distance(px[p], py[p]);
+      weights[p] = first + p < points ? weights_x_[i] * weights_y_[j] : 0;
+      inside[p] = std::min(distances[p] / thickness_, table_end);
+    }
+    std::array<Eigen::Array4d, together> values = radial_table().at(inside);
+    for (std::size_t p = 0; p < together; ++p) {
+      const double from_load = distances[p], per_distance = from_load > 0 ? 1 / from_load : 0;
+      Eigen::Array4d& f = values[p];
       // Beyond the table the correction cancels the half-space's part.
-      const Eigen::Array4d f = r < table_end * thickness_
-                                   ? table(r / thickness_)
-                                   : Eigen::Array4d(Eigen::Array4d(-2, -3, 1, 0) * thickness_ / (8 * M_PI * r));
+      if (from_load >= table_end * thickness_) f = Eigen::Array4d(-2, -3, 1, 0) * thickness_ / (8 * M_PI * from_load);
+      const double cosine = from_load > 0 ? px[p] * per_distance : 1, sine = py[p] * per_distance;
+      const double cosine2 = cosine * cosine - sine * sine, sine2 = 2 * sine * cosine;
       Coefficients value;
       value << f(0), f(1) - cosine2 * f(2), f(1) + cosine2 * f(2), -sine2 * f(2), -cosine * f(3), -sine * f(3);
-      correction += weights_x_[i] * weights_y_[j] * value;
+      correction += weights[p] * value;
     }
+  }
   return sum + correction / thickness_;
 }
 

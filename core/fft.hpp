@@ -1,7 +1,8 @@
 #pragma once
 
-/// Thin layer over FFTW: aligned buffers and real transforms of two-dimensional arrays (x running fastest). The
-/// planner of FFTW is not thread-safe and is guarded; executing plans is.
+/// Thin layer over FFTW in double and single precision: aligned buffers, transforms of lines, and real
+/// transforms of two-dimensional arrays (x running fastest). All are unnormalised. The planner of FFTW is not
+/// thread-safe and is guarded; executing plans is. Plans are made once for each size and shared by all threads.
 
 #include <fftw3.h>
 
@@ -9,7 +10,6 @@
 #include <cstddef>
 #include <cstring>
 #include <memory>
-#include <mutex>
 #include <new>
 #include <utility>
 
@@ -44,34 +44,63 @@ class FftBuffer {
   std::size_t size_ = 0;
 };
 
-/// Guards the planner of FFTW.
-std::mutex& fftw_planner_mutex();
+/// Transforms of lines of `length` complex values from one place to another, both aligned for FFTW or a multiple of two
+/// complex values from there. The inverse may destroy its input.
+template <class Real>
+class FftLine {
+ public:
+  explicit FftLine(int length);
+  ~FftLine();
+  FftLine(const FftLine&) = delete;
+  FftLine& operator=(const FftLine&) = delete;
 
-/// Plans for real arrays of `columns` by `rows` and spectra of (columns/2 + 1) by rows; usable from many threads.
+  void forward(std::complex<Real>* from, std::complex<Real>* to) const;
+  void inverse(std::complex<Real>* from, std::complex<Real>* to) const;
+
+ private:
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
+};
+
+/// The same from `length` (even) real values to length/2 + 1 complex ones and back.
+template <class Real>
+class RealFftLine {
+ public:
+  explicit RealFftLine(int length);
+  ~RealFftLine();
+  RealFftLine(const RealFftLine&) = delete;
+  RealFftLine& operator=(const RealFftLine&) = delete;
+
+  void forward(Real* from, std::complex<Real>* to) const;
+  void inverse(std::complex<Real>* from, Real* to) const;
+
+ private:
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
+};
+
+/// Plans for real arrays of `columns` by `rows` and spectra of (columns/2 + 1) by rows.
 class FftPlan {
  public:
-  FftPlan() = default;
   FftPlan(int columns, int rows);
-  FftPlan(FftPlan&& other) noexcept { *this = std::move(other); }
-  FftPlan& operator=(FftPlan&& other) noexcept {
-    std::swap(forward_, other.forward_);
-    std::swap(inverse_, other.inverse_);
-    return *this;
-  }
   ~FftPlan();
+  FftPlan(const FftPlan&) = delete;
+  FftPlan& operator=(const FftPlan&) = delete;
 
-  /// Both transforms are unnormalised; `inverse` destroys its input.
-  void forward(FftBuffer<double>& field, FftBuffer<std::complex<double>>& spectrum) const;
+  /// `inverse` destroys its input.
   void inverse(FftBuffer<std::complex<double>>& spectrum, FftBuffer<double>& field) const;
 
  private:
-  fftw_plan forward_ = nullptr, inverse_ = nullptr;
+  fftw_plan inverse_ = nullptr;
 };
 
-/// The plan for a size, made once and shared by all threads.
-std::shared_ptr<const FftPlan> shared_fft_plan(int columns, int rows);
+/// The plans for a length, made once.
+template <class Real>
+const FftLine<Real>& shared_fft_line(int length);
+template <class Real>
+const RealFftLine<Real>& shared_real_fft_line(int length);
 
-/// Smallest size >= `size` that transforms fast: only prime factors 2, 3 and 5, a multiple of 4 (of 8 above 64).
+/// The size from `size` to twice that whose transform is the fastest: few, small and mostly even prime factors.
 int good_fft_size(int size);
 
 }  // namespace rollres

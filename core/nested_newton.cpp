@@ -130,6 +130,7 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
                : solve_level(scene, first_window(), nullptr, coarsenings == 0);
     nested.coarsest_resistance = nested.coarser_resistance;
     nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
+    nested.coarser = solved ? std::make_unique<ContactLevel>(std::move(nested.finest)) : nullptr;
     nested.finest = std::move(next);
   }
   if (drive_may_fail && !nested.finest.outcome.reached_border) {
@@ -140,6 +141,33 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
     }
   }
   nested.reason = describe_failure(nested.finest);
+  return nested;
+}
+
+NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene) {
+  constexpr int most_iterations = 8;  // beyond, a cold start is as fast
+  NewtonOptions options = options_for(scene);
+  options.most_iterations = most_iterations;
+  const auto solve_on_same_spacing = [&](const ContactLevel& level, const auto& start) {
+    const double spacing = level.problem->grid.spacing_x;
+    ContactLevel next = make_level(scene, follow(level, spacing, 4 * spacing));
+    next.outcome = newton_contact(*next.problem, *next.table, *next.influence, start(next.problem->grid), options);
+    next.outcome.converged = next.outcome.converged && !next.outcome.reached_border;
+    if (next.outcome.converged) next.rolling_resistance = resistance(next);
+    return next;
+  };
+  NestedOutcome nested;
+  if (similar.coarser) {
+    nested.coarser = std::make_unique<ContactLevel>(solve_on_same_spacing(
+        *similar.coarser, [&](const SurfaceGrid& grid) { return transfer(*similar.coarser, grid); }));
+    if (!nested.coarser->outcome.converged) return nested;
+    nested.coarser_resistance = nested.coarser->rolling_resistance;
+  }
+  nested.finest = solve_on_same_spacing(similar.finest, [&](const SurfaceGrid& grid) {
+    return similar.coarser ? transfer(*nested.coarser, *similar.coarser, similar.finest, grid)
+                           : transfer(similar.finest, grid);
+  });
+  if (nested.finest.outcome.converged) nested.status = Status::converged;
   return nested;
 }
 

@@ -11,6 +11,7 @@ namespace rollres {
 
 struct NestedOutcome {
   ContactLevel finest;
+  std::unique_ptr<ContactLevel> coarser;  // the level before the finest, if there was one
   /// Rolling resistance at twice and at four times the finest spacing; NaN if there was no such level.
   double coarser_resistance = RollingSolution::absent, coarsest_resistance = RollingSolution::absent;
   /// Estimated relative error of the finest rolling resistance: its change at the last halving of the spacing, or half
@@ -26,6 +27,10 @@ struct NestedOutcome {
 /// @param finer asked after a level at the wanted spacing has converged: true to halve the spacing once more
 NestedOutcome solve_nested(const RollingScene& scene, double spacing,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
+
+/// Solves a scene from the solution of a similar one, on grids of the same spacings: the finest and, for the estimate
+/// of the error, the one before. May fail where solve_nested would not.
+NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene);
 
 /// Solves on one window, which grows until the contact keeps clear of its border.
 /// @param coarser tried first if not null   @param last_resort whether to follow the solution from a smaller friction

@@ -109,7 +109,7 @@ LawResiduals residuals(const ContactProblem& problem, const InfluenceOperator& i
 /// Tolerance of the linear solution: what the step can gain, as the maps converge quadratically, and no more than the
 /// last step needs.
 double forcing(double residual, const NewtonOptions& options) {
-  const double last = 0.2 * options.tolerance / residual;
+  const double last = 0.05 * options.tolerance / residual;
   return std::clamp(std::max(residual, last), 1e-5, 2e-2);
 }
 

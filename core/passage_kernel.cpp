@@ -46,8 +46,12 @@ PassageKernel::PassageKernel(Indenter indenter, double thickness, double cell_x,
     under = 0.5 * (under + coefficient::mirror_x * under);
     for (int column = 0; column < columns; ++column) {
       first_sample_.push_back(samples_.size());
-      for (const double s : cell_rules_[rule_of(column, row)].nodes())
-        samples_.push_back(kernel(column * cell_x + s, y));
+      // A rule begins and ends on nodes.
+      const std::vector<double>& points = cell_rules_[rule_of(column, row)].nodes();
+      const Coefficients* const node = &nodes_[nodes_.size() - static_cast<std::size_t>(columns - column) - 1];
+      samples_.push_back(node[0]);
+      for (std::size_t i = 1; i + 1 < points.size(); ++i) samples_.push_back(kernel(column * cell_x + points[i], y));
+      samples_.push_back(node[1]);
     }
     for (const double s : tail_rule_.nodes()) tail_.push_back(kernel(start + s, y));
   }

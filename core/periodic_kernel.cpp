@@ -63,11 +63,11 @@ InfluenceTable periodic_table(const CreepSpectrum& material, double speed, doubl
   InfluenceTable table(reach_x, reach_y);
   const std::array<std::vector<double>*, 6> targets{&table.ww, &table.uu, &table.vv, &table.uv, &table.uw, &table.vw};
   FftBuffer<double> field(static_cast<std::size_t>(rows * columns));
-  const std::shared_ptr<const FftPlan> plan = shared_fft_plan(columns, rows);
+  const FftPlan plan(columns, rows);
   for (int component = 0; component < components; ++component) {
     const std::size_t c =
         sphere ? static_cast<std::size_t>(component) : line_components[static_cast<std::size_t>(component)];
-    plan->inverse(spectra[c], field);
+    plan.inverse(spectra[c], field);
     for (int row = 0; row <= reach_y; ++row)
       for (int column = -reach_x; column <= reach_x; ++column)
         (*targets[c])[static_cast<std::size_t>(table.index(column, row))] =

@@ -3,6 +3,8 @@
 /// Small tools of numerical integration and approximation shared by the kernels.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -66,27 +68,52 @@ class ChebyshevTable {
               value * ((k == 0 ? 1.0 : 2.0) / count * std::cos(k * angle));
       }
     }
+    double narrowest = borders_.back() - borders_.front();
+    for (std::size_t i = 0; i + 1 < borders_.size(); ++i)
+      narrowest = std::min(narrowest, borders_[i + 1] - borders_[i]);
+    per_bin_ = 1 / narrowest;
+    const auto bins = static_cast<int>(std::ceil((borders_.back() - borders_.front()) * per_bin_));
+    for (int bin = 0, panel = 0; bin <= bins; ++bin) {
+      const double start = borders_.front() + bin / per_bin_;
+      while (panel + 2 < static_cast<int>(borders_.size()) && borders_[static_cast<std::size_t>(panel) + 1] <= start)
+        ++panel;
+      first_panel_.push_back(panel);
+    }
   }
 
   /// @param x between the first and the last border
-  Values operator()(double x) const {
-    std::size_t panel = 0;
-    while (panel + 2 < borders_.size() && x > borders_[panel + 1]) ++panel;
-    const double t = 2 * (x - borders_[panel]) / (borders_[panel + 1] - borders_[panel]) - 1;
-    const Values* c = &coefficients_[panel * static_cast<std::size_t>(degree_ + 1)];
-    Values b1 = Values::Zero(), b2 = Values::Zero();
-    for (int k = degree_; k > 0; --k) {  // Clenshaw
-      const Values b0 = c[k] + 2 * t * b1 - b2;
-      b2 = b1;
-      b1 = b0;
+  Values operator()(double x) const { return at(std::array<double, 1>{x})[0]; }
+
+  /// At several points at once, which a processor does side by side.
+  template <std::size_t Points>
+  std::array<Values, Points> at(const std::array<double, Points>& x) const {
+    std::array<Values, Points> b1, b2;
+    std::array<double, Points> t;
+    std::array<const Values*, Points> c;
+    for (std::size_t i = 0; i < Points; ++i) {
+      auto panel =
+          static_cast<std::size_t>(first_panel_[static_cast<std::size_t>((x[i] - borders_.front()) * per_bin_)]);
+      while (panel + 2 < borders_.size() && x[i] > borders_[panel + 1]) ++panel;
+      t[i] = 2 * (x[i] - borders_[panel]) / (borders_[panel + 1] - borders_[panel]) - 1;
+      c[i] = &coefficients_[panel * static_cast<std::size_t>(degree_ + 1)];
+      b1[i] = b2[i] = Values::Zero();
     }
-    return c[0] + t * b1 - b2;
+    for (int k = degree_; k > 0; --k)  // Clenshaw
+      for (std::size_t i = 0; i < Points; ++i) {
+        const Values b0 = c[i][k] + 2 * t[i] * b1[i] - b2[i];
+        b2[i] = b1[i];
+        b1[i] = b0;
+      }
+    for (std::size_t i = 0; i < Points; ++i) b1[i] = c[i][0] + t[i] * b1[i] - b2[i];
+    return b1;
   }
 
  private:
   std::vector<double> borders_;
   int degree_;
   std::vector<Values> coefficients_;
+  double per_bin_;                // bins as wide as the narrowest panel
+  std::vector<int> first_panel_;  // that a bin touches
 };
 
 }  // namespace rollres

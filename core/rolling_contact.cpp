@@ -18,7 +18,7 @@ namespace {
 /// Nodes in contact beyond which a tolerance is given up.
 constexpr int most_nodes_2d = 20000, most_nodes_3d = 60000;
 
-RollingSolution solve_newton(const RollingScene& scene) {
+NestedOutcome solve_on_grids(const RollingScene& scene) {
   const bool sphere = scene.indenter == Indenter::sphere;
   std::function<bool(const NestedOutcome&)> finer;
   if (scene.tolerance)
@@ -29,7 +29,10 @@ RollingSolution solve_newton(const RollingScene& scene) {
       return !(nested.error_estimate() <= *scene.tolerance) &&
              (sphere ? 4 : 2) * nodes <= (sphere ? most_nodes_3d : most_nodes_2d);
     };
-  const NestedOutcome nested = solve_nested(scene, scene.spacing.value_or(default_spacing(scene)), finer);
+  return solve_nested(scene, scene.spacing.value_or(default_spacing(scene)), finer);
+}
+
+RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& scene) {
   RollingSolution solution;
   if (nested.status == Status::converged) {
     const ContactLevel& level = nested.finest;
@@ -102,17 +105,20 @@ RollingSolution solve_paper(const RollingScene& scene) {
   }
 }
 
-}  // namespace
-
-RollingSolution solve(const RollingScene& scene) {
-  const auto begin = std::chrono::steady_clock::now();
+void require_valid(const RollingScene& scene) {
   const std::vector<std::string> broken = check(scene);
-  if (!broken.empty()) {
-    std::string message = broken.front();
-    for (std::size_t i = 1; i < broken.size(); ++i) message += "; " + broken[i];
-    throw std::invalid_argument(message);
-  }
-  RollingSolution solution = scene.method == Method::active_set ? solve_paper(scene) : solve_newton(scene);
+  if (broken.empty()) return;
+  std::string message = broken.front();
+  for (std::size_t i = 1; i < broken.size(); ++i) message += "; " + broken[i];
+  throw std::invalid_argument(message);
+}
+
+/// Adds to a method's answer what does not depend on the method.
+template <class SolveByMethod>
+RollingSolution complete(const RollingScene& scene, const SolveByMethod& solve_by_method) {
+  const auto begin = std::chrono::steady_clock::now();
+  require_valid(scene);
+  RollingSolution solution = solve_by_method();
   solution.method = scene.method;
   if (solution.status == Status::converged) {
     solution.model = model_of(scene, solution);
@@ -120,6 +126,48 @@ RollingSolution solve(const RollingScene& scene) {
   }
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
+}
+
+}  // namespace
+
+RollingSolution solve(const RollingScene& scene) { return RollingSolver().solve(scene); }
+
+struct RollingSolver::Last {
+  RollingScene scene;
+  NestedOutcome outcome;
+
+  /// Whether a scene is so much like this one that starting from its solution has been measured to be faster: the
+  /// contact moves by little more than a cell.
+  bool is_like(const RollingScene& next) const {
+    if (scene.method != next.method || scene.indenter != next.indenter || scene.drive != next.drive ||
+        scene.material != next.material || (scene.friction_coefficient > 0) != (next.friction_coefficient > 0) ||
+        scene.load.has_value() != next.load.has_value() || !next.spacing || scene.spacing != next.spacing ||
+        scene.adhesion_threshold > 0 || next.adhesion_threshold > 0)
+      return false;
+    constexpr double largest_change = 0.03;
+    const double before = estimate_contact(scene).half_width, now = estimate_contact(next).half_width;
+    return std::abs(now - before) < largest_change * before;
+  }
+};
+
+RollingSolver::RollingSolver() = default;
+RollingSolver::~RollingSolver() = default;
+RollingSolver::RollingSolver(RollingSolver&&) noexcept = default;
+RollingSolver& RollingSolver::operator=(RollingSolver&&) noexcept = default;
+
+RollingSolution RollingSolver::solve(const RollingScene& scene) {
+  return complete(scene, [&] {
+    if (scene.method == Method::active_set) return solve_paper(scene);
+    NestedOutcome outcome;
+    if (last_ && last_->is_like(scene)) outcome = solve_from(last_->outcome, scene);
+    if (outcome.status == Status::converged)
+      ++reused_;
+    else
+      outcome = solve_on_grids(scene);
+    const RollingSolution solution = answer_from(outcome, scene);
+    if (solution.status == Status::converged) last_ = std::make_unique<Last>(Last{scene, std::move(outcome)});
+    return solution;
+  });
 }
 
 }  // namespace rollres

@@ -1,112 +1,173 @@
 #pragma once
 
-/// Fourier transform of three surface fields at once, zero-padded for convolution.
+/// Convolution of surface fields on a zero-padded grid by fast Fourier transform, three fields at once.
 ///
 /// Two fields even in y (p, q) and one odd in y (o), given for y >= 0, make one complex field
 ///   z = (p + o) + i q   mirrored to y < 0,
 /// whose transform holds all three: with a, b, c the values of Z at (kx, ky), (kx, -ky), (-kx, ky) and d at (-kx, -ky),
 ///   P = (a + conj c)/2,   O = (a - b)/2,   Q = (a - conj d)/(2i),
 /// for kx, ky >= 0 (P and Q even, O odd in ky; negative kx by conjugation). Only rows that are not zero are transformed
-/// along x, and only rows y >= 0 on the way back.
+/// along x, and only those wanted on the way back. Along y a pair of columns +-kx is transformed, multiplied and
+/// transformed back at once, while it is in the cache.
+///
+/// A single field even in y (EvenTransform) takes half of that. Large grids are shared out to threads (threads.hpp).
 
 #include <Eigen/Core>
 #include <complex>
-#include <memory>
+#include <vector>
 
 #include "core/fft.hpp"
+#include "core/threads.hpp"
 
 namespace rollres {
 
-class SurfaceTransform {
- public:
-  using complex = std::complex<double>;
-  /// Values of the three fields' transforms at one wavenumber with kx, ky >= 0.
-  struct Triple {
-    complex even, odd, second_even;  // P, O, Q
-  };
-
-  /// @param columns, rows of the fields (rows y >= 0; 1 for a line)   @param more_columns read back beyond `columns`
-  SurfaceTransform(int columns, int rows, int more_columns);
-  ~SurfaceTransform();
-  SurfaceTransform(const SurfaceTransform&) = delete;
-  SurfaceTransform& operator=(const SurfaceTransform&) = delete;
-
-  int padded_columns() const { return padded_columns_; }
-  int padded_rows() const { return padded_rows_; }
-  /// Wavenumbers kx, ky >= 0 in the order of `multiply`: ky running fastest.
-  int quarter_columns() const { return padded_columns_ / 2 + 1; }
-  int quarter_rows() const { return padded_rows_ / 2 + 1; }
-  std::size_t quarter_size() const {
-    return static_cast<std::size_t>(quarter_columns()) * static_cast<std::size_t>(quarter_rows());
-  }
-
-  /// Transforms fields of columns * rows values; an empty vector is zero.
-  void forward(const Eigen::VectorXd& even, const Eigen::VectorXd& odd, const Eigen::VectorXd& second_even);
-  /// Replaces the triple at each wavenumber by `map(index, triple)`.
-  template <class Map>
-  void multiply(const Map& map);
-  /// Transforms back (unnormalised); null or, on a line, `odd`: not wanted.
-  void inverse(int columns, Eigen::VectorXd* even, Eigen::VectorXd* odd, Eigen::VectorXd* second_even);
-
-  /// Quarter spectrum of a real kernel on the padded grid: `at(column, row)` for offsets up to +-columns and, given for
-  /// row >= 0, +-(2 rows - 2); even or odd in y.
-  template <class At>
-  std::vector<complex> kernel(int reach_x, int reach_y, bool odd_in_y, const At& at);
-
- private:
-  complex& spectrum(int kx, int ky) {
-    return spectrum_[static_cast<std::size_t>(kx) * static_cast<std::size_t>(padded_rows_) +
-                     static_cast<std::size_t>(ky)];
-  }
-
-  int columns_, rows_, padded_columns_, padded_rows_;
-  struct Plans;
-  std::unique_ptr<Plans> plans_;
-  FftBuffer<complex> rows_buffer_;  // rows y >= 0, then rows y < 0, each of padded_columns
-  FftBuffer<complex> spectrum_;     // ky running fastest
+/// Complex values at the wavenumbers kx, ky >= 0 of a padded grid, ky running fastest: index = kx * (rows/2 + 1) + ky.
+template <class Real>
+struct Spectrum {
+  std::vector<Real> re, im;
 };
 
-template <class Map>
-void SurfaceTransform::multiply(const Map& map) {
-  const complex i(0, 1);
-  std::size_t index = 0;
-  for (int kx = 0; kx <= padded_columns_ / 2; ++kx) {
-    const int minus_kx = kx == 0 ? 0 : padded_columns_ - kx;
-    for (int ky = 0; ky <= padded_rows_ / 2; ++ky, ++index) {
-      const int minus_ky = ky == 0 ? 0 : padded_rows_ - ky;
-      complex &a = spectrum(kx, ky), &b = spectrum(kx, minus_ky);
-      complex &c = spectrum(minus_kx, ky), &d = spectrum(minus_kx, minus_ky);
-      const Triple in{0.5 * (a + std::conj(c)), 0.5 * (a - b), complex(0, -0.5) * (a - std::conj(d))};
-      const Triple out = map(index, in);
-      const complex plus = out.even + out.odd, minus = out.even - out.odd;
-      const complex second = i * out.second_even, mirrored = i * std::conj(out.second_even);
-      a = plus + second;
-      b = minus + second;
-      c = std::conj(minus) + mirrored;
-      d = std::conj(plus) + mirrored;
-    }
-  }
-}
+/// The transforms of three fields at `count` consecutive wavenumbers from index `first` of a Spectrum.
+template <class Real>
+struct WavenumberBlock {
+  std::size_t first = 0;
+  int count = 0;
+  Real *even_re = nullptr, *even_im = nullptr;      // P
+  Real *odd_re = nullptr, *odd_im = nullptr;        // O
+  Real *second_re = nullptr, *second_im = nullptr;  // Q
+};
 
-template <class At>
-std::vector<SurfaceTransform::complex> SurfaceTransform::kernel(int reach_x, int reach_y, bool odd_in_y, const At& at) {
-  // All rows take part here, so the kernel is transformed on its own.
-  FftBuffer<double> field(static_cast<std::size_t>(padded_columns_) * static_cast<std::size_t>(padded_rows_));
-  for (int row = -reach_y; row <= reach_y; ++row)
-    for (int column = -reach_x; column <= reach_x; ++column) {
-      const int px = (column + padded_columns_) % padded_columns_, py = (row + padded_rows_) % padded_rows_;
-      field[static_cast<std::size_t>(py) * static_cast<std::size_t>(padded_columns_) + static_cast<std::size_t>(px)] =
-          (row < 0 && odd_in_y ? -1 : 1) * at(column, std::abs(row));
+/// Size of the padded grid; rows = 1 for a line.
+struct PaddedSize {
+  int columns = 0, rows = 0;
+  std::size_t quarter_rows() const { return static_cast<std::size_t>(rows / 2 + 1); }
+  std::size_t quarter_size() const { return static_cast<std::size_t>(columns / 2 + 1) * quarter_rows(); }
+  double points() const { return static_cast<double>(columns) * rows; }
+};
+
+/// Large enough that a convolution of fields of columns * rows (y >= 0) values does not wrap around within
+/// `more_columns` beyond them.
+PaddedSize padded_size(int columns, int rows, int more_columns);
+
+/// An object serves one thread at a time (it keeps work space).
+template <class Real>
+class SurfaceTransform {
+ public:
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+  /// Rows y >= 0 of fields of `columns` values each; an empty vector is zero (in) or not wanted (null, out).
+  struct Fields {
+    const Vector *even, *odd, *second_even;
+    int columns, rows;
+  };
+  struct Results {
+    Vector *even, *odd, *second_even;
+    int columns, rows;
+  };
+
+  explicit SurfaceTransform(PaddedSize size);
+
+  PaddedSize size() const { return size_; }
+
+  /// Transforms, lets `map(block)` replace the values at all wavenumbers, block by block, and transforms back
+  /// (unnormalised). On a line there is no odd field.
+  template <class Map>
+  void convolve(const Fields& in, const Map& map, const Results& out) {
+    load(in, 0);
+    pass_wavenumbers(in.rows, map, &out);
+    unload(out);
+  }
+
+  /// Transforms only and shows the values to `visit(block)`; column i of the fields stands at x = first_column + i,
+  /// wrapped around the padded grid.
+  template <class Visit>
+  void transform(const Fields& in, int first_column, const Visit& visit) {
+    load(in, first_column);
+    pass_wavenumbers(in.rows, visit, nullptr);
+  }
+
+ private:
+  using complex = std::complex<Real>;
+  complex* column(int kx) {
+    return spectrum_.data() + static_cast<std::size_t>(kx) * static_cast<std::size_t>(size_.rows);
+  }
+  /// Whether a column is its own partner at -kx.
+  bool single(int kx) const { return kx == 0 || 2 * kx == size_.columns; }
+  struct Work {
+    FftBuffer<complex> lines, transformed;  // some rows
+    FftBuffer<complex> columns;             // a pair of transformed columns
+    FftBuffer<Real> block;
+  };
+  static WavenumberBlock<Real> block_of(Work& work, std::size_t first, std::size_t count) {
+    Real* const at = work.block.data();
+    return {first,          static_cast<int>(count), at, at + count, at + 2 * count, at + 3 * count,
+            at + 4 * count, at + 5 * count};
+  }
+  int threads() const { return static_cast<int>(work_.size()); }
+  void load(const Fields& in, int first_column);
+  void unload(const Results& out);
+  void unload_rows(Work& work, int row, const Results& out);
+  void unload_odd_rows(Work& work, int row, const Results& out);
+  void split(const Work& work, int kx, const WavenumberBlock<Real>& block);
+  void join(Work& work, int kx, const WavenumberBlock<Real>& block);
+  void split_line(const WavenumberBlock<Real>& block);
+  void join_line(const WavenumberBlock<Real>& block);
+  void transform_columns(Work& work, int kx, int rows);
+  void transform_columns_back(Work& work, int kx, const Results& out);
+
+  template <class Map>
+  void pass_wavenumbers(int rows, const Map& map, const Results* out) {
+    if (size_.rows == 1) {
+      const WavenumberBlock<Real> block = block_of(work_[0], 0, size_.quarter_size());
+      split_line(block);
+      map(block);
+      if (out) join_line(block);
+      return;
     }
-  FftBuffer<complex> half(static_cast<std::size_t>(padded_columns_ / 2 + 1) * static_cast<std::size_t>(padded_rows_));
-  shared_fft_plan(padded_columns_, padded_rows_)->forward(field, half);
-  std::vector<complex> quarter;
-  quarter.reserve(quarter_size());
-  for (int kx = 0; kx < quarter_columns(); ++kx)
-    for (int ky = 0; ky < quarter_rows(); ++ky)
-      quarter.push_back(half[static_cast<std::size_t>(ky) * static_cast<std::size_t>(padded_columns_ / 2 + 1) +
-                             static_cast<std::size_t>(kx)]);
-  return quarter;
-}
+    const std::size_t count = size_.quarter_rows();
+    share_out(size_.columns / 2 + 1, threads(), [&](int kx, int slot) {
+      Work& work = work_[static_cast<std::size_t>(slot)];
+      const WavenumberBlock<Real> block = block_of(work, static_cast<std::size_t>(kx) * count, count);
+      transform_columns(work, kx, rows);
+      split(work, kx, block);
+      map(block);
+      if (!out) return;
+      join(work, kx, block);
+      transform_columns_back(work, kx, *out);
+    });
+  }
+
+  PaddedSize size_;
+  const FftLine<Real>& along_x_;
+  const FftLine<Real>& along_y_;
+  std::vector<Work> work_;       // of each thread
+  FftBuffer<complex> spectrum_;  // y running fastest
+};
+
+/// The same for a single field that is even in y.
+template <class Real>
+class EvenTransform {
+ public:
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  explicit EvenTransform(PaddedSize size);
+
+  PaddedSize size() const { return size_; }
+
+  /// Convolves `in` (columns * rows values, y >= 0) with a kernel even in y, given by its transform, into `out`
+  /// (out_columns * rows values); unnormalised.
+  void convolve(const Vector& in, int columns, int rows, const Spectrum<Real>& kernel, Vector& out, int out_columns);
+
+ private:
+  using complex = std::complex<Real>;
+  PaddedSize size_;
+  const RealFftLine<Real>& along_x_;
+  const FftLine<Real>& along_y_;
+  struct Work {
+    FftBuffer<Real> lines;
+    FftBuffer<complex> transformed, column;
+  };
+  std::vector<Work> work_;       // of each thread
+  FftBuffer<complex> spectrum_;  // y running fastest
+};
 
 }  // namespace rollres

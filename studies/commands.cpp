@@ -19,6 +19,7 @@ using AddCommand = void (*)(CLI::App&, Session&);
 /// Every command, in the order of the help text.
 constexpr AddCommand commands[] = {
     add_solve,
+    add_gradient,
     add_sweep,
     add_list,
     add_show,

@@ -11,6 +11,9 @@ namespace rollres {
 /// the reason, so that one bad point never ends a study.
 RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene) noexcept;
 
+/// Solves with a RollingSolver of the calling thread's own, so that scenes much like the last one start from it.
+RollingSolution solve_in_turn(const RollingScene& scene);
+
 /// Recalls a scene's stored answer, or solves and saves it. The store must outlive the result, which is used by one
 /// thread at a time; it throws std::runtime_error if the store fails.
 Evaluate recalling(ResultStore& store, Evaluate evaluate);

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/threads.hpp"
+
 namespace rollres {
 
 namespace {
@@ -58,6 +60,7 @@ bool receive_all(int socket, void* data, std::size_t size) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM}) std::signal(signal, SIG_DFL);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
+  limit_threads(1);  // of the parent's threads only this one was copied
   std::uint64_t piece = 0;
   while (receive_all(socket, &piece, sizeof piece)) {
     std::string answer;

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
+#include "core/threads.hpp"
 #include "studies/evaluate.hpp"
 #include "studies/result_writer.hpp"
 #include "studies/work_list.hpp"
@@ -36,7 +38,8 @@ struct Run {
 };
 
 void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
-          const Evaluate& evaluate, ResultWriter& writer) {
+          const Evaluate& evaluate, ResultWriter& writer, int cores) {
+  limit_threads(cores);
   try {
     while (!run.broken && !run.asked_to_stop()) {
       const std::optional<std::size_t> point = list.next();
@@ -52,12 +55,6 @@ void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, con
   const std::lock_guard lock(run.mutex);
   ++run.ended;
   run.changed.notify_one();
-}
-
-std::size_t threads_for(int jobs, std::size_t pieces) {
-  const std::size_t wanted =
-      jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1u, std::thread::hardware_concurrency());
-  return std::min(wanted, pieces);
 }
 
 }  // namespace
@@ -86,8 +83,10 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
         store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); });
     std::vector<std::jthread> threads;
     try {
-      for (std::size_t count = threads_for(options.jobs, to_solve); count > 0; --count) {
-        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer); });
+      const std::size_t jobs = jobs_for(options.jobs, to_solve);
+      const int cores_each = cores_for_each(jobs);
+      for (std::size_t job = 0; job < jobs; ++job) {
+        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer, cores_each); });
         const std::lock_guard lock(run.mutex);
         ++run.started;
       }
