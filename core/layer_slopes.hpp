@@ -40,7 +40,9 @@ class LayerMemory {
 
  private:
   double thickness_, memory_length_;
-  std::vector<LayerSlopes> coefficients_;  // panels from -reach to reach
+  void march(LayerSlopes end_value, int first, int last);
+  std::vector<LayerSlopes> coefficients_;     // panels from 0 to the reach
+  mutable std::vector<LayerSlopes> behind_;  // and those of negative x, once asked for; not for two threads at a time
 };
 
 }  // namespace rollres

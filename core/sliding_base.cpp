@@ -19,22 +19,22 @@ SlidingBase::SlidingBase(const SlipPattern& pattern, const SpectralEdges& edges,
       trailing_(pattern.direction(0)),
       leading_(pattern.direction(pattern.slips.size() - 1)),
       order_(order) {
-  // Twice as many borders as collocation points: these lie halfway between borders then.
-  const int borders = 2 * (stick_order + 1);
+  // An odd number more than collocation points, so that these never coincide with borders.
+  const int borders = stick_order + 4;
   for (std::size_t i = 0; i < pattern.sticks(); ++i) {
     const int change = pattern.direction(i + 1) - pattern.direction(i);
     if (change == 0) continue;
-    Transition transition{edges.sticks[i], change, Eigen::ArrayXd(borders), Eigen::MatrixXd(order, borders)};
+    Transition transition{edges.sticks[i], change, Eigen::ArrayXd(borders), Eigen::MatrixXd(borders, order)};
     for (int k = 0; k < borders; ++k) {
       const double x =
           transition.stick.centre() + transition.stick.half_length() * std::cos(M_PI * (k + 0.5) / borders);
       const double angle = std::acos(std::clamp(place_in(contact_, x), -1.0, 1.0));
       transition.border_angles(k) = angle;
-      transition.partial(0, k) = 0.5 * (M_PI - angle) + 0.25 * std::sin(2 * angle);
+      transition.partial(k, 0) = M_PI - angle + 0.5 * std::sin(2 * angle);
       double here = std::sin(angle), after = std::sin(2 * angle);  // sin(n angle), sin((n + 1) angle)
       for (int n = 1; n < order; ++n) {
         const double next = 2 * std::cos(angle) * after - here;
-        transition.partial(n, k) = -0.5 * (here / n - next / (n + 2));
+        transition.partial(k, n) = -(here / n - next / (n + 2));
         here = after;
         after = next;
       }
@@ -135,9 +135,8 @@ Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x
     const double next_density = 2 * t * density - density_before;
     density_before = density;
     density = next_density;
-    const Eigen::ArrayXd next = 2 * t * here - before - 2 * transition.partial.row(n).transpose().array();
+    before = 2 * t * here - before - transition.partial.col(n).array();
     before.swap(here);
-    here = next;
   }
   return mean;
 }

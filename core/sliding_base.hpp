@@ -39,7 +39,7 @@ class SlidingBase {
     Interval stick;
     int change;                     // of m, from its trailing to its leading end
     Eigen::ArrayXd border_angles;   // of the borders s = cos(angle)
-    Eigen::MatrixXd partial;        // [n, border]: int_{-1}^{s} sqrt(1 - r^2) U_n dr
+    Eigen::MatrixXd partial;        // [border, n]: 2 int_{-1}^{s} sqrt(1 - r^2) U_n dr
   };
   void place_nodes();
   Eigen::RowVectorXd jump_mean(const Transition& transition, double x) const;

@@ -38,8 +38,10 @@ class SpectralContact {
     if (scene_.drive != Drive::rotation)
       if (const std::optional<double> needed = friction_needed(problem_, smooth->edges.contact)) {
         RollingSolution solution;
+        solution.method = Method::spectral;
         solution.status = Status::no_steady_state;
         solution.friction_needed = *needed;
+        solution.reason = too_much_traction(*needed, scene_.friction_coefficient);
         solution.iterations = evaluations_;
         return {solution, {}};
       }
@@ -51,6 +53,7 @@ class SpectralContact {
 
  private:
   SpectralOutcome finished() {
+    best_->solution.method = Method::spectral;
     best_->solution.status = Status::converged;
     best_->solution.iterations = evaluations_;
     return {std::move(best_->solution), {}};

@@ -23,7 +23,7 @@ struct SpectralOutcome {
 };
 
 /// @param scene of a cylinder that obeys `check`, without period
-/// The solution's status is converged or no_steady_state; method, model, seconds and warnings are left to the caller.
+/// The solution's status is converged or no_steady_state; model, seconds and warnings are left to the caller.
 SpectralOutcome solve_spectral(const RollingScene& scene);
 
 }  // namespace rollres

@@ -95,12 +95,12 @@ PointsAhead::PointsAhead(const SpectralProblem& problem, const SpectralEdges& ed
   };
   for (const double end : ends) cut(end);
   for (double distance = 0.5 * half; distance > *shortest; distance *= 0.3) cut(from + distance);
-  const int parts = 1 + order / 4;
+  const int parts = 1 + order / 6;
   for (int i = 1; i < parts; ++i) cut(contact.centre() + half * std::cos(M_PI * i / parts));
   borders.push_back(from);
   borders.push_back(contact.to);
   // Beyond: widening from where the highest coefficient has left the surface.
-  for (double distance = half * std::min(0.5, 32.0 / (order * order)); borders.back() < reach; distance *= 3)
+  for (double distance = half * std::min(0.5, 32.0 / (order * order)); borders.back() < reach; distance *= 4)
     borders.push_back(contact.to + distance);
   std::sort(borders.begin(), borders.end());
   const QuadratureRule& rule = gauss_rule(14);

@@ -111,10 +111,12 @@ class System {
       tangential(q) = k(1);
       cross(q) = k(2);
     }
-    RowVectorXd w = -normal.head(n_) * of_pressure_.topRows(n_), u;
+    RowVectorXd w = RowVectorXd::Zero(size_), u;
+    w.head(n_) = -normal.head(n_) * of_pressure_.topLeftCorner(n_, n_);
     if (pattern_.shear) {
       w -= cross * of_shear_;
-      u = tangential * of_shear_ - cross.head(n_) * of_pressure_.topRows(n_);
+      u = tangential * of_shear_;
+      u.head(n_) -= cross.head(n_) * of_pressure_.topLeftCorner(n_, n_);
     }
     return {w, u};
   }
