@@ -268,11 +268,11 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   Eigen::ArrayXXd memory = Eigen::ArrayXXd::Zero(terms, 2);  // of w and u at the panel's leading end
   double gap = 0;
   for (SurfacePanel& panel : panels) {
-    const double width = 0.5 * (panel.to - panel.from);
-    panel.x = 0.5 * (panel.from + panel.to) + width * rule.place;
+    const double half_panel = 0.5 * (panel.to - panel.from);
+    panel.x = 0.5 * (panel.from + panel.to) + half_panel * rule.place;
     panel.x(0) = panel.to;
     panel.x(PanelRule::last) = panel.from;
-    panel.weights = -(rule.integral.row(PanelRule::last).transpose().array() * width * rule.rate);
+    panel.weights = -(rule.integral.row(PanelRule::last).transpose().array() * half_panel * rule.rate);
     panel.pressure = panel.shear = ArrayXd::Zero(PanelRule::count);
     MatrixXd elastic(PanelRule::count, 2);
     for (int k = 0; k < PanelRule::count; ++k) {
@@ -286,7 +286,7 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
     for (Index m = 0; m < terms; ++m) {
       // x'(s) y - T dy/ds = x'(s) g, y given at the leading end.
       const double length = problem.creep_length[static_cast<std::size_t>(m)];
-      const ArrayXd rate = width * rule.rate;
+      const ArrayXd rate = half_panel * rule.rate;
       MatrixXd system = -length * rule.derivative;
       system.diagonal().array() += rate;
       MatrixXd right = elastic.array().colwise() * rate;

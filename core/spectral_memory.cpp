@@ -90,8 +90,8 @@ PointsAhead::PointsAhead(const SpectralProblem& problem, const SpectralEdges& ed
     ends.push_back(stick.to);
   }
   // In contact: panels between ends, cut where the memories begin and into few oscillations each.
-  const auto cut = [&](double x) {
-    if (x > from && x < contact.to) borders.push_back(x);
+  const auto cut = [&](double border) {
+    if (border > from && border < contact.to) borders.push_back(border);
   };
   for (const double end : ends) cut(end);
   for (double distance = 0.5 * half; distance > *shortest; distance *= 0.3) cut(from + distance);
