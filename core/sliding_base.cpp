@@ -145,9 +145,7 @@ Eigen::RowVectorXd SlidingBase::slope(double x) const {
   const double t = place_in(contact_, x);
   if (!transitions_.empty() && std::abs(t) > 1 && order_ * std::acosh(std::abs(t)) > 8) {
     // The recursion would lose its digits; no source is near.
-    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(order_);
-    for (Eigen::Index q = 0; q < nodes_.size(); ++q) sum += densities_.row(q) / (x - nodes_(q));
-    return -sum / (2 * M_PI);
+    return -(x - nodes_.array()).inverse().matrix().transpose() * densities_ / (2 * M_PI);
   }
   Eigen::RowVectorXd sum = -0.5 * leading_ * chebyshev_images(t, order_ + 1).tail(order_).transpose();
   for (const Transition& transition : transitions_)

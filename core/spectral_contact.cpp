@@ -21,10 +21,10 @@ constexpr double wrong_pattern = 1e-7;  // violation of an inequality that no or
 
 class SpectralContact {
  public:
-  explicit SpectralContact(const RollingScene& scene)
+  SpectralContact(const RollingScene& scene, const CreepSpectrum& creep)
       : scene_(scene),
         tolerance_(scene.tolerance.value_or(default_spectral_tolerance)),
-        problem_(scene, estimate_contact(scene).half_width) {}
+        problem_(scene, creep, estimate_contact(scene).half_width) {}
 
   SpectralOutcome run() {
     if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
@@ -152,6 +152,10 @@ class SpectralContact {
 
 }  // namespace
 
-SpectralOutcome solve_spectral(const RollingScene& scene) { return SpectralContact(scene).run(); }
+SpectralOutcome solve_spectral(const RollingScene& scene) { return solve_spectral(scene, creep_spectrum(scene)); }
+
+SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
+  return SpectralContact(scene, creep).run();
+}
 
 }  // namespace rollres

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "core/material.hpp"
 #include "core/solution.hpp"
 
 namespace rollres {
@@ -25,5 +26,7 @@ struct SpectralOutcome {
 /// @param scene of a cylinder that obeys `check`, without period
 /// The solution's status is converged or no_steady_state; model, seconds and warnings are left to the caller.
 SpectralOutcome solve_spectral(const RollingScene& scene);
+/// The same for any discrete spectrum in place of the scene's material; the start is guessed from the scene's.
+SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep);
 
 }  // namespace rollres

@@ -24,9 +24,9 @@ CreepSpectrum tidied(CreepSpectrum creep, double shortest) {
 
 }  // namespace
 
-SpectralProblem::SpectralProblem(const RollingScene& given, double half_width)
+SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double half_width)
     : scene(given), radius(given.radius), thickness(given.layer_thickness) {
-  const CreepSpectrum creep = tidied(creep_spectrum(scene), 1e-9 * half_width / scene.speed);
+  const CreepSpectrum creep = tidied(material, 1e-9 * half_width / scene.speed);
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
   glassy = relaxation.instantaneous;
   glassy_compliance = rubbery_compliance = creep.instantaneous;

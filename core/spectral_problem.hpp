@@ -14,8 +14,9 @@ namespace rollres {
 /// elastic slope g of a layer of unit modulus the slope of the surface is w' = [J_inf + sum_m C_m R_{T_m}] g, and
 /// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/relaxation.hpp).
 struct SpectralProblem {
+  /// @param creep the layer's material; the scene's own is not looked at
   /// @param half_width a rough one: memories below 1e-9 of it count as elastic [m]
-  SpectralProblem(const RollingScene& scene, double half_width);
+  SpectralProblem(const RollingScene& scene, const CreepSpectrum& creep, double half_width);
 
   double profile(double x) const;  // height of the body's lower surface above its lowest point [m]
   double slope(double x) const;    // its derivative [1]
