@@ -16,6 +16,7 @@ namespace rollres {
 namespace {
 
 constexpr int most_coefficients = 160;
+constexpr double smallest_residual = 1e-14;
 constexpr double largest_violation = 5e-9;  // of any law
 constexpr double wrong_pattern = 1e-7;  // violation of an inequality that no order mends
 
@@ -95,18 +96,23 @@ class SpectralContact {
     EdgeSearch search(problem_, pattern);
     double coefficients = first_order(problem_, edges, tolerance_);
     double before = RollingSolution::absent, tail_before = 1;
+    double residual = std::min(1e-9, 0.01 * tolerance_);
     bool done = false;
     while (coefficients <= most_coefficients) {
       const auto order = static_cast<int>(coefficients);
       const int used = search.evaluations();
-      std::optional<SpectralState> state = search.find(edges, {order, order}, std::min(1e-10, 1e-3 * tolerance_));
+      std::optional<SpectralState> state = search.find(edges, {order, order}, residual);
       evaluations_ += search.evaluations() - used;
       if (!state) break;
       edges = state->edges;
       const double resistance = state->driving_force + state->driving_torque * state->rotation_ratio / scene_.radius;
       const double tail = relative_tail(*state);
-      const double difference = std::abs(resistance / before - 1);
-      const double error = difference * std::min(1.0, tail / tail_before) + 1e-13;
+      // Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
+      const double lever = state->load * edges.contact.half_length() / scene_.radius;
+      const double scale = std::max(std::abs(resistance), 1e-6 * lever);
+      const double error = std::abs(resistance - before) / scale * std::min(1.0, tail / tail_before) +
+                           (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+      residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);
       before = resistance;
       tail_before = tail;
       last_ = std::move(state);

@@ -11,6 +11,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int most_steps = 40;
+constexpr double nearly_done = 1e-10;
 
 /// Centre and logarithm of the half-length; roots of the parts of the contact that each zone takes but for the stick next
 /// to the leading edge, which takes the rest: the residuals are smooth in them even as a zone shrinks.
@@ -116,7 +117,11 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
     SpectralState next = evaluate(place + move, orders);
     const double next_residual = largest(next);
     if (!(next_residual < 0.5 * residual)) {
-      // Broyden's slopes have led astray, or this is as near as rounding lets it come.
+      if (residual < nearly_done) {  // as near as rounding lets it come
+        if (next_residual < residual) state = std::move(next);
+        return state;
+      }
+      // Broyden's slopes have led astray.
       if (!fresh) {
         inverse_.resize(0, 0);
         if (next_residual < residual) {
@@ -126,7 +131,6 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
         }
         continue;
       }
-      if (residual < 1e3 * tolerance && residual < 1e-9) break;
       inverse_.resize(0, 0);
       if (!std::isfinite(next_residual)) return {};
     } else {
@@ -139,7 +143,7 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
     state = std::move(next);
     residual = next_residual;
   }
-  if (!(residual <= std::max(tolerance, std::min(1e3 * tolerance, 1e-9)))) return {};
+  if (!(residual <= std::max(tolerance, nearly_done))) return {};
   return state;
 }
 

@@ -14,7 +14,7 @@ class EdgeSearch {
  public:
   EdgeSearch(const SpectralProblem& problem, const SlipPattern& pattern) : problem_(problem), pattern_(pattern) {}
 
-  /// The state whose residuals are below `tolerance`; none if the search leaves the pattern (a zone vanishes) or does
+  /// The state whose residuals are below `tolerance`, or as small as rounding allows; none if the search leaves the pattern (a zone vanishes) or does
   /// not converge.
   std::optional<SpectralState> find(const SpectralEdges& start, const SpectralOrders& orders, double tolerance);
 

@@ -90,7 +90,7 @@ TEST_CASE("a cylinder on a Zener half-space has Hunter's resistance at any speed
       const RollingSolution solution = spectral(scene);
       CAPTURE(stiffening, creep);
       // Where R_r/P is 1e-6 of the slopes, rounding takes digits.
-      CHECK(solution.rolling_resistance == Approx(exact.rolling_resistance).epsilon(creep > 0.001 && creep < 1e4 ? 1e-9 : 1e-7));
+      CHECK(solution.rolling_resistance == Approx(exact.rolling_resistance).epsilon(creep > 0.001 && creep < 1e4 ? 1e-9 : 1e-8));
       CHECK(solution.leading_edge == Approx(exact.leading_edge()).epsilon(1e-8));
       CHECK(solution.peak_pressure == Approx(exact.peak_pressure).epsilon(1e-6));
     }
@@ -104,9 +104,9 @@ TEST_CASE("on an elastic half-space tractive rolling is Carter's", "[core][spect
   for (const double direction : {1.0, -1.0}) {
     scene.rotation_ratio = 1 - direction * 0.3 * a * (1 - stick);
     const RollingSolution solution = spectral(scene);
-    // Creepage and contact are of the order of 1e-5 of one.
-    CHECK(solution.driving_torque == Approx(-direction * 0.3 * *scene.load * (1 - stick * stick)).epsilon(1e-8));
-    CHECK(solution.contact_area == Approx(2 * a).epsilon(1e-9));
+    // The shear carries a part mu a/R of the load.
+    CHECK(solution.driving_torque == Approx(-direction * 0.3 * *scene.load * (1 - stick * stick)).epsilon(1e-5));
+    CHECK(solution.contact_area == Approx(2 * a).epsilon(1e-5));
   }
 }
 
