@@ -50,7 +50,8 @@ std::optional<PatternStart> one_border_start(const SpectralProblem& problem, con
   if (!std::isfinite(at_low)) return {};
   if (std::abs(at_low) < 1e-9) {
     edges.sticks[0] = contact;
-    return PatternStart{{.shear = true, .slips = {0, 0}}, edges};
+    pattern.slips[0] = 0;
+    return PatternStart{pattern, edges};
   }
   pattern.slips[0] = at_low < 0 ? 1 : -1;
   at_low = missing(low);
