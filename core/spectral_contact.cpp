@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "core/bracketed_root.hpp"
 #include "core/grid_choice.hpp"
 #include "core/spectral_evidence.hpp"
+#include "core/spectral_field.hpp"
 #include "core/spectral_limit.hpp"
 #include "core/spectral_search.hpp"
 #include "core/spectral_start.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surface_panels.hpp"
+
 namespace rollres {
 
 namespace {

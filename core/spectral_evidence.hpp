@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/solution.hpp"
-#include "core/spectral_field.hpp"
+#include "core/spectral_system.hpp"
 
 namespace rollres {
 

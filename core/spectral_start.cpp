@@ -91,7 +91,7 @@ std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double sp
       runs.push_back({zone, direction, x - 0.5 * spacing, x + 0.5 * spacing});
     runs.back().from = x - 0.5 * spacing;
   }
-  // Single nodes at the edges are artefacts of the grid: slip ahead of all stick, stick behind all slip.
+  // Single nodes at the edges are artefacts of the grid: slip ahead of all stick, anything behind all slip.
   const auto single = [&](const Run& run) { return run.to - run.from < 1.5 * spacing; };
   if (runs.empty()) return {};
   const double leading = runs.front().to, trailing = runs.back().from;
@@ -99,7 +99,7 @@ std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double sp
     runs.erase(runs.begin());
     runs.front().to = leading;
   }
-  if (runs.size() > 1 && runs.back().zone == Zone::stick && single(runs.back())) {
+  if (runs.size() > 1 && single(runs.back())) {
     runs.pop_back();
     runs.back().from = trailing;
   }

@@ -8,6 +8,7 @@
 #include "core/chebyshev_rule.hpp"
 #include "core/sliding_base.hpp"
 #include "core/spectral_memory.hpp"
+#include "core/spectral_sources.hpp"
 
 namespace rollres {
 
@@ -42,7 +43,11 @@ class System {
     for (std::size_t z = 0; z < pattern_.sticks(); ++z)
       zones_.push_back({edges_.sticks[z], n_ + 1 + terms_ + static_cast<Index>(z) * (stick_n_ + 1 + terms_), stick_n_,
                         IntervalMemory(problem_, edges_.sticks[z], orders.stick)});
-    place_sources();
+    if (pattern_.shear) {
+      const int tail = !pattern_.one_direction() && memory_.any_tail() ? mixed_tail_terms : 0;
+      base_.emplace(pattern_, edges_, orders.contact + tail, orders.stick);
+    }
+    sources_ = traction_sources(pattern_, edges_, orders, base_ ? &*base_ : nullptr, friction_, stick_places(), size_);
   }
 
   SpectralState solve() {
@@ -69,54 +74,30 @@ class System {
     Index amplitude() const { return psi + order + 1; }
   };
 
-  bool at_leading_edge(std::size_t z) const { return z + 1 == zones_.size() && pattern_.sticks_at_leading_edge(); }
-
-  /// Points at which smooth functions of x are integrated against the tractions.
-  void place_sources() {
-    const auto stick_sources = static_cast<Index>(zones_.size()) * stick_n_;
-    const bool own_nodes = pattern_.shear && !pattern_.one_direction();
-    if (pattern_.shear) {
-      const int tail = own_nodes && memory_.any_tail() ? mixed_tail_terms : 0;
-      base_.emplace(pattern_, edges_, static_cast<int>(n_) + tail, static_cast<int>(stick_n_));
-    }
-    const Index base_nodes = own_nodes ? base_->nodes().size() : 0;
-    sources_.resize(n_ + stick_sources + base_nodes);
-    of_pressure_ = MatrixXd::Zero(sources_.size(), size_);
-    of_shear_ = MatrixXd::Zero(sources_.size(), size_);
-    const Interval& contact = edges_.contact;
-    sources_.head(n_) = contact.centre() + contact.half_length() * rule_.nodes.array();
-    of_pressure_.topLeftCorner(n_, n_) = contact.half_length() * rule_.densities;
-    if (pattern_.shear && !own_nodes)
-      of_shear_.topLeftCorner(n_, n_) = friction_ * pattern_.direction(0) * of_pressure_.topLeftCorner(n_, n_);
-    Index at = n_;
-    for (const Stick& zone : zones_) {
-      sources_.segment(at, stick_n_) =
-          zone.interval.centre() + zone.interval.half_length() * stick_rule_.nodes.array();
-      of_shear_.block(at, zone.psi, stick_n_, stick_n_) = zone.interval.half_length() * stick_rule_.densities;
-      at += stick_n_;
-    }
-    if (base_nodes > 0) {
-      sources_.tail(base_nodes) = base_->nodes();
-      of_shear_.bottomLeftCorner(base_nodes, n_) = friction_ * base_->densities().leftCols(n_);
-    }
+  std::vector<Index> stick_places() const {
+    std::vector<Index> places;
+    for (const Stick& zone : zones_) places.push_back(zone.psi);
+    return places;
   }
+
+  bool at_leading_edge(std::size_t z) const { return z + 1 == zones_.size() && pattern_.sticks_at_leading_edge(); }
 
   /// Rows of g_w and g_u of the layer's correction, at x or over a memory beyond it.
   template <class Kernel>
   std::pair<RowVectorXd, RowVectorXd> correction(const Kernel& kernel, double x) const {
-    RowVectorXd normal(sources_.size()), tangential(sources_.size()), cross(sources_.size());
-    for (Index q = 0; q < sources_.size(); ++q) {
-      const LayerSlopes k = kernel(x - sources_(q));
+    RowVectorXd normal(sources_.x.size()), tangential(sources_.x.size()), cross(sources_.x.size());
+    for (Index q = 0; q < sources_.x.size(); ++q) {
+      const LayerSlopes k = kernel(x - sources_.x(q));
       normal(q) = k(0);
       tangential(q) = k(1);
       cross(q) = k(2);
     }
     RowVectorXd w = RowVectorXd::Zero(size_), u;
-    w.head(n_) = -normal.head(n_) * of_pressure_.topLeftCorner(n_, n_);
+    w.head(n_) = -normal.head(n_) * sources_.of_pressure.topLeftCorner(n_, n_);
     if (pattern_.shear) {
-      w -= cross * of_shear_;
-      u = tangential * of_shear_;
-      u.head(n_) -= cross.head(n_) * of_pressure_.topLeftCorner(n_, n_);
+      w -= cross * sources_.of_shear;
+      u = tangential * sources_.of_shear;
+      u.head(n_) -= cross.head(n_) * sources_.of_pressure.topLeftCorner(n_, n_);
     }
     return {w, u};
   }
@@ -274,26 +255,6 @@ class System {
       row(zone.amplitude() + j) += exponential(zone.interval, j, x) - images.dot(zone.memory.series.col(j));
   }
 
-  RowVectorXd resultant(double (*of_pressure)(const SpectralProblem&, double),
-                        double (*of_shear)(const SpectralProblem&, double)) const {
-    RowVectorXd row = RowVectorXd::Zero(size_);
-    for (Index q = 0; q < sources_.size(); ++q)
-      row += of_pressure(problem_, sources_(q)) * of_pressure_.row(q) + of_shear(problem_, sources_(q)) * of_shear_.row(q);
-    return row;
-  }
-  RowVectorXd load_row() const {
-    return resultant([](const SpectralProblem& p, double x) { return p.cosine(x); },
-                     [](const SpectralProblem& p, double x) { return -x / p.radius; });
-  }
-  RowVectorXd force_row() const {
-    return resultant([](const SpectralProblem& p, double x) { return x / p.radius; },
-                     [](const SpectralProblem& p, double x) { return p.cosine(x); });
-  }
-  RowVectorXd torque_row() const {  // T/R
-    return resultant([](const SpectralProblem&, double) { return 0.0; },
-                     [](const SpectralProblem&, double) { return -1.0; });
-  }
-
   void drive() {
     const RollingScene& scene = problem_.scene;
     auto row = matrix_.row(rotation_);
@@ -302,8 +263,8 @@ class System {
       right_(rotation_) = problem_.rubbery * (*scene.rotation_ratio - 1);
       return;
     }
-    row = torque_row() / edges_.contact.half_length();
-    if (scene.drive == Drive::top_force) row -= force_row() / edges_.contact.half_length();
+    row = torque_row(sources_) / edges_.contact.half_length();
+    if (scene.drive == Drive::top_force) row -= force_row(problem_, sources_) / edges_.contact.half_length();
     if (scene.drive == Drive::torque) right_(rotation_) = *scene.driving_torque / scene.radius / edges_.contact.half_length();
   }
 
@@ -315,9 +276,9 @@ class System {
       const double mean = n == 0 ? 0.5 - std::log(2 / half) : 1.0 / static_cast<double>(n + 2) - 1.0 / static_cast<double>(n);
       w += half / 4 * solution_(n) * mean;
     }
-    for (Index q = 0; q < sources_.size(); ++q) {
-      const LayerSlopes k = layer_displacement_correction(leading - sources_(q), problem_.thickness);
-      w -= k(0) * of_pressure_.row(q).dot(solution_) + k(2) * of_shear_.row(q).dot(solution_);
+    for (Index q = 0; q < sources_.x.size(); ++q) {
+      const LayerSlopes k = layer_displacement_correction(leading - sources_.x(q), problem_.thickness);
+      w -= k(0) * sources_.of_pressure.row(q).dot(solution_) + k(2) * sources_.of_shear.row(q).dot(solution_);
     }
     w *= problem_.rubbery_compliance;
     const VectorXd means = means_ * solution_;
@@ -334,14 +295,14 @@ class System {
     state.pattern = pattern_;
     state.edges = edges_;
     state.pressure = {solution_.head(n_), solution_.segment(amplitude_, terms_)};
-    state.load = load_row().dot(solution_);
-    state.driving_force = force_row().dot(solution_);
-    state.driving_torque = torque_row().dot(solution_) * scene.radius;
+    state.load = load_row(problem_, sources_).dot(solution_);
+    state.driving_force = force_row(problem_, sources_).dot(solution_);
+    state.driving_torque = torque_row(sources_).dot(solution_) * scene.radius;
     state.approach = approach();
     state.edge_means = means_ * solution_;
-    state.sources = sources_;
-    state.pressure_forces = of_pressure_ * solution_;
-    state.shear_forces = of_shear_ * solution_;
+    state.sources = sources_.x;
+    state.pressure_forces = sources_.of_pressure * solution_;
+    state.shear_forces = sources_.of_shear * solution_;
     const double scale = state.load / edges_.contact.half_length();
     state.residuals.resize(pattern_.unknowns());
     state.residuals(0) = solution_(slack_) / scale;
@@ -396,8 +357,7 @@ class System {
   Index slack_, amplitude_, rotation_, size_;  // places of unknowns after the coefficients phi
   std::vector<Stick> zones_;
   std::optional<SlidingBase> base_;
-  VectorXd sources_;
-  MatrixXd of_pressure_, of_shear_;  // [source, unknown]
+  TractionSources sources_;
   MatrixXd matrix_, means_;
   VectorXd right_, solution_;
 };
