@@ -75,6 +75,7 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
     if (same && change < 1e-10 * largest) {
       state.status = tangential.status;
       state.reason = tangential.reason;
+      state.friction_needed = tangential.friction_needed;
       break;
     }
     failures = tangential.status == Status::not_converged ? failures + 1 : 0;

@@ -22,6 +22,7 @@ struct ContactState {
   bool reached_border = false;  // the contact wants more than `grid`
   Status status = Status::not_converged;
   std::string reason;
+  double friction_needed = RollingSolution::absent;  // with no_steady_state: at the normal forces of this state
 };
 
 }  // namespace rollres

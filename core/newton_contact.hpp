@@ -2,12 +2,11 @@
 
 /// Coupled semi-smooth Newton method for rolling contact with stick and slip.
 ///
-/// All laws are one equation of natural maps (Alart and Curnier 1991; Christensen et al. 1998),
-///   p = max(0, p - gap/kappa),   tau = Proj_disc(mu p)(tau + slip/sigma),   load and drive rows,
-/// solved for (p, tau_x, tau_y, d, omega) at once: each step holds the contact, stick and slip sets that the maps
-/// choose, solves the linearised laws, and is shortened where the norm of the maps does not fall.
+/// All laws, as one equation of natural maps (contact_laws.hpp), are solved for (p, tau_x, tau_y, d, omega) at once:
+/// each step holds the contact, stick and slip sets that the maps choose, solves the linearised laws, and is shortened
+/// where the norm of the maps does not fall.
 
-#include "core/newton_system.hpp"
+#include "core/contact_laws.hpp"
 
 namespace rollres {
 
@@ -34,17 +33,5 @@ struct NewtonOutcome {
 NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable& table,
                              const InfluenceOperator& influence, const ContactUnknowns& start,
                              const NewtonOptions& options);
-
-/// Residuals of the natural maps at all nodes, the evidence of a solution [Pa].
-struct NaturalMaps {
-  Displacements moved;
-  Vector gap;              // profile - d - w [m]
-  Vector slip_x, slip_y;   // slip / V [1], at every node
-  double largest = 0;      // largest residual of any law over the largest pressure [1]
-  double mean_square = 0;  // sum of squares of the residuals over the squared largest pressure
-};
-
-NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator& influence,
-                         const ContactUnknowns& unknowns, const std::vector<char>& in_contact);
 
 }  // namespace rollres

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rotation_path.hpp"
+
 namespace rollres {
 
 namespace {
@@ -32,102 +34,137 @@ NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& leve
   return newton_contact(problem, *level.table, *level.influence, start, sticking);
 }
 
-NewtonOutcome solve_by_rotation(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
-                                const NewtonOptions& options) {
-  RollingScene turning = problem.scene;
-  turning.drive = Drive::rotation;
-  turning.driving_torque.reset();
-  turning.rotation_ratio = 1;
-  const ContactProblem given_rotation(turning, problem.grid);
-  const ContactUnknowns start = frictionless_start(given_rotation, level, guess, 1, options);
+namespace {
 
-  struct Trial {
-    double ratio, surplus;
-    NewtonOutcome outcome;
+constexpr double end_of_path = 1e6;  // in omega, where everything slides
+constexpr int most_points = 3000;
+
+/// Solution with the drive's row between two neighbours on the path, where its surplus changes sign.
+std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const ContactLevel& level,
+                                           const RotationPath& path, NewtonOutcome low, NewtonOutcome high,
+                                           NewtonOptions options) {
+  const auto surplus = [&](const NewtonOutcome& at) {
+    return problem.drive(at.unknowns.pressure, at.unknowns.shear_x) - problem.drive_target;
   };
-  int iterations = 0;
-  const auto attempt = [&](double ratio, const ContactUnknowns& from) {
-    ContactUnknowns first = from;
-    first.rotation_ratio = ratio;
-    Trial trial{ratio, RollingSolution::absent,
-                newton_contact(given_rotation, *level.table, *level.influence, first, options)};
-    iterations += trial.outcome.iterations;
-    if (!trial.outcome.converged) {  // from the other side
-      first = start;
-      first.rotation_ratio = ratio;
-      trial.outcome = newton_contact(given_rotation, *level.table, *level.influence, first, options);
-      iterations += trial.outcome.iterations;
-    }
-    if (trial.outcome.converged)
-      trial.surplus =
-          problem.drive(trial.outcome.unknowns.pressure, trial.outcome.unknowns.shear_x) - problem.drive_target;
-    return trial;
+  options.most_iterations = 20;
+  const auto coupled = [&](const ContactUnknowns& start) -> std::optional<NewtonOutcome> {
+    NewtonOutcome outcome = newton_contact(problem, *level.table, *level.influence, start, options);
+    if (!outcome.converged) return {};
+    return outcome;
   };
-
-  NewtonOutcome failed;
-  Trial low = attempt(1, start), high = low;
-  if (std::isnan(low.surplus)) return low.outcome.converged = false, low.outcome;
-  // The strains under the body set the scale of the creepage.
-  double width = 1e-3;
-  for (; width < 1e6 && low.surplus > 0; width *= 3) low = attempt(1 - width, low.outcome.unknowns);
-  for (width = 1e-3; width < 1e6 && high.surplus < 0; width *= 3) high = attempt(1 + width, high.outcome.unknowns);
-  if (!(low.surplus <= 0) || !(high.surplus >= 0)) return failed;
-
+  double low_value = surplus(low), high_value = surplus(high);
+  ContactUnknowns between = low.unknowns;
+  const double part = low_value / (low_value - high_value);
+  between.add(part, high.unknowns).add(-part, low.unknowns);
+  // A node that comes into contact at the far end is not in contact yet.
+  for (Vector* field : {&between.pressure, &between.shear_x, &between.shear_y})
+    for (Eigen::Index i = 0; i < field->size(); ++i)
+      if (low.unknowns.pressure(i) == 0) (*field)(i) = 0;
+  if (std::optional<NewtonOutcome> found = coupled(between)) return found;
   bool bisect = false;
-  for (int step = 0; step < 80; ++step, bisect = !bisect) {
-    const double share = bisect ? 0.5 : std::clamp(low.surplus / (low.surplus - high.surplus), 0.05, 0.95);
-    const double ratio = low.ratio + share * (high.ratio - low.ratio);
-    if (ratio == low.ratio || ratio == high.ratio) break;
-    Trial middle =
-        attempt(ratio, std::abs(low.surplus) < std::abs(high.surplus) ? low.outcome.unknowns : high.outcome.unknowns);
-    if (std::isnan(middle.surplus)) return failed;
-    const bool sticking =
-        std::find(middle.outcome.zone.begin(), middle.outcome.zone.end(), Zone::stick) != middle.outcome.zone.end();
-    if (sticking) {
-      NewtonOutcome coupled = newton_contact(problem, *level.table, *level.influence, middle.outcome.unknowns, options);
-      iterations += coupled.iterations;
-      if (coupled.converged) {
-        coupled.iterations = iterations;
-        return coupled;
-      }
-    }
-    (middle.surplus < 0 ? low : high) = std::move(middle);
+  for (int step = 0; step < 60; ++step, bisect = !bisect) {
+    const double share = bisect ? 0.5 : std::clamp(low_value / (low_value - high_value), 0.05, 0.95);
+    const double from = low.unknowns.rotation_ratio, to = high.unknowns.rotation_ratio;
+    const double ratio = from + share * (to - from);
+    if (ratio == from || ratio == to) break;
+    std::optional<NewtonOutcome> middle =
+        path.solve_at(ratio, std::abs(low_value) < std::abs(high_value) ? low.unknowns : high.unknowns);
+    if (!middle) return {};
+    if (std::optional<NewtonOutcome> found = coupled(middle->unknowns)) return found;
+    const double value = surplus(*middle);
+    ((value < 0) == (low_value < 0) ? low : high) = std::move(*middle);
+    ((value < 0) == (low_value < 0) ? low_value : high_value) = value;
   }
-  return failed;
+  return {};
 }
 
-NewtonOutcome solve_by_friction(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
-                                const NewtonOptions& options) {
-  const double wanted = problem.scene.friction_coefficient;
-  const auto with_friction = [&](double friction) {
-    RollingScene scene = problem.scene;
-    scene.friction_coefficient = friction;
-    return std::make_unique<ContactProblem>(scene, problem.grid);
+/// Where following the path ended.
+struct Journey {
+  std::optional<NewtonOutcome> found;
+  bool at_end = false;  // everything slides the way that the drive asks for, which is not met
+};
+
+/// Highest point of the drive's surplus (times `direction`) between two points on the path, or any where it is
+/// positive, the middle one of three being higher than its neighbours.
+NewtonOutcome crest(const ContactProblem& problem, const RotationPath& path, int direction, double low, double high,
+                    NewtonOutcome middle) {
+  const auto height = [&](const NewtonOutcome& at) {
+    return direction * (problem.drive(at.unknowns.pressure, at.unknowns.shear_x) - problem.drive_target);
   };
-  NewtonOutcome outcome;
-  double reached = 0;
-  for (const double share : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
-    reached = share * wanted;
-    const std::unique_ptr<ContactProblem> weaker = with_friction(reached);
-    outcome = solve_cold(*weaker, level, guess, options);
-    if (!outcome.converged && !weaker->rotation_given()) outcome = solve_by_rotation(*weaker, level, guess, options);
-    if (outcome.converged) break;
-  }
-  double step = 0.1 * wanted;
-  while (outcome.converged && reached < wanted && step > 1e-3 * wanted) {
-    const double next = std::min(wanted, reached + step);
-    NewtonOutcome further = newton_contact(next == wanted ? problem : *with_friction(next), *level.table,
-                                           *level.influence, outcome.unknowns, options);
-    if (further.converged) {
-      outcome = std::move(further);
-      reached = next;
-      step *= 1.5;
+  for (int step = 0; step < 16 && height(middle) < 0; ++step) {
+    const double at = middle.unknowns.rotation_ratio;
+    constexpr double part = 0.381966;
+    const bool upper = std::abs(high - at) > std::abs(at - low);
+    const double ratio = at + part * ((upper ? high : low) - at);
+    std::optional<NewtonOutcome> found = path.solve_at(ratio, middle.unknowns);
+    if (!found) break;
+    if (height(*found) > height(middle)) {
+      (upper ? low : high) = at;
+      middle = std::move(*found);
     } else {
-      step *= 0.5;
+      (upper ? high : low) = ratio;
     }
   }
-  outcome.converged = outcome.converged && reached == wanted;
-  return outcome;
+  return middle;
+}
+
+/// Follows the path one way, until omega takes the value given or the drive's row is met.
+Journey follow_path(const ContactProblem& problem, const ContactLevel& level, RotationPath& path,
+                    const NewtonOptions& options) {
+  if (problem.rotation_given()) {
+    const double wanted = *problem.scene.rotation_ratio;
+    for (int point = 0; point < most_points; ++point) {
+      if (path.ratio() == wanted) return {path.here()};
+      if (std::abs(path.ratio()) > end_of_path || !path.advance(wanted)) break;
+    }
+    return {};
+  }
+  const auto surplus = [&](const NewtonOutcome& at) {
+    return problem.drive(at.unknowns.pressure, at.unknowns.shear_x) - problem.drive_target;
+  };
+  const int sign = surplus(path.here()) < 0 ? -1 : 1;
+  NewtonOutcome before = path.here(), last = before;
+  for (int point = 0; point < most_points; ++point) {
+    before = std::move(last);
+    last = path.here();
+    if (std::abs(path.ratio()) >= end_of_path) return {{}, path.direction() == -sign};
+    if (!path.advance(path.direction() * end_of_path)) return {};
+    const double value = sign * surplus(path.here()), last_value = sign * surplus(last);
+    if (value <= 0) return {solve_between(problem, level, path, last, path.here(), options)};
+    if (path.pivoting() || !(last_value < value && last_value < sign * surplus(before))) continue;
+    const NewtonOutcome top =
+        crest(problem, path, -sign, before.unknowns.rotation_ratio, path.ratio(), std::move(last));
+    if (sign * surplus(top) <= 0) return {solve_between(problem, level, path, before, top, options)};
+    last = top;
+  }
+  return {};
+}
+
+}  // namespace
+
+NewtonOutcome solve_by_rotation(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                                const NewtonOptions& options) {
+  const RotationPath path(problem, level, frictionless_start(problem, level, guess, 1, options), options);
+  if (!path.started()) return {};
+  const ContactUnknowns& x = path.here().unknowns;
+  const bool upwards = problem.rotation_given() ? *problem.scene.rotation_ratio > path.ratio()
+                                                : problem.drive(x.pressure, x.shear_x) < problem.drive_target;
+  const int direction = upwards ? 1 : -1;
+  NewtonOutcome failed;
+  // On a part that is folded back the end looked for may lie the other way.
+  for (const auto& [way, pivoting] : {std::pair(direction, false), {direction, true}, {-direction, true}}) {
+    RotationPath trial = path;
+    trial.head(way, pivoting);
+    Journey journey = follow_path(problem, level, trial, options);
+    if (journey.found) {
+      journey.found->iterations = trial.iterations();
+      return *journey.found;
+    }
+    if (trial.here().reached_border) failed = trial.here();
+    if (journey.at_end) break;
+  }
+  failed.converged = false;
+  return failed;
 }
 
 }  // namespace rollres

@@ -13,13 +13,10 @@ using NewtonStart = NewtonOutcome(const ContactProblem& problem, const ContactLe
 /// Frictionless solution first, then with all contact nodes sticking.
 NewtonStart solve_cold;
 
-/// Brackets the rotation, as a function of which the drive's row rises, and hands over to the coupled iteration as soon
-/// as that converges. For scenes that slide almost everywhere, where the coupled iteration alone wanders among sets
-/// without a sticking node.
+/// Follows the path of solutions over the rotation (rotation_path.hpp) until it passes the rotation given, or the
+/// drive's row changes its sign: in steps first, and from kink to kink where those fail, one way and then the other.
+/// For scenes that slide almost everywhere, where the coupled iteration alone wanders among sets without a sticking
+/// node, and for thin layers and friction near or above one, where shear lifts or drags down much of the contact.
 NewtonStart solve_by_rotation;
-
-/// Solves the largest smaller friction that can be solved and follows the solution up to the friction wanted. For thin
-/// layers and friction near or above one, where shear lifts or drags down much of the contact.
-NewtonStart solve_by_friction;
 
 }  // namespace rollres

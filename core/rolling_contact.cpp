@@ -17,7 +17,22 @@ namespace rollres {
 namespace {
 
 /// Nodes in contact beyond which a tolerance is given up.
-constexpr int most_nodes_2d = 20000, most_nodes_3d = 60000;
+constexpr int most_nodes_2d = 20000, most_nodes_3d = 250000;
+
+/// Cells on the half-width of a sphere's contact. No sum of two squares lies within 1.2 % of the default's square, nor
+/// of half and of a quarter of it: where the contact is an ellipse, no node is near its edge. With a tolerance as many
+/// as an ordinary scene needs.
+double tied_cells(const RollingScene& scene) {
+  constexpr double by_default = 19.532;
+  if (!scene.tolerance) return by_default;
+  constexpr double tolerance_by_default = 1.5e-3, order = 1.7;  // as estimated for random scenes
+  return by_default * std::pow(tolerance_by_default / std::min(*scene.tolerance, 0.02), 1 / order);
+}
+
+GridSeries grids_of(const RollingScene& scene) {
+  if (scene.indenter == Indenter::sphere && !scene.spacing) return tied_grids(scene, tied_cells(scene));
+  return fixed_grids(scene, scene.spacing.value_or(default_spacing(scene)));
+}
 
 NestedOutcome solve_on_grids(const RollingScene& scene) {
   const bool sphere = scene.indenter == Indenter::sphere;
@@ -30,7 +45,7 @@ NestedOutcome solve_on_grids(const RollingScene& scene) {
       return !(nested.error_estimate() <= *scene.tolerance) &&
              (sphere ? 4 : 2) * nodes <= (sphere ? most_nodes_3d : most_nodes_2d);
     };
-  return solve_nested(scene, scene.spacing.value_or(default_spacing(scene)), finer);
+  return solve_nested(scene, grids_of(scene), finer);
 }
 
 RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& scene) {
@@ -54,6 +69,7 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
   solution.status = nested.status;
   solution.reason = nested.reason;
   solution.friction_needed = nested.friction_needed;
+  solution.friction_borne = nested.friction_borne;
   solution.iterations = nested.finest.outcome.iterations;
   return solution;
 }
@@ -91,6 +107,7 @@ RollingSolution solve_paper(const RollingScene& scene) {
     RollingSolution solution;
     solution.status = state.status;
     solution.reason = state.reason;
+    solution.friction_needed = state.friction_needed;
     if (state.status == Status::converged) {
       double asymmetry = 0;
       const ContactUnknowns unknowns = upper_half(state, half, sphere, asymmetry);
@@ -168,7 +185,7 @@ RollingSolution RollingSolver::solve(const RollingScene& scene) {
     }
     if (method == Method::active_set) return solve_paper(scene);
     NestedOutcome outcome;
-    if (last_ && last_->is_like(scene)) outcome = solve_from(last_->outcome, scene);
+    if (last_ && last_->is_like(scene)) outcome = solve_from(last_->outcome, scene, grids_of(scene));
     if (outcome.status == Status::converged)
       ++reused_;
     else

@@ -9,19 +9,89 @@ namespace rollres {
 
 namespace {
 
-/// Surplus of the drive's row [N] in the direction asked for, when the body turns so fast (+1) or so slowly (-1) that
-/// the whole contact slides one way; NaN if that could not be solved.
-double sliding_surplus(RollingScene scene, const SurfaceGrid& grid, double friction, int direction) {
+constexpr double sliding = 1e4;  // omega - 1 at which the whole contact slides one way
+
+/// Surplus of the drive's row [N] in the direction asked for, when the body turns faster (+1) or more slowly (-1) than
+/// it rolls by `excess` in R Omega / V; NaN if that could not be solved.
+double surplus(RollingScene scene, const SurfaceGrid& grid, double friction, int direction, double excess = sliding) {
   scene.friction_coefficient = friction;
-  RollingScene sliding = scene;
-  sliding.drive = Drive::rotation;
-  sliding.driving_torque.reset();
-  sliding.rotation_ratio = 1 + direction * 1e4;
-  const ContactLevel level = solve_level(sliding, grid, nullptr, false);
+  RollingScene turning = scene;
+  turning.drive = Drive::rotation;
+  turning.driving_torque.reset();
+  turning.rotation_ratio = 1 + direction * excess;
+  const ContactLevel level = solve_level(turning, grid, nullptr, false);
   if (!level.outcome.converged) return RollingSolution::absent;
   const ContactProblem wanted(scene, level.problem->grid);
   const ContactUnknowns& x = level.outcome.unknowns;
   return direction * (wanted.drive(x.pressure, x.shear_x) - wanted.drive_target);
+}
+
+/// Friction coefficient at which the nearly linear, rising function `value` vanishes; `start` if it is positive there,
+/// NaN if there is none.
+template <class Function>
+double friction_root(Function value, double start) {
+  double low = start, low_value = value(start);
+  if (!(low_value < 0)) return low_value >= 0 ? start : RollingSolution::absent;
+  // Steps to where it should vanish, and shorter ones where a body under more friction digs itself in.
+  double factor = 1.2, high = start, high_value = low_value;
+  for (int step = 0; step < 60 && !(high_value >= 0) && factor > 1 + 1e-6; ++step) {
+    high = factor * low;
+    high_value = value(high);
+    if (std::isnan(high_value)) {
+      factor = std::sqrt(factor);
+    } else if (high_value < 0) {
+      const double expected =
+          high_value > low_value ? high + (high - low) * high_value / (low_value - high_value) : INFINITY;
+      low = high;
+      low_value = high_value;
+      factor = std::clamp(1.01 * expected / high, 1.02, factor * factor);
+    }
+  }
+  if (!(high_value >= 0)) return RollingSolution::absent;
+  for (int step = 0; step < 40 && high_value > 0 && high - low > 1e-6 * high; ++step) {
+    // Regula falsi that keeps off the ends, but steps just beyond the root it expects.
+    const double expected = -low_value / (high_value - low_value);
+    const double middle = low + (high - low) * std::clamp(expected + (step % 2 == 0 ? 1e-4 : -1e-4), 1e-3, 0.999);
+    const double middle_value = value(middle);
+    if (std::isnan(middle_value)) return RollingSolution::absent;
+    (middle_value < 0 ? low : high) = middle;
+    (middle_value < 0 ? low_value : high_value) = middle_value;
+  }
+  return high;
+}
+
+/// Excess of the rotation at which friction gives most, if that is more than when everything slides; else `sliding`.
+double best_excess(const RollingScene& scene, const SurfaceGrid& grid, double friction, int direction) {
+  const auto value = [&](double excess) { return surplus(scene, grid, friction, direction, excess); };
+  double best = sliding, best_value = value(sliding);
+  const double force = scene.load.value_or(std::abs(best_value)) * friction;
+  constexpr double ratio = 1.8;
+  for (double excess = 100; excess > 1e-3; excess /= ratio) {
+    const double found = value(excess);
+    if (found > best_value) {
+      best = excess;
+      best_value = found;
+    } else if (found < best_value - 0.1 * force) {
+      break;
+    }
+  }
+  if (best == sliding) return best;
+  // Golden section in the logarithm.
+  constexpr double part = 0.381966;
+  double low = best / ratio, high = best * ratio;
+  for (int step = 0; step < 8; ++step) {
+    const bool upper = high / best > best / low;
+    const double excess = upper ? best * std::pow(high / best, part) : best * std::pow(low / best, part);
+    const double found = value(excess);
+    if (found > best_value) {
+      (upper ? low : high) = best;
+      best = excess;
+      best_value = found;
+    } else {
+      (upper ? high : low) = excess;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -29,39 +99,53 @@ double sliding_surplus(RollingScene scene, const SurfaceGrid& grid, double frict
 SlidingLimit sliding_limit(const RollingScene& scene, const SurfaceGrid& half_grid) {
   bool known = true;
   for (const int direction : {1, -1}) {
-    const double surplus = sliding_surplus(scene, half_grid, scene.friction_coefficient, direction);
-    if (surplus < 0) return SlidingLimit::not_enough;
-    known = known && !std::isnan(surplus);
+    const double value = surplus(scene, half_grid, scene.friction_coefficient, direction);
+    if (value < 0) return SlidingLimit::not_enough;
+    known = known && !std::isnan(value);
   }
   return known ? SlidingLimit::enough : SlidingLimit::unknown;
 }
 
 double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid) {
   const double given = scene.friction_coefficient;
-  double forward = sliding_surplus(scene, half_grid, given, 1);
-  double backward = forward < 0 ? 0 : sliding_surplus(scene, half_grid, given, -1);
+  const double forward = surplus(scene, half_grid, given, 1);
+  const double backward = forward < 0 ? 0 : surplus(scene, half_grid, given, -1);
   if (std::isnan(forward) || std::isnan(backward)) return RollingSolution::absent;
   if (forward >= 0 && backward >= 0) return given;
-
-  // The surplus is nearly linear in the coefficient.
   const int direction = forward < 0 ? 1 : -1;
-  double low = given, low_value = direction > 0 ? forward : backward, high = given, high_value = low_value;
-  for (int doubling = 0; doubling < 40 && high_value < 0; ++doubling) {
-    low = high;
-    low_value = high_value;
-    high = 2 * high;
-    high_value = sliding_surplus(scene, half_grid, high, direction);
+  double needed = friction_root([&](double friction) { return surplus(scene, half_grid, friction, direction); }, given);
+  // Friction may give more at a moderate rotation, where part of the contact sticks or is drawn aside.
+  for (int pass = 0; pass < 3 && !std::isnan(needed); ++pass) {
+    const double excess = best_excess(scene, half_grid, needed, direction);
+    if (excess == sliding) break;
+    const double less =
+        friction_root([&](double friction) { return surplus(scene, half_grid, friction, direction, excess); },
+                      std::min(given, needed));
+    if (!(less < needed * (1 - 1e-5))) break;
+    needed = less;
+    if (needed <= given) break;
   }
-  for (int step = 0; step < 40 && high_value > 0 && high - low > 1e-6 * high; ++step) {
-    // Regula falsi that keeps off the ends, but steps just beyond the root it expects.
-    const double expected = -low_value / (high_value - low_value);
-    const double middle = low + (high - low) * std::clamp(expected + (step % 2 == 0 ? 1e-4 : -1e-4), 1e-3, 0.999);
-    const double value = sliding_surplus(scene, half_grid, middle, direction);
-    if (std::isnan(value)) return RollingSolution::absent;
-    (value < 0 ? low : high) = middle;
-    (value < 0 ? low_value : high_value) = value;
+  return needed;
+}
+
+double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid) {
+  const auto solved = [&](double friction) {
+    RollingScene weaker = scene;
+    weaker.friction_coefficient = friction;
+    const ContactLevel level = solve_level(weaker, half_grid, nullptr, true);
+    return level.outcome.converged && !level.outcome.reached_border;
+  };
+  double high = scene.friction_coefficient, low = high / 1.2;
+  for (int step = 0; !solved(low); ++step) {
+    if (step == 5) return RollingSolution::absent;
+    high = low;
+    low /= 1.5;
   }
-  return high_value >= 0 ? high : RollingSolution::absent;
+  while (high > 1.005 * low) {
+    const double middle = std::sqrt(low * high);
+    (solved(middle) ? low : high) = middle;
+  }
+  return low;
 }
 
 }  // namespace rollres

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What friction can give at most: the whole contact sliding one way.
+/// What friction can give at most, and what it can do to a body at most.
 
 #include "core/scene.hpp"
 #include "core/solution.hpp"
@@ -14,5 +14,10 @@ SlidingLimit sliding_limit(const RollingScene& scene, const SurfaceGrid& half_gr
 /// Friction coefficient at which sliding just gives the traction that the scene's drive asks for, on a given grid (the
 /// scene's own if it suffices). NaN if that could not be found out.
 double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid);
+
+/// Largest friction coefficient, within 0.5 %, under which the contact keeps clear of the body's edge, for a scene under
+/// whose own it does not: where friction exceeds the cotangent of the surface's slope somewhere in the contact, more
+/// pressure there bears less load, and the body digs itself in. NaN if less friction does not help.
+double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid);
 
 }  // namespace rollres

@@ -14,7 +14,8 @@ namespace rollres {
 
 enum class Status {
   converged,        ///< every law of contact holds at every node within the solver's tolerance
-  no_steady_state,  ///< the drive asks for more traction than friction can give; `reason` says what is needed
+  no_steady_state,  ///< the drive asks for more traction than friction can give, or friction makes the body dig itself
+                    ///< in; `reason` says what is needed or borne
   not_converged     ///< no answer; `reason` says in which state the solver stopped
 };
 template <>
@@ -73,6 +74,7 @@ struct RollingSolution {
   double energy_residual = absent;
   double law_violation = absent;
   double friction_needed = absent;
+  double friction_borne = absent;
   double error_estimate = absent;
   double spacing = absent;
   int iterations = 0;
@@ -120,6 +122,9 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"law_violation", "", "1", "largest relative violation of a law of contact at any node"}, s.law_violation);
   visitor(Q{"friction_needed", "", "1", "least friction coefficient with a steady state, where there is none"},
           s.friction_needed);
+  visitor(Q{"friction_borne", "", "1",
+            "largest friction coefficient with a steady state, where under more the body digs itself in"},
+          s.friction_borne);
   visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
   visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
   visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);

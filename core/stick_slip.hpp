@@ -37,6 +37,7 @@ struct StickSlip {
   int iterations = 0;                // linear systems solved
   Status status = Status::not_converged;
   std::string reason;
+  double friction_needed = RollingSolution::absent;  // with no_steady_state, at these normal forces
 };
 
 /// What both subroutines share: the slip at a node for unit forces, the limit of friction, the balance of moments.

@@ -115,6 +115,7 @@ StickSlip TangentialProblem::all_sliding(double needed) const {
   for (const int node : contact) state.zone[node] = Zone::slip;
   state.rotation_ratio = std::numeric_limits<double>::quiet_NaN();
   state.status = Status::no_steady_state;
+  state.friction_needed = needed;
   state.reason = "the drive asks for more traction than friction can give: a friction coefficient of about " +
                  std::to_string(needed) + " is needed";
   return state;

@@ -51,23 +51,29 @@ std::string text(const Parts&... parts) {
 }
 
 /// What speaks against a refusal; empty if it is confirmed.
-std::string objection(const Evaluate& evaluate, RollingScene scene, double needed) {
-  if (!std::isfinite(needed)) return "it does not say which friction coefficient is needed";
-  if (needed <= scene.friction_coefficient)
-    return text("it needs a friction coefficient of ", needed, " and has ", scene.friction_coefficient);
+std::string objection(const Evaluate& evaluate, RollingScene scene, const RollingSolution& refused) {
+  // Too little friction for the drive, or too much for the body.
+  const bool too_little = std::isfinite(refused.friction_needed);
+  const double limit = too_little ? refused.friction_needed : refused.friction_borne;
+  const double margin = too_little ? friction_margin : -friction_margin;
+  const std::string_view more = too_little ? "2 % more" : "2 % less", less = too_little ? "2 % less" : "2 % more";
+  const std::string_view verb = too_little ? "needed" : "borne";
+  if (!std::isfinite(limit)) return "it does not say which friction coefficient is needed or borne";
+  if (too_little ? limit <= scene.friction_coefficient : limit >= scene.friction_coefficient)
+    return text("the friction coefficient ", verb, " is ", limit, " and it has ", scene.friction_coefficient);
   const auto solved_with = [&](double part) {
-    scene.friction_coefficient = part * needed;
+    scene.friction_coefficient = part * limit;
     return evaluate(scene);
   };
-  const RollingSolution above = solved_with(1 + friction_margin);
-  if (above.status != Status::converged)
-    return text("with 2 % more friction than needed (", scene.friction_coefficient, ") it is ", name_of(above.status),
-                above.reason.empty() ? "" : ": ", above.reason);
-  if (!laws_held(above))
-    return text("with 2 % more friction than needed (", scene.friction_coefficient,
-                ") a law of contact is violated by ", above.law_violation);
-  if (solved_with(1 - friction_margin).status == Status::converged)
-    return text("it converges with 2 % less friction than needed (", scene.friction_coefficient, ")");
+  const RollingSolution inside = solved_with(1 + margin);
+  if (inside.status != Status::converged)
+    return text("with ", more, " friction than ", verb, " (", scene.friction_coefficient, ") it is ",
+                name_of(inside.status), inside.reason.empty() ? "" : ": ", inside.reason);
+  if (!laws_held(inside))
+    return text("with ", more, " friction than ", verb, " (", scene.friction_coefficient,
+                ") a law of contact is violated by ", inside.law_violation);
+  if (solved_with(1 - margin).status == Status::converged)
+    return text("it converges with ", less, " friction than ", verb, " (", scene.friction_coefficient, ")");
   return {};
 }
 
@@ -92,7 +98,7 @@ void judge_solution(const Evaluate& evaluate, const RollingSolution& solution, T
       break;
     }
     case Status::no_steady_state: {
-      const std::string against = objection(evaluate, trial.scene, solution.friction_needed);
+      const std::string against = objection(evaluate, trial.scene, solution);
       numbers.outcome = against.empty() ? Outcome::refused : Outcome::unconfirmed;
       if (!against.empty()) trial.reason += (trial.reason.empty() ? "" : "; but ") + against;
       break;

@@ -17,8 +17,8 @@ namespace rollres {
 enum class Outcome {
   converged,      ///< with every law of contact held: law_violation < 1e-8
   refused,        ///< no_steady_state, and indeed: it converges with 2 % more friction than it says it needs, and does
-                  ///< not with 2 % less
-  unconfirmed,    ///< no_steady_state, but that is not so, or it does not say how much friction it needs
+                  ///< not with 2 % less; or the other way round where it says that the body digs itself in
+  unconfirmed,    ///< no_steady_state, but that is not so, or it does not say how much friction it needs or bears
   not_converged,  ///< no answer, and it says so; or none within the time limit
   wrong,          ///< says converged, but a law of contact is violated or a number of the answer is not finite
   crashed         ///< threw an exception, or ended its process
