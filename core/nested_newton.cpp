@@ -36,11 +36,8 @@ std::string describe_failure(const ContactLevel& level) {
 }
 
 void refuse(NestedOutcome& nested, const RollingScene& scene, double needed) {
-  std::ostringstream text;
-  text << "the drive asks for more traction than friction can give: needs a friction coefficient of at least " << needed
-       << ", has " << scene.friction_coefficient;
   nested.status = Status::no_steady_state;
-  nested.reason = text.str();
+  nested.reason = too_much_traction(needed, scene.friction_coefficient);
   nested.friction_needed = needed;
 }
 
