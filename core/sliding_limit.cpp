@@ -27,7 +27,6 @@ class Surplus {
     turning.rotation_ratio = 1 + direction_ * excess;
     if (last_) last_->outcome.unknowns.rotation_ratio = *turning.rotation_ratio;
     ContactLevel level = solve_level(turning, grid_, last_ ? &*last_ : nullptr, false);
-    if (!level.outcome.converged && !last_) level = solve_level(turning, grid_, nullptr, true);
     if (!level.outcome.converged) return RollingSolution::absent;
     const ContactProblem wanted(scene_, level.problem->grid);
     const ContactUnknowns& x = level.outcome.unknowns;
