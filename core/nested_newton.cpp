@@ -84,6 +84,11 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
     };
     attempt(solve_cold);
     if (problem.friction && (last_resort || !problem.rotation_given())) attempt(solve_by_rotation);
+    if (problem.friction && last_resort && !level.outcome.converged &&
+        (problem.rotation_given() || sliding_limit(scene, grid) != SlidingLimit::not_enough)) {
+      if (problem.sphere) attempt(solve_by_friction);
+      attempt(solve_by_pivots);
+    }
     if (!level.outcome.reached_border || widest) break;
     grid = cover(grid, follow(level, grid, std::max(4 * grid.spacing_x, 0.4 * reach)));
   }

@@ -140,31 +140,74 @@ Journey follow_path(const ContactProblem& problem, const ContactLevel& level, Ro
   return {};
 }
 
-}  // namespace
-
-NewtonOutcome solve_by_rotation(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
-                                const NewtonOptions& options) {
+NewtonOutcome solve_on_path(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                            const NewtonOptions& options, bool pivoting) {
   const RotationPath path(problem, level, frictionless_start(problem, level, guess, 1, options), options);
   if (!path.started()) return {};
   const ContactUnknowns& x = path.here().unknowns;
   const bool upwards = problem.rotation_given() ? *problem.scene.rotation_ratio > path.ratio()
                                                 : problem.drive(x.pressure, x.shear_x) < problem.drive_target;
-  const int direction = upwards ? 1 : -1;
   NewtonOutcome failed;
   // On a part that is folded back the end looked for may lie the other way.
-  for (const auto& [way, pivoting] : {std::pair(direction, false), {direction, true}, {-direction, true}}) {
-    RotationPath trial = path;
-    trial.head(way, pivoting);
-    Journey journey = follow_path(problem, level, trial, options);
+  for (const int direction : {upwards ? 1 : -1, upwards ? -1 : 1}) {
+    RotationPath way = path;
+    way.head(direction, pivoting);
+    Journey journey = follow_path(problem, level, way, options);
     if (journey.found) {
-      journey.found->iterations = trial.iterations();
+      journey.found->iterations = way.iterations();
       return *journey.found;
     }
-    if (trial.here().reached_border) failed = trial.here();
-    if (journey.at_end) break;
+    if (way.here().reached_border) failed = way.here();
+    if (journey.at_end || !pivoting) break;
   }
   failed.converged = false;
   return failed;
+}
+
+}  // namespace
+
+NewtonOutcome solve_by_rotation(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                                const NewtonOptions& options) {
+  return solve_on_path(problem, level, guess, options, false);
+}
+
+NewtonOutcome solve_by_pivots(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                              const NewtonOptions& options) {
+  return solve_on_path(problem, level, guess, options, true);
+}
+
+NewtonOutcome solve_by_friction(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
+                                const NewtonOptions& options) {
+  const double wanted = problem.scene.friction_coefficient;
+  const auto with_friction = [&](double friction) {
+    RollingScene scene = problem.scene;
+    scene.friction_coefficient = friction;
+    return std::make_unique<ContactProblem>(scene, problem.grid);
+  };
+  NewtonOutcome outcome;
+  double reached = 0;
+  for (const double share : {0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
+    reached = share * wanted;
+    const std::unique_ptr<ContactProblem> weaker = with_friction(reached);
+    outcome = solve_cold(*weaker, level, guess, options);
+    if (!outcome.converged && !weaker->rotation_given()) outcome = solve_by_rotation(*weaker, level, guess, options);
+    if (outcome.converged) break;
+  }
+  double step = 0.1 * wanted;
+  while (outcome.converged && reached < wanted && step > 1e-3 * wanted) {
+    const double next = std::min(wanted, reached + step);
+    NewtonOutcome further = newton_contact(next == wanted ? problem : *with_friction(next), *level.table,
+                                           *level.influence, outcome.unknowns, options);
+    if (further.converged) {
+      outcome = std::move(further);
+      reached = next;
+      step *= 1.5;
+    } else {
+      step *= 0.5;
+    }
+  }
+  outcome.converged = outcome.converged && reached == wanted;
+  return outcome;
 }
 
 }  // namespace rollres

@@ -31,6 +31,22 @@ void clear_outside(ContactUnknowns& x, const ActiveLaws& laws) {
       if (!inside[static_cast<std::size_t>(i)]) (*field)(i) = 0;
 }
 
+/// Nodes whose law differs between two choices, each with its law in the second.
+std::vector<std::pair<Eigen::Index, Zone>> changed_laws(const ActiveLaws& before, const ActiveLaws& after,
+                                                        Eigen::Index size) {
+  const auto on_grid = [&](const ActiveLaws& laws) {
+    std::vector<Zone> zones(static_cast<std::size_t>(size), Zone::free);
+    for (std::size_t i = 0; i < laws.contact.size(); ++i)
+      zones[static_cast<std::size_t>(laws.contact[i])] = laws.zone[i];
+    return zones;
+  };
+  const std::vector<Zone> old_zones = on_grid(before), new_zones = on_grid(after);
+  std::vector<std::pair<Eigen::Index, Zone>> changed;
+  for (std::size_t i = 0; i < new_zones.size(); ++i)
+    if (new_zones[i] != old_zones[i]) changed.emplace_back(static_cast<Eigen::Index>(i), new_zones[i]);
+  return changed;
+}
+
 ContactUnknowns sum(ContactUnknowns x, double factor, const ContactUnknowns& y) { return x.add(factor, y); }
 
 }  // namespace
@@ -110,18 +126,33 @@ std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, con
   return along;
 }
 
-bool RotationPath::creep(double amount) {
-  const ContactUnknowns predicted = sum(here_.unknowns, amount, *tangent_);
-  freely_.drive_target = freely_.drive(predicted.pressure, predicted.shear_x);
-  NewtonOutcome outcome = newton_contact(freely_, *level_->table, *level_->influence, predicted, options_);
-  iterations_ += outcome.iterations;
-  if (!outcome.converged) return false;
+std::optional<NewtonOutcome> RotationPath::land(const ContactUnknowns& predicted, double reach) {
+  NewtonOutcome outcome;
+  if (turning_.sphere) {
+    freely_.drive_target = freely_.drive(predicted.pressure, predicted.shear_x);
+    outcome = newton_contact(freely_, *level_->table, *level_->influence, predicted, options_);
+    iterations_ += outcome.iterations;
+    if (!outcome.converged) return {};
+  } else {
+    std::optional<NewtonOutcome> found = solve_at(predicted.rotation_ratio, predicted);
+    if (!found) return {};
+    outcome = std::move(*found);
+  }
+  if (turning_.sphere && largest(sum(outcome.unknowns, -1, predicted)) > (reach + 1e-5) * largest(here_.unknowns)) return {};
+  return outcome;
+}
+
+bool RotationPath::creep(double amount, double reach) {
+  const ActiveLaws old_laws = laws_at(here_.unknowns);
+  tangent(old_laws, *tangent_);  // sets the measure of progress
+  std::optional<NewtonOutcome> found = land(sum(here_.unknowns, amount, *tangent_), reach * amount);
+  if (!found) return false;
   const ContactUnknowns last = *tangent_;
-  here_ = std::move(outcome);
-  tangent_ = tangent(laws_at(here_.unknowns), last);
-  if (!tangent_) return false;
-  if (tangent_->pressure.dot(last.pressure) + tangent_->shear_x.dot(last.shear_x) < 0)
-    tangent_ = sum(*tangent_, -2, *tangent_);
+  std::optional<ContactUnknowns> next = tangent(laws_at(found->unknowns), last);
+  if (!next) return false;
+  here_ = std::move(*found);
+  const bool reversed = next->pressure.dot(last.pressure) + next->shear_x.dot(last.shear_x) < 0;
+  tangent_ = reversed ? sum(*next, -2, *next) : *next;
   direction_ = tangent_->rotation_ratio > 0 ? 1 : -1;
   return true;
 }
@@ -163,14 +194,19 @@ bool RotationPath::pivot(double limit) {
   ContactUnknowns kink = at(high);
   if (limit_ahead && (limit - kink.rotation_ratio) * direction_ <= 0 && go_to_limit()) return true;
   clear_outside(kink, new_laws);
-  // Into the new laws, not back.
+  // Into the new laws, not back: by what becomes of the node that changed its law.
+  const auto changed = changed_laws(old_laws, new_laws, turning_.grid.size());
+  const auto changes_at = [&](const ContactUnknowns& x) {
+    const auto all = changed_laws(old_laws, laws_at(x), turning_.grid.size());
+    return std::all_of(changed.begin(), changed.end(),
+                       [&](const auto& change) { return std::find(all.begin(), all.end(), change) != all.end(); });
+  };
   if (const std::optional<ContactUnknowns> onward = tangent(new_laws, *tangent_))
-    for (double amount = 1e-10; amount < 1e-3; amount *= 10)
+    for (double amount = 1e-10; amount < 0.1; amount *= 10)
       for (const int sign : {1, -1}) {
         const ContactUnknowns further = sum(kink, sign * amount, *onward);
-        if (!same_laws(laws_at(further), new_laws) || same_laws(laws_at(sum(kink, -sign * amount, *onward)), new_laws))
-          continue;
-        std::optional<NewtonOutcome> found = solve_at(further.rotation_ratio, further);
+        if (!changes_at(further) || changes_at(sum(kink, -sign * amount, *onward))) continue;
+        std::optional<NewtonOutcome> found = land(further, 2 * std::max(high, amount));
         if (!found) continue;
         here_ = std::move(*found);
         tangent_ = sign > 0 ? *onward : sum(*onward, -2, *onward);
@@ -180,9 +216,9 @@ bool RotationPath::pivot(double limit) {
       }
   // A sphere's path is curved: the kink may lie elsewhere, but nearer to it the tangent knows better.
   if (!turning_.sphere || high < 1e-9) return false;
-  tangent(old_laws, *tangent_);
-  for (const double share : {0.9, 0.5, 0.1, 0.02})
-    if (creep(share * high)) return true;
+  for (const double reach : {0.5, 1.0})
+    for (const double share : {0.9, 0.5, 0.1, 0.02})
+      if (creep(share * high, reach)) return true;
   return false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/nested_newton.hpp"
 
@@ -12,19 +13,34 @@ namespace {
 constexpr double sliding = 1e4;  // omega - 1 at which the whole contact slides one way
 
 /// Surplus of the drive's row [N] in the direction asked for, when the body turns faster (+1) or more slowly (-1) than
-/// it rolls by `excess` in R Omega / V; NaN if that could not be solved.
-double surplus(RollingScene scene, const SurfaceGrid& grid, double friction, int direction, double excess = sliding) {
-  scene.friction_coefficient = friction;
-  RollingScene turning = scene;
-  turning.drive = Drive::rotation;
-  turning.driving_torque.reset();
-  turning.rotation_ratio = 1 + direction * excess;
-  const ContactLevel level = solve_level(turning, grid, nullptr, false);
-  if (!level.outcome.converged) return RollingSolution::absent;
-  const ContactProblem wanted(scene, level.problem->grid);
-  const ContactUnknowns& x = level.outcome.unknowns;
-  return direction * (wanted.drive(x.pressure, x.shear_x) - wanted.drive_target);
-}
+/// it rolls by `excess` in R Omega / V; NaN if that could not be solved. Each solution is the next one's start.
+class Surplus {
+ public:
+  Surplus(const RollingScene& scene, const SurfaceGrid& half_grid, int direction)
+      : scene_(scene), grid_(half_grid), direction_(direction) {}
+
+  double operator()(double friction, double excess = sliding) {
+    scene_.friction_coefficient = friction;
+    RollingScene turning = scene_;
+    turning.drive = Drive::rotation;
+    turning.driving_torque.reset();
+    turning.rotation_ratio = 1 + direction_ * excess;
+    if (last_) last_->outcome.unknowns.rotation_ratio = *turning.rotation_ratio;
+    ContactLevel level = solve_level(turning, grid_, last_ ? &*last_ : nullptr, false);
+    if (!level.outcome.converged) return RollingSolution::absent;
+    const ContactProblem wanted(scene_, level.problem->grid);
+    const ContactUnknowns& x = level.outcome.unknowns;
+    const double value = direction_ * (wanted.drive(x.pressure, x.shear_x) - wanted.drive_target);
+    last_ = std::move(level);
+    return value;
+  }
+
+ private:
+  RollingScene scene_;
+  SurfaceGrid grid_;
+  int direction_;
+  std::optional<ContactLevel> last_;
+};
 
 /// Friction coefficient at which the nearly linear, rising function `value` vanishes; `start` if it is positive there,
 /// NaN if there is none.
@@ -61,10 +77,10 @@ double friction_root(Function value, double start) {
 }
 
 /// Excess of the rotation at which friction gives most, if that is more than when everything slides; else `sliding`.
-double best_excess(const RollingScene& scene, const SurfaceGrid& grid, double friction, int direction) {
-  const auto value = [&](double excess) { return surplus(scene, grid, friction, direction, excess); };
+/// @param force by which to measure the surplus [N]
+double best_excess(Surplus& surplus, double friction, double force) {
+  const auto value = [&](double excess) { return surplus(friction, excess); };
   double best = sliding, best_value = value(sliding);
-  const double force = scene.load.value_or(std::abs(best_value)) * friction;
   constexpr double ratio = 1.8;
   for (double excess = 100; excess > 1e-3; excess /= ratio) {
     const double found = value(excess);
@@ -99,7 +115,7 @@ double best_excess(const RollingScene& scene, const SurfaceGrid& grid, double fr
 SlidingLimit sliding_limit(const RollingScene& scene, const SurfaceGrid& half_grid) {
   bool known = true;
   for (const int direction : {1, -1}) {
-    const double value = surplus(scene, half_grid, scene.friction_coefficient, direction);
+    const double value = Surplus(scene, half_grid, direction)(scene.friction_coefficient);
     if (value < 0) return SlidingLimit::not_enough;
     known = known && !std::isnan(value);
   }
@@ -108,24 +124,23 @@ SlidingLimit sliding_limit(const RollingScene& scene, const SurfaceGrid& half_gr
 
 double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid) {
   const double given = scene.friction_coefficient;
-  const double forward = surplus(scene, half_grid, given, 1);
-  const double backward = forward < 0 ? 0 : surplus(scene, half_grid, given, -1);
-  if (std::isnan(forward) || std::isnan(backward)) return RollingSolution::absent;
-  if (forward >= 0 && backward >= 0) return given;
-  const int direction = forward < 0 ? 1 : -1;
-  double needed = friction_root([&](double friction) { return surplus(scene, half_grid, friction, direction); }, given);
-  // Friction may give more at a moderate rotation, where part of the contact sticks or is drawn aside.
-  for (int pass = 0; pass < 3 && !std::isnan(needed); ++pass) {
-    const double excess = best_excess(scene, half_grid, needed, direction);
-    if (excess == sliding) break;
-    const double less =
-        friction_root([&](double friction) { return surplus(scene, half_grid, friction, direction, excess); },
-                      std::min(given, needed));
-    if (!(less < needed * (1 - 1e-5))) break;
-    needed = less;
-    if (needed <= given) break;
+  for (const int direction : {1, -1}) {
+    Surplus surplus(scene, half_grid, direction);
+    const double value = surplus(given);
+    if (std::isnan(value)) return RollingSolution::absent;
+    if (value >= 0) continue;
+    double needed = friction_root([&](double friction) { return surplus(friction); }, given);
+    // Friction may give more at a moderate rotation, where part of the contact sticks or is drawn aside.
+    for (int pass = 0; pass < 3 && needed > given; ++pass) {
+      const double excess = best_excess(surplus, needed, scene.load.value_or(std::abs(value)) * needed);
+      if (excess == sliding) break;
+      const double less = friction_root([&](double friction) { return surplus(friction, excess); }, given);
+      if (!(less < needed * (1 - 1e-5))) break;
+      needed = less;
+    }
+    return needed;
   }
-  return needed;
+  return given;
 }
 
 double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid) {

@@ -2,6 +2,7 @@
 /// draws aside, with several solutions, and bodies on the verge of sliding.
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/rolling_contact.hpp"
@@ -99,4 +100,19 @@ TEST_CASE("a sphere that slides all over, but not everywhere one way, is solved"
   check_converged(
       scene_of(Indenter::sphere, {0.006654, 0.004961, 9.854e6, 2.767, 0.0002309, 0.07508, 54.44, 0.007082, 0.0002421,
                                   Drive::torque, 0.002685}));
+}
+
+TEST_CASE("a cylinder that friction makes dig itself in is refused down to the friction that it bears",
+          "[core][newton_robustness]") {
+  RollingScene scene = scene_of(Indenter::cylinder, {0.06227, 0.003358, 1.02e5, 0.02917, 0.002228, 0.1014, 4.699e4,
+                                                     1.853, 0.001186, Drive::rotation, 25.38});
+  const RollingSolution refused = solve(scene);
+  REQUIRE(refused.status == Status::no_steady_state);
+  CHECK(std::isnan(refused.friction_needed));
+  REQUIRE(refused.friction_borne < scene.friction_coefficient);
+  CHECK(refused.reason.find("dig") != std::string::npos);
+  scene.friction_coefficient = 0.98 * refused.friction_borne;
+  check_converged(scene);
+  scene.friction_coefficient = 1.02 * refused.friction_borne;
+  CHECK(solve(scene).status == Status::no_steady_state);
 }
