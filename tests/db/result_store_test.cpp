@@ -164,7 +164,7 @@ TEST_CASE("the key of an evaluation tells every input, given from absent, and th
   CHECK(evaluation_key(zero) != evaluation_key(none));
   CHECK(evaluation_key(none, "a") != evaluation_key(none, "b"));
   CHECK(evaluation_key(none).size() == 32);
-  CHECK(evaluation_key({}, "") == "fcc0f57607cd797b543108fdab85f7eb");  // FNV-1a of "solver="
+  CHECK(evaluation_key({}, "") == "fcc0f57607cd797b543108fdab85f7eb");  // FNV-1a of "solver=\nmethod=spectral"
 }
 
 TEST_CASE("two studies share the evaluations they have in common", "[db][result_store]") {
