@@ -52,7 +52,7 @@ Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceG
   };
   for (int row = 0; row < to.rows; ++row)
     for (int column = 0; column < to.columns; ++column) {
-      const double x = to.x(column) / from.spacing_x - from.first_column;
+      const double x = (to.x(column) - from.origin_x) / from.spacing_x - from.first_column;
       const double y = sphere ? to.y(row) / from.spacing_y : 0;
       const double left = std::floor(x), below = std::floor(y), fx = x - left, fy = y - below;
       const int c = static_cast<int>(left), r = static_cast<int>(below);
@@ -108,7 +108,7 @@ ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to) {
   return start;
 }
 
-SurfaceGrid follow(const ContactLevel& level, double spacing, double margin) {
+SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double margin) {
   const SurfaceGrid& grid = level.problem->grid;
   double leading = -INFINITY, trailing = INFINITY, half_width = 0;
   for (int row = 0; row < grid.rows; ++row)
@@ -119,15 +119,15 @@ SurfaceGrid follow(const ContactLevel& level, double spacing, double margin) {
         if (level.problem->sphere) half_width = std::max(half_width, grid.y(row));
       }
   const double widest = widest_window(level.problem->scene);
-  SurfaceGrid next = grid;
-  next.spacing_x = spacing;
-  if (level.problem->sphere) next.spacing_y = spacing;
-  const auto cells = [&](double distance) {
-    return static_cast<int>(std::ceil(std::clamp(distance, -widest, widest) / spacing - 1e-9));
+  SurfaceGrid next = like;
+  // Columns beyond the origin, and rows, that reach as far as a distance from under the axis.
+  const auto cells = [&](double distance, double origin, double spacing) {
+    return static_cast<int>(std::ceil((std::clamp(distance, -widest, widest) - origin) / spacing - 1e-9));
   };
-  next.first_column = -cells(margin - trailing);
-  next.columns = cells(leading + margin) - next.first_column + 1;
-  if (level.problem->sphere) next.rows = cells(half_width + margin) + 1;
+  next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x);
+  next.columns = cells(leading + margin, like.origin_x, like.spacing_x) - next.first_column + 1;
+  next.first_row = 0;
+  next.rows = level.problem->sphere ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
   return next;
 }
 

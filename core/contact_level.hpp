@@ -31,8 +31,8 @@ ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to);
 ContactUnknowns transfer(const ContactLevel& coarse, const ContactLevel& similar_coarse,
                          const ContactLevel& similar_fine, const SurfaceGrid& to);
 
-/// Grid of another spacing that leaves `margin` [m] around the level's contact.
-SurfaceGrid follow(const ContactLevel& level, double spacing, double margin);
+/// Grid with the spacings and the origin of `like` that leaves `margin` [m] around the level's contact.
+SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double margin);
 
 /// Rolling resistance of the level's solution [N] (per metre for a cylinder).
 double resistance(const ContactLevel& level);

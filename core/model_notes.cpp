@@ -17,7 +17,8 @@ std::string text(const Parts&... parts) {
 }
 
 double half_length(const RollingSolution& solution) {
-  return 0.5 * (solution.leading_edge - solution.trailing_edge + solution.spacing);
+  const double length = solution.leading_edge - solution.trailing_edge;
+  return 0.5 * (std::isnan(solution.spacing) ? length : length + solution.spacing);
 }
 
 /// rho V^2 / |G*| at the frequency V / half-length.
@@ -57,6 +58,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   if (scene.material == MaterialModel::zener && (scene.stiffening == 0 || scene.creep_time == 0))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
+  if (solution.method == Method::spectral) model += "; continuous edges of contact, no grid";
   model += scene.period ? text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
   return model;
 }

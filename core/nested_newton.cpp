@@ -12,7 +12,8 @@ namespace rollres {
 
 namespace {
 
-constexpr double coarsest_cells_per_half_width = 4;
+/// Violation of the laws on grids that only give a start, and R_r for the estimate of the error.
+constexpr double start_tolerance = 1e-8;
 
 NewtonOptions options_for(const RollingScene& scene) {
   NewtonOptions options;
@@ -35,11 +36,8 @@ std::string describe_failure(const ContactLevel& level) {
 }
 
 void refuse(NestedOutcome& nested, const RollingScene& scene, double needed) {
-  std::ostringstream text;
-  text << "the drive asks for more traction than friction can give: needs a friction coefficient of at least " << needed
-       << ", has " << scene.friction_coefficient;
   nested.status = Status::no_steady_state;
-  nested.reason = text.str();
+  nested.reason = too_much_traction(needed, scene.friction_coefficient);
   nested.friction_needed = needed;
 }
 
@@ -65,7 +63,8 @@ SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
 }  // namespace
 
 ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort) {
-  const NewtonOptions options = options_for(scene);
+  NewtonOptions options = options_for(scene);
+  if (!last_resort) options.tolerance = std::max(options.tolerance, start_tolerance);
   const ContactEstimate estimate = estimate_contact(scene);
   ContactLevel level;
   for (int growth = 0; growth < 12; ++growth) {
@@ -91,7 +90,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       attempt(solve_by_pivots);
     }
     if (!level.outcome.reached_border || widest) break;
-    grid = cover(grid, follow(level, grid.spacing_x, std::max(4 * grid.spacing_x, 0.4 * reach)));
+    grid = cover(grid, follow(level, grid, std::max(4 * grid.spacing_x, 0.4 * reach)));
   }
   return level;
 }
@@ -99,24 +98,17 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
 double NestedOutcome::error_estimate() const {
   const double last = std::abs(coarser_resistance - finest.rolling_resistance);
   const double before = 0.5 * std::abs(coarsest_resistance - coarser_resistance);
-  return (before > last ? before : last) / std::abs(finest.rolling_resistance);
+  return share_left * (before > last ? before : last) / std::abs(finest.rolling_resistance);
 }
 
-NestedOutcome solve_nested(const RollingScene& scene, double spacing,
+NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer) {
   NestedOutcome nested;
-  const ContactEstimate estimate = estimate_contact(scene);
-  const double half_width = std::min(estimate.half_width, 0.7 * scene.radius);
-  int coarsenings = 0;
-  while (half_width / (spacing * std::ldexp(1.0, coarsenings + 1)) >= coarsest_cells_per_half_width) ++coarsenings;
-
-  double current = spacing * std::ldexp(1.0, coarsenings);
-  const auto first_window = [&] {
-    return window(scene.indenter, current, std::min(1.3 * half_width + 3 * current, widest_window(scene)));
-  };
+  nested.share_left = grids.share_left;
+  int coarsening = grids.coarsest, last = 0;
   const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
   bool sliding_checked = !drive_may_fail;
-  nested.finest = solve_level(scene, first_window(), nullptr, coarsenings == 0);
+  nested.finest = solve_level(scene, grids.first(coarsening), nullptr, coarsening == last);
   for (;;) {
     const ContactLevel& level = nested.finest;
     if (level.outcome.reached_border) break;
@@ -126,31 +118,27 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
       sliding_checked = true;
       // No steady state on a coarse grid: most likely none on the finest; it alone decides.
       if (sliding_limit(scene, level.problem->grid) == SlidingLimit::not_enough) {
-        current = std::ldexp(current, -coarsenings);
-        coarsenings = 0;
-        const double needed = friction_needed(scene, first_window());
+        coarsening = last;
+        const double needed = friction_needed(scene, grids.first(coarsening));
         if (needed > scene.friction_coefficient) {
           refuse(nested, scene, needed);
           return nested;
         }
-        nested.finest = solve_level(scene, first_window(), nullptr, true);
+        nested.finest = solve_level(scene, grids.first(coarsening), nullptr, true);
         continue;
       }
     }
-    if (coarsenings == 0) {
+    if (coarsening == last) {
       if (!solved) break;
       nested.status = Status::converged;
       if (!finer || !finer(nested)) return nested;
-      ++coarsenings;
+      --last;
       nested.status = Status::not_converged;
     }
-    --coarsenings;
-    const double coarse = current;
-    current *= 0.5;
+    --coarsening;
     // A grid too coarse for its layer may have no solution: the next one then starts afresh.
-    ContactLevel next =
-        solved ? solve_level(scene, follow(level, current, 1.5 * coarse + 2 * current), &level, coarsenings == 0)
-               : solve_level(scene, first_window(), nullptr, coarsenings == 0);
+    ContactLevel next = solved ? solve_level(scene, grids.around(level, coarsening), &level, coarsening == last)
+                               : solve_level(scene, grids.first(coarsening), nullptr, coarsening == last);
     nested.coarsest_resistance = nested.coarser_resistance;
     nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
     nested.coarser = solved ? std::make_unique<ContactLevel>(std::move(nested.finest)) : nullptr;
@@ -164,7 +152,7 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
     }
   }
   if (scene.friction_coefficient > 0 && nested.finest.outcome.reached_border) {
-    const double borne = friction_borne(scene, first_window());
+    const double borne = friction_borne(scene, grids.first(coarsening));
     if (!std::isnan(borne)) {
       refuse_digging(nested, scene, borne);
       return nested;
@@ -174,26 +162,26 @@ NestedOutcome solve_nested(const RollingScene& scene, double spacing,
   return nested;
 }
 
-NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene) {
+NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene, const GridSeries& grids) {
   constexpr int most_iterations = 8;  // beyond, a cold start is as fast
   NewtonOptions options = options_for(scene);
   options.most_iterations = most_iterations;
-  const auto solve_on_same_spacing = [&](const ContactLevel& level, const auto& start) {
-    const double spacing = level.problem->grid.spacing_x;
-    ContactLevel next = make_level(scene, follow(level, spacing, 4 * spacing));
+  const auto solve_around = [&](const ContactLevel& level, int coarsening, const auto& start) {
+    ContactLevel next = make_level(scene, grids.around(level, coarsening));
     next.outcome = newton_contact(*next.problem, *next.table, *next.influence, start(next.problem->grid), options);
     next.outcome.converged = next.outcome.converged && !next.outcome.reached_border;
     if (next.outcome.converged) next.rolling_resistance = resistance(next);
     return next;
   };
   NestedOutcome nested;
+  nested.share_left = grids.share_left;
   if (similar.coarser) {
-    nested.coarser = std::make_unique<ContactLevel>(solve_on_same_spacing(
-        *similar.coarser, [&](const SurfaceGrid& grid) { return transfer(*similar.coarser, grid); }));
+    nested.coarser = std::make_unique<ContactLevel>(
+        solve_around(*similar.coarser, 1, [&](const SurfaceGrid& grid) { return transfer(*similar.coarser, grid); }));
     if (!nested.coarser->outcome.converged) return nested;
     nested.coarser_resistance = nested.coarser->rolling_resistance;
   }
-  nested.finest = solve_on_same_spacing(similar.finest, [&](const SurfaceGrid& grid) {
+  nested.finest = solve_around(similar.finest, 0, [&](const SurfaceGrid& grid) {
     return similar.coarser ? transfer(*nested.coarser, *similar.coarser, similar.finest, grid)
                            : transfer(similar.finest, grid);
   });

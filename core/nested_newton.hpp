@@ -1,11 +1,11 @@
 #pragma once
 
-/// The Newton method on nested grids: from a grid with eight cells along the contact, halving the spacing, to the one
-/// asked for. Windows follow the contact; where a level fails, safer starts are tried.
+/// The Newton method on nested grids (grid_series.hpp). Windows follow the contact; where a level fails, safer starts
+/// are tried.
 
 #include <functional>
 
-#include "core/contact_level.hpp"
+#include "core/grid_series.hpp"
 
 namespace rollres {
 
@@ -16,25 +16,26 @@ struct NestedOutcome {
   double coarser_resistance = RollingSolution::absent, coarsest_resistance = RollingSolution::absent;
   /// Estimated relative error of the finest rolling resistance: its change at the last halving of the spacing, or half
   /// the change before if that is larger (the edges of the contact move by whole cells, so that one change alone may
-  /// be small by chance). NaN with a single grid.
+  /// be small by chance), times the series' share. NaN with a single grid.
   double error_estimate() const;
+  double share_left = 1;  // of the series
   Status status = Status::not_converged;
   std::string reason;
   double friction_needed = RollingSolution::absent;  // with no_steady_state: too little friction for the drive,
   double friction_borne = RollingSolution::absent;   // or so much that the body digs itself in
 };
 
-/// @param spacing of the finest grid [m]
-/// @param finer asked after a level at the wanted spacing has converged: true to halve the spacing once more
-NestedOutcome solve_nested(const RollingScene& scene, double spacing,
+/// @param finer asked after the finest grid of the series has converged: true to halve the spacing once more
+NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
 
-/// Solves a scene from the solution of a similar one, on grids of the same spacings: the finest and, for the estimate
-/// of the error, the one before. May fail where solve_nested would not.
-NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene);
+/// Solves a scene from the solution of a similar one on the same series of grids: the finest and, for the estimate of
+/// the error, the one before. May fail where solve_nested would not.
+NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene, const GridSeries& grids);
 
 /// Solves on one window, which grows until the contact keeps clear of its border.
-/// @param coarser tried first if not null   @param last_resort whether to follow the path of solutions also where the rotation is given
+/// @param coarser tried first if not null   @param last_resort whether to follow the path of solutions also where the
+/// rotation is given
 ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort);
 
 }  // namespace rollres

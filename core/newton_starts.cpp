@@ -145,9 +145,8 @@ NewtonOutcome solve_on_path(const ContactProblem& problem, const ContactLevel& l
   const RotationPath path(problem, level, frictionless_start(problem, level, guess, 1, options), options);
   if (!path.started()) return {};
   const ContactUnknowns& x = path.here().unknowns;
-  const bool upwards = problem.rotation_given()
-                           ? *problem.scene.rotation_ratio > path.ratio()
-                           : problem.drive(x.pressure, x.shear_x) < problem.drive_target;
+  const bool upwards = problem.rotation_given() ? *problem.scene.rotation_ratio > path.ratio()
+                                                : problem.drive(x.pressure, x.shear_x) < problem.drive_target;
   NewtonOutcome failed;
   // On a part that is folded back the end looked for may lie the other way.
   for (const int direction : {upwards ? 1 : -1, upwards ? -1 : 1}) {

@@ -1,6 +1,7 @@
 #include "core/quadrature.hpp"
 
 #include <cmath>
+#include <map>
 
 namespace rollres {
 
@@ -23,6 +24,13 @@ QuadratureRule gauss_legendre(int order) {
     rule.nodes.push_back(0.5 * (1 + x));
     rule.weights.push_back(1 / ((1 - x * x) * slope * slope));
   }
+  return rule;
+}
+
+const QuadratureRule& gauss_rule(int order) {
+  thread_local std::map<int, QuadratureRule> rules;
+  QuadratureRule& rule = rules[order];
+  if (rule.nodes.empty()) rule = gauss_legendre(order);
   return rule;
 }
 

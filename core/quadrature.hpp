@@ -19,6 +19,9 @@ struct QuadratureRule {
 /// Gauss-Legendre rule on [0, 1] with `order` nodes (Newton iteration on the Legendre polynomial).
 QuadratureRule gauss_legendre(int order);
 
+/// The same, kept for the thread.
+const QuadratureRule& gauss_rule(int order);
+
 /// Integral over s in [0, inf) of e^{-s/T}/T K(s) for K known at nodes only: panels, each with Chebyshev-Lobatto
 /// nodes, on which K is interpolated and multiplied exactly by the exponential. Both ends of a panel are nodes, so
 /// that the sum tends to K(0) + T K'(0) as T -> 0, whatever the width of the panels.

@@ -13,6 +13,12 @@ std::vector<std::string_view> input_keys() {
   return keys;
 }
 
+Method resolved_method(const RollingScene& scene) {
+  if (scene.method != Method::automatic) return scene.method;
+  const bool spectral = scene.indenter == Indenter::cylinder && !scene.spacing && !scene.period;
+  return spectral ? Method::spectral : Method::newton;
+}
+
 std::vector<std::string> check(const RollingScene& scene) {
   std::vector<std::string> broken;
   auto complain = [&](std::string_view key, const auto& value, const std::string& rule) {
@@ -48,6 +54,11 @@ std::vector<std::string> check(const RollingScene& scene) {
     complain("rotation_ratio", *scene.rotation_ratio, "only with drive \"rotation\"");
   if (scene.approach && std::isinf(scene.layer_thickness) && scene.indenter == Indenter::cylinder)
     complain("approach", *scene.approach, "has no meaning for a cylinder on a half-space; give load");
+  if (scene.method == Method::spectral) {
+    if (scene.indenter == Indenter::sphere) complain("method", name_of(scene.method), "only for a cylinder");
+    if (scene.spacing) complain("spacing", *scene.spacing, "not used by method \"spectral\"; give tolerance");
+    if (scene.period) complain("period", *scene.period, "not with method \"spectral\"");
+  }
   if (scene.period && std::isinf(scene.layer_thickness))
     complain("period", *scene.period, "needs a layer of finite thickness");
   return broken;

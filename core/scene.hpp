@@ -32,14 +32,20 @@ struct ChoiceNames<Drive> {
 };
 
 enum class Method {
+  automatic,     ///< spectral for a cylinder, newton for a sphere, with a spacing or where spectral does not apply
   newton,        ///< coupled semi-smooth Newton method (newton_contact.hpp)
   newton_dense,  ///< the same with dense linear algebra: the second route
-  active_set     ///< the algorithms of Zehil and Gavin (2013), normal and tangential problem in turn
+  active_set,    ///< the algorithms of Zehil and Gavin (2013), normal and tangential problem in turn
+  spectral       ///< continuous edges of contact, without a grid (spectral_contact.hpp); cylinder
 };
 template <>
 struct ChoiceNames<Method> {
-  static constexpr std::array<std::string_view, 3> names{"newton", "newton_dense", "active_set"};
+  static constexpr std::array<std::string_view, 5> names{"automatic", "newton", "newton_dense", "active_set",
+                                                         "spectral"};
 };
+
+/// Whether the method solves on a grid, and takes a spacing.
+inline bool on_grid(Method method) { return method != Method::automatic && method != Method::spectral; }
 
 /// Difference that turns surface displacements into slip along a row of nodes.
 enum class SlipStencil { forward, central, backward };
@@ -80,8 +86,8 @@ struct RollingScene {
   std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
   double adhesion_threshold = 0;         // [Pa]
   std::optional<double> spacing;         // a [m]; this or
-  std::optional<double> tolerance;       // [1]; neither: the program's own grid
-  Method method = Method::newton;
+  std::optional<double> tolerance;       // [1]; neither: 1e-8 (spectral) or the program's own grid
+  Method method = Method::automatic;
   std::optional<double> period;                     // L [m]; absent: a single passage
   int series_terms = 2000;                          // [1], with period: wavenumbers kept in each direction
   SlipStencil slip_stencil = SlipStencil::forward;  // active_set
@@ -132,7 +138,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
             "wanted relative error of the rolling resistance, in place of a spacing",
             {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}},
           scene.tolerance);
-  visitor(Q{"method", "", "", "solver"}, scene.method);
+  visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"}, scene.method);
   visitor(Q{"period", "L", "m", "distance of a periodic train of bodies; absent: a single passage", positive},
           scene.period);
   visitor(
@@ -145,6 +151,9 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   visitor(Q{"resticking", "", "", "active_set in 2D: whether a slipping node may stick again"}, scene.resticking);
   visitor(Q{"slip_rule", "", "", "active_set in 3D: how nodes change between stick and slip"}, scene.slip_rule);
 }
+
+/// The method that solves the scene first: its own, or what `automatic` stands for.
+Method resolved_method(const RollingScene& scene);
 
 /// Keys of all inputs, in the order of the list.
 std::vector<std::string_view> input_keys();

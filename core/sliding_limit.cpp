@@ -56,7 +56,8 @@ double friction_root(Function value, double start) {
     if (std::isnan(high_value)) {
       factor = std::sqrt(factor);
     } else if (high_value < 0) {
-      const double expected = high_value > low_value ? high + (high - low) * high_value / (low_value - high_value) : INFINITY;
+      const double expected =
+          high_value > low_value ? high + (high - low) * high_value / (low_value - high_value) : INFINITY;
       low = high;
       low_value = high_value;
       factor = std::clamp(1.01 * expected / high, 1.02, factor * factor);

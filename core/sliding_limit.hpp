@@ -15,9 +15,9 @@ SlidingLimit sliding_limit(const RollingScene& scene, const SurfaceGrid& half_gr
 /// scene's own if it suffices). NaN if that could not be found out.
 double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid);
 
-/// Largest friction coefficient, within 0.5 %, under which the contact keeps clear of the body's edge, for a scene under
-/// whose own it does not: where friction exceeds the cotangent of the surface's slope somewhere in the contact, more
-/// pressure there bears less load, and the body digs itself in. NaN if less friction does not help.
+/// Largest friction coefficient, within 0.5 %, under which the contact keeps clear of the body's edge, for a scene
+/// under whose own it does not: where friction exceeds the cotangent of the surface's slope somewhere in the contact,
+/// more pressure there bears less load, and the body digs itself in. NaN if less friction does not help.
 double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid);
 
 }  // namespace rollres

@@ -136,6 +136,10 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"warnings", "", "", "what to mind when using the answer"}, s.warnings);
 }
 
+/// The reason of `no_steady_state`.
+/// @param needed, given friction coefficients [1]
+std::string too_much_traction(double needed, double given);
+
 /// Keys of all outputs, in the order of the list.
 std::vector<std::string_view> output_keys();
 

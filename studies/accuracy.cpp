@@ -136,7 +136,8 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
                                 const Measure& measure) {
   std::vector<Method> methods = options.methods;
   if (methods.empty())
-    for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i) methods.push_back(static_cast<Method>(i));
+    for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
+      if (on_grid(static_cast<Method>(i))) methods.push_back(static_cast<Method>(i));
   std::vector<double> spacings = options.spacings;
   if (spacings.empty()) {
     spacings = usual_spacings(scene);
@@ -144,6 +145,8 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   }
   std::sort(spacings.rbegin(), spacings.rend());
   spacings.erase(std::unique(spacings.begin(), spacings.end()), spacings.end());
+  for (const Method method : methods)
+    if (!on_grid(method)) throw std::invalid_argument("methods = " + std::string(name_of(method)) + ": has no grid");
   for (const double spacing : spacings)
     if (const auto broken = check(with_grid(scene, Method::newton, spacing)); !broken.empty())
       throw std::invalid_argument(name + ": " + broken.front());

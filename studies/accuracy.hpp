@@ -17,7 +17,7 @@
 namespace rollres {
 
 struct AccuracyOptions {
-  std::vector<Method> methods = {};   ///< empty: every method
+  std::vector<Method> methods = {};   ///< empty: every method on a grid
   std::vector<double> spacings = {};  ///< [m]; empty: see usual_spacings
   std::optional<int> levels = {};     ///< of the usual spacings, how many, the coarsest first
   int repeats = 5;                    ///< for the median; fewer once they take longer than the limit together

@@ -38,7 +38,8 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
   std::vector<Method> methods;
   constexpr auto& known = ChoiceNames<Method>::names;
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (names.empty() || std::find(names.begin(), names.end(), known[i]) != names.end())
+    if (names.empty() ? static_cast<Method>(i) != Method::automatic
+                      : std::find(names.begin(), names.end(), known[i]) != names.end())
       methods.push_back(static_cast<Method>(i));
   for (const std::string& name : names)
     if (find_name(known, name) < 0) {

@@ -14,11 +14,11 @@ RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& sc
     solution = evaluate(scene);
   } catch (const std::exception& error) {
     solution = {};
-    solution.method = scene.method;
+    solution.method = resolved_method(scene);
     solution.reason = error.what();
   } catch (...) {
     solution = {};
-    solution.method = scene.method;
+    solution.method = resolved_method(scene);
     solution.reason = "an unknown error";
   }
   solution.fields = {};

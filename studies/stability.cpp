@@ -40,8 +40,10 @@ std::vector<Trial> planned(const StabilityPlan& plan) {
     trial.number = next_is_sphere ? sphere++ : cylinder++;
     trial.scene = stability_scene(next_is_sphere ? Indenter::sphere : Indenter::cylinder, plan.seed, trial.number);
     for (const Method method : plan.methods) {
-      trial.scene.method = method;
-      trials.push_back(trial);
+      if (method == Method::spectral && next_is_sphere) continue;
+      Trial& added = trials.emplace_back(trial);
+      added.scene.method = method;
+      if (!on_grid(method)) added.scene.spacing.reset();
     }
   }
   return trials;

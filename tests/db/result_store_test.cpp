@@ -121,7 +121,7 @@ TEST_CASE("a plain SQLite shell finds found and given values under their names",
   CHECK(plain.execAndGet("SELECT peak_shear_y FROM evaluation").isNull());
   CHECK(plain.execAndGet("SELECT layer_thickness = 9e999 FROM evaluation").getInt() == 1);
   CHECK(plain.execAndGet("SELECT indenter || given_method || status FROM evaluation").getString() ==
-        "cylindernewtonconverged");
+        "cylinderautomaticconverged");
 }
 
 TEST_CASE("0.3 and 0.1 + 0.2 are one evaluation, 0.3 and 0.300000000001 are two", "[db][result_store]") {

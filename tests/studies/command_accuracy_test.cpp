@@ -48,11 +48,11 @@ TEST_CASE("accuracy writes one row for each scene, method and spacing, and a cha
   INFO(run.err);
   CHECK(run.status == 0);
   const std::vector<std::string> csv = lines_of(file_text(out + "/accuracy.csv"));
-  const std::size_t methods = ChoiceNames<Method>::names.size();
+  const std::size_t methods = 3;  // those on a grid
   REQUIRE(csv.size() == 1 + 2 * methods * 3);
   CHECK(csv.front().starts_with("scene,method,spacing,contact_nodes,rolling_resistance,relative_error,seconds,"));
   for (const PaperScene& paper : paper_scenes())
-    for (const std::string_view method : ChoiceNames<Method>::names) {
+    for (const std::string_view method : {"newton", "newton_dense", "active_set"}) {
       const std::string start = std::string(paper.name) + "," + std::string(method) + ",0.001,31,";
       CHECK(std::count_if(csv.begin(), csv.end(), [&](const auto& line) { return line.starts_with(start); }) == 1);
     }

@@ -211,6 +211,7 @@ TEST_CASE("a failed scene is a scene file that reads back as the same scene", "[
     }
   Trial trial;
   trial.number = 17;
+  trial.scene.method = Method::newton;
   CHECK(failed_scene_name(trial) == "newton-cylinder-17.json");
 }
 
@@ -218,6 +219,7 @@ TEST_CASE("a stability map tells outcomes apart by colour and by mark", "[studie
   std::vector<Trial> trials(12);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trials[i].scene = stability_scene(Indenter::cylinder, 1, i);
+    trials[i].scene.method = Method::newton;
     trials[i].numbers.outcome = static_cast<Outcome>(i % 6);
   }
   const std::string script = stability_map_script(trials, chart_files("map"));

@@ -1,0 +1,166 @@
+#include "core/spectral_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/grid_choice.hpp"
+#include "core/spectral_evidence.hpp"
+#include "core/spectral_field.hpp"
+#include "core/spectral_limit.hpp"
+#include "core/spectral_search.hpp"
+#include "core/spectral_start.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr int most_coefficients = 160;
+constexpr double smallest_residual = 1e-14;
+constexpr double largest_violation = 5e-9;  // of any law
+constexpr double wrong_pattern = 1e-7;  // violation of an inequality that no order mends
+
+class SpectralContact {
+ public:
+  SpectralContact(const RollingScene& scene, const CreepSpectrum& creep)
+      : scene_(scene),
+        tolerance_(scene.tolerance.value_or(default_spectral_tolerance)),
+        problem_(scene, creep, estimate_contact(scene).half_width) {}
+
+  SpectralOutcome run() {
+    if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
+    const std::optional<SpectralState> smooth = frictionless_start(problem_);
+    if (!smooth) return {{}, "no contact found without friction"};
+    if (scene_.friction_coefficient == 0) {
+      if (refine({}, smooth->edges)) return finished();
+      return {{}, "no contact found within the laws"};
+    }
+    if (try_quick_patterns(*smooth)) return finished();
+    if (scene_.drive != Drive::rotation)
+      if (const std::optional<double> needed = friction_needed(problem_, smooth->edges.contact)) {
+        RollingSolution solution;
+        solution.method = Method::spectral;
+        solution.status = Status::no_steady_state;
+        solution.friction_needed = *needed;
+        solution.reason = too_much_traction(*needed, scene_.friction_coefficient);
+        solution.iterations = evaluations_;
+        return {solution, {}};
+      }
+    for (const double nodes : {60.0, 240.0})
+      if (const std::optional<PatternStart> start = pattern_on_grid(scene_, smooth->edges.contact.half_length() / nodes))
+        if (refine(start->pattern, start->edges)) return finished();
+    return {{}, "no pattern of zones fits"};
+  }
+
+ private:
+  SpectralOutcome finished() {
+    best_->solution.method = Method::spectral;
+    best_->solution.status = Status::converged;
+    best_->solution.iterations = evaluations_;
+    return {std::move(best_->solution), {}};
+  }
+
+  bool try_quick_patterns(const SpectralState& smooth) {
+    if (scene_.drive == Drive::rotation) {
+      const int direction = *scene_.rotation_ratio < 1 ? 1 : -1;
+      if (refine({.shear = true, .slips = {direction}}, smooth.edges)) return true;
+    }
+    const std::optional<PatternStart> start = one_border_start(problem_, smooth.edges.contact);
+    if (!start) return false;
+    if (refine(start->pattern, start->edges)) return true;
+    // Overloaded ahead of the border: slip at the leading edge from there on.
+    if (!last_ || !std::isfinite(overloaded_)) return false;
+    SlipPattern pattern = start->pattern;
+    pattern.slips.back() = overload_direction_;
+    SpectralEdges edges = last_->edges;
+    edges.sticks[0].to = overload_start(edges.sticks[0]);
+    return refine(pattern, edges);
+  }
+
+  /// The point of the stick from which on the last state's shear is too large.
+  double overload_start(const Interval& stick) const {
+    const SpectralField field(problem_, *last_);
+    const double step = 0.01 * (stick.to - stick.from);
+    double start = stick.to - 0.5 * step;
+    for (int k = 1; k < 99; ++k) {
+      const double x = stick.to - k * step;
+      if (std::abs(field.shear(x)) > scene_.friction_coefficient * field.pressure(x)) start = x;
+    }
+    return start;
+  }
+
+  /// Solves with rising orders until the tolerance is met; true if the answer obeys all laws.
+  bool refine(const SlipPattern& pattern, SpectralEdges edges) {
+    last_.reset();
+    overloaded_ = RollingSolution::absent;
+    EdgeSearch search(problem_, pattern);
+    double coefficients = first_order(problem_, edges, tolerance_);
+    double before = RollingSolution::absent, tail_before = 1;
+    double residual = std::min(1e-9, 0.01 * tolerance_);
+    bool done = false;
+    while (coefficients <= most_coefficients) {
+      const auto order = static_cast<int>(coefficients);
+      const int used = search.evaluations();
+      std::optional<SpectralState> state = search.find(edges, {order, order}, residual);
+      evaluations_ += search.evaluations() - used;
+      if (!state) break;
+      edges = state->edges;
+      const double resistance = state->driving_force + state->driving_torque * state->rotation_ratio / scene_.radius;
+      const double tail = relative_tail(*state);
+      // Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
+      const double lever = state->load * edges.contact.half_length() / scene_.radius;
+      const double scale = std::max(std::abs(resistance), 1e-6 * lever);
+      const double error = std::abs(resistance - before) / scale * std::min(1.0, tail / tail_before) +
+                           (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+      residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);
+      before = resistance;
+      tail_before = tail;
+      last_ = std::move(state);
+      if (error <= tolerance_) {
+        SpectralEvidence evidence = assess(problem_, *last_);
+        const bool lawful = evidence.wrong_zone < wrong_pattern;
+        if (!lawful) {
+          overloaded_ = evidence.overloaded;
+          overload_direction_ = evidence.overload_direction;
+        }
+        if (evidence.solution.law_violation < largest_violation) {
+          evidence.solution.error_estimate = error;
+          best_ = std::move(evidence);
+          return true;
+        }
+        if (done && !lawful) return false;
+        if (lawful) best_ = std::move(evidence);
+        done = true;
+      }
+      coefficients = 1.4 * coefficients + 2;
+    }
+    return false;
+  }
+
+  static double relative_tail(const SpectralState& state) {
+    const auto part = [](const Eigen::VectorXd& c) {
+      return c.size() > 2 ? c.tail(2).cwiseAbs().maxCoeff() : 0.0;
+    };
+    double tail = part(state.pressure.coefficients);
+    for (const SpectralDensity& stick : state.sticks) tail += part(stick.coefficients);
+    return tail / state.pressure.coefficients.cwiseAbs().maxCoeff();
+  }
+
+  RollingScene scene_;
+  double tolerance_;
+  SpectralProblem problem_;
+  std::optional<SpectralState> last_;
+  std::optional<SpectralEvidence> best_;
+  double overloaded_ = RollingSolution::absent;
+  int overload_direction_ = 0;
+  int evaluations_ = 0;
+};
+
+}  // namespace
+
+SpectralOutcome solve_spectral(const RollingScene& scene) { return solve_spectral(scene, creep_spectrum(scene)); }
+
+SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
+  return SpectralContact(scene, creep).run();
+}
+
+}  // namespace rollres
