@@ -201,8 +201,7 @@ void LayerMemory::march(LayerSlopes end_value, int first, int last) {
 LayerSlopes LayerMemory::operator()(double x) const {
   const double r = x / thickness_;
   if (r >= layer_reach) {
-    const double ahead =
-        scaled_exponential_integral(x / memory_length_) / (2 * M_PI * memory_length_);
+    const double ahead = scaled_exponential_integral(x / memory_length_) / (2 * M_PI * memory_length_);
     return {ahead, ahead, 0, 0};
   }
   const auto [panel, place] = find_panel(std::abs(r));

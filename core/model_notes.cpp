@@ -45,6 +45,8 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
       warnings.push_back(text("unresolved Vτ: the relaxation length Vτ/(1+f) = ", memory, " m is below the spacing ",
                               solution.spacing, " m"));
   }
+  if (scene.spacing && solution.method == Method::spectral)
+    warnings.push_back(text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
   if (scene.period)
     for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
       const double left = std::exp(-*scene.period / (scene.speed * term.time));

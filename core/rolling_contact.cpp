@@ -158,8 +158,9 @@ struct RollingSolver::Last {
   /// Whether a scene is so much like this one that starting from its solution has been measured to be faster: the
   /// contact moves by little more than a cell.
   bool is_like(const RollingScene& next) const {
-    if (resolved_method(scene) != resolved_method(next) || scene.indenter != next.indenter || scene.drive != next.drive ||
-        scene.material != next.material || (scene.friction_coefficient > 0) != (next.friction_coefficient > 0) ||
+    if (resolved_method(scene) != resolved_method(next) || scene.indenter != next.indenter ||
+        scene.drive != next.drive || scene.material != next.material ||
+        (scene.friction_coefficient > 0) != (next.friction_coefficient > 0) ||
         scene.load.has_value() != next.load.has_value() || !next.spacing || scene.spacing != next.spacing ||
         scene.adhesion_threshold > 0 || next.adhesion_threshold > 0)
       return false;

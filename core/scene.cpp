@@ -56,7 +56,6 @@ std::vector<std::string> check(const RollingScene& scene) {
     complain("approach", *scene.approach, "has no meaning for a cylinder on a half-space; give load");
   if (scene.method == Method::spectral) {
     if (scene.indenter == Indenter::sphere) complain("method", name_of(scene.method), "only for a cylinder");
-    if (scene.spacing) complain("spacing", *scene.spacing, "not used by method \"spectral\"; give tolerance");
     if (scene.period) complain("period", *scene.period, "not with method \"spectral\"");
   }
   if (scene.period && std::isinf(scene.layer_thickness))

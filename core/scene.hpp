@@ -138,7 +138,8 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
             "wanted relative error of the rolling resistance, in place of a spacing",
             {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}},
           scene.tolerance);
-  visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"}, scene.method);
+  visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"},
+          scene.method);
   visitor(Q{"period", "L", "m", "distance of a periodic train of bodies; absent: a single passage", positive},
           scene.period);
   visitor(

@@ -148,8 +148,7 @@ Eigen::RowVectorXd SlidingBase::slope(double x) const {
     return -(x - nodes_.array()).inverse().matrix().transpose() * densities_ / (2 * M_PI);
   }
   Eigen::RowVectorXd sum = -0.5 * leading_ * chebyshev_images(t, order_ + 1).tail(order_).transpose();
-  for (const Transition& transition : transitions_)
-    sum += transition.change / (2 * M_PI) * jump_mean(transition, x);
+  for (const Transition& transition : transitions_) sum += transition.change / (2 * M_PI) * jump_mean(transition, x);
   return sum;
 }
 

@@ -8,7 +8,8 @@
 /// a constant plus half-integer powers of the distance at each border, as the exact shear is, so that what remains is
 /// sqrt(1 - t'^2) times a smooth function. Then mu p m is the mean, over borders s that are distributed like
 /// 1/(pi sqrt(1 - s'^2)), of shear that jumps at s, whose field for p = sqrt(1 - t^2) U_n(t) follows from
-///     F_n(t; s) = int_{-1}^{s} sqrt(1 - r^2) U_n(r)/(t - r) dr,   F_{n+1} = 2 t F_n - F_{n-1} - 2 int sqrt(1-r^2) U_n dr;
+///     F_n(t; s) = int_{-1}^{s} sqrt(1 - r^2) U_n(r)/(t - r) dr,   F_{n+1} = 2 t F_n - F_{n-1} - 2 int sqrt(1-r^2) U_n
+///     dr;
 /// its logarithm at s = t is integrated over s exactly.
 
 #include <Eigen/Core>
@@ -37,9 +38,9 @@ class SlidingBase {
   /// A zone of stick between different directions.
   struct Transition {
     Interval stick;
-    int change;                     // of m, from its trailing to its leading end
-    Eigen::ArrayXd border_angles;   // of the borders s = cos(angle)
-    Eigen::MatrixXd partial;        // [border, n]: 2 int_{-1}^{s} sqrt(1 - r^2) U_n dr
+    int change;                    // of m, from its trailing to its leading end
+    Eigen::ArrayXd border_angles;  // of the borders s = cos(angle)
+    Eigen::MatrixXd partial;       // [border, n]: 2 int_{-1}^{s} sqrt(1 - r^2) U_n dr
   };
   void place_nodes();
   Eigen::RowVectorXd jump_mean(const Transition& transition, double x) const;

@@ -17,7 +17,7 @@ namespace {
 constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
 constexpr double largest_violation = 5e-9;  // of any law
-constexpr double wrong_pattern = 1e-7;  // violation of an inequality that no order mends
+constexpr double wrong_pattern = 1e-7;      // violation of an inequality that no order mends
 
 class SpectralContact {
  public:
@@ -46,7 +46,8 @@ class SpectralContact {
         return {solution, {}};
       }
     for (const double nodes : {60.0, 240.0})
-      if (const std::optional<PatternStart> start = pattern_on_grid(scene_, smooth->edges.contact.half_length() / nodes))
+      if (const std::optional<PatternStart> start =
+              pattern_on_grid(scene_, smooth->edges.contact.half_length() / nodes))
         if (refine(start->pattern, start->edges)) return finished();
     return {{}, "no pattern of zones fits"};
   }
@@ -137,9 +138,7 @@ class SpectralContact {
   }
 
   static double relative_tail(const SpectralState& state) {
-    const auto part = [](const Eigen::VectorXd& c) {
-      return c.size() > 2 ? c.tail(2).cwiseAbs().maxCoeff() : 0.0;
-    };
+    const auto part = [](const Eigen::VectorXd& c) { return c.size() > 2 ? c.tail(2).cwiseAbs().maxCoeff() : 0.0; };
     double tail = part(state.pressure.coefficients);
     for (const SpectralDensity& stick : state.sticks) tail += part(stick.coefficients);
     return tail / state.pressure.coefficients.cwiseAbs().maxCoeff();

@@ -3,8 +3,8 @@
 /// Rolling of a cylinder with continuous contact edges: one domain for each zone, spectral in each.
 ///
 /// The zones are guessed from a chain of cheap solutions (frictionless; one border between stick and slip; slip at the
-/// leading edge where that would overload the stick; the zones of a coarse grid), and every answer is checked against all
-/// laws on a fine set of points. Orders rise until the tolerance is met.
+/// leading edge where that would overload the stick; the zones of a coarse grid), and every answer is checked against
+/// all laws on a fine set of points. Orders rise until the tolerance is met.
 
 #include <optional>
 #include <string>

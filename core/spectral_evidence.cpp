@@ -186,8 +186,7 @@ class SpectralAssessment {
     grid.first_column = static_cast<int>(std::ceil(behind / grid.spacing_x));
     grid.columns = static_cast<int>(std::floor(ahead / grid.spacing_x)) - grid.first_column + 1;
     const auto columns = static_cast<std::size_t>(grid.columns);
-    for (std::vector<double>* values :
-         {&fields.u, &fields.w, &fields.pressure, &fields.shear_x, &fields.slip_x})
+    for (std::vector<double>* values : {&fields.u, &fields.w, &fields.pressure, &fields.shear_x, &fields.slip_x})
       values->assign(columns, 0);
     fields.zone.assign(columns, Zone::free);
     // u from the far end of the panels ahead, where the layer is at rest.

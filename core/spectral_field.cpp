@@ -84,7 +84,8 @@ SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState
   for (std::size_t z = 0; z < state.sticks.size(); ++z)
     stick_tails_.push_back(tails_of(problem, state.sticks[z], state.edges.sticks[z].half_length()));
   if (state.pattern.shear)
-    base_.emplace(state.pattern, state.edges, static_cast<int>(state.pressure.coefficients.size() + mixed_tail().size()),
+    base_.emplace(state.pattern, state.edges,
+                  static_cast<int>(state.pressure.coefficients.size() + mixed_tail().size()),
                   state.sticks.empty() ? 0 : static_cast<int>(state.sticks.front().coefficients.size()));
 }
 
@@ -117,8 +118,7 @@ double SpectralField::shear(double x) const {
   double sum = friction_ * base_->direction(x) * pressure(x);
   for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
     const double t = place_in(state_.edges.sticks[z], x);
-    if (std::abs(t) < 1)
-      sum += density_sum(state_.sticks[z].coefficients, t, 1) - tail_density(stick_tails_[z], t);
+    if (std::abs(t) < 1) sum += density_sum(state_.sticks[z].coefficients, t, 1) - tail_density(stick_tails_[z], t);
   }
   return sum;
 }

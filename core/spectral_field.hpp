@@ -33,8 +33,8 @@ class SpectralField {
   double tail_image(const Tails& tails, double t) const;
 
   struct Tails {
-    Eigen::VectorXd kept;       // amplitude times series up to the order, summed over terms
-    Eigen::VectorXd left;       // and beyond it, from order + 1
+    Eigen::VectorXd kept;  // amplitude times series up to the order, summed over terms
+    Eigen::VectorXd left;  // and beyond it, from order + 1
     Eigen::VectorXd amplitudes, rates;
   };
   static Tails tails_of(const SpectralProblem& problem, const SpectralDensity& density, double half_length);

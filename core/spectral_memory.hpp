@@ -12,10 +12,10 @@ namespace rollres {
 /// The exponentials e^{(x - to)/rho_j} of an interval that ends at `to`, split at a density's order, and the memories
 /// R_{T_m} beyond its leading end.
 struct IntervalMemory {
-  Eigen::MatrixXd series;  // [n, j]: Chebyshev coefficients, n = 0 ... order; beyond it they are left to tails
-  Eigen::MatrixXd beyond;  // [k, j]: and those of n = order + 1 + k, as many as matter at a distance; perhaps none
-  Eigen::MatrixXd memory;  // [n, m]: b_n (memory_functions.hpp), n = 0 ... order
-  Eigen::MatrixXd tails;   // [j, m]: R_{T_m} at `to` of the field of the tail
+  Eigen::MatrixXd series;      // [n, j]: Chebyshev coefficients, n = 0 ... order; beyond it they are left to tails
+  Eigen::MatrixXd beyond;      // [k, j]: and those of n = order + 1 + k, as many as matter at a distance; perhaps none
+  Eigen::MatrixXd memory;      // [n, m]: b_n (memory_functions.hpp), n = 0 ... order
+  Eigen::MatrixXd tails;       // [j, m]: R_{T_m} at `to` of the field of the tail
   std::vector<bool> has_tail;  // [j]
 
   IntervalMemory(const SpectralProblem& problem, const Interval& interval, int order);

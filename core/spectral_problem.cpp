@@ -52,9 +52,7 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
 
 bool SpectralProblem::layered() const { return std::isfinite(thickness); }
 
-double SpectralProblem::cosine(double x) const {
-  return std::sqrt(std::max(1 - x * x / (radius * radius), 1e-4));
-}
+double SpectralProblem::cosine(double x) const { return std::sqrt(std::max(1 - x * x / (radius * radius), 1e-4)); }
 double SpectralProblem::profile(double x) const { return x * x / (radius * (1 + cosine(x))); }
 double SpectralProblem::slope(double x) const { return x / (radius * cosine(x)); }
 

@@ -10,8 +10,8 @@
 
 namespace rollres {
 
-/// Lengths in m, moduli in Pa. A memory of length T = V tau is int_0^inf e^{-s/T}/T (.)(x + s) ds, written R_T; with the
-/// elastic slope g of a layer of unit modulus the slope of the surface is w' = [J_inf + sum_m C_m R_{T_m}] g, and
+/// Lengths in m, moduli in Pa. A memory of length T = V tau is int_0^inf e^{-s/T}/T (.)(x + s) ds, written R_T; with
+/// the elastic slope g of a layer of unit modulus the slope of the surface is w' = [J_inf + sum_m C_m R_{T_m}] g, and
 /// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/relaxation.hpp).
 struct SpectralProblem {
   /// @param creep the layer's material; the scene's own is not looked at
@@ -24,12 +24,12 @@ struct SpectralProblem {
 
   RollingScene scene;
   double radius, thickness;
-  double glassy, rubbery;           // G_inf, G0 [Pa]
-  double rubbery_compliance;        // J_inf + sum C [1/Pa]
-  double glassy_compliance;         // J_inf [1/Pa]
-  std::vector<double> creep_length, creep_compliance;          // T_m, C_m
-  std::vector<double> relaxation_length, relaxation_modulus;   // rho_j, g_j
-  Eigen::MatrixXd memory_factor;    // [j, m]: C_m T_m/(T_m - rho_j), so that R_{rho_j} w' = sum_m factor R_{T_m} g
+  double glassy, rubbery;                                     // G_inf, G0 [Pa]
+  double rubbery_compliance;                                  // J_inf + sum C [1/Pa]
+  double glassy_compliance;                                   // J_inf [1/Pa]
+  std::vector<double> creep_length, creep_compliance;         // T_m, C_m
+  std::vector<double> relaxation_length, relaxation_modulus;  // rho_j, g_j
+  Eigen::MatrixXd memory_factor;      // [j, m]: C_m T_m/(T_m - rho_j), so that R_{rho_j} w' = sum_m factor R_{T_m} g
   std::vector<LayerMemory> memories;  // one for each T_m; none for a half-space
 
   bool layered() const;

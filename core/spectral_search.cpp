@@ -13,8 +13,8 @@ using Eigen::VectorXd;
 constexpr int most_steps = 40;
 constexpr double nearly_done = 1e-10;
 
-/// Centre and logarithm of the half-length; roots of the parts of the contact that each zone takes but for the stick next
-/// to the leading edge, which takes the rest: the residuals are smooth in them even as a zone shrinks.
+/// Centre and logarithm of the half-length; roots of the parts of the contact that each zone takes but for the stick
+/// next to the leading edge, which takes the rest: the residuals are smooth in them even as a zone shrinks.
 VectorXd place_of(const SlipPattern& pattern, const SpectralEdges& edges, double unit) {
   VectorXd place(pattern.unknowns());
   const Interval& contact = edges.contact;
@@ -50,9 +50,7 @@ SpectralEdges edges_at(const SlipPattern& pattern, const VectorXd& place, double
 }
 
 /// Part of the contact that the stick next to the leading edge takes.
-double stick_part(const VectorXd& place) {
-  return 1 - place.tail(place.size() - 2).squaredNorm();
-}
+double stick_part(const VectorXd& place) { return 1 - place.tail(place.size() - 2).squaredNorm(); }
 
 /// The part of a step that leaves each zone a part of its length, and the contact its size.
 double allowed_part(const SlipPattern& pattern, const VectorXd& place, const VectorXd& step) {

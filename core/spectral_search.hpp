@@ -14,8 +14,8 @@ class EdgeSearch {
  public:
   EdgeSearch(const SpectralProblem& problem, const SlipPattern& pattern) : problem_(problem), pattern_(pattern) {}
 
-  /// The state whose residuals are below `tolerance`, or as small as rounding allows; none if the search leaves the pattern (a zone vanishes) or does
-  /// not converge.
+  /// The state whose residuals are below `tolerance`, or as small as rounding allows; none if the search leaves the
+  /// pattern (a zone vanishes) or does not converge.
   std::optional<SpectralState> find(const SpectralEdges& start, const SpectralOrders& orders, double tolerance);
 
   int evaluations() const { return evaluations_; }
@@ -26,8 +26,8 @@ class EdgeSearch {
 
   const SpectralProblem& problem_;
   SlipPattern pattern_;
-  double unit_ = 1;           // length by which places are measured [m]
-  Eigen::MatrixXd inverse_;   // of the residuals' derivatives; empty: not known
+  double unit_ = 1;          // length by which places are measured [m]
+  Eigen::MatrixXd inverse_;  // of the residuals' derivatives; empty: not known
   int evaluations_ = 0;
 };
 

@@ -11,7 +11,7 @@
 namespace rollres {
 
 struct TractionSources {
-  Eigen::VectorXd x;                       // [m]; the contact's own nodes first
+  Eigen::VectorXd x;                      // [m]; the contact's own nodes first
   Eigen::MatrixXd of_pressure, of_shear;  // [source, unknown]: force per unknown [m]
 };
 

@@ -71,7 +71,7 @@ std::optional<PatternStart> one_border_start(const SpectralProblem& problem, con
 std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double spacing) {
   RollingScene gridded = scene;
   gridded.tolerance.reset();
-  const NestedOutcome nested = solve_nested(gridded, spacing, nullptr);
+  const NestedOutcome nested = solve_nested(gridded, fixed_grids(gridded, spacing));
   if (nested.status != Status::converged) return {};
   const ContactLevel& level = nested.finest;
   const SurfaceGrid& grid = level.problem->grid;

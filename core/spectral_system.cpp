@@ -220,7 +220,8 @@ class System {
           if (other != z) add_stick(other, x, row);
         if (x < edges_.contact.to)
           for (Index j = 0; j < terms_; ++j)
-            row(amplitude_ + j) -= friction_ * base_->direction(x) * tail_image(j, x, exponential(edges_.contact, j, x));
+            row(amplitude_ + j) -=
+                friction_ * base_->direction(x) * tail_image(j, x, exponential(edges_.contact, j, x));
         for (Index m = 0; m < terms_; ++m) means.row(m) += points.weights(q, m) * row;
       }
     } else if (terms_ > 0) {
@@ -265,7 +266,8 @@ class System {
     }
     row = torque_row(sources_) / edges_.contact.half_length();
     if (scene.drive == Drive::top_force) row -= force_row(problem_, sources_) / edges_.contact.half_length();
-    if (scene.drive == Drive::torque) right_(rotation_) = *scene.driving_torque / scene.radius / edges_.contact.half_length();
+    if (scene.drive == Drive::torque)
+      right_(rotation_) = *scene.driving_torque / scene.radius / edges_.contact.half_length();
   }
 
   double approach() const {
@@ -273,7 +275,8 @@ class System {
     const double half = edges_.contact.half_length(), leading = edges_.contact.to;
     double w = 0;  // of unit modulus
     for (Index n = 0; n < n_; ++n) {
-      const double mean = n == 0 ? 0.5 - std::log(2 / half) : 1.0 / static_cast<double>(n + 2) - 1.0 / static_cast<double>(n);
+      const double mean =
+          n == 0 ? 0.5 - std::log(2 / half) : 1.0 / static_cast<double>(n + 2) - 1.0 / static_cast<double>(n);
       w += half / 4 * solution_(n) * mean;
     }
     for (Index q = 0; q < sources_.x.size(); ++q) {
@@ -315,8 +318,7 @@ class System {
     Index residual = 2;
     for (std::size_t z = 0; z < zones_.size(); ++z) {
       const Stick& zone = zones_[z];
-      state.sticks.push_back(
-          {solution_.segment(zone.psi, stick_n_), solution_.segment(zone.amplitude(), terms_)});
+      state.sticks.push_back({solution_.segment(zone.psi, stick_n_), solution_.segment(zone.amplitude(), terms_)});
       if (pattern_.slips[z] != 0) state.residuals(residual++) = solution_(zone.slack()) / scale;
       if (pattern_.slips[z + 1] != 0) state.residuals(residual++) = root_at_leading_end(z) / scale;
     }

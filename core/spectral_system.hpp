@@ -2,13 +2,13 @@
 
 /// The linear problem inside given edges of contact and borders of stick: tractions, memories and rotation.
 ///
-/// Contact x = c + l t, |t| <= 1; p = sqrt(1 - t^2) sum phi_n U_n(t). Where the body touches, w' is its slope, so that the
-/// elastic slope g = G_inf w' - sum_j g_j R_{rho_j} w' is known but for what each memory has at the leading edge:
+/// Contact x = c + l t, |t| <= 1; p = sqrt(1 - t^2) sum phi_n U_n(t). Where the body touches, w' is its slope, so that
+/// the elastic slope g = G_inf w' - sum_j g_j R_{rho_j} w' is known but for what each memory has at the leading edge:
 ///     R_{rho_j} w'(x) = r_j(x) + (z_j - r_j(x+)) e^{(x - x+)/rho_j},      z_j = sum_m factor_jm R_{T_m} g (x+),
 /// r_j being any solution of r - rho_j r' = w'. The exponential's Chebyshev series is known to any order (Bessel
 /// functions); what lies beyond the order N of the densities goes into the pressure directly, as
-/// 4 Z_j e^{-l/rho_j} I_n(l/rho_j) U_{n-1}, n > N ("tails"), so that memories much shorter than the contact need no more
-/// unknowns. The same holds in the zone of stick, x = c' + l' t', where u' = R Omega/V - 1: there
+/// 4 Z_j e^{-l/rho_j} I_n(l/rho_j) U_{n-1}, n > N ("tails"), so that memories much shorter than the contact need no
+/// more unknowns. The same holds in the zone of stick, x = c' + l' t', where u' = R Omega/V - 1: there
 ///     shear = base + sqrt(1 - t'^2) sum psi_n U_n(t'),
 /// the base being +-mu p outside the stick (sliding_base.hpp). Bounded tractions are possible for the right edges only:
 /// the constants that each system lacks are the residuals that the search for edges and borders must bring to zero.
@@ -23,8 +23,9 @@ namespace rollres {
 
 /// Which zones there are: slip and stick in turn, from the trailing to the leading edge.
 struct SlipPattern {
-  bool shear = false;      // false: no friction, and no zones
-  std::vector<int> slips;  // direction of the shear in each zone of slip, +1 or -1; 0 first or last: stick up to the edge
+  bool shear = false;  // false: no friction, and no zones
+  std::vector<int>
+      slips;  // direction of the shear in each zone of slip, +1 or -1; 0 first or last: stick up to the edge
 
   std::size_t sticks() const { return slips.empty() ? 0 : slips.size() - 1; }
   bool sticks_at_trailing_edge() const { return sticks() > 0 && slips.front() == 0; }
@@ -74,13 +75,13 @@ struct SpectralState {
   SpectralEdges edges{};
   SpectralDensity pressure;
   std::vector<SpectralDensity> sticks;
-  double rotation_ratio = 1;       // R Omega/V
-  double load = 0, approach = 0;   // P [N/m], d [m] (NaN for a half-space)
-  double driving_torque = 0, driving_force = 0;  // T [N], Q [N/m]
-  Eigen::VectorXd edge_means;      // R_{T_m} g_w at the leading edge [Pa]
+  double rotation_ratio = 1;                               // R Omega/V
+  double load = 0, approach = 0;                           // P [N/m], d [m] (NaN for a half-space)
+  double driving_torque = 0, driving_force = 0;            // T [N], Q [N/m]
+  Eigen::VectorXd edge_means;                              // R_{T_m} g_w at the leading edge [Pa]
   Eigen::VectorXd sources, pressure_forces, shear_forces;  // points and forces that stand for the tractions at a
                                                            // distance [m], [N/m]
-  Eigen::VectorXd residuals;       // relative, one for each edge and border
+  Eigen::VectorXd residuals;                               // relative, one for each edge and border
 };
 
 /// @param edges with the pattern's zones of stick, inside the contact

@@ -15,8 +15,8 @@ namespace {
 /// Chebyshev-Lobatto nodes s_k = cos(pi k/last) with everything a panel needs.
 struct PanelRule {
   static constexpr int last = 20, count = last + 1;
-  ArrayXd s, place, rate;          // nodes, sin(pi s/2), its derivative
-  MatrixXd derivative, integral;   // by s; from s = 1
+  ArrayXd s, place, rate;         // nodes, sin(pi s/2), its derivative
+  MatrixXd derivative, integral;  // by s; from s = 1
   PanelRule() : s(count), derivative(count, count), integral(count, count) {
     MatrixXd values(count, count), integrals(count, count), slopes(count, count);  // of T_n at nodes
     for (int k = 0; k < count; ++k) {
@@ -94,8 +94,7 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   borders.push_back(contact.from - 0.5 * half);
   borders.push_back(contact.from - 1.5 * half);
   // In contact: a number of the coefficients' oscillations for each panel, at most.
-  const auto order =
-      static_cast<double>(state.pressure.coefficients.size());
+  const auto order = static_cast<double>(state.pressure.coefficients.size());
   const int parts = 1 + static_cast<int>(M_PI * order / 14);
   for (int i = 1; i < parts; ++i) borders.push_back(contact.centre() + half * std::cos(M_PI * i / parts));
   std::sort(borders.rbegin(), borders.rend());
@@ -111,8 +110,16 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   }
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const double from = kept[i], to = kept[i - 1];
-    panels.push_back({.zone = field.zone(0.5 * (from + to)), .from = from, .to = to, .x = {}, .weights = {},
-                      .pressure = {}, .shear = {}, .slope_w = {}, .slope_u = {}, .gap = {}});
+    panels.push_back({.zone = field.zone(0.5 * (from + to)),
+                      .from = from,
+                      .to = to,
+                      .x = {},
+                      .weights = {},
+                      .pressure = {},
+                      .shear = {},
+                      .slope_w = {},
+                      .slope_u = {},
+                      .gap = {}});
   }
 
   const PanelRule& rule = panel_rule();

@@ -15,10 +15,10 @@ namespace rollres {
 /// One panel; arrays run from the leading to the trailing end.
 struct SurfacePanel {
   Zone zone;
-  double from, to;              // trailing and leading end [m]
-  Eigen::ArrayXd x, weights;    // [m]; sum of weights times values is the integral
+  double from, to;            // trailing and leading end [m]
+  Eigen::ArrayXd x, weights;  // [m]; sum of weights times values is the integral
   Eigen::ArrayXd pressure, shear, slope_w, slope_u;
-  Eigen::ArrayXd gap;           // less that at the leading edge, integrated from there [m]
+  Eigen::ArrayXd gap;  // less that at the leading edge, integrated from there [m]
 
   /// Integral of values from the leading end to each node.
   Eigen::ArrayXd integrated(const Eigen::ArrayXd& values) const;

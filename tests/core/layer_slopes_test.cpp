@@ -14,9 +14,9 @@ TEST_CASE("slopes of a layer are the derivatives of its displacements", "[core][
     for (const double sign : {1.0, -1.0}) {
       const double x = sign * r * thickness, step = 1e-4 * thickness;
       const LayerSlopes slope = layer_slope_correction(x, thickness);
-      const LayerSlopes difference = (layer_displacement_correction(x + step, thickness) -
-                                      layer_displacement_correction(x - step, thickness)) /
-                                     (2 * step);
+      const LayerSlopes difference =
+          (layer_displacement_correction(x + step, thickness) - layer_displacement_correction(x - step, thickness)) /
+          (2 * step);
       // Second order in the step, and rounding over the step.
       CAPTURE(x);
       CHECK((slope - difference).head<3>().abs().maxCoeff() < 1e-7 / thickness);
@@ -46,7 +46,8 @@ TEST_CASE("the mean of a layer's slopes over a memory is their integral", "[core
       const double x = r * thickness;
       LayerSlopes sum = LayerSlopes::Zero();
       // Panels that widen, up to where the exponential ends.
-      for (double start = 0, width = 0.2 * std::min(length, thickness); start < 45 * length; start += width, width *= 1.2)
+      for (double start = 0, width = 0.2 * std::min(length, thickness); start < 45 * length;
+           start += width, width *= 1.2)
         for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
           const double s = start + width * rule.nodes[q];
           sum += width * rule.weights[q] * std::exp(-s / length) / length * layer_slope_correction(x + s, thickness);

@@ -86,11 +86,13 @@ TEST_CASE("a cylinder on a Zener half-space has Hunter's resistance at any speed
   for (const double stiffening : {1.0, 9.0, 99.0})
     for (const double creep : {1e-6, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e6}) {
       RollingScene scene = half_space_scene(creep, stiffening);
-      const HunterLine exact = hunter_line(scene.radius, *scene.load, scene.static_shear_modulus, stiffening, creep, 1e-5);
+      const HunterLine exact =
+          hunter_line(scene.radius, *scene.load, scene.static_shear_modulus, stiffening, creep, 1e-5);
       const RollingSolution solution = spectral(scene);
       CAPTURE(stiffening, creep);
       // Where R_r/P is 1e-6 of the slopes, rounding takes digits.
-      CHECK(solution.rolling_resistance == Approx(exact.rolling_resistance).epsilon(creep > 0.001 && creep < 1e4 ? 1e-9 : 1e-8));
+      CHECK(solution.rolling_resistance ==
+            Approx(exact.rolling_resistance).epsilon(creep > 0.001 && creep < 1e4 ? 1e-9 : 1e-8));
       CHECK(solution.leading_edge == Approx(exact.leading_edge()).epsilon(1e-8));
       CHECK(solution.peak_pressure == Approx(exact.peak_pressure).epsilon(1e-6));
     }
@@ -151,8 +153,9 @@ TEST_CASE("an approach leads back to the load that leads to it", "[core][spectra
 
 TEST_CASE("a spectrum of memories from far below the contact to far beyond it obeys all laws", "[core][spectral]") {
   const double compliance = 1 / 6e6;
-  const CreepSpectrum spectrum{compliance, {{0.2 * compliance, 1e-4}, {0.3 * compliance, 0.01}, {0.5 * compliance, 0.4},
-                                            {0.4 * compliance, 50}}};
+  const CreepSpectrum spectrum{
+      compliance,
+      {{0.2 * compliance, 1e-4}, {0.3 * compliance, 0.01}, {0.5 * compliance, 0.4}, {0.4 * compliance, 50}}};
   for (const double thickness : {0.005, static_cast<double>(INFINITY)})
     for (const double friction : {0.0, 0.3}) {
       RollingScene scene = gridless_cylinder(friction);
@@ -216,8 +219,7 @@ TEST_CASE("what the spectral method does not know is solved on a grid, and the a
 
 TEST_CASE("the spectral method is a cylinder's, without a grid or a period", "[core][spectral]") {
   RollingScene scene = with_method(paper_cylinder(), Method::spectral);
-  CHECK(check(scene) == std::vector<std::string>{
-                            "spacing = 0.00025: not used by method \"spectral\"; give tolerance"});
+  CHECK(check(scene) == std::vector<std::string>{"spacing = 0.00025: not used by method \"spectral\"; give tolerance"});
   scene.spacing.reset();
   CHECK(check(scene).empty());
   scene.period = 0.2;
@@ -242,7 +244,9 @@ TEST_CASE("the fields of a spectral solution are those of a fine grid", "[core][
     const auto j = static_cast<std::size_t>(place);
     if (place < 0 || j + 1 >= b.w.size()) continue;
     const double part = place - static_cast<double>(j);
-    const auto between = [&](const std::vector<double>& values) { return (1 - part) * values[j] + part * values[j + 1]; };
+    const auto between = [&](const std::vector<double>& values) {
+      return (1 - part) * values[j] + part * values[j + 1];
+    };
     const auto k = static_cast<std::size_t>(i);
     CAPTURE(x);
     CHECK(a.w[k] == Approx(between(b.w)).margin(1e-2 * smooth.approach));
