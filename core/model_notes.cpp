@@ -61,6 +61,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (scene.material == MaterialModel::zener && (scene.stiffening == 0 || scene.creep_time == 0))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
   if (solution.method == Method::spectral) model += "; continuous edges of contact, no grid";
+  if (solution.method != Method::spectral && !scene.spacing && scene.indenter == Indenter::sphere &&
+      solution.method != Method::active_set)
+    model += "; grid tied to the contact";
   model += scene.period ? text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
   return model;
 }

@@ -33,7 +33,9 @@ std::string digest(std::string_view text) {
 
 }  // namespace
 
-std::string evaluation_key(const RollingScene& scene, std::string_view solver) {
+std::string evaluation_key(const RollingScene& given, std::string_view solver) {
+  RollingScene scene = given;
+  scene.method = resolved_method(given);  // the same whether it was named or chosen by itself
   std::vector<std::string> defaults;
   const RollingScene plain;
   visit_inputs(plain, [&](const Quantity&, const auto& value) { defaults.push_back(canonical(value)); });

@@ -35,7 +35,9 @@ AccuracyStatus status_of(const Measurement& measured) {
 }
 
 AccuracyPoint measured_point(const RollingScene& scene, const AccuracyOptions& options, const Measure& measure) {
-  AccuracyPoint point{.method = scene.method, .spacing = *scene.spacing};
+  AccuracyPoint point{.method = scene.method,
+                      .spacing = scene.spacing.value_or(RollingSolution::absent),
+                      .tolerance = scene.tolerance.value_or(RollingSolution::absent)};
   std::vector<double> seconds, processor_seconds;
   double total = 0;
   do {
@@ -75,10 +77,30 @@ std::vector<AccuracyPoint> points_of(const std::string& name, const RollingScene
                                             duration_in_words(options.seconds_limit);
       continue;
     }
-    tell(options, name, method, spacing);
+    tell(options, name, method, readable(spacing, "m"));
     points.push_back(measured_point(with_grid(scene, method, spacing), options, measure));
     too_long = points.back().status == AccuracyStatus::skipped;
     if (points.back().repeats > 0) cost.add(spacing, points.back().seconds);
+  }
+  return points;
+}
+
+/// Over tolerances from 1e-2 to 1e-10; one that took too long is followed by none.
+std::vector<AccuracyPoint> gridless_points(const std::string& name, const RollingScene& scene, Method method,
+                                           const AccuracyOptions& options, const Measure& measure) {
+  constexpr int loosest = 2, tightest = 10;
+  std::vector<AccuracyPoint> points;
+  for (int digits = loosest; digits <= tightest; ++digits) {
+    const double tolerance = std::stod("1e-" + std::to_string(digits));
+    tell(options, name, method, "tolerance " + short_number(tolerance, 1));
+    points.push_back(measured_point(with_tolerance(scene, method, tolerance), options, measure));
+    if (points.back().status == AccuracyStatus::skipped) break;
+    // What a grid answered in its place is no point of this method.
+    if (points.back().status == AccuracyStatus::converged && points.back().solution.method != method) {
+      points.back().status = AccuracyStatus::not_converged;
+      points.back().reason = "left to method " + std::string(name_of(points.back().solution.method));
+      break;
+    }
   }
   return points;
 }
@@ -112,8 +134,15 @@ RollingScene with_grid(RollingScene scene, Method method, double spacing) {
   return scene;
 }
 
-void tell(const AccuracyOptions& options, const std::string& name, Method method, double spacing) {
-  if (options.report) options.report(name + ": " + std::string(name_of(method)) + " at " + readable(spacing, "m"));
+RollingScene with_tolerance(RollingScene scene, Method method, double tolerance) {
+  scene.method = method;
+  scene.tolerance = tolerance;
+  scene.spacing.reset();
+  return scene;
+}
+
+void tell(const AccuracyOptions& options, const std::string& name, Method method, const std::string& at) {
+  if (options.report) options.report(name + ": " + std::string(name_of(method)) + " at " + at);
 }
 
 std::vector<double> usual_spacings(const RollingScene& scene) {
@@ -137,7 +166,9 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   std::vector<Method> methods = options.methods;
   if (methods.empty())
     for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
-      if (on_grid(static_cast<Method>(i))) methods.push_back(static_cast<Method>(i));
+      if (const Method method = static_cast<Method>(i);
+          on_grid(method) || (method == Method::spectral && scene.indenter == Indenter::cylinder && !scene.period))
+        methods.push_back(method);
   std::vector<double> spacings = options.spacings;
   if (spacings.empty()) {
     spacings = usual_spacings(scene);
@@ -145,15 +176,21 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   }
   std::sort(spacings.rbegin(), spacings.rend());
   spacings.erase(std::unique(spacings.begin(), spacings.end()), spacings.end());
-  for (const Method method : methods)
-    if (!on_grid(method)) throw std::invalid_argument("methods = " + std::string(name_of(method)) + ": has no grid");
   for (const double spacing : spacings)
     if (const auto broken = check(with_grid(scene, Method::newton, spacing)); !broken.empty())
       throw std::invalid_argument(name + ": " + broken.front());
 
+  constexpr double some_tolerance = 1e-6;
+  for (const Method method : methods)
+    if (on_grid(method))
+      continue;
+    else if (const auto broken = check(with_tolerance(scene, method, some_tolerance)); !broken.empty())
+      throw std::invalid_argument(name + ": " + broken.front());
+
   AccuracyReport report{name, scene, {}, {}, {}};
   for (const Method method : methods)
-    for (AccuracyPoint& point : points_of(name, scene, method, spacings, options, measure))
+    for (AccuracyPoint& point : on_grid(method) ? points_of(name, scene, method, spacings, options, measure)
+                                                : gridless_points(name, scene, method, options, measure))
       report.points.push_back(std::move(point));
   report.reference = find_reference(name, scene, report.points, options, measure);
   for (AccuracyPoint& point : report.points) {
@@ -162,7 +199,7 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
     if (std::abs(report.reference.rolling_resistance) < nothing * point.solution.load)
       throw std::invalid_argument(name + ": a scene without losses has no relative error of its rolling resistance");
     constexpr double same = 1e-6;
-    if (point.spacing > report.reference.spacing * (1 + same))
+    if (!(point.spacing <= report.reference.spacing * (1 + same)))  // also where one of them has no grid
       point.error = point.solution.rolling_resistance / report.reference.rolling_resistance - 1;
   }
   for (const Method method : methods) report.trends.push_back(trend_of(method, report.points, report.reference));

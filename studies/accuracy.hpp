@@ -1,11 +1,13 @@
 #pragma once
 
-/// Error against time: each method on one scene over a range of spacings.
+/// Error against time: each method on one scene, on a grid over a range of spacings, without one over a range of
+/// tolerances.
 ///
-/// The error is that of the rolling resistance R_r relative to a reference: the Newton method on a grid at least twice
-/// as fine as any shown. Between grids R_r jumps whenever a node enters or leaves the contact, so that it is
-/// extrapolated to no spacing only where four grids in the ratio of two show one and the same order. What the last
-/// halving of the spacing changed is the uncertainty of the reference; smaller errors mean nothing.
+/// The error is that of the rolling resistance R_r relative to a reference: for a cylinder the spectral method's where
+/// that answers, else the Newton method's on a grid at least twice as fine as any shown. Between grids R_r jumps
+/// whenever a node enters or leaves the contact, so that it is extrapolated to no spacing only where four grids in the
+/// ratio of two show one and the same order. What the last halving of the spacing changed is the uncertainty of the
+/// reference; smaller errors mean nothing.
 
 #include <functional>
 #include <optional>
@@ -17,7 +19,7 @@
 namespace rollres {
 
 struct AccuracyOptions {
-  std::vector<Method> methods = {};   ///< empty: every method on a grid
+  std::vector<Method> methods = {};   ///< empty: every method that solves the scene's body
   std::vector<double> spacings = {};  ///< [m]; empty: see usual_spacings
   std::optional<int> levels = {};     ///< of the usual spacings, how many, the coarsest first
   int repeats = 5;                    ///< for the median; fewer once they take longer than the limit together
@@ -32,10 +34,11 @@ struct ChoiceNames<AccuracyStatus> {
                                                          "skipped"};
 };
 
-/// One method at one spacing.
+/// One method at one spacing or, without a grid, one tolerance.
 struct AccuracyPoint {
   Method method = Method::newton;
-  double spacing = 0;  // [m]
+  double spacing = RollingSolution::absent;    // [m]
+  double tolerance = RollingSolution::absent;  // [1]
   AccuracyStatus status = AccuracyStatus::skipped;
   std::string reason = {};        ///< why it did not converge, failed or was skipped
   RollingSolution solution = {};  ///< without its fields
@@ -49,7 +52,7 @@ struct AccuracyReference {
   double rolling_resistance = RollingSolution::absent;
   double uncertainty = RollingSolution::absent;  ///< relative
   Method method = Method::newton;
-  double spacing = RollingSolution::absent;  // [m]
+  double spacing = RollingSolution::absent;  // [m]; absent without a grid
   int contact_nodes = 0;
   bool extrapolated = false;  ///< from four grids, of which `spacing` is the finest
 

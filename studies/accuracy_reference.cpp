@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "studies/power_law.hpp"
+#include "studies/readable_number.hpp"
 
 namespace rollres {
 
@@ -64,7 +65,7 @@ void add_finer(std::vector<Witness>& witnesses, const std::string& name, const R
       const Method method = trusted_methods[i];
       const bool in_any_case = i == 0 && halving <= 1;
       if (!in_any_case && !(costs[i].predicted(spacing) <= options.seconds_limit)) continue;
-      tell(options, name + ", reference", method, spacing);
+      tell(options, name + ", reference", method, readable(spacing, "m"));
       const Measurement measured = measure(with_grid(scene, method, spacing),
                                            (in_any_case ? first_halving_allowance : 1) * options.seconds_limit);
       if (measured.stopped || !measured.failure.empty()) continue;
@@ -109,11 +110,33 @@ AccuracyReference reference_of(const std::vector<Witness>& witnesses) {
   return reference;
 }
 
+/// The spectral method's value, if that answers the scene itself.
+AccuracyReference gridless_reference(const std::string& name, const RollingScene& scene, const AccuracyOptions& options,
+                                     const Measure& measure) {
+  constexpr double tightest = 1e-11, rounding = 1e-12;
+  tell(options, name + ", reference", Method::spectral, "tolerance 1e-11");
+  const Measurement measured =
+      measure(with_tolerance(scene, Method::spectral, tightest), first_halving_allowance * options.seconds_limit);
+  const RollingSolution& solution = measured.solution;
+  if (measured.stopped || !measured.failure.empty() || !trusted(solution) || solution.method != Method::spectral)
+    return {};
+  AccuracyReference reference;
+  reference.rolling_resistance = solution.rolling_resistance;
+  reference.uncertainty = std::max(rounding, solution.error_estimate);
+  reference.method = Method::spectral;
+  reference.contact_nodes = solution.contact_nodes;
+  return reference;
+}
+
 }  // namespace
 
 AccuracyReference find_reference(const std::string& name, const RollingScene& scene,
                                  const std::vector<AccuracyPoint>& points, const AccuracyOptions& options,
                                  const Measure& measure) {
+  if (scene.indenter == Indenter::cylinder && !scene.period) {
+    const AccuracyReference reference = gridless_reference(name, scene, options, measure);
+    if (reference.found()) return reference;
+  }
   double finest = std::numeric_limits<double>::infinity();
   for (const AccuracyPoint& point : points)
     if (point.status == AccuracyStatus::converged) finest = std::min(finest, point.spacing);

@@ -18,7 +18,10 @@ RollingScene with_grid(RollingScene scene, Method method, double spacing);
 /// Nodes ~ spacing^-dimension.
 inline double surface_dimension(Indenter indenter) { return indenter == Indenter::cylinder ? 1 : 2; }
 
+/// The scene for a method without a grid and a tolerance [1].
+RollingScene with_tolerance(RollingScene scene, Method method, double tolerance);
+
 /// Says what is at work now.
-void tell(const AccuracyOptions& options, const std::string& name, Method method, double spacing);
+void tell(const AccuracyOptions& options, const std::string& name, Method method, const std::string& at);
 
 }  // namespace rollres

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <utility>
 
 #include "studies/readable_number.hpp"
@@ -33,13 +34,6 @@ std::vector<Method> methods_of(const AccuracyReport& report) {
   return methods;
 }
 
-const AccuracyPoint* find_point(const AccuracyReport& report, Method method, double spacing) {
-  const auto found = std::find_if(report.points.begin(), report.points.end(), [&](const AccuracyPoint& point) {
-    return point.method == method && point.spacing == spacing;
-  });
-  return found == report.points.end() ? nullptr : &*found;
-}
-
 std::string error_in_words(const AccuracyPoint& point, const AccuracyReference& reference) {
   if (point.status == AccuracyStatus::no_steady_state) return "no steady state";
   if (point.status == AccuracyStatus::not_converged) return "not converged";
@@ -67,42 +61,75 @@ std::string aligned(const std::vector<Line>& lines, bool markdown) {
   return text;
 }
 
-std::string table_text(const AccuracyReport& report, bool markdown) {
-  std::vector<Line> lines{{"spacing", "nodes"}};
-  for (const Method method : methods_of(report))
+/// One row for each spacing, or each tolerance, that some of the methods were tried at.
+/// @param key which of the two   @param name of the first column   @param text of its entries
+std::string table_of(const AccuracyReport& report, const std::vector<Method>& methods, double AccuracyPoint::*key,
+                     const std::string& name, const std::function<std::string(double)>& text, bool markdown) {
+  std::vector<Line> lines{{name, "nodes"}};
+  for (const Method method : methods)
     for (const std::string part : {": error", "s", "MB"})
       lines.front().push_back(part.front() == ':' ? std::string(name_of(method)) + part : part);
-  std::vector<double> spacings;
-  for (const AccuracyPoint& point : report.points) spacings.push_back(point.spacing);
-  std::sort(spacings.rbegin(), spacings.rend());
-  spacings.erase(std::unique(spacings.begin(), spacings.end()), spacings.end());
-  for (const double spacing : spacings) {
+  std::vector<double> values;
+  for (const AccuracyPoint& point : report.points)
+    if (std::isfinite(point.*key)) values.push_back(point.*key);
+  std::sort(values.rbegin(), values.rend());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  for (const double value : values) {
     int nodes = 0;
     Line cells;
-    for (const Method method : methods_of(report)) {
-      const AccuracyPoint* const point = find_point(report, method, spacing);
-      if (!point) continue;
+    for (const Method method : methods) {
+      const auto point = std::find_if(report.points.begin(), report.points.end(), [&](const AccuracyPoint& candidate) {
+        return candidate.method == method && candidate.*key == value;
+      });
+      if (point == report.points.end()) continue;
       if (nodes == 0 && point->status == AccuracyStatus::converged) nodes = point->solution.contact_nodes;
       constexpr double megabyte = 1e6;
       cells.push_back(error_in_words(*point, report.reference));
       cells.push_back(three_digits(point->seconds, "-"));
       cells.push_back(std::isfinite(point->peak_memory) ? short_number(point->peak_memory / megabyte, 2) : "-");
     }
-    cells.insert(cells.begin(), {readable(spacing, "m"), nodes > 0 ? std::to_string(nodes) : "-"});
+    cells.insert(cells.begin(), {text(value), nodes > 0 ? std::to_string(nodes) : "-"});
     lines.push_back(std::move(cells));
   }
   return aligned(lines, markdown);
+}
+
+std::string tables_text(const AccuracyReport& report, bool markdown) {
+  std::vector<Method> gridded, gridless;
+  for (const Method method : methods_of(report)) (on_grid(method) ? gridded : gridless).push_back(method);
+  std::string tables;
+  if (!gridded.empty())
+    tables += table_of(
+                  report, gridded, &AccuracyPoint::spacing, "spacing",
+                  [](double spacing) { return readable(spacing, "m"); }, markdown) +
+              "\n";
+  if (!gridless.empty())
+    tables += table_of(
+                  report, gridless, &AccuracyPoint::tolerance, "tolerance",
+                  [](double tolerance) { return scientific(tolerance, 0); }, markdown) +
+              "\n";
+  return tables;
+}
+
+/// Where a point or a reference stands.
+std::string place_in_words(double spacing, double tolerance) {
+  return std::isfinite(spacing) ? readable(spacing, "m") : "tolerance " + scientific(tolerance, 0);
 }
 
 std::string reference_in_words(const AccuracyReport& report) {
   const AccuracyReference& reference = report.reference;
   if (!reference.found()) return "no reference: no answer can be trusted, so that no error is known";
   const std::string unit = report.scene.indenter == Indenter::cylinder ? "N/m" : "N";
-  std::string text = "reference: R_r = " + short_number(reference.rolling_resistance, 8) + " " + unit + ", " +
+  const double certain = std::isfinite(reference.uncertainty) ? reference.uncertainty : 1e-7;
+  const int digits = std::clamp(static_cast<int>(std::ceil(1 - std::log10(std::max(certain, 1e-12)))), 4, 13);
+  std::string text = "reference: R_r = " + short_number(reference.rolling_resistance, digits) + " " + unit + ", " +
                      (reference.extrapolated ? "extrapolated from four grids of " : "of ") +
-                     std::string(name_of(reference.method)) + (reference.extrapolated ? ", the finest" : "") + " at " +
-                     readable(reference.spacing, "m") + " with " + std::to_string(reference.contact_nodes) +
-                     " nodes in contact";
+                     std::string(name_of(reference.method));
+  if (std::isfinite(reference.spacing))
+    text += (reference.extrapolated ? std::string(", the finest") : std::string()) + " at " +
+            readable(reference.spacing, "m") + " with " + std::to_string(reference.contact_nodes) + " nodes in contact";
+  else
+    text += " with " + std::to_string(reference.contact_nodes) + " coefficients of the pressure";
   text += std::isfinite(reference.uncertainty) ? "; certain to about " + scientific(reference.uncertainty, 1)
                                                : std::string("; nothing tells how certain it is");
   return text;
@@ -123,11 +150,12 @@ std::vector<std::string> notes(const AccuracyReport& report) {
   for (const AccuracyPoint& point : report.points) {
     if (point.reason.empty()) continue;
     const auto same = [&](const AccuracyPoint& other) {
-      return other.method == point.method && other.status == point.status && other.spacing > point.spacing;
+      return other.method == point.method && other.status == point.status &&
+             (other.spacing > point.spacing || other.tolerance > point.tolerance);
     };
     if (std::any_of(report.points.begin(), report.points.end(), same)) continue;
-    lines.push_back(std::string(name_of(point.method)) + " at " + readable(point.spacing, "m") + ": " +
-                    std::string(name_of(point.status)) + ": " + point.reason);
+    lines.push_back(std::string(name_of(point.method)) + " at " + place_in_words(point.spacing, point.tolerance) +
+                    ": " + std::string(name_of(point.status)) + ": " + point.reason);
   }
   return lines;
 }
@@ -135,29 +163,58 @@ std::vector<std::string> notes(const AccuracyReport& report) {
 }  // namespace
 
 Table accuracy_rows(const std::vector<AccuracyReport>& reports) {
-  Table table{{"scene", "method", "spacing", "contact_nodes", "rolling_resistance", "relative_error", "seconds",
-               "processor_seconds", "repeats", "peak_memory", "iterations", "law_violation", "status", "reason",
-               "reference", "reference_method", "reference_spacing", "reference_extrapolated", "reference_uncertainty"},
+  Table table{{"scene",
+               "method",
+               "spacing",
+               "tolerance",
+               "contact_nodes",
+               "rolling_resistance",
+               "relative_error",
+               "seconds",
+               "processor_seconds",
+               "repeats",
+               "peak_memory",
+               "iterations",
+               "law_violation",
+               "status",
+               "reason",
+               "reference",
+               "reference_method",
+               "reference_spacing",
+               "reference_extrapolated",
+               "reference_uncertainty"},
               {}};
   for (const AccuracyReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       const RollingSolution& solution = point.solution;
       const AccuracyReference& reference = report.reference;
       const bool solved = point.repeats > 0;
-      table.rows.push_back(
-          {cell(report.name), cell(std::string(name_of(point.method))), cell(point.spacing),
-           solved ? cell(solution.contact_nodes) : Cell(), cell(solution.rolling_resistance), cell(point.error),
-           cell(point.seconds), cell(point.processor_seconds), cell(point.repeats), cell(point.peak_memory),
-           solved ? cell(solution.iterations) : Cell(), cell(solution.law_violation),
-           cell(std::string(name_of(point.status))), cell(point.reason), cell(reference.rolling_resistance),
-           reference.found() ? cell(std::string(name_of(reference.method))) : Cell(), cell(reference.spacing),
-           cell(reference.extrapolated ? 1 : 0), cell(reference.uncertainty)});
+      table.rows.push_back({cell(report.name),
+                            cell(std::string(name_of(point.method))),
+                            cell(point.spacing),
+                            cell(point.tolerance),
+                            solved ? cell(solution.contact_nodes) : Cell(),
+                            cell(solution.rolling_resistance),
+                            cell(point.error),
+                            cell(point.seconds),
+                            cell(point.processor_seconds),
+                            cell(point.repeats),
+                            cell(point.peak_memory),
+                            solved ? cell(solution.iterations) : Cell(),
+                            cell(solution.law_violation),
+                            cell(std::string(name_of(point.status))),
+                            cell(point.reason),
+                            cell(reference.rolling_resistance),
+                            reference.found() ? cell(std::string(name_of(reference.method))) : Cell(),
+                            cell(reference.spacing),
+                            cell(reference.extrapolated ? 1 : 0),
+                            cell(reference.uncertainty)});
     }
   return table;
 }
 
 std::string accuracy_text(const AccuracyReport& report, bool markdown) {
-  std::string text = (markdown ? "### " : "") + report.name + "\n\n" + table_text(report, markdown) + "\n";
+  std::string text = (markdown ? "### " : "") + report.name + "\n\n" + tables_text(report, markdown);
   text += (markdown ? "- " : "") + reference_in_words(report) + "\n";
   for (const std::string& line : notes(report)) text += (markdown ? "- " : "") + line + "\n";
   return text;
@@ -170,8 +227,9 @@ ChartRequest accuracy_chart(const AccuracyReport& report) {
   request.y = {.name = "relative error of", .symbol = "R_r", .logarithmic = true};
   request.family = {.name = "method"};
   request.mark_peaks = false;
-  request.comment = reference_in_words(report) +
-                    "\neach point: the largest error at its spacing or a finer one, no less than the uncertainty";
+  request.comment =
+      reference_in_words(report) +
+      "\neach point: the largest error at its spacing (or tolerance) or a finer one, no less than the uncertainty";
   for (const Method method : methods_of(report)) {
     ChartCurve curve{std::string(name_of(method)), {}};
     double largest = std::isfinite(report.reference.uncertainty) ? report.reference.uncertainty : 0;

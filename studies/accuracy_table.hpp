@@ -14,8 +14,8 @@ namespace rollres {
 /// One row for each scene, method and spacing, all of it in SI; what is absent is empty.
 Table accuracy_rows(const std::vector<AccuracyReport>& reports);
 
-/// A heading, one row for each spacing with the error, seconds and memory of each method, what the reference was, the
-/// observed orders, and why answers are missing; to be read as it is, or as Markdown.
+/// A heading, one row for each spacing (and each tolerance) with the error, seconds and memory of each method, what the
+/// reference was, the observed orders, and why answers are missing; to be read as it is, or as Markdown.
 std::string accuracy_text(const AccuracyReport& report, bool markdown);
 
 /// Error against seconds, both logarithmic, one curve for each method. On a single grid an error may be small by luck,

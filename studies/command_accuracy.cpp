@@ -73,7 +73,7 @@ Json json_of(const AccuracyReport& report) {
   if (reference.found())
     object["reference"] = {{"rolling_resistance", reference.rolling_resistance},
                            {"method", name_of(reference.method)},
-                           {"spacing", reference.spacing},
+                           {"spacing", number(reference.spacing)},
                            {"contact_nodes", reference.contact_nodes},
                            {"extrapolated", reference.extrapolated},
                            {"uncertainty", number(reference.uncertainty)}};

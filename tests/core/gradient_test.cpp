@@ -294,3 +294,26 @@ TEST_CASE("the gradient of the solver agrees with dimensional analysis within it
   CHECK(error(0) + error(1) < 0.1);
   CHECK(e(4) < 0);
 }
+
+TEST_CASE("without a grid the gradient of a cylinder's resistance is right to 1e-7, of a sphere's to 1e-3",
+          "[core][gradient]") {
+  // From dimensional analysis: R_r/P is a function of P/(G0 R), H/R, V tau/R, f and mu (P/(G0 R^2) for a sphere).
+  for (RollingScene scene : {paper_cylinder(), paper_sphere()}) {
+    scene.spacing.reset();
+    const bool sphere = scene.indenter == Indenter::sphere;
+    const double wanted = sphere ? 1e-3 : 1e-7;
+    const Objective f = objective(
+        scene, {{"load"}, {"static_shear_modulus"}, {"speed"}, {"creep_time"}, {"radius"}, {"layer_thickness"}},
+        "rolling_resistance", solve);
+    const std::vector<double> point = base_point(f);
+    const Gradient answer = gradient(f, point, calibrate(f, point));
+    REQUIRE(answer.complete());
+    const auto e = [&](std::size_t i) { return answer.inputs[i].elasticity; };
+    CAPTURE(sphere, e(0), e(1), e(2), e(3), e(4), e(5));
+    CHECK(std::abs(e(0) + e(1) - 1) < wanted);
+    CHECK(std::abs(e(2) - e(3)) < wanted);
+    CHECK(std::abs((sphere ? 2 : 1) * (e(0) - 1) + e(2) + e(4) + e(5)) < wanted);
+    for (std::size_t i = 0; i < point.size(); ++i)
+      CHECK(answer.inputs[i].error() * point[i] / answer.centre.value < wanted);
+  }
+}

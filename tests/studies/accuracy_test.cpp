@@ -21,6 +21,13 @@ RollingScene example(const std::string& name) {
 
 constexpr double exact = 357.0, length = 7.5e-3;
 
+/// A scene that only the methods on a grid solve.
+RollingScene periodic_cylinder() {
+  RollingScene scene = example("paper_cylinder");
+  scene.period = 0.2;
+  return scene;
+}
+
 /// A method whose answer is `coefficient * spacing^order` too large and takes `seconds_per_node * nodes^growth`.
 struct Law {
   double coefficient, order, seconds_per_node, growth;
@@ -64,7 +71,7 @@ const AccuracyOptions unlimited{.repeats = 1, .seconds_limit = 1e9};
 
 AccuracyReport measured_by_laws(AccuracyOptions options = {}) {
   options.repeats = 1;
-  return measure_accuracy("scene", example("paper_cylinder"), options, LawfulMeasure());
+  return measure_accuracy("scene", periodic_cylinder(), options, LawfulMeasure());
 }
 
 AccuracyTrend trend_of(const AccuracyReport& report, Method method) {
@@ -122,7 +129,7 @@ TEST_CASE("an error that scatters is not extrapolated: the reference is the fine
     measured.solution.rolling_resistance = scattered(*scene.spacing);
     return measured;
   };
-  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), unlimited, measure);
+  const AccuracyReport report = measure_accuracy("scene", periodic_cylinder(), unlimited, measure);
   const AccuracyReference& reference = report.reference;
   CHECK_FALSE(reference.extrapolated);
   CHECK(reference.method == Method::newton);
@@ -154,7 +161,7 @@ TEST_CASE("where the Newton method fails the dense one is the reference, and the
     }
     return measured;
   };
-  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), unlimited, measure);
+  const AccuracyReport report = measure_accuracy("scene", periodic_cylinder(), unlimited, measure);
   CHECK(report.reference.method == Method::newton_dense);
   for (const AccuracyPoint& point : report.points) {
     const bool failed = (point.method == Method::newton && point.spacing < 0.2e-3) ||
@@ -174,7 +181,7 @@ TEST_CASE("an answer that violates a law of contact is no reference", "[studies]
     measured.solution.law_violation = 1e-3;
     return measured;
   };
-  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), {}, measure);
+  const AccuracyReport report = measure_accuracy("scene", periodic_cylinder(), {}, measure);
   CHECK_FALSE(report.reference.found());
   CHECK(accuracy_chart(report).curves.empty());
   CHECK_THAT(accuracy_text(report, false), Catch::Contains("no answer can be trusted"));
@@ -185,7 +192,7 @@ TEST_CASE("no solution is started that its growth says will take longer than the
   options.repeats = 1;
   options.seconds_limit = 3;
   LawfulMeasure lawful;
-  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), options, std::ref(lawful));
+  const AccuracyReport report = measure_accuracy("scene", periodic_cylinder(), options, std::ref(lawful));
   CHECK(lawful.stopped == 0);
   CHECK(lawful.longest <= options.seconds_limit);
   for (const AccuracyPoint& point : report.points) {
@@ -210,7 +217,7 @@ TEST_CASE("a solution that runs into the limit unforeseen ends its method alone"
     }
     return measured;
   };
-  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), unlimited, measure);
+  const AccuracyReport report = measure_accuracy("scene", periodic_cylinder(), unlimited, measure);
   CHECK(late == 1);
   for (const AccuracyPoint& point : report.points)
     CHECK((point.status == AccuracyStatus::skipped) == (point.method == Method::active_set && point.spacing < 0.4e-3));
@@ -225,7 +232,7 @@ TEST_CASE("the time of a solution is the median of its repeats, which end with t
     if (*scene.spacing == 1e-3) measured.seconds = times.at(calls++ % times.size());
     return measured;
   };
-  const RollingScene scene = example("paper_cylinder");
+  const RollingScene scene = periodic_cylinder();
   CHECK(measure_accuracy("scene", scene, options, measure).points.at(0).seconds == 2);
   calls = 0;
   options.seconds_limit = 10;
@@ -256,7 +263,7 @@ TEST_CASE("rows and tables hold every method at every spacing", "[studies][accur
 }
 
 TEST_CASE("a spacing that breaks a rule and a scene without losses are refused", "[studies][accuracy]") {
-  const RollingScene scene = example("paper_cylinder");
+  const RollingScene scene = periodic_cylinder();
   CHECK_THAT(message_of([&] { measure_accuracy("scene", scene, {.spacings = {1.0}}, LawfulMeasure()); }),
              Catch::Contains("scene: spacing = 1: must be at most a fifth of the radius"));
   const Measure lossless = [](const RollingScene& at, double limit) {
@@ -265,4 +272,64 @@ TEST_CASE("a spacing that breaks a rule and a scene without losses are refused",
     return measured;
   };
   CHECK_THAT(message_of([&] { measure_accuracy("scene", scene, {}, lossless); }), Catch::Contains("without losses"));
+}
+
+TEST_CASE("a cylinder's errors are measured against the spectral method, which has tolerances in place of spacings",
+          "[studies][accuracy]") {
+  LawfulMeasure lawful;
+  const double true_resistance = exact * (1 + 1e-5);
+  const Measure measure = [&](const RollingScene& scene, double limit) {
+    if (scene.method != Method::spectral) return lawful(scene, limit);
+    CHECK_FALSE(scene.spacing);
+    Measurement measured;
+    measured.seconds = measured.processor_seconds = 1e-3;
+    measured.peak_memory = 1e6;
+    measured.solution = closed_form(scene);
+    measured.solution.method = Method::spectral;
+    measured.solution.rolling_resistance = true_resistance * (1 + 0.1 * *scene.tolerance);
+    measured.solution.error_estimate = 0.5 * *scene.tolerance;
+    measured.solution.contact_nodes = 12;
+    measured.solution.law_violation = 1e-10;
+    return measured;
+  };
+  AccuracyOptions options = unlimited;
+  options.levels = 3;
+  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), options, measure);
+  CHECK(report.reference.method == Method::spectral);
+  CHECK(report.reference.rolling_resistance == Approx(true_resistance).epsilon(1e-11));
+  CHECK(report.reference.uncertainty == 5e-12);
+  int by_tolerance = 0;
+  for (const AccuracyPoint& point : report.points) {
+    if (point.method != Method::spectral) {
+      CHECK(point.error == Approx(laws.at(point.method).resistance(point.spacing) / true_resistance - 1).epsilon(1e-6));
+      continue;
+    }
+    ++by_tolerance;
+    // Rounding of a quotient near 1
+    CHECK(point.error == Approx(0.1 * point.tolerance).margin(2e-12));
+  }
+  CHECK(by_tolerance == 9);
+  CHECK(accuracy_text(report, false).find("tolerance   nodes   spectral: error") != std::string::npos);
+  CHECK(accuracy_chart(report).curves.size() == 4);
+}
+
+TEST_CASE("where a grid answers in place of the spectral method, it is no reference", "[studies][accuracy]") {
+  LawfulMeasure lawful;
+  const Measure measure = [&](RollingScene scene, double limit) {
+    const bool gridless = scene.method == Method::spectral;
+    if (gridless) {
+      scene.method = Method::newton;
+      scene.spacing = 1e-4;
+    }
+    Measurement measured = lawful(scene, limit);
+    measured.solution.method = scene.method;
+    return measured;
+  };
+  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), unlimited, measure);
+  CHECK(report.reference.method == Method::newton);
+  const AccuracyPoint& left = *std::find_if(report.points.begin(), report.points.end(), [](const AccuracyPoint& point) {
+    return point.method == Method::spectral;
+  });
+  CHECK(left.status == AccuracyStatus::not_converged);
+  CHECK(left.reason == "left to method newton");
 }
