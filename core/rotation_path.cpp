@@ -138,7 +138,8 @@ std::optional<NewtonOutcome> RotationPath::land(const ContactUnknowns& predicted
     if (!found) return {};
     outcome = std::move(*found);
   }
-  if (turning_.sphere && largest(sum(outcome.unknowns, -1, predicted)) > (reach + 1e-5) * largest(here_.unknowns)) return {};
+  if (turning_.sphere && largest(sum(outcome.unknowns, -1, predicted)) > (reach + 1e-5) * largest(here_.unknowns))
+    return {};
   return outcome;
 }
 

@@ -51,7 +51,8 @@ class RotationPath {
   bool pivot(double limit);
   /// Moves part of the way to the kink; not further off the tangent than `reach` times that.
   bool creep(double amount, double reach);
-  /// The solution near a predicted one, as far along the tangent; no other branch within `reach` of the largest traction.
+  /// The solution near a predicted one, as far along the tangent; no other branch within `reach` of the largest
+  /// traction.
   std::optional<NewtonOutcome> land(const ContactUnknowns& predicted, double reach);
   ActiveLaws laws_at(const ContactUnknowns& x) const;
   std::optional<ContactUnknowns> tangent(const ActiveLaws& laws, const ContactUnknowns& measure);

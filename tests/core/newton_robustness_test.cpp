@@ -63,9 +63,10 @@ TEST_CASE("a cylinder whose friction draws a thin layer aside is solved at any r
   for (const Row& row : rows) check_converged(scene_of(Indenter::cylinder, row));
 }
 
-TEST_CASE("a body that asks for more than friction can give is refused up to the friction it is said to need, and solved "
-          "from there on",
-          "[core][newton_robustness]") {
+TEST_CASE(
+    "a body that asks for more than friction can give is refused up to the friction it is said to need, and solved "
+    "from there on",
+    "[core][newton_robustness]") {
   struct Case {
     Indenter indenter;
     Row row;
@@ -97,9 +98,8 @@ TEST_CASE("a body that asks for more than friction can give is refused up to the
 }
 
 TEST_CASE("a sphere that slides all over, but not everywhere one way, is solved", "[core][newton_robustness]") {
-  check_converged(
-      scene_of(Indenter::sphere, {0.006654, 0.004961, 9.854e6, 2.767, 0.0002309, 0.07508, 54.44, 0.007082, 0.0002421,
-                                  Drive::torque, 0.002685}));
+  check_converged(scene_of(Indenter::sphere, {0.006654, 0.004961, 9.854e6, 2.767, 0.0002309, 0.07508, 54.44, 0.007082,
+                                              0.0002421, Drive::torque, 0.002685}));
 }
 
 TEST_CASE("a cylinder that friction makes dig itself in is refused down to the friction that it bears",
