@@ -124,10 +124,23 @@ Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x
       leading_part = 2 * std::sinh(rate) * std::atan2(cosine_half, std::tanh(0.5 * rate) * sine_half);
     here(k) = leading_part + t * (M_PI - s) - 2 * sine_half * cosine_half;
   }
-  // What the rule over s makes of ln|t - s| against its exact mean.
-  const double place = std::abs(place_in(transition.stick, x)), count = static_cast<double>(borders);
-  const double correction = place <= 1 ? std::log(std::abs(2 * std::cos(count * std::acos(place)))) / count
-                                       : std::log1p(std::exp(-2 * count * std::acosh(place))) / count;
+  // What the rule over s makes of ln|t - s| against its exact mean. Inside the stick both are singular at every border
+  // of the rule, and their sum is not: it is taken in one at the nearest, the middle of the stick being one of them.
+  const double signed_place = place_in(transition.stick, x), place = std::abs(signed_place);
+  const auto count = static_cast<double>(borders);
+  double correction = 0;
+  if (place > 1) {
+    correction = std::log1p(std::exp(-2 * count * std::acosh(place))) / count;
+  } else {
+    const double stick_angle = std::acos(signed_place);
+    const auto nearest = std::min(static_cast<Eigen::Index>(stick_angle / M_PI * count), borders - 1);
+    const double border_angle = M_PI * (static_cast<double>(nearest) + 0.5) / count, s = transition.border_angles(nearest);
+    const double distance = stick_angle - border_angle, sum = std::sin(0.5 * (s + angle));
+    const double ratio = distance == 0 ? 2 * count : std::sin(count * distance) / std::sin(0.5 * distance);
+    const double logarithm = std::log(2 * sum * sum * contact_.half_length() * ratio /
+                                      (transition.stick.half_length() * std::sin(0.5 * (stick_angle + border_angle))));
+    here(nearest) = sine * logarithm + t * (M_PI - s) - std::sin(s);
+  }
   Eigen::RowVectorXd mean(order_);
   double density_before = 0, density = sine;  // sin((n + 1) angle)
   for (int n = 0; n < order_; ++n) {
