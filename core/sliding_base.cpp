@@ -134,7 +134,8 @@ Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x
   } else {
     const double stick_angle = std::acos(signed_place);
     const auto nearest = std::min(static_cast<Eigen::Index>(stick_angle / M_PI * count), borders - 1);
-    const double border_angle = M_PI * (static_cast<double>(nearest) + 0.5) / count, s = transition.border_angles(nearest);
+    const double border_angle = M_PI * (static_cast<double>(nearest) + 0.5) / count,
+                 s = transition.border_angles(nearest);
     const double distance = stick_angle - border_angle, sum = std::sin(0.5 * (s + angle));
     const double ratio = distance == 0 ? 2 * count : std::sin(count * distance) / std::sin(0.5 * distance);
     const double logarithm = std::log(2 * sum * sum * contact_.half_length() * ratio /
