@@ -24,17 +24,17 @@ SlidingBase::SlidingBase(const SlipPattern& pattern, const SpectralEdges& edges,
   for (std::size_t i = 0; i < pattern.sticks(); ++i) {
     const int change = pattern.direction(i + 1) - pattern.direction(i);
     if (change == 0) continue;
-    Transition transition{edges.sticks[i], change, Eigen::ArrayXd(borders), Eigen::MatrixXd(borders, order)};
+    Transition transition{edges.sticks[i], change, Eigen::ArrayXd(borders), Eigen::VectorXd::Zero(order)};
     for (int k = 0; k < borders; ++k) {
       const double x =
           transition.stick.centre() + transition.stick.half_length() * std::cos(M_PI * (k + 0.5) / borders);
       const double angle = std::acos(std::clamp(place_in(contact_, x), -1.0, 1.0));
       transition.border_angles(k) = angle;
-      transition.partial(k, 0) = M_PI - angle + 0.5 * std::sin(2 * angle);
+      transition.partial(0) += (M_PI - angle + 0.5 * std::sin(2 * angle)) / borders;
       double here = std::sin(angle), after = std::sin(2 * angle);  // sin(n angle), sin((n + 1) angle)
       for (int n = 1; n < order; ++n) {
         const double next = 2 * std::cos(angle) * after - here;
-        transition.partial(k, n) = -(here / n - next / (n + 2));
+        transition.partial(n) -= (here / n - next / (n + 2)) / borders;
         here = after;
         after = next;
       }
@@ -111,7 +111,7 @@ Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x
   const bool inside = std::abs(t) < 1;
   const double angle = inside ? std::acos(t) : 0, sine = inside ? std::sin(angle) : 0;
   const double rate = inside ? 0 : std::acosh(std::abs(t));
-  Eigen::ArrayXd before = Eigen::ArrayXd::Zero(borders), here(borders);
+  Eigen::ArrayXd first(borders);  // F_0
   for (Eigen::Index k = 0; k < borders; ++k) {
     const double s = transition.border_angles(k), sine_half = std::sin(0.5 * s), cosine_half = std::cos(0.5 * s);
     // (1 - t^2) int_{-1}^{s} dr/((t - r) sqrt(1 - r^2))
@@ -122,21 +122,34 @@ Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x
       leading_part = -2 * std::sinh(rate) * std::atan2(std::tanh(0.5 * rate) * cosine_half, sine_half);
     else
       leading_part = 2 * std::sinh(rate) * std::atan2(cosine_half, std::tanh(0.5 * rate) * sine_half);
-    here(k) = leading_part + t * (M_PI - s) - 2 * sine_half * cosine_half;
+    first(k) = leading_part + t * (M_PI - s) - 2 * sine_half * cosine_half;
   }
-  // What the rule over s makes of ln|t - s| against its exact mean.
-  const double place = std::abs(place_in(transition.stick, x)), count = static_cast<double>(borders);
-  const double correction = place <= 1 ? std::log(std::abs(2 * std::cos(count * std::acos(place)))) / count
-                                       : std::log1p(std::exp(-2 * count * std::acosh(place))) / count;
+  // What the rule over s makes of ln|t - s| against its exact mean. Inside the stick both are singular at every border
+  // of the rule, and their sum is not: it is taken in one at the nearest, the middle of the stick being one of them.
+  const double signed_place = place_in(transition.stick, x), place = std::abs(signed_place);
+  const auto count = static_cast<double>(borders);
+  double correction = 0;
+  if (place > 1) {
+    correction = std::log1p(std::exp(-2 * count * std::acosh(place))) / count;
+  } else {
+    const double stick_angle = std::acos(signed_place);
+    const auto nearest = std::min(static_cast<Eigen::Index>(stick_angle / M_PI * count), borders - 1);
+    const double border_angle = M_PI * (static_cast<double>(nearest) + 0.5) / count,
+                 s = transition.border_angles(nearest);
+    const double distance = stick_angle - border_angle, sum = std::sin(0.5 * (s + angle));
+    const double ratio = distance == 0 ? 2 * count : std::sin(count * distance) / std::sin(0.5 * distance);
+    const double logarithm = std::log(2 * sum * sum * contact_.half_length() * ratio /
+                                      (transition.stick.half_length() * std::sin(0.5 * (stick_angle + border_angle))));
+    first(nearest) = sine * logarithm + t * (M_PI - s) - std::sin(s);
+  }
+  // The recursion is the same for every border, and so for their mean.
   Eigen::RowVectorXd mean(order_);
-  double density_before = 0, density = sine;  // sin((n + 1) angle)
+  double before = 0, here = first.mean() + sine * correction;
   for (int n = 0; n < order_; ++n) {
-    mean(n) = here.mean() + density * correction;
-    const double next_density = 2 * t * density - density_before;
-    density_before = density;
-    density = next_density;
-    before = 2 * t * here - before - transition.partial.col(n).array();
-    before.swap(here);
+    mean(n) = here;
+    const double next = 2 * t * here - before - transition.partial(n);
+    before = here;
+    here = next;
   }
   return mean;
 }

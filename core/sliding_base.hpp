@@ -40,7 +40,7 @@ class SlidingBase {
     Interval stick;
     int change;                    // of m, from its trailing to its leading end
     Eigen::ArrayXd border_angles;  // of the borders s = cos(angle)
-    Eigen::MatrixXd partial;       // [border, n]: 2 int_{-1}^{s} sqrt(1 - r^2) U_n dr
+    Eigen::VectorXd partial;       // 2 int_{-1}^{s} sqrt(1 - r^2) U_n dr, mean over the borders
   };
   void place_nodes();
   Eigen::RowVectorXd jump_mean(const Transition& transition, double x) const;

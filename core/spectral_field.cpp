@@ -69,9 +69,10 @@ SpectralField::Tails SpectralField::tails_of(const SpectralProblem& problem, con
     series(0) /= 2;
     tails.kept += series.head(order + 1);
     if (std::abs(series(order + 1)) < 1e-15 * scale) continue;
-    const Index count = series.size() - order - 1;
+    Index count = series.size() - order - 1;
+    while (count > 1 && std::abs(series(order + count)) < 1e-17 * scale) --count;
     if (tails.left.size() < count) tails.left.conservativeResizeLike(VectorXd::Zero(count));
-    tails.left.head(count) += series.tail(count);
+    tails.left.head(count) += series.segment(order + 1, count);
   }
   return tails;
 }
@@ -113,9 +114,11 @@ double SpectralField::pressure(double x) const {
   return density_sum(state_.pressure.coefficients, t, 1) + tail_density(contact_tails_, t);
 }
 
-double SpectralField::shear(double x) const {
+double SpectralField::shear(double x) const { return shear(x, pressure(x)); }
+
+double SpectralField::shear(double x, double pressure_there) const {
   if (!state_.pattern.shear) return 0;
-  double sum = friction_ * base_->direction(x) * pressure(x);
+  double sum = friction_ * base_->direction(x) * pressure_there;
   for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
     const double t = place_in(state_.edges.sticks[z], x);
     if (std::abs(t) < 1) sum += density_sum(state_.sticks[z].coefficients, t, 1) - tail_density(stick_tails_[z], t);

@@ -18,6 +18,7 @@ class SpectralField {
 
   double pressure(double x) const;  // [Pa]
   double shear(double x) const;     // [Pa]
+  double shear(double x, double pressure_there) const;
   Zone zone(double x) const;
 
   /// Slopes dw/dx, du/dx of a layer of unit modulus.

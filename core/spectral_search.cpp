@@ -98,13 +98,14 @@ bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state
 }
 
 std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const SpectralOrders& orders,
-                                              double tolerance) {
+                                              double tolerance, int most_evaluations) {
+  const int last_evaluation = evaluations_ + most_evaluations;
   if (inverse_.size() == 0) unit_ = start.contact.half_length();
   VectorXd place = place_of(pattern_, start, unit_);
   SpectralState state = evaluate(place, orders);
   double residual = largest(state);
   bool fresh = false;
-  for (int step = 0; step < most_steps && residual > tolerance; ++step) {
+  for (int step = 0; step < most_steps && evaluations_ < last_evaluation && residual > tolerance; ++step) {
     if (!std::isfinite(residual) || vanished(place)) return {};
     if (inverse_.size() == 0) {
       if (!differentiate(place, state, orders)) return {};

@@ -16,7 +16,9 @@ class EdgeSearch {
 
   /// The state whose residuals are below `tolerance`, or as small as rounding allows; none if the search leaves the
   /// pattern (a zone vanishes) or does not converge.
-  std::optional<SpectralState> find(const SpectralEdges& start, const SpectralOrders& orders, double tolerance);
+  /// @param most_evaluations after which it takes no further step
+  std::optional<SpectralState> find(const SpectralEdges& start, const SpectralOrders& orders, double tolerance,
+                                    int most_evaluations = 400);
 
   int evaluations() const { return evaluations_; }
 

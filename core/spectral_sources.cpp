@@ -7,6 +7,7 @@ namespace rollres {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
+using Eigen::VectorXd;
 
 TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges& edges, const SpectralOrders& orders,
                                  const SlidingBase* base, double friction, const std::vector<Index>& stick_places,
@@ -17,6 +18,7 @@ TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges
   const bool own_nodes = pattern.shear && !pattern.one_direction();  // of the base
   const Index base_nodes = own_nodes ? base->nodes().size() : 0;
   TractionSources sources;
+  sources.pressure_nodes = n;
   sources.x.resize(n + static_cast<Index>(stick_places.size()) * stick_n + base_nodes);
   sources.of_pressure = MatrixXd::Zero(sources.x.size(), unknowns);
   sources.of_shear = MatrixXd::Zero(sources.x.size(), unknowns);
@@ -35,6 +37,41 @@ TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges
     sources.of_shear.bottomLeftCorner(base_nodes, n) = friction * base->densities().leftCols(n);
   }
   return sources;
+}
+
+namespace {
+
+/// Slopes under a unit force at each source: those of w or u, from forces of its own direction and from the other.
+struct UnitSlopes {
+  MatrixXd direct, cross;  // [point, source]
+
+  UnitSlopes(const TractionSources& sources, const LayerKernel& layer, const VectorXd& x, int direction)
+      : direct(x.size(), sources.x.size()), cross(x.size(), sources.x.size()) {
+    for (Index q = 0; q < sources.x.size(); ++q)
+      for (Index i = 0; i < x.size(); ++i) {
+        const LayerSlopes k = layer(x(i) - sources.x(q));
+        direct(i, q) = k(direction);
+        cross(i, q) = k(2);
+      }
+  }
+};
+
+}  // namespace
+
+MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const VectorXd& x) {
+  const Index n = sources.pressure_nodes;
+  const UnitSlopes unit(sources, layer, x, 0);
+  MatrixXd slopes = -unit.cross * sources.of_shear;
+  slopes.leftCols(n) -= unit.direct.leftCols(n) * sources.of_pressure.topLeftCorner(n, n);
+  return slopes;
+}
+
+MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const VectorXd& x) {
+  const Index n = sources.pressure_nodes;
+  const UnitSlopes unit(sources, layer, x, 1);
+  MatrixXd slopes = unit.direct * sources.of_shear;
+  slopes.leftCols(n) -= unit.cross.leftCols(n) * sources.of_pressure.topLeftCorner(n, n);
+  return slopes;
 }
 
 RowVectorXd load_row(const SpectralProblem& problem, const TractionSources& sources) {

@@ -4,8 +4,10 @@
 /// resultants.
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
+#include "core/layer_slopes.hpp"
 #include "core/sliding_base.hpp"
 
 namespace rollres {
@@ -13,6 +15,7 @@ namespace rollres {
 struct TractionSources {
   Eigen::VectorXd x;                      // [m]; the contact's own nodes first
   Eigen::MatrixXd of_pressure, of_shear;  // [source, unknown]: force per unknown [m]
+  Eigen::Index pressure_nodes = 0;        // first sources, and first unknowns, that have a pressure
 };
 
 /// @param base if there is friction   @param stick_places of the first coefficient of each zone of stick among the
@@ -20,6 +23,13 @@ struct TractionSources {
 TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges& edges, const SpectralOrders& orders,
                                  const SlidingBase* base, double friction,
                                  const std::vector<Eigen::Index>& stick_places, Eigen::Index unknowns);
+
+/// Slopes of the surface under unit forces at a distance [m], as those of core/layer_slopes.hpp.
+using LayerKernel = std::function<LayerSlopes(double)>;
+
+/// What the layer adds to the elastic slopes g_w and g_u of unit modulus at points x [m], by unknown: [point, unknown].
+Eigen::MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
+Eigen::MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 
 /// Resultants by unknown, as in core/contact_problem.hpp: P [N/m], Q [N/m], T/R [N/m].
 Eigen::RowVectorXd load_row(const SpectralProblem& problem, const TractionSources& sources);

@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <functional>
 #include <optional>
-#include <utility>
 
 #include "core/chebyshev_rule.hpp"
 #include "core/sliding_base.hpp"
@@ -82,40 +82,24 @@ class System {
 
   bool at_leading_edge(std::size_t z) const { return z + 1 == zones_.size() && pattern_.sticks_at_leading_edge(); }
 
-  /// Rows of g_w and g_u of the layer's correction, at x or over a memory beyond it.
-  template <class Kernel>
-  std::pair<RowVectorXd, RowVectorXd> correction(const Kernel& kernel, double x) const {
-    RowVectorXd normal(sources_.x.size()), tangential(sources_.x.size()), cross(sources_.x.size());
-    for (Index q = 0; q < sources_.x.size(); ++q) {
-      const LayerSlopes k = kernel(x - sources_.x(q));
-      normal(q) = k(0);
-      tangential(q) = k(1);
-      cross(q) = k(2);
-    }
-    RowVectorXd w = RowVectorXd::Zero(size_), u;
-    w.head(n_) = -normal.head(n_) * sources_.of_pressure.topLeftCorner(n_, n_);
-    if (pattern_.shear) {
-      w -= cross * sources_.of_shear;
-      u = tangential * sources_.of_shear;
-      u.head(n_) -= cross.head(n_) * sources_.of_pressure.topLeftCorner(n_, n_);
-    }
-    return {w, u};
+  Eigen::VectorXd points(const Interval& interval, const ChebyshevRule& rule) const {
+    return interval.centre() + interval.half_length() * rule.points.array();
+  }
+  LayerKernel layer() const {
+    return [this](double x) { return layer_slope_correction(x, problem_.thickness); };
   }
 
   void collocate_normal() {
     const Interval& contact = edges_.contact;
-    const auto layer = [&](double x) { return layer_slope_correction(x, problem_.thickness); };
-    const auto point = [&](Index i) { return contact.centre() + contact.half_length() * rule_.points(i); };
+    const VectorXd x = points(contact, rule_);
     matrix_.topLeftCorner(n_ + 1, n_) = 0.5 * rule_.images.rightCols(n_);
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
     if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * memory_.series;
-    for (Index i = 0; i <= n_; ++i) {
-      if (problem_.layered()) matrix_.row(i) += correction(layer, point(i)).first;
-      right_(i) = problem_.glassy * problem_.slope(point(i));
-    }
+    if (problem_.layered()) matrix_.topRows(n_ + 1) += normal_slopes(sources_, layer(), x);
+    for (Index i = 0; i <= n_; ++i) right_(i) = problem_.glassy * problem_.slope(x(i));
     for (std::size_t j = 0; j < static_cast<std::size_t>(terms_); ++j) {
       const SlopeMemory memory(problem_, contact, j);
-      for (Index i = 0; i <= n_; ++i) right_(i) -= problem_.relaxation_modulus[j] * memory(point(i));
+      for (Index i = 0; i <= n_; ++i) right_(i) -= problem_.relaxation_modulus[j] * memory(x(i));
       right_(amplitude_ + static_cast<Index>(j)) = problem_.relaxation_modulus[j] * memory.at_edge();
     }
   }
@@ -131,11 +115,13 @@ class System {
 
   void remember_normal() {
     means_ = MatrixXd::Zero(terms_, size_);
+    const VectorXd leading_edge = VectorXd::Constant(1, edges_.contact.to);
     for (Index m = 0; m < terms_; ++m) {
       means_.row(m).head(n_) = 0.5 * memory_.memory.col(m).tail(n_).transpose();
       means_.row(m).segment(amplitude_, terms_) = memory_.tails.col(m).transpose();
       if (problem_.layered())
-        means_.row(m) += correction(problem_.memories[static_cast<std::size_t>(m)], edges_.contact.to).first;
+        means_.row(m) +=
+            normal_slopes(sources_, std::cref(problem_.memories[static_cast<std::size_t>(m)]), leading_edge);
     }
     remember(amplitude_, means_);
   }
@@ -176,7 +162,6 @@ class System {
 
   void collocate_stick(std::size_t z) {
     const Stick& zone = zones_[z];
-    const auto layer = [&](double x) { return layer_slope_correction(x, problem_.thickness); };
     matrix_.block(zone.psi, zone.psi, stick_n_ + 1, stick_n_) = -0.5 * stick_rule_.images.rightCols(stick_n_);
     matrix_.block(zone.psi, zone.slack(), stick_n_ + 1, 1).setOnes();
     matrix_.block(zone.psi, rotation_, stick_n_ + 1, 1).setConstant(-1);
@@ -187,14 +172,15 @@ class System {
       kept = stick_rule_.images * zone.memory.series;
       matrix_.block(zone.psi, zone.amplitude(), stick_n_ + 1, terms_) = -kept;
     }
+    const VectorXd places = points(zone.interval, stick_rule_);
+    if (problem_.layered()) matrix_.middleRows(zone.psi, stick_n_ + 1) += tangential_slopes(sources_, layer(), places);
     RowVectorXd row(size_);
     for (Index i = 0; i <= stick_n_; ++i) {
-      const double x = zone.interval.centre() + zone.interval.half_length() * stick_rule_.points(i);
+      const double x = places(i);
       row.setZero();
       add_base(x, row);
       for (const Stick& other : zones_)
         if (&other != &zone) add_distant_stick(other, x, row);
-      if (problem_.layered()) row += correction(layer, x).second;
       for (Index j = 0; j < terms_; ++j) {
         // With slip ahead of it the tails' exponential is a given field; at the leading edge it is in the amplitude.
         const double whole = at_leading_edge(z) ? 0 : exponential(edges_.contact, j, x);
@@ -227,6 +213,7 @@ class System {
     } else if (terms_ > 0) {
       means.leftCols(n_) -= 0.5 * direction * memory_.memory.bottomRows(n_).transpose();
     }
+    const VectorXd leading_end = VectorXd::Constant(1, zone.interval.to);
     for (Index m = 0; m < terms_; ++m) {
       auto mean = means.row(m);
       const double length = problem_.creep_length[static_cast<std::size_t>(m)];
@@ -235,7 +222,7 @@ class System {
       mean.segment(amplitude_, terms_) -=
           direction * std::exp((zone.interval.to - edges_.contact.to) / length) * memory_.tails.col(m).transpose();
       if (problem_.layered())
-        mean += correction(problem_.memories[static_cast<std::size_t>(m)], zone.interval.to).second;
+        mean += tangential_slopes(sources_, std::cref(problem_.memories[static_cast<std::size_t>(m)]), leading_end);
     }
     remember(zone.amplitude(), means);
     for (Index j = 0; j < terms_; ++j) {

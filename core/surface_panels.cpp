@@ -139,7 +139,7 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
       elastic.row(k) << g.w, g.u;
       if (panel.zone == Zone::free) continue;
       panel.pressure(k) = field.pressure(panel.x(k));
-      panel.shear(k) = field.shear(panel.x(k));
+      panel.shear(k) = field.shear(panel.x(k), panel.pressure(k));
     }
     MatrixXd slopes = problem.glassy_compliance * elastic;
     for (Index m = 0; m < terms; ++m) {
