@@ -18,22 +18,30 @@ namespace {
 constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
 constexpr double largest_violation = 5e-9;  // of any law
+constexpr double rounded_tail = 1e-13;      // last coefficients, relative to the largest
 constexpr double wrong_pattern = 1e-7;      // violation of an inequality that no order mends
 constexpr double plainly_wrong = 0.01;      // the same, seen at once
+constexpr int most_stays = 3;               // checks of all laws that find no smaller violation
+constexpr double slowest_fall = 0.9;        // of the last coefficients, from one order to the next
 
 /// Work that is spent before the scene is left to the grids, in evaluations of a system of 100 unknowns with slip in
-/// one direction: about 0.1 s. Counted and not timed, so that the answer is the same on any machine.
-constexpr double most_work = 600;
+/// one direction: 0.1 to 0.2 s. Counted and not timed, so that the answer is the same on any machine.
+constexpr double most_work = 800;
 
 /// Work of an evaluation. Systems with slip in both directions take a base of their own (sliding_base.hpp) and, for the
 /// resultants, several times as many sources.
 double work_of(const SlipPattern& pattern, int order) {
   const double unknowns = order * (1 + static_cast<double>(pattern.sticks())) / 100;
-  return (pattern.one_direction() ? 1 : 8) * unknowns * (unknowns + 0.5);
+  return (pattern.one_direction() ? 1.5 : 8) * unknowns * (unknowns + 0.5);
 }
-constexpr double slowest_fall = 0.9;  // of the last coefficients, from one order to the next
-constexpr int most_stays = 3;         // checks of all laws that find no smaller violation
-constexpr double work_of_check = 4;   // of all laws, in evaluations
+
+/// Work of checking all laws, on points between those of the collocation: for memories much shorter than the contact
+/// most of it goes into their tails.
+double work_of_check(const SpectralProblem& problem, const SlipPattern& pattern, int order, double half_length) {
+  double rate = 0;
+  for (const double length : problem.relaxation_length) rate = std::max(rate, half_length / length);
+  return 2 * work_of(pattern, order) + std::min(0.3 * std::sqrt(rate), 150.0);
+}
 
 class SpectralContact {
  public:
@@ -116,7 +124,7 @@ class SpectralContact {
     EdgeSearch search(problem_, pattern);
     const bool costly = !pattern.one_direction();
     double coefficients = first_order(problem_, edges, tolerance_);
-    double before = RollingSolution::absent, tail_before = 1, least_violation = INFINITY;
+    double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
     double residual = std::min(1e-9, 0.01 * tolerance_);
     int stays = 0;
     bool done = false, glanced = !costly;
@@ -136,16 +144,20 @@ class SpectralContact {
       // Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
       const double lever = state->load * edges.contact.half_length() / scene_.radius;
       const double scale = std::max(std::abs(resistance), 1e-6 * lever);
-      const double error = std::abs(resistance - before) / scale * std::min(1.0, tail / tail_before) +
-                           (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+      const double change = std::abs(resistance - before) / scale;
+      double error =
+          change * std::min(1.0, tail / tail_before) + (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+      // With all coefficients there, repeated changes tell better what residuals at the limit of rounding do.
+      if (std::max(tail, tail_before) < rounded_tail) error = std::min(error, 10 * std::max(change, change_before));
       residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);
       const bool falling = tail < slowest_fall * tail_before;
       before = resistance;
+      change_before = change;
       tail_before = tail;
       last_ = std::move(state);
       if (error <= tolerance_ || (!glanced && error < 1e-4)) {
         glanced = true;
-        work_ += work_of_check * work;
+        work_ += work_of_check(problem_, pattern, order, edges.contact.half_length());
         SpectralEvidence evidence = assess(problem_, *last_);
         const double violation = evidence.solution.law_violation;
         const bool lawful = evidence.wrong_zone < wrong_pattern;

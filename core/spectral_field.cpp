@@ -23,7 +23,7 @@ double image_sum(const VectorXd& c, double t, Index first) {
     const double root = std::sqrt((std::abs(t) - 1) * (std::abs(t) + 1));
     const double factor = std::copysign(1 / (std::abs(t) + root), t);
     double power = std::pow(factor, static_cast<double>(first)), sum = 0;
-    for (Index k = 0; k < c.size(); ++k, power *= factor) sum += c(k) * power;
+    for (Index k = 0; k < c.size() && std::abs(power) > 1e-30; ++k, power *= factor) sum += c(k) * power;
     return sum;
   }
   const double angle = std::acos(t);
