@@ -46,17 +46,20 @@ typename Fftw<Real>::Complex* fftw(std::complex<Real>* data) {
   return reinterpret_cast<typename Fftw<Real>::Complex*>(data);
 }
 
-}  // namespace
-
 template <class Real>
-struct FftLine<Real>::Plans {
+struct BothWays {
   typename Fftw<Real>::Plan forward, inverse;
-  ~Plans() {
+  ~BothWays() {
     const std::lock_guard lock(planner_mutex());
     Fftw<Real>::destroy(forward);
     Fftw<Real>::destroy(inverse);
   }
 };
+
+}  // namespace
+
+template <class Real>
+struct FftLine<Real>::Plans : BothWays<Real> {};
 
 template <class Real>
 FftLine<Real>::FftLine(int length) : plans_(std::make_unique<Plans>()) {
@@ -80,14 +83,7 @@ void FftLine<Real>::inverse(std::complex<Real>* from, std::complex<Real>* to) co
 }
 
 template <class Real>
-struct RealFftLine<Real>::Plans {
-  typename Fftw<Real>::Plan forward, inverse;
-  ~Plans() {
-    const std::lock_guard lock(planner_mutex());
-    Fftw<Real>::destroy(forward);
-    Fftw<Real>::destroy(inverse);
-  }
-};
+struct RealFftLine<Real>::Plans : BothWays<Real> {};
 
 template <class Real>
 RealFftLine<Real>::RealFftLine(int length) : plans_(std::make_unique<Plans>()) {

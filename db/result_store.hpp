@@ -20,8 +20,8 @@
 namespace rollres {
 
 /// What makes two evaluations the same: all inputs, numbers rounded to 12 significant digits (so that 0.1 + 0.2 is
-/// 0.3), and the solver; the method is the one that solves the scene, named or not. An input at its default value is left
-/// out, so that a scene keeps its key when inputs are added.
+/// 0.3), and the solver; the method is the one that solves the scene, named or not. An input at its default value is
+/// left out, so that a scene keeps its key when inputs are added.
 /// @param solver  Provenance::solver
 /// @return digest of 32 hexadecimal digits
 std::string evaluation_key(const RollingScene& scene, std::string_view solver = this_program().solver);

@@ -66,7 +66,8 @@ const std::vector<Wrong> wrong_scenes{
     {scene_with(R"("indenter": "ball")"), R"(: indenter = "ball": must be one of cylinder, sphere)"},
     {scene_with(R"("method": "newtn")"),
      R"(: method = "newtn": must be one of automatic, newton, newton_dense, active_set, spectral; did you mean newton?)"},
-    {scene_with(R"("method": 1)"), R"(: method = 1: must be one of automatic, newton, newton_dense, active_set, spectral)"},
+    {scene_with(R"("method": 1)"),
+     R"(: method = 1: must be one of automatic, newton, newton_dense, active_set, spectral)"},
     {scene_with(R"("period": 0.2, "series_terms": 1000.5)"), R"(: series_terms = 1000.5: must be a whole number)"},
     {scene_with(R"("series_terms": 1e300)"), R"(: series_terms = 1e+300: must be a whole number)"},
     {scene_with(R"("friction_coefficient": "5 N")"),
@@ -196,7 +197,8 @@ TEST_CASE("every wrong override is refused in one line, with exit status 2", "[s
       {{"speed=nan"}, "--set: speed = \"nan\": must be a finite number, or one with a unit"},
       {{"speed=-1"}, "--set: speed = -1: must be > 0"},
       {{"speed=1", "speed=2"}, "--set: speed = 2: key given twice"},
-      {{"method=secant"}, "--set: method = \"secant\": must be one of automatic, newton, newton_dense, active_set, spectral"},
+      {{"method=secant"},
+       "--set: method = \"secant\": must be one of automatic, newton, newton_dense, active_set, spectral"},
       {{"drive=torque"}, file + " with --set: driving_torque is missing: drive \"torque\" needs it"},
       {{"spacing=5 mm"}, file + " with --set: spacing = 0.005: must be at most a fifth of the radius"}};
   for (const auto& [words, message] : overrides) {
