@@ -15,6 +15,8 @@ struct GridSeries {
   /// What the last halving of the spacing changed in the rolling resistance, times this, estimates the error that is
   /// left.
   double share_left = 1;
+  /// Whether, on the finest grid, the slow ways that need no good start are taken as well.
+  bool last_resort = true;
   /// Where nothing is known but the scene.
   std::function<SurfaceGrid(int coarsening)> first;
   /// Around the contact that was found on another grid.

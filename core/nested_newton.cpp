@@ -108,7 +108,8 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
   int coarsening = grids.coarsest, last = 0;
   const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
   bool sliding_checked = !drive_may_fail;
-  nested.finest = solve_level(scene, grids.first(coarsening), nullptr, coarsening == last);
+  const auto last_resort = [&] { return coarsening == last && grids.last_resort; };
+  nested.finest = solve_level(scene, grids.first(coarsening), nullptr, last_resort());
   for (;;) {
     const ContactLevel& level = nested.finest;
     if (level.outcome.reached_border) break;
@@ -137,8 +138,8 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     }
     --coarsening;
     // A grid too coarse for its layer may have no solution: the next one then starts afresh.
-    ContactLevel next = solved ? solve_level(scene, grids.around(level, coarsening), &level, coarsening == last)
-                               : solve_level(scene, grids.first(coarsening), nullptr, coarsening == last);
+    ContactLevel next = solved ? solve_level(scene, grids.around(level, coarsening), &level, last_resort())
+                               : solve_level(scene, grids.first(coarsening), nullptr, last_resort());
     nested.coarsest_resistance = nested.coarser_resistance;
     nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
     nested.coarser = solved ? std::make_unique<ContactLevel>(std::move(nested.finest)) : nullptr;

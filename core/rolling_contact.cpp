@@ -34,6 +34,11 @@ GridSeries grids_of(const RollingScene& scene) {
   return fixed_grids(scene, scene.spacing.value_or(default_spacing(scene)));
 }
 
+/// A larger violation of the laws, in scenes far from any layer's, is mended by factorising systems of up to so many
+/// nodes.
+constexpr double trusted_violation = 1e-8;
+constexpr int factorisable_nodes = 1000;
+
 NestedOutcome solve_on_grids(const RollingScene& scene) {
   const bool sphere = scene.indenter == Indenter::sphere;
   std::function<bool(const NestedOutcome&)> finer;
@@ -192,6 +197,13 @@ RollingSolution RollingSolver::solve(const RollingScene& scene) {
     else
       outcome = solve_on_grids(scene);
     RollingSolution solution = answer_from(outcome, scene);
+    if (solution.status == Status::converged && !(solution.law_violation <= trusted_violation) &&
+        solution.contact_nodes <= factorisable_nodes) {
+      RollingScene factorised = scene;
+      factorised.method = Method::newton_dense;
+      outcome = solve_on_grids(factorised);
+      solution = answer_from(outcome, scene);
+    }
     solution.method = method == Method::newton_dense ? method : Method::newton;
     solution.model = note;
     if (solution.status == Status::converged) last_ = std::make_unique<Last>(Last{scene, std::move(outcome)});

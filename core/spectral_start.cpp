@@ -71,7 +71,10 @@ std::optional<PatternStart> one_border_start(const SpectralProblem& problem, con
 std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double spacing) {
   RollingScene gridded = scene;
   gridded.tolerance.reset();
-  const NestedOutcome nested = solve_nested(gridded, fixed_grids(gridded, spacing));
+  // What takes a grid long has zones that this method does not know.
+  GridSeries grids = fixed_grids(gridded, spacing);
+  grids.last_resort = false;
+  const NestedOutcome nested = solve_nested(gridded, grids);
   if (nested.status != Status::converged) return {};
   const ContactLevel& level = nested.finest;
   const SurfaceGrid& grid = level.problem->grid;
