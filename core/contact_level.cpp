@@ -100,8 +100,7 @@ ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to) {
   const bool sphere = from.problem->sphere;
   ContactUnknowns start = from.outcome.unknowns;
   // Pressure inside and gap outside join at the contact's edge: their interpolated sign tells the finer contact.
-  const Vector sign =
-      interpolate(start.pressure - from.outcome.gap.cwiseMax(0) / from.influence->self_normal(), grid, to, sphere, 1);
+  const Vector sign = interpolate(signed_pressure(from), grid, to, sphere, 1);
   start.pressure = (sign.array() > 0).select(interpolate(start.pressure, grid, to, sphere, 1), 0.0);
   if (start.shear_x.size() > 0) start.shear_x = interpolate(start.shear_x, grid, to, sphere, 1);
   if (start.shear_y.size() > 0) start.shear_y = interpolate(start.shear_y, grid, to, sphere, -1);

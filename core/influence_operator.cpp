@@ -83,13 +83,13 @@ InfluenceOperator::~InfluenceOperator() = default;
 
 template <>
 IterativeInfluence<float>& InfluenceOperator::iterative() const {
-  if (!single_) single_ = std::make_unique<IterativeInfluence<float>>(scene_, grid_, spectra_, friction_);
+  if (!single_) single_ = std::make_unique<IterativeInfluence<float>>(scene_, grid_, padded_, spectra_, friction_);
   return *single_;
 }
 
 template <>
 IterativeInfluence<double>& InfluenceOperator::iterative() const {
-  if (!double_) double_ = std::make_unique<IterativeInfluence<double>>(scene_, grid_, spectra_, friction_);
+  if (!double_) double_ = std::make_unique<IterativeInfluence<double>>(scene_, grid_, padded_, spectra_, friction_);
   return *double_;
 }
 

@@ -68,12 +68,9 @@ Spectrum<Real> rounded(const Spectrum<double>& spectrum) {
 }  // namespace
 
 template <class Real>
-IterativeInfluence<Real>::IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half,
+IterativeInfluence<Real>::IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded,
                                              const InfluenceSpectra& spectra, bool friction)
-    : grid_(half),
-      sphere_(scene.indenter == Indenter::sphere),
-      padded_(padded_size(half.columns, half.rows, 1)),
-      ww_(rounded<Real>(spectra.ww)) {
+    : grid_(half), sphere_(scene.indenter == Indenter::sphere), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
   if (friction) {
     transform_ = std::make_unique<SurfaceTransform<Real>>(padded_);
     uw_ = rounded<Real>(spectra.uw);

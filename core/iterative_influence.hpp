@@ -25,8 +25,9 @@ class IterativeInfluence {
     Field pressure, shear_x, shear_y;  // [Pa]
   };
 
-  IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half, const InfluenceSpectra& spectra,
-                     bool friction);
+  /// @param padded size of the spectra
+  IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded,
+                     const InfluenceSpectra& spectra, bool friction);
 
   /// Displacement w and change of slip from tractions [Pa]. Empty shear: only w is computed; shear_y is empty for
   /// a cylinder.

@@ -206,7 +206,9 @@ RollingSolution RollingSolver::solve(const RollingScene& scene) {
     }
     solution.method = method == Method::newton_dense ? method : Method::newton;
     solution.model = note;
-    if (solution.status == Status::converged) last_ = std::make_unique<Last>(Last{scene, std::move(outcome)});
+    // Without a spacing nothing starts from it.
+    if (solution.status == Status::converged)
+      last_ = scene.spacing ? std::make_unique<Last>(Last{scene, std::move(outcome)}) : nullptr;
     return solution;
   });
 }

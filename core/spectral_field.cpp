@@ -17,17 +17,8 @@ using Eigen::VectorXd;
 
 constexpr int most_tail_terms = 4000, most_mixed_tail_terms = 300;
 
-/// sum c_k T_k(t), and with `first` = 1 sum c_k T_{k+1}(t), ...; beyond |t| = 1 the field's continuation.
-double image_sum(const VectorXd& c, double t, Index first) {
-  if (std::abs(t) > 1) {
-    const double root = std::sqrt((std::abs(t) - 1) * (std::abs(t) + 1));
-    const double factor = std::copysign(1 / (std::abs(t) + root), t);
-    double power = std::pow(factor, static_cast<double>(first)), sum = 0;
-    for (Index k = 0; k < c.size() && std::abs(power) > 1e-30; ++k, power *= factor) sum += c(k) * power;
-    return sum;
-  }
-  const double angle = std::acos(t);
-  double before = std::cos(static_cast<double>(first - 1) * angle), here = std::cos(static_cast<double>(first) * angle);
+/// sum c_k h_k of cosines or sines of multiples of acos(t), from the one before the first and the first.
+double harmonic_sum(const VectorXd& c, double t, double before, double here) {
   double sum = 0;
   for (Index k = 0; k < c.size(); ++k) {
     sum += c(k) * here;
@@ -38,19 +29,26 @@ double image_sum(const VectorXd& c, double t, Index first) {
   return sum;
 }
 
+/// sum c_k T_k(t), and with `first` = 1 sum c_k T_{k+1}(t), ...; beyond |t| = 1 the field's continuation.
+double image_sum(const VectorXd& c, double t, Index first) {
+  if (std::abs(t) > 1) {
+    const double root = std::sqrt((std::abs(t) - 1) * (std::abs(t) + 1));
+    const double factor = std::copysign(1 / (std::abs(t) + root), t);
+    double power = std::pow(factor, static_cast<double>(first)), sum = 0;
+    for (Index k = 0; k < c.size() && std::abs(power) > 1e-30; ++k, power *= factor) sum += c(k) * power;
+    return sum;
+  }
+  const double angle = std::acos(t);
+  return harmonic_sum(c, t, std::cos(static_cast<double>(first - 1) * angle),
+                      std::cos(static_cast<double>(first) * angle));
+}
+
 /// sqrt(1 - t^2) sum c_k U_{first+k-1}(t) = sum c_k sin((first + k) angle)
 double density_sum(const VectorXd& c, double t, Index first) {
   if (!(std::abs(t) < 1)) return 0;
   const double angle = std::acos(t);
-  double before = std::sin(static_cast<double>(first - 1) * angle), here = std::sin(static_cast<double>(first) * angle);
-  double sum = 0;
-  for (Index k = 0; k < c.size(); ++k) {
-    sum += c(k) * here;
-    const double next = 2 * t * here - before;
-    before = here;
-    here = next;
-  }
-  return sum;
+  return harmonic_sum(c, t, std::sin(static_cast<double>(first - 1) * angle),
+                      std::sin(static_cast<double>(first) * angle));
 }
 
 }  // namespace
