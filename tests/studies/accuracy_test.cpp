@@ -9,6 +9,7 @@
 #include "studies/scene_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
@@ -16,7 +17,7 @@ using namespace rollres;
 namespace {
 
 RollingScene example(const std::string& name) {
-  return read_scene(std::string(ROLLRES_SOURCE_DIR) + "/studies/examples/" + name + ".json");
+  return read_scene(source_directory().string() + "/studies/examples/" + name + ".json");
 }
 
 constexpr double exact = 357.0, length = 7.5e-3;

@@ -6,6 +6,7 @@
 #include "studies/solution_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -36,7 +37,7 @@ TEST_CASE("the program holds the paper's scenes as they stand in the examples", 
   for (const PaperScene& paper : paper_scenes()) {
     const std::string name(paper.name);
     CHECK(scene_json(parse_scene(paper.json, name)) ==
-          scene_json(read_scene(std::string(ROLLRES_SOURCE_DIR) + "/studies/examples/" + name + ".json")));
+          scene_json(read_scene(source_directory().string() + "/studies/examples/" + name + ".json")));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 
 using namespace rollres;
@@ -11,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string cylinder = std::string(ROLLRES_SOURCE_DIR) + "/studies/examples/paper_cylinder.json";
+const std::string cylinder = source_directory().string() + "/studies/examples/paper_cylinder.json";
 
 ProgramRun run_gradient(std::vector<std::string> words, const Evaluate& evaluate = closed_form) {
   words.insert(words.begin(), {"gradient", cylinder});

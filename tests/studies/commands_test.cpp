@@ -8,6 +8,7 @@
 #include "studies/fields_file.hpp"
 #include "studies/scene_file.hpp"
 #include "tests/catch.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -16,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string examples = std::string(ROLLRES_SOURCE_DIR) + "/studies/examples/";
+const std::string examples = source_directory().string() + "/studies/examples/";
 const std::string cylinder = examples + "paper_cylinder.json";
 const std::string sphere = examples + "paper_sphere.json";
 

@@ -3,6 +3,7 @@
 
 #include "core/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -11,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::string example(const std::string& name) { return std::string(ROLLRES_SOURCE_DIR) + "/studies/examples/" + name; }
+std::string example(const std::string& name) { return source_directory().string() + "/studies/examples/" + name; }
 
 Json solved(const std::string& name, const std::string& method) {
   const ProgramRun run = run_rollres({"solve", example(name), "--json", "--set", "method=" + method},

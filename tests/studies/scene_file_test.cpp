@@ -6,12 +6,13 @@
 #include "studies/scene_inputs.hpp"
 #include "studies/solution_json.hpp"
 #include "tests/catch.hpp"
+#include "tests/source_directory.hpp"
 
 using namespace rollres;
 
 namespace {
 
-const std::string examples = std::string(ROLLRES_SOURCE_DIR) + "/studies/examples/";
+const std::string examples = source_directory().string() + "/studies/examples/";
 const std::string cylinder = examples + "paper_cylinder.json";
 const std::string sphere = examples + "paper_sphere.json";
 

@@ -4,13 +4,14 @@
 #include <stdexcept>
 
 #include "tests/catch.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
 
 namespace {
 
-const std::filesystem::path examples = std::filesystem::path(ROLLRES_SOURCE_DIR) / "studies/examples";
+const std::filesystem::path examples = source_directory() / "studies/examples";
 
 RollingScene some_scene() {
   RollingScene scene;

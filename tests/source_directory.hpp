@@ -1,0 +1,6 @@
+#pragma once
+
+#include <filesystem>
+
+/// Top of the repository that the tests were built from.
+const std::filesystem::path& source_directory();
