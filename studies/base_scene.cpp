@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace rollres {
 
@@ -12,7 +13,7 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
     return chosen ? axes[group.front()].size() : 1;
   };
   std::optional<RollingScene> first;
-  std::vector<SceneEntry> of_any;
+  std::vector<std::pair<std::string, InputValue>> of_any;
   for_each_combination(axes, size_of, [&](const std::vector<std::size_t>& at) {
     std::vector<SceneEntry> chosen;
     for (std::size_t i = 0; i < axes.size(); ++i)
@@ -21,9 +22,9 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
     const RollingScene scene = unchecked_scene_from(all, place);
     if (!first) first = scene;
     for (const SceneEntry& entry : all)
-      if (find_input(entry.key)->optional) of_any.push_back(entry);
+      if (find_input(entry.key)->optional) of_any.emplace_back(entry.key, input_value(entry, scene.indenter));
   });
-  for (const SceneEntry& entry : of_any) assign_input(*first, entry.key, input_value(entry, first->indenter));
+  for (const auto& [key, value] : of_any) assign_input(*first, key, value);
   return *first;
 }
 

@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
-#include <optional>
 #include <ostream>
 
 #include "studies/commands.hpp"
@@ -18,7 +18,7 @@ namespace {
 struct PlanWords {
   std::string study, database, format = "table";
   bool json = false;
-  std::optional<std::size_t> limit;
+  std::size_t limit = std::numeric_limits<std::size_t>::max();
 };
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -102,7 +102,7 @@ void plan(const PlanWords& words, Session& session) {
     ResultStore store(words.database, Access::read);
     status = stored_status(store, plan);
   }
-  Table table = plan_table(study, plan, status, words.limit.value_or(plan.scenes.size()));
+  Table table = plan_table(study, plan, status, words.limit);
   if (words.json) return print_json(session.out, words, study, plan, status, table);
   if (words.format != "table") return write_table(session.out, table, words.format);
   print_summary(session.out, study, plan);
@@ -125,8 +125,7 @@ void add_plan(CLI::App& program, Session& session) {
   const auto words = std::make_shared<PlanWords>();
   command->add_option("study", words->study, "study file")->required();
   command->add_option("--db", words->database, "database: tells which points are stored there, and their status");
-  command->add_option_function<std::size_t>(
-      "--limit", [words](const std::size_t& limit) { words->limit = limit; }, "print no more than this many points");
+  command->add_option("--limit", words->limit, "print no more than this many points")->check(CLI::NonNegativeNumber);
   CLI::Option* const format =
       command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line): the points alone")
           ->check(CLI::IsMember(table_formats));

@@ -52,7 +52,8 @@ void print_summary(Session& session, const SweepReport& report, const std::vecto
   session.out << study.name << ": " << study.answered << " of " << study.points << " points in " << database << ", "
               << report.recalled << " recalled, " << report.solved << " solved in " << duration_in_words(report.seconds)
               << ", " << study.failed << " failed\n";
-  if (dropped > 0) session.err << dropped << " points are dropped by constraints\n";
+  if (dropped > 0)
+    session.err << dropped << (dropped == 1 ? " point is" : " points are") << " dropped by constraints\n";
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < failures.size() && i < shown; ++i)
     session.err << failures[i].points << " x " << failures[i].status << ": " << failures[i].reason << '\n';

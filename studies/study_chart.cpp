@@ -257,6 +257,7 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
   request.x.logarithmic = x_scale.logarithmic;
   request.y.logarithmic = y_scale.logarithmic;
   request.lines = definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*along));
+  if (!request.lines) request.x.margin = 0.03;  // no mark is cut by the frame
   if (families.size() == 1) request.family = described(*families.front());
 
   const std::set<Cell> places = rows.values(*along);
