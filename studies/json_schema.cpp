@@ -83,18 +83,16 @@ Json joint_rules() {
     if (kind.optional)
       for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
         if (kind.quantity.key < other) rules.push_back({{"not", {{"required", {kind.quantity.key, other}}}}});
-  for (const InputKind& material : input_kinds())
-    for (const std::string_view name :
-         material.quantity.key == "material" ? material.choices : decltype(material.choices){}) {
-      Json needed = Json::array();
-      for (const InputKind& kind : input_kinds())
-        if (kind.needed_by() == "material \"" + std::string(name) + '"') needed.push_back(kind.quantity.key);
-      if (needed.empty()) continue;
-      const bool usual = material.default_value == InputValue(std::string(name));
-      Json chosen{{"properties", {{"material", {{"const", name}}}}}};
-      if (!usual) chosen["required"] = {"material"};
-      rules.push_back({{"if", chosen}, {"then", {{"required", needed}}}});
-    }
+  const InputKind& material = *find_input("material");
+  for (const std::string_view name : material.choices) {
+    Json needed = Json::array();
+    for (const InputKind& kind : input_kinds())
+      if (kind.needed_by() == "material \"" + std::string(name) + '"') needed.push_back(kind.quantity.key);
+    if (needed.empty()) continue;
+    Json chosen{{"properties", {{"material", {{"const", name}}}}}};
+    if (material.default_value != InputValue(std::string(name))) chosen["required"] = {"material"};
+    rules.push_back({{"if", chosen}, {"then", {{"required", needed}}}});
+  }
   return rules;
 }
 
@@ -163,16 +161,21 @@ Json sample() {
                    {"method", "points", "ranges"});
 }
 
+/// Of an interval or a range, whichever its input.
+Json end_value() { return {{"anyOf", {{{"type", "number"}}, reference(with_unit)}}}; }
+
 Json interval() {
-  const Json end{{"anyOf", {{{"type", "number"}}, reference(with_unit)}}};
   return object_of(interval_keys,
-                   {{"from", end}, {"to", end}, {"points", whole(2, most_points)}, {"spacing", names(spacing_names)}},
+                   {{"from", end_value()},
+                    {"to", end_value()},
+                    {"points", whole(2, most_points)},
+                    {"spacing", names(spacing_names)}},
                    {"from", "to", "points"});
 }
 
 Json range() {
-  const Json end{{"anyOf", {{{"type", "number"}}, reference(with_unit)}}};
-  return object_of(range_keys, {{"from", end}, {"to", end}, {"spacing", names(spacing_names)}}, {"from", "to"});
+  return object_of(range_keys, {{"from", end_value()}, {"to", end_value()}, {"spacing", names(spacing_names)}},
+                   {"from", "to"});
 }
 
 Json chart() {
