@@ -200,4 +200,25 @@ MergeReport merge(const Database& into, const std::filesystem::path& source, con
   }
 }
 
+void extract_study(const std::filesystem::path& source, const std::string& study, const std::filesystem::path& file) {
+  const std::filesystem::path part = file.string() + ".part";
+  const auto remove_part = [&] {
+    std::error_code none;
+    for (const char* const ending : {"", "-wal", "-shm", "-journal"})
+      std::filesystem::remove(part.string() + ending, none);
+  };
+  remove_part();
+  try {
+    {
+      const Database extract(part, Access::write);
+      merge(extract, source, study);
+      naming(file.string(), [&] { extract.connection().exec("PRAGMA journal_mode = delete"); });
+    }
+    std::filesystem::rename(part, file);
+  } catch (...) {
+    remove_part();
+    throw;
+  }
+}
+
 }  // namespace rollres

@@ -48,4 +48,8 @@ constexpr double merge_tolerance = 1e-9;
 MergeReport merge(const Database& into, const std::filesystem::path& source,
                   const std::optional<std::string>& study = {});
 
+/// Writes one study of a database, as `merge` does, into a new file, whole or not at all: a single file without a log,
+/// which can be read where nobody may write.
+void extract_study(const std::filesystem::path& source, const std::string& study, const std::filesystem::path& file);
+
 }  // namespace rollres

@@ -27,21 +27,6 @@ provenance.json  which version of rollres, on which machine, computed how many o
 `rollres import FOLDER --db FILE` brings the results into another database; doing so again changes nothing.
 )";
 
-/// Writes the study's own database, whole or not at all.
-void write_database(const std::filesystem::path& source, const std::string& study, const std::filesystem::path& file) {
-  const std::filesystem::path part = file.string() + ".part";
-  std::filesystem::remove(part);
-  try {
-    merge(Database(part, Access::write), source, study);
-    std::filesystem::rename(part, file);
-  } catch (...) {
-    std::error_code none;
-    for (const char* const ending : {"", "-wal", "-shm", "-journal"})
-      std::filesystem::remove(part.string() + ending, none);
-    throw;
-  }
-}
-
 Json provenance_of(ResultStore& store, const StudySummary& study, const Table& results) {
   struct Made {
     Provenance program;
@@ -96,7 +81,7 @@ std::string export_study(const std::filesystem::path& database, const std::strin
     throw std::invalid_argument("out = " + folder.string() + ": holds another study");
   make_directory(folder);
 
-  write_database(database, name, own);
+  extract_study(database, name, own);
   ResultStore exported(own, Access::read);
   const Table results = run_query(exported.database(), {.filters = {{"study", Comparison::equal, name}}});
   std::ostringstream csv;

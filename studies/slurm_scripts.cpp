@@ -53,12 +53,12 @@ std::string shell_word(const std::string& text) {
 std::string array_script(const SlurmJob& job) {
   return "#!/bin/sh\n" + option("job-name", plain_name(job.name)) + output_file(job, "shard-%a-%A.txt") +
          option("cpus-per-task", std::to_string(job.cores)) + option("time", job.time) +
-         option("partition", job.partition) + R"(#SBATCH --signal=B:TERM@60
+         option("partition", job.partition) + R"sh(#SBATCH --signal=B:TERM@60
 
 # Solves shard $SLURM_ARRAY_TASK_ID on the disk of this node. submit.sh submits this script.
 
-)" + variables(job) +
-         R"(shard=${SLURM_ARRAY_TASK_ID:?is set by Slurm}
+)sh" + variables(job) +
+         R"sh(shard=${SLURM_ARRAY_TASK_ID:?is set by Slurm}
 kept=$folder/shards/$shard.db
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/rollres.XXXXXX") || exit 3
 trap 'rm -rf "$scratch"' EXIT
@@ -110,30 +110,30 @@ kill "$now_and_then" 2>/dev/null
 wait "$now_and_then" 2>/dev/null
 bring_back whole || status=3
 exit $status
-)";
+)sh";
 }
 
 std::string merge_script(const SlurmJob& job) {
   return "#!/bin/sh\n" + option("job-name", plain_name(job.name) + "-merge") + output_file(job, "merge-%j.txt") +
-         option("time", job.time) + option("partition", job.partition) + R"(
+         option("time", job.time) + option("partition", job.partition) + R"sh(
 # Brings the shards together. Merging again changes nothing.
 
-)" + variables(job) +
-         R"("$rollres" merge "$folder"/shards/*.db --db "$database"
+)sh" + variables(job) +
+         R"sh("$rollres" merge "$folder"/shards/*.db --db "$database"
 merged=$?
 "$rollres" status "$folder/study.json" --db "$database" --shards "$tasks" || [ $merged -ne 0 ] || merged=1
 exit $merged
-)";
+)sh";
 }
 
 std::string submit_script(const SlurmJob& job) {
   const std::string throttle = job.throttle > 0 ? "%" + std::to_string(job.throttle) : "";
-  return R"(#!/bin/sh
+  return R"sh(#!/bin/sh
 # Submits the shards that have points missing as a job array, and a job that merges them. Run it again to submit
 # what is missing then.
 
-)" + variables(job) +
-         R"(if [ -e "$folder/jobs" ]; then
+)sh" + variables(job) +
+         R"sh(if [ -e "$folder/jobs" ]; then
   queued=$(squeue --noheader --format=%i --jobs="$(cat "$folder/jobs")" 2>/dev/null)
   [ -z "$queued" ] || {
     echo "still in the queue:" $queued;
@@ -148,7 +148,8 @@ done
 missing=$("$rollres" status "$folder/study.json" "$@" --shards "$tasks" --array)
 [ $? -le 1 ] || exit 3
 if [ -n "$missing" ]; then
-  array=$(sbatch --parsable --array="$missing)" + throttle + R"(" "$folder/array.sh") || exit 3
+  array=$(sbatch --parsable --array="$missing)sh" +
+         throttle + R"sh(" "$folder/array.sh") || exit 3
   array=${array%%;*}
   echo "$array" >"$folder/jobs"
   merge=$(sbatch --parsable --dependency="afterany:$array" "$folder/merge.sh") || exit 3
@@ -161,7 +162,7 @@ else
   echo "all shards are complete; submitted their merge as job ${merge%%;*}"
 fi
 echo "${array:+$array,}${merge%%;*}" >"$folder/jobs"
-)";
+)sh";
 }
 
 }  // namespace rollres
