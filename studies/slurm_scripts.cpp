@@ -28,18 +28,16 @@ std::string output_file(const SlurmJob& job, const std::string& pattern) {
 
 /// The variables that all scripts share.
 std::string variables(const SlurmJob& job) {
-  return "set -u\n"
-         "rollres=" +
-         shell_word(job.program.string()) +
-         "\n"
-         "folder=" +
-         shell_word(job.folder.string()) +
-         "\n"
-         "database=" +
-         shell_word(job.database.string()) +
-         "\n"
-         "tasks=" +
-         std::to_string(job.tasks) + "\n";
+  std::string lines = "set -u\n";
+  const auto set = [&](const std::string& name, const std::string& value) {
+    lines += name + "=" + shell_word(value) + "\n";
+  };
+  set("rollres", job.program.string());
+  set("study", job.name);
+  set("folder", job.folder.string());
+  set("database", job.database.string());
+  set("tasks", std::to_string(job.tasks));
+  return lines;
 }
 
 }  // namespace
@@ -64,12 +62,11 @@ scratch=$(mktemp -d "${TMPDIR:-/tmp}/rollres.XXXXXX") || exit 3
 trap 'rm -rf "$scratch"' EXIT
 [ ! -e "$kept" ] || cp "$kept" "$scratch/shard.db" || exit 3
 
-# Nobody ever sees half a file, whatever happens to this node or to the network.
+# As one file without a log, which network file systems do not bear; nobody ever sees half of it.
 bring_back() {
   [ -e "$scratch/shard.db" ] || return 0
-  rm -f "$scratch/$1.db"
-  "$rollres" merge "$scratch/shard.db" --db "$scratch/$1.db" >"$scratch/$1.txt" &&
-    cp "$scratch/$1.db" "$kept.$$.part" && mv "$kept.$$.part" "$kept"
+  "$rollres" export --study "$study" --db "$scratch/shard.db" --out "$scratch/$1" >"$scratch/$1.txt" &&
+    cp "$scratch/$1/results.db" "$kept.$$.part" && mv "$kept.$$.part" "$kept"
 }
 
 "$rollres" sweep "$folder/study.json" --shard "$shard/$tasks" --db "$scratch/shard.db" \
