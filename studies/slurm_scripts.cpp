@@ -60,6 +60,7 @@ std::string array_script(const SlurmJob& job) {
 kept=$folder/shards/$shard.db
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/rollres.XXXXXX") || exit 3
 trap 'rm -rf "$scratch"' EXIT
+rm -f "$kept".*.part
 [ ! -e "$kept" ] || cp "$kept" "$scratch/shard.db" || exit 3
 
 # As one file without a log, which network file systems do not bear; nobody ever sees half of it.
@@ -133,8 +134,8 @@ std::string submit_script(const SlurmJob& job) {
          R"sh(if [ -e "$folder/jobs" ]; then
   queued=$(squeue --noheader --format=%i --jobs="$(cat "$folder/jobs")" 2>/dev/null)
   [ -z "$queued" ] || {
-    echo "still in the queue:" $queued;
-    exit 1;
+    echo "still in the queue:" $queued
+    exit 1
   }
 fi
 
