@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "db/result_store.hpp"
 #include "studies/commands.hpp"
 #include "studies/slurm_scripts.hpp"
@@ -22,6 +24,25 @@ const char* const slow = R"({"study": "slow", "scene":
    "creep_time": "0.25 s", "speed": "5 cm/s", "load": 150, "friction_coefficient": 0.2, "spacing": "0.07 mm"},
   "axes": {"speed": {"from": "1 cm/s", "to": "1 m/s", "points": 30, "spacing": "logarithmic"}}})";
 
+/// A variable of the environment for a while.
+struct WithVariable {
+  std::string name;
+  std::optional<std::string> before;
+
+  WithVariable(const std::string& variable, const std::string& value) : name(variable) {
+    if (const char* const old = std::getenv(name.c_str())) before = old;
+    ::setenv(name.c_str(), value.c_str(), 1);
+  }
+  WithVariable(const WithVariable&) = delete;
+  WithVariable& operator=(const WithVariable&) = delete;
+  ~WithVariable() {
+    if (before)
+      ::setenv(name.c_str(), before->c_str(), 1);
+    else
+      ::unsetenv(name.c_str());
+  }
+};
+
 std::size_t answered(const std::filesystem::path& file, const std::string& study) {
   if (!std::filesystem::exists(file)) return 0;
   return static_cast<std::size_t>(ResultStore(file, Access::read).study(study).value_or(StudySummary{}).answered);
@@ -43,7 +64,7 @@ TEST_CASE("a Slurm array gives the table of one process, resubmits what is missi
     return;
   }
   std::filesystem::create_directories(folder / "a scratch");
-  ::setenv("TMPDIR", (folder / "a scratch").c_str(), 1);
+  const WithVariable scratch_folder("TMPDIR", folder / "a scratch");
   const auto database = folder / "all results.db", jobs = folder / "jobs of it";
   const std::string submit = "sh " + shell_word((jobs / "submit.sh").string());
   const auto write_scripts = [&](const std::filesystem::path& study, const std::string& tasks) {
