@@ -7,9 +7,12 @@
 
 namespace rollres {
 
-/// `evaluate(scene)` without its fields. An exception becomes an answer with status not_converged and its message as
-/// the reason, so that one bad point never ends a study.
-RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene) noexcept;
+enum class Fields { dropped, kept };
+
+/// `evaluate(scene)`, without its fields unless they are asked for. An exception becomes an answer with status
+/// not_converged and its message as the reason, so that one bad point never ends a study.
+RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene,
+                                Fields fields = Fields::dropped) noexcept;
 
 /// Solves with a RollingSolver of the calling thread's own, so that scenes much like the last one start from it.
 RollingSolution solve_in_turn(const RollingScene& scene);

@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -37,14 +38,42 @@ struct Run {
   }
 };
 
+bool is_wanted_again(const StoredAnswer& answer, const SweepOptions& options) {
+  const bool converged = answer.status == Status::converged;
+  switch (options.retry) {
+    case Retry::all:
+      return true;
+    case Retry::failed:
+      if (!converged) return true;
+      break;
+    case Retry::not_converged:
+      if (answer.status == Status::not_converged) return true;
+      break;
+    case Retry::nothing:
+      break;
+  }
+  return converged && options.fields == Fields::kept && !answer.has_fields;
+}
+
+/// Answers as they were at the start that are to be solved again, by their keys: any change is the new answer.
+std::unordered_map<std::string, StoredAnswer> wanted_again(ResultStore& reader, const std::vector<std::string>& keys,
+                                                           const SweepOptions& options) {
+  std::unordered_map<std::string, StoredAnswer> old;
+  if (options.retry == Retry::nothing && options.fields == Fields::dropped) return old;
+  for (const std::string& key : keys)
+    if (const auto answer = reader.find_answer(key); answer && is_wanted_again(*answer, options))
+      old.emplace(key, *answer);
+  return old;
+}
+
 void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
-          const Evaluate& evaluate, ResultWriter& writer, int cores) {
+          const Evaluate& evaluate, Fields fields, ResultWriter& writer, int cores) {
   limit_threads(cores);
   try {
     while (!run.broken && !run.asked_to_stop()) {
       const std::optional<std::size_t> point = list.next();
       if (!point) break;
-      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point])};
+      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point], fields)};
       if (answer.solution.status != Status::converged) ++run.failed;
       writer.add(std::move(answer));
       ++run.solved;
@@ -73,20 +102,26 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   ResultStore store(database), reader(database, Access::read);
   store.start_study(record, keys);
   const std::optional<StudySummary> before = store.study(study.name);
+  const auto old = wanted_again(reader, keys, options);
 
   Run run;
   run.stop_from_outside = options.stop;
-  WorkList list(keys, [&](const std::string& key) { return reader.contains(key); });
+  WorkList list(keys, [&](const std::string& key) {
+    const auto answer = reader.find_answer(key);
+    const auto was = old.find(key);
+    return answer && (was == old.end() || *answer != was->second);
+  });
   const std::size_t to_solve = list.open();
   {
     ResultWriter writer(
-        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); });
+        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); },
+        options.retry == Retry::nothing ? Existing::kept : Existing::replaced);
     std::vector<std::jthread> threads;
     try {
       const std::size_t jobs = jobs_for(options.jobs, to_solve);
       const int cores_each = cores_for_each(jobs);
       for (std::size_t job = 0; job < jobs; ++job) {
-        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer, cores_each); });
+        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, options.fields, writer, cores_each); });
         const std::lock_guard lock(run.mutex);
         ++run.started;
       }
@@ -105,7 +140,8 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   SweepReport report;
   report.study = store.study(study.name).value_or(StudySummary{});
-  report.recalled = before ? static_cast<std::size_t>(before->answered) : 0;
+  const auto again = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return old.contains(key); });
+  report.recalled = before ? static_cast<std::size_t>(before->answered - again) : 0;
   report.solved = run.solved;
   report.interrupted = run.asked_to_stop() && report.study.answered < report.study.points;
   report.seconds = seconds();
