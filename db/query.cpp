@@ -27,12 +27,10 @@ bool summary_decides(const Query& query) {
                      [&](const std::string& text) { return decides(SortKey(text).column); });
 }
 
-/// The view result in the order of the summary, for the first page of a large study: its points are looked up only
-/// until the page is full. A small study is read quicker from its points.
+/// Whether the first page of a study is found quicker in the summary, looking up which rows are points of it, than by
+/// reading the rows of all its points. In the summary's own order the search ends when the page is full.
 bool better_from_summary(SQLite::Database& connection, const Query& query) {
-  if (!query.limit || query.sort.empty() || SortKey(query.sort.front()).column != summary_columns.front() ||
-      !summary_decides(query))
-    return false;
+  if (!query.limit || query.sort.empty() || !summary_decides(query)) return false;
   const auto study = std::find_if(query.filters.begin(), query.filters.end(), [](const Filter& filter) {
     return filter.column == "study" && filter.comparison == Comparison::equal;
   });
@@ -43,7 +41,8 @@ bool better_from_summary(SQLite::Database& connection, const Query& query) {
   counts.bind(1, study->value);
   counts.executeStep();
   const double points = counts.getColumn(0).getDouble(), all = counts.getColumn(1).getDouble();
-  return points * points > static_cast<double>(*query.limit) * all;  // read all points, or limit / points of all rows
+  if (SortKey(query.sort.front()).column != summary_columns.front()) return points > 0.3 * all;
+  return points * points > static_cast<double>(*query.limit) * all;  // points to read, or limit / points of all rows
 }
 constexpr const char* result_from_summary =
     "(SELECT study.name AS study, study_point.position AS position, evaluation.* FROM study CROSS JOIN evaluation "

@@ -9,6 +9,8 @@
 #include <new>
 #include <vector>
 
+#include "db/result_store.hpp"
+
 namespace rollres {
 
 namespace {
@@ -69,11 +71,10 @@ void finish_median(sqlite3_context* context) {
 
 void round_number(sqlite3_context* context, int, sqlite3_value** values) {
   if (sqlite3_value_type(values[0]) != SQLITE_FLOAT) return sqlite3_result_value(context, values[0]);
-  char text[32];
   double value = sqlite3_value_double(values[0]);
   if (std::isfinite(value)) {
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 11);
-    std::from_chars(text, end.ptr, value);
+    const std::string text = twelve_digits(value);
+    std::from_chars(text.data(), text.data() + text.size(), value);
   }
   sqlite3_result_double(context, value);
 }
