@@ -103,6 +103,7 @@ void add_differences(StudyComparison& result, const std::vector<Cell>& first, co
     const Cell &a = first[first_input + inputs + i], &b = second[first_input + inputs + i];
     if (!number_in(a) && !number_in(b)) continue;  // of no meaning for this indenter
     PointDifference difference{.position = std::get<std::int64_t>(first[position_column]),
+                               .inputs = {},
                                .output = outputs[i],
                                .first = a,
                                .second = b,
