@@ -16,7 +16,8 @@ namespace {
 struct SweepWords {
   std::string study, database, shard;
   int jobs = 0;
-  bool json = false;
+  bool json = false, fields = false;
+  std::string retry = "nothing";
 };
 
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
@@ -58,6 +59,8 @@ void sweep(const SweepWords& words, Session& session) {
   options.stop = &signal.requested();
   options.definition = standalone_study(words.study);
   if (!words.shard.empty()) options.shard = parse_shard(words.shard);
+  options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, words.retry));
+  options.fields = words.fields || study.fields ? Fields::kept : Fields::dropped;
   const std::size_t width = terminal_width(session.err);
   if (width > 0)
     options.report = [&](const SweepProgress& progress) {
@@ -94,6 +97,13 @@ void add_sweep(CLI::App& program, Session& session) {
   command->add_option("--jobs", words->jobs, "threads; default: one for each core")->check(CLI::Range(1, 1024));
   command->add_option("--shard", words->shard,
                       "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together");
+  command
+      ->add_option("--retry", words->retry,
+                   "solve again what is stored: failed (every point without an answer), not_converged, or all; the new "
+                   "answer takes the place of the old one")
+      ->check(CLI::IsMember({"failed", "not_converged", "all"}));
+  command->add_flag("--fields", words->fields,
+                    "store the fields on the surface too, for show --fields; solves points again that have none");
   command->add_flag("--json", words->json, "print the outcome as one JSON object");
   command->footer(
       "What is stored already is not solved again: a study that was stopped goes on with the same command.\n"

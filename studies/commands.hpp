@@ -51,6 +51,7 @@ void add_import(CLI::App& program, Session& session);
 void add_list(CLI::App& program, Session& session);
 void add_show(CLI::App& program, Session& session);
 void add_query(CLI::App& program, Session& session);
+void add_compare(CLI::App& program, Session& session);
 void add_chart(CLI::App& program, Session& session);
 void add_accuracy(CLI::App& program, Session& session);
 void add_stability(CLI::App& program, Session& session);

@@ -11,9 +11,12 @@
 
 namespace rollres {
 
-/// `evaluate(scene)` without its fields. An exception becomes an answer with status not_converged and its message as
-/// the reason, so that one bad point never ends a study.
-RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene) noexcept;
+enum class Fields { dropped, kept };
+
+/// `evaluate(scene)`, without its fields unless they are asked for. An exception becomes an answer with status
+/// not_converged and its message as the reason, so that one bad point never ends a study.
+RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene,
+                                Fields fields = Fields::dropped) noexcept;
 
 /// Recalls a scene's stored answer, or solves and saves it. The store must outlive the result, which is used by one
 /// thread at a time; it throws std::runtime_error if the store fails.

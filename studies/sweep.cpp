@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,14 +39,42 @@ struct Run {
   }
 };
 
+bool is_wanted_again(const StoredAnswer& answer, const SweepOptions& options) {
+  const bool converged = answer.status == Status::converged;
+  switch (options.retry) {
+    case Retry::all:
+      return true;
+    case Retry::failed:
+      if (!converged) return true;
+      break;
+    case Retry::not_converged:
+      if (answer.status == Status::not_converged) return true;
+      break;
+    case Retry::nothing:
+      break;
+  }
+  return converged && options.fields == Fields::kept && !answer.has_fields;
+}
+
+/// Answers as they were at the start that are to be solved again, by their keys: any change is the new answer.
+std::unordered_map<std::string, StoredAnswer> wanted_again(ResultStore& reader, const std::vector<std::string>& keys,
+                                                           const SweepOptions& options) {
+  std::unordered_map<std::string, StoredAnswer> old;
+  if (options.retry == Retry::nothing && options.fields == Fields::dropped) return old;
+  for (const std::string& key : keys)
+    if (const auto answer = reader.find_answer(key); answer && is_wanted_again(*answer, options))
+      old.emplace(key, *answer);
+  return old;
+}
+
 void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
-          const Evaluate& evaluate, ResultWriter& writer, int cores) {
+          const Evaluate& evaluate, Fields fields, ResultWriter& writer, int cores) {
   limit_threads(cores);
   try {
     while (!run.broken && !run.asked_to_stop()) {
       const std::optional<std::size_t> point = list.next();
       if (!point) break;
-      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point])};
+      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point], fields)};
       if (answer.solution.status != Status::converged) ++run.failed;
       writer.add(std::move(answer));
       ++run.solved;
@@ -94,20 +123,26 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   store.start_study(record, keys);
   keep_shard(options.shard, scenes, keys);
   const std::size_t missing = count(point_states(reader.database(), keys), Answer::missing);
+  const auto old = wanted_again(reader, keys, options);
 
   Run run;
   run.stop_from_outside = options.stop;
-  WorkList list(keys, [&](const std::string& key) { return reader.contains(key); });
+  WorkList list(keys, [&](const std::string& key) {
+    const auto answer = reader.find_answer(key);
+    const auto was = old.find(key);
+    return answer && (was == old.end() || *answer != was->second);
+  });
   const std::size_t to_solve = list.open();
   {
     ResultWriter writer(
-        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); });
+        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); },
+        options.retry == Retry::nothing ? Existing::kept : Existing::replaced);
     std::vector<std::jthread> threads;
     try {
       const std::size_t jobs = jobs_for(options.jobs, to_solve);
       const int cores_each = cores_for_each(jobs);
       for (std::size_t job = 0; job < jobs; ++job) {
-        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer, cores_each); });
+        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, options.fields, writer, cores_each); });
         const std::lock_guard lock(run.mutex);
         ++run.started;
       }
@@ -126,11 +161,12 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   SweepReport report;
   report.study = store.study(study.name).value_or(StudySummary{});
+  const auto again = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return old.contains(key); });
   const std::vector<PointState> states = point_states(reader.database(), keys);
   report.points = keys.size();
   report.answered = keys.size() - count(states, Answer::missing);
   report.failed = count(states, Answer::failed);
-  report.recalled = keys.size() - missing;
+  report.recalled = keys.size() - missing - static_cast<std::size_t>(again);
   report.solved = run.solved;
   report.interrupted = run.asked_to_stop() && report.answered < report.points;
   report.seconds = seconds();
