@@ -206,6 +206,27 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
   });
 }
 
+void ResultStore::add_point(const std::string& study, const std::string& key) {
+  naming(database().name(), [&] {
+    SQLite::Statement add(parts_->connection(),
+                          "INSERT INTO study_point(study, position, key) "
+                          "SELECT id, 1 + coalesce((SELECT max(position) FROM study_point WHERE study = id), 0), ?1 "
+                          "FROM study WHERE name = ?2 "
+                          "AND NOT EXISTS (SELECT 1 FROM study_point WHERE key = ?1 AND study = id)");
+    add.bind(1, key);
+    add.bind(2, study);
+    add.exec();
+  });
+}
+
+std::vector<std::string> ResultStore::points(const std::string& study) {
+  return naming(database().name(), [&] {
+    SQLite::Statement row(parts_->connection(), "SELECT id FROM study WHERE name = ?");
+    row.bind(1, study);
+    return row.executeStep() ? parts_->keys_of(row.getColumn(0).getInt64(), 0) : std::vector<std::string>();
+  });
+}
+
 std::vector<StudySummary> ResultStore::studies() {
   return naming(database().name(), [&] { return parts_->summaries(nullptr); });
 }

@@ -86,6 +86,11 @@ class ResultStore {
   /// Records that a study starts (again) with these points, in this order, in place of those it had.
   void start_study(const StudyRecord& study, std::span<const std::string> keys);
 
+  /// Makes `key` the next point of a study that has been started, unless it is one of its points.
+  void add_point(const std::string& study, const std::string& key);
+  /// Keys of a study's points, in order; empty if there is no such study.
+  std::vector<std::string> points(const std::string& study);
+
   std::vector<StudySummary> studies();  ///< by name
   std::optional<StudySummary> study(const std::string& name);
   /// Text of the study file; nothing if there is no such study.

@@ -56,6 +56,7 @@ class Condition {
   const std::string& text() const { return text_; }
   const Formula& left() const { return left_; }
   const Formula& right() const { return right_; }
+  bool at_most() const { return at_most_; }  ///< <= or <, not >= or >
 
   /// How far left exceeds right (<=, <) or falls short of it (>=, >) [unit of the left side]: at most 0 where the
   /// condition holds (below 0 for < and >), NaN if a number is absent.
