@@ -1,14 +1,13 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
 #include <ostream>
-#include <sstream>
 
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
 #include "studies/stop_signal.hpp"
 #include "studies/sweep.hpp"
 #include "studies/table_json.hpp"
+#include "studies/write_file.hpp"
 
 namespace rollres {
 
@@ -19,13 +18,6 @@ struct SweepWords {
   int jobs = 0;
   bool json = false;
 };
-
-std::string text_in(const std::string& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw std::runtime_error(file + ": cannot be read");
-  return text.str();
-}
 
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
                 const std::string& database) {

@@ -33,6 +33,9 @@ struct Session {
   std::ostream& err;  ///< progress and messages
   Evaluate evaluate;  ///< solves a scene
   int status = ExitStatus::answered;
+  Evaluate cold = {};  ///< solves a scene from scratch, whatever was solved before; empty: as `evaluate`
+
+  const Evaluate& from_scratch() const { return cold ? cold : evaluate; }
 };
 
 /// Runs the program on its words, without its own name: {"solve", "scene.json", "--json"}. Returns the exit status;
@@ -42,6 +45,7 @@ int run_program(std::vector<std::string> words, Session session);
 void add_solve(CLI::App& program, Session& session);
 void add_gradient(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
+void add_optimise(CLI::App& program, Session& session);
 void add_list(CLI::App& program, Session& session);
 void add_show(CLI::App& program, Session& session);
 void add_query(CLI::App& program, Session& session);

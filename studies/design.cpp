@@ -56,7 +56,8 @@ Design evaluate_design(const DesignProblem& problem, std::span<const double> poi
     const RollingSolution& solution = solutions[i];
     design.keys.push_back(evaluation_key(scenes[i]));
     if (design.found() && solution.status != Status::converged)
-      design.reason = place_of(problem, i) + (solution.reason.empty() ? std::string(name_of(solution.status)) : solution.reason);
+      design.reason =
+          place_of(problem, i) + (solution.reason.empty() ? std::string(name_of(solution.status)) : solution.reason);
     for (const Condition& condition : problem.constraints)
       design.constraints.push_back({condition.left()(scenes[i], solution), condition.right()(scenes[i], solution),
                                     condition.at_most(), condition.holds(scenes[i], solution)});

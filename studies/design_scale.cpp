@@ -20,9 +20,10 @@ double size_or_one(double size) { return size > 0 ? size : 1; }
 DesignScale::DesignScale(const DesignProblem& problem, const Design& reference)
     : problem_(problem), value_side_{reference.value > 0, size_or_one(std::abs(reference.value))} {
   for (const ConstraintSides& sides : reference.constraints) {
-    const bool positive = sides.left > 0 && sides.right > 0;
+    const bool both_positive = sides.left > 0 && sides.right > 0;
     constraint_sides_.push_back(
-        {positive, positive ? sides.right : size_or_one(std::max(std::abs(sides.left), std::abs(sides.right)))});
+        {both_positive,
+         both_positive ? sides.right : size_or_one(std::max(std::abs(sides.left), std::abs(sides.right)))});
   }
 }
 
@@ -66,8 +67,7 @@ std::vector<double> DesignScale::constraints(const Design& design) const {
   for (std::size_t j = 0; j < design.constraints.size(); ++j) {
     const auto& [left, right, at_most, holds] = design.constraints[j];
     const auto& [logarithmic, size] = constraint_sides_[j];
-    const double excess =
-        logarithmic ? logarithm(left / size) - logarithm(right / size) : (left - right) / size;
+    const double excess = logarithmic ? logarithm(left / size) - logarithm(right / size) : (left - right) / size;
     all.push_back(at_most ? excess : -excess);
   }
   return all;

@@ -45,6 +45,9 @@ class Formula {
   std::shared_ptr<Parts> parts_;
 };
 
+/// The unit of a formula that is one quantity; empty for any other formula.
+std::string_view unit_of(const Formula& formula, Indenter indenter);
+
 /// A condition between two formulas.
 class Condition {
  public:

@@ -6,5 +6,8 @@
 
 int main(int count, char** words) {
   return rollres::run_program({words + std::min(count, 1), words + count},
-                              {std::cout, std::cerr, rollres::solve_in_turn});
+                              {.out = std::cout,
+                               .err = std::cerr,
+                               .evaluate = rollres::solve_in_turn,
+                               .cold = [](const rollres::RollingScene& scene) { return rollres::solve(scene); }});
 }
