@@ -44,6 +44,7 @@ int run_program(std::vector<std::string> words, Session session);
 
 void add_solve(CLI::App& program, Session& session);
 void add_gradient(CLI::App& program, Session& session);
+void add_sensitivity(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
 void add_optimise(CLI::App& program, Session& session);
 void add_list(CLI::App& program, Session& session);

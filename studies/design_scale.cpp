@@ -17,6 +17,20 @@ double size_or_one(double size) { return size > 0 ? size : 1; }
 
 }  // namespace
 
+std::vector<double> point_in_box(const DesignProblem& problem, std::span<const double> place) {
+  std::vector<double> point;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const Variable& variable = problem.variables[i];
+    const double lowest = variable.scaled(variable.lowest), highest = variable.scaled(variable.highest);
+    const double part = std::clamp(place[i], 0.0, 1.0);
+    if (part == 0 || part == 1)
+      point.push_back(part == 0 ? variable.lowest : variable.highest);  // without rounding
+    else
+      point.push_back(variable.value(lowest + part * (highest - lowest)));
+  }
+  return point;
+}
+
 DesignScale::DesignScale(const DesignProblem& problem, const Design& reference)
     : problem_(problem), value_side_{reference.value > 0, size_or_one(std::abs(reference.value))} {
   for (const ConstraintSides& sides : reference.constraints) {
@@ -35,20 +49,6 @@ std::vector<double> DesignScale::to_box(std::span<const double> point) const {
     place.push_back(std::clamp((variable.scaled(point[i]) - lowest) / (highest - lowest), 0.0, 1.0));
   }
   return place;
-}
-
-std::vector<double> DesignScale::from_box(std::span<const double> place) const {
-  std::vector<double> point;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const Variable& variable = problem_.variables[i];
-    const double lowest = variable.scaled(variable.lowest), highest = variable.scaled(variable.highest);
-    const double part = std::clamp(place[i], 0.0, 1.0);
-    if (part == 0 || part == 1)
-      point.push_back(part == 0 ? variable.lowest : variable.highest);  // without rounding
-    else
-      point.push_back(variable.value(lowest + part * (highest - lowest)));
-  }
-  return point;
 }
 
 double DesignScale::slope(std::size_t i, double value) const {

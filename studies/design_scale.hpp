@@ -14,6 +14,9 @@
 
 namespace rollres {
 
+/// The values of the variables at a place in the unit box [SI]; places outside are moved to its sides.
+std::vector<double> point_in_box(const DesignProblem& problem, std::span<const double> place);
+
 class DesignScale {
  public:
   /// @param reference  a design with a value: it tells which quantities are positive, and the size of the others
@@ -21,8 +24,7 @@ class DesignScale {
 
   std::size_t size() const { return problem_.variables.size(); }
   std::vector<double> to_box(std::span<const double> point) const;
-  /// Places outside the box are moved to its sides.
-  std::vector<double> from_box(std::span<const double> place) const;
+  std::vector<double> from_box(std::span<const double> place) const { return point_in_box(problem_, place); }
   /// d value / d place of one variable [SI].
   double slope(std::size_t variable, double value) const;
 

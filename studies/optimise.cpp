@@ -66,12 +66,11 @@ class Optimisation {
     const Design start = evaluator_(problem_.start);
     if (start.found()) return start;
     const std::size_t size = problem_.variables.size(), tries = 32 * size;
-    const DesignScale box(problem_, start);
     const auto sample = unit_sample(SampleMethod::sobol, tries + 1, size);
     std::vector<double> place(size);
     for (std::size_t k = 1; k <= tries && left() > 0; ++k) {  // the first is the origin
       for (std::size_t i = 0; i < size; ++i) place[i] = sample[i][k];
-      const Design design = evaluator_(box.from_box(place));
+      const Design design = evaluator_(point_in_box(problem_, place));
       if (design.found()) return design;
     }
     report_.reason = "no design has an answer; at the start: " + start.reason;
