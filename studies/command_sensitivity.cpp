@@ -145,8 +145,7 @@ GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction&
 }
 
 void global_sensitivity(const SensitivityWords& words, Session& session) {
-  const DesignProblem problem =
-      refusing_at("sensitivity", [&] { return read_ranges(words.file, words.overrides, words.ranges, words.output); });
+  const DesignProblem problem = read_ranges(words.file, words.overrides, words.ranges, words.output);
   const StopSignal signal;
   std::optional<ResultStore> store;
   std::optional<RecordedEvaluations> evaluations;
