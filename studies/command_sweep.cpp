@@ -20,24 +20,32 @@ struct SweepWords {
 };
 
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
-                const std::string& database) {
+                const std::string& database, std::size_t dropped) {
   const StudySummary& study = report.study;
-  Json object{{"study", study.name},         {"db", database},
-              {"points", study.points},      {"answered", study.answered},
-              {"recalled", report.recalled}, {"solved", report.solved},
-              {"failed", study.failed},      {"interrupted", report.interrupted},
-              {"seconds", report.seconds},   {"failures", Json::array()}};
+  Json object{{"study", study.name},
+              {"db", database},
+              {"points", study.points},
+              {"dropped", dropped},
+              {"answered", study.answered},
+              {"recalled", report.recalled},
+              {"solved", report.solved},
+              {"failed", study.failed},
+              {"interrupted", report.interrupted},
+              {"seconds", report.seconds},
+              {"failures", Json::array()}};
   for (const Failure& failure : failures)
     object["failures"].push_back({{"status", failure.status}, {"reason", failure.reason}, {"points", failure.points}});
   out << text_of(object, 2) << '\n';
 }
 
 void print_summary(Session& session, const SweepReport& report, const std::vector<Failure>& failures,
-                   const std::string& database) {
+                   const std::string& database, std::size_t dropped) {
   const StudySummary& study = report.study;
   session.out << study.name << ": " << study.answered << " of " << study.points << " points in " << database << ", "
               << report.recalled << " recalled, " << report.solved << " solved in " << duration_in_words(report.seconds)
               << ", " << study.failed << " failed\n";
+  if (dropped > 0)
+    session.err << dropped << (dropped == 1 ? " point is" : " points are") << " dropped by constraints\n";
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < failures.size() && i < shown; ++i)
     session.err << failures[i].points << " x " << failures[i].status << ": " << failures[i].reason << '\n';
@@ -70,12 +78,13 @@ void sweep(const SweepWords& words, Session& session) {
     throw;
   }
   clear_line();
+  const std::size_t dropped = study.constraints.empty() ? 0 : plan(study).all_dropped();
   std::vector<Failure> failures;
   if (report.study.failed > 0) failures = ResultStore(words.database, Access::read).failures(study.name);
   if (words.json)
-    print_json(session.out, report, failures, words.database);
+    print_json(session.out, report, failures, words.database, dropped);
   else
-    print_summary(session, report, failures, words.database);
+    print_summary(session, report, failures, words.database, dropped);
   if (report.study.failed > 0 || report.study.answered < report.study.points) session.status = ExitStatus::no_answer;
 }
 

@@ -45,6 +45,7 @@ int run_program(std::vector<std::string> words, Session session);
 void add_solve(CLI::App& program, Session& session);
 void add_gradient(CLI::App& program, Session& session);
 void add_sensitivity(CLI::App& program, Session& session);
+void add_plan(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
 void add_optimise(CLI::App& program, Session& session);
 void add_list(CLI::App& program, Session& session);
@@ -53,6 +54,7 @@ void add_query(CLI::App& program, Session& session);
 void add_chart(CLI::App& program, Session& session);
 void add_accuracy(CLI::App& program, Session& session);
 void add_stability(CLI::App& program, Session& session);
+void add_schema(CLI::App& program, Session& session);
 void add_quantities(CLI::App& program, Session& session);
 
 }  // namespace rollres

@@ -73,19 +73,18 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
   return {{key, start, place}, {key, from, to, logarithmic}};
 }
 
-std::vector<SceneEntry> set_entries(const Json& object, const std::vector<GivenVariable>& variables,
-                                    const std::string& place) {
-  const Json* const set = object_at(object, "set", place);
-  std::vector<SceneEntry> entries;
-  if (!set) return entries;
-  for (const auto& [key, value] : set->items()) {
-    if (!find_input(key)) refuse(place + ": set", key, value, unknown("unknown key", input_keys(), key));
-    if (key == "indenter") refuse(place + ": set", key, value, "must be the same in all scenes");
-    for (const GivenVariable& variable : variables)
-      if (variable.start.key == key) refuse(place + ": set", key, value, "is a variable too");
-    entries.push_back({key, value, place + ": set"});
-  }
-  return entries;
+void refuse_set_variables(const std::vector<SceneEntry>& set, const Json& variables) {
+  for (const SceneEntry& entry : set)
+    if (variables.contains(entry.key)) refuse(entry.place, entry.key, entry.value, "is a variable too");
+}
+
+/// The inputs of one scene of a duty cycle.
+std::vector<SceneEntry> duty_entries(const Json& duty, const Json& variables, const std::string& place) {
+  const std::vector<SceneEntry> set = set_entries(duty, place);
+  refuse_set_variables(set, variables);
+  for (const SceneEntry& entry : set)
+    if (entry.key == "indenter") refuse(entry.place, entry.key, entry.value, "must be the same in all scenes");
+  return set;
 }
 
 std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntry>& base,
@@ -106,7 +105,7 @@ std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntr
       if (!weight.is_number() || !(weight > 0.0)) refuse(item_place, "weight", weight, "must be a number > 0");
       duty.weight = weight.get<double>();
     }
-    const auto own = overridden(base, set_entries(item, variables, item_place));
+    const auto own = overridden(base, duty_entries(item, file["variables"], item_place));
     duty.scene = scene_from(overridden(own, starts), item_place);
     scenes.push_back(std::move(duty));
   }
@@ -189,10 +188,9 @@ DesignProblem read_design_problem(const std::filesystem::path& path) {
   const std::string rule = "must be an object with at least one input";
   const Json& given = needed(file, "variables", place, rule);
   if (!given.is_object() || given.empty()) refuse(place, "variables", given, rule);
-  std::vector<GivenAxis> varied;
-  for (const auto& [key, value] : given.items())
-    varied.push_back({.key = key, .place = place, .shown = value, .values = {}});
-  const std::vector<SceneEntry> base = study_entries(file, path, place, varied);
+  const std::vector<SceneEntry> set = set_entries(file, place);
+  refuse_set_variables(set, given);
+  const std::vector<SceneEntry> base = overridden(scene_entries_of(file, path, place), set);
   std::vector<GivenVariable> variables;
   for (const auto& [key, value] : given.items()) variables.push_back(given_variable(key, value, base, variables_place));
 

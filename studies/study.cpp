@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "studies/base_scene.hpp"
 #include "studies/study_axes.hpp"
 #include "studies/study_keys.hpp"
 #include "studies/study_scene.hpp"
@@ -21,6 +22,12 @@ bool wants_fields(const Json& object, const std::string& place) {
   if (found == object.end()) return false;
   if (!found->is_boolean()) refuse(place, "fields", *found, "must be true or false");
   return found->get<bool>();
+}
+
+void refuse_set_axes(const std::vector<SceneEntry>& set, const std::vector<GivenAxis>& axes) {
+  for (const SceneEntry& entry : set)
+    for (const GivenAxis& axis : axes)
+      if (axis.key == entry.key) refuse(entry.place, entry.key, entry.value, "is an axis of the study too");
 }
 
 /// The bodies of the study.
@@ -45,7 +52,9 @@ Study read_study(const std::filesystem::path& file) {
   study.name = needed_text(object, "study", place, "must be the name of the study");
   study.source = place;
   const std::vector<GivenAxis> given = given_axes(object, place);
-  study.base = base_scene(study_entries(object, file, place, given), given, place);
+  const std::vector<SceneEntry> set = set_entries(object, place);
+  refuse_set_axes(set, given);
+  study.base = base_scene(overridden(scene_entries_of(object, file, place), set), given, place);
   study.axes = axes_of(given, study.base.indenter);
   study.constraints = study_constraints(object, indenters_of(study), place);
   study.compute = study_outputs(object, place);

@@ -71,13 +71,6 @@ inline constexpr int most_points = 1'000'000;
 /// @throws std::invalid_argument naming place, key, value and the nearest known key
 void refuse_unknown_keys(const Json& object, std::span<const FileKey> known, const std::string& place);
 
-/// The value of a key.
-/// @throws std::invalid_argument "place: key is missing: rule"
-const Json& needed(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
-
-/// The text under a key. @throws std::invalid_argument if it is missing, no text or empty
-std::string needed_text(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
-
 /// The text under a key, one of `names`. @throws std::invalid_argument if it is something else
 std::string needed_name(const Json& object, const std::string& key, std::span<const std::string_view> names,
                         const std::string& place, const std::string& rule);
