@@ -206,16 +206,23 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
   });
 }
 
-void ResultStore::add_point(const std::string& study, const std::string& key) {
+void ResultStore::add_points(const std::string& study, std::span<const std::string> keys) {
   naming(database().name(), [&] {
-    SQLite::Statement add(parts_->connection(),
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement add(connection,
                           "INSERT INTO study_point(study, position, key) "
                           "SELECT id, 1 + coalesce((SELECT max(position) FROM study_point WHERE study = id), 0), ?1 "
                           "FROM study WHERE name = ?2 "
                           "AND NOT EXISTS (SELECT 1 FROM study_point WHERE key = ?1 AND study = id)");
-    add.bind(1, key);
-    add.bind(2, study);
-    add.exec();
+    for (const std::string& key : keys) {
+      add.reset();
+      add.bind(1, key);
+      add.bind(2, study);
+      add.exec();
+    }
+    add.reset();
+    transaction.commit();
   });
 }
 

@@ -170,6 +170,7 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
     session.status = ExitStatus::no_answer;
     return;
   }
+  evaluations->flush();
   findings.sort();
 
   const EvaluationCount count = evaluations->count();

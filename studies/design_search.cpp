@@ -49,9 +49,9 @@ struct Run {
   std::size_t limit;
   bool penalise;  // constraints are part of the value
   std::size_t calls = 0;
-  double worst = 0;                     // scaled value of any design
-  double best = 0;                      // scaled value of the best place
-  std::vector<double> best_place = {};  // of those with a value, whatever their constraints
+  double worst = 0;  // that NLopt was told of a design with a value
+  double best = 0;   // merit of the best place
+  std::vector<double> best_place = {};
   std::optional<Design> last = {};
   std::vector<double> last_place = {};
   std::exception_ptr error = {};
@@ -65,15 +65,22 @@ struct Run {
     last = evaluator(scale.from_box(place));
     last_place = place;
     if (last->found()) {
-      const double value = scale.value(*last);
-      worst = std::max(worst, value);
-      if (value < best) {
-        best = value;
+      worst = std::max(worst, told(*last));
+      if (const double own = merit(*last); own < best) {
+        best = own;
         best_place = place;
       }
     }
     return *last;
   }
+
+  double merit(const Design& design) const {
+    double sum = scale.value(design);
+    for (const double excess : scale.constraints(design)) sum += penalty_factor * std::max(0.0, excess + inside);
+    return sum;
+  }
+  /// What NLopt is told of a design with a value.
+  double told(const Design& design) const { return penalise ? merit(design) : scale.value(design); }
 
   double penalty(const std::vector<double>& place) const {
     double square = 0;
@@ -89,11 +96,7 @@ struct Run {
   double value(const std::vector<double>& place, std::vector<double>& slope) {
     const Design& design = at(place);
     if (!slope.empty()) slope = design.found() ? slopes->of_value(design).along : penalty_slope(place);
-    if (!design.found()) return penalty(place);
-    double sum = scale.value(design);
-    if (penalise)
-      for (const double excess : scale.constraints(design)) sum += penalty_factor * std::max(0.0, excess + inside);
-    return sum;
+    return design.found() ? told(design) : penalty(place);
   }
 
   double constraint(std::size_t j, const std::vector<double>& place, std::vector<double>& slope) {
@@ -163,7 +166,8 @@ SearchEnd search(DesignEvaluator& evaluator, const DesignScale& scale, const Des
   const bool smooth = options.algorithm == Algorithm::bobyqa || options.algorithm == Algorithm::lbfgs;
   const bool lagrangian = constraints > 0 && !kind.own_constraints && smooth;
   Run run{evaluator, scale, slopes, options.evaluations, constraints > 0 && !kind.own_constraints && !smooth};
-  run.worst = run.best = scale.value(start);
+  run.worst = run.told(start);
+  run.best = run.merit(start);
   run.best_place = scale.to_box(start.point);
 
   const auto size = static_cast<unsigned>(scale.size());

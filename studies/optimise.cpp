@@ -11,7 +11,7 @@ namespace rollres {
 namespace {
 
 constexpr double first_step = 0.1, polishing_step = 0.03;
-constexpr double share_of_global = 2.0 / 3;  // of the evaluations; the rest is for the local search after it
+constexpr double share_of_first = 0.8, share_of_global = 2.0 / 3;  // of the evaluations; the rest is for what follows
 
 bool global_search(const DesignProblem& problem, Algorithm algorithm) {
   return problem.global || traits(algorithm).global;
@@ -49,9 +49,7 @@ class Optimisation {
     report_.best = evaluator_.best();
     report_.designs = evaluator_.designs();
     report_.count = evaluator_.count();
-    if (!report_.best && scale_)
-      for (const Design& design : report_.designs)
-        if (!report_.nearest || excess(*scale_, design) < excess(*scale_, *report_.nearest)) report_.nearest = design;
+    if (!report_.best && scale_) report_.nearest = nearest();
     return std::move(report_);
   }
 
@@ -61,20 +59,31 @@ class Optimisation {
     return all - std::min(all, evaluator_.count().all() - report_.slope_evaluations);
   }
 
-  /// The first design with a value: the start, else one of the points that fill the box evenly.
+  /// The start if it has a value, else the first of some points that fill the box evenly which is feasible, or at
+  /// least has a value.
   std::optional<Design> first_found() {
     const Design start = evaluator_(problem_.start);
     if (start.found()) return start;
-    const std::size_t size = problem_.variables.size(), tries = 32 * size;
+    const std::size_t size = problem_.variables.size(), tries = 16 * size;
     const auto sample = unit_sample(SampleMethod::sobol, tries + 1, size);
+    std::optional<Design> first;
     std::vector<double> place(size);
     for (std::size_t k = 1; k <= tries && left() > 0; ++k) {  // the first is the origin
       for (std::size_t i = 0; i < size; ++i) place[i] = sample[i][k];
       const Design design = evaluator_(point_in_box(problem_, place));
-      if (design.found()) return design;
+      if (design.feasible()) return design;
+      if (design.found() && !first) first = design;
     }
-    report_.reason = "no design has an answer; at the start: " + start.reason;
-    return std::nullopt;
+    if (!first) report_.reason = "no design has an answer; at the start: " + start.reason;
+    return first;
+  }
+
+  /// That with the smallest excess over its constraints.
+  std::optional<Design> nearest() const {
+    std::optional<Design> nearest;
+    for (const Design& design : evaluator_.designs())
+      if (!nearest || excess(*scale_, design) < excess(*scale_, *nearest)) nearest = design;
+    return nearest;
   }
 
   void run_search(Algorithm algorithm, const Design& start, double step, double share = 1) {
@@ -107,8 +116,9 @@ class Optimisation {
       const Design from = evaluator_.best().value_or(*start);
       run_search(global ? local_algorithm(problem_) : algorithm, from, polishing_step);
     } else {
-      run_search(algorithm, *start, first_step);
+      run_search(algorithm, *start, first_step, share_of_first);
     }
+    if (!evaluator_.best() && left() > 0) run_search(Algorithm::cobyla, *nearest(), polishing_step);
     if (!evaluator_.best()) {
       report_.reason = left() == 0 ? "the evaluations are spent" : "the search ended without one";
       return;
@@ -152,7 +162,9 @@ std::size_t evaluation_limit(const DesignProblem& problem) {
 
 OptimiseReport optimise(const DesignProblem& problem, RecordedEvaluations& evaluations,
                         const OptimiseOptions& options) {
-  return Optimisation(problem, evaluations, options).run();
+  OptimiseReport report = Optimisation(problem, evaluations, options).run();
+  evaluations.flush();
+  return report;
 }
 
 }  // namespace rollres

@@ -2,7 +2,7 @@
 
 /// Finds the best design of a problem: searches, and asks at the end whether the slopes agree.
 ///
-/// A start without an answer is replaced by the first point of a sequence of Sobol' that has one. The wanted search is
+/// A start without an answer is replaced by a point of Sobol's sequence that has one. The wanted search is
 /// followed by shorter ones (slsqp, cobyla) from its best design as long as the slopes there promise more. All of it is
 /// deterministic and every evaluation is recalled by its key, so that a run that was stopped, even by `kill -9`, goes
 /// the same way again to the same design and solves only what is missing.

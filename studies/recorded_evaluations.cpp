@@ -7,6 +7,12 @@
 
 namespace rollres {
 
+namespace {
+
+constexpr std::chrono::milliseconds grouping{50};  // least time between two transactions
+
+}  // namespace
+
 RecordedEvaluations::RecordedEvaluations(Evaluate evaluate, const std::atomic<bool>* stop)
     : evaluate_(std::move(evaluate)), stop_(stop) {}
 
@@ -48,10 +54,31 @@ RollingSolution RecordedEvaluations::answer_to(const std::string& key, const Rol
   }
   if (store_) {
     const std::lock_guard lock(mutex_);
-    if (!recalled) store_->save({&*answer, 1});
-    if (points_.insert(key).second) store_->add_point(study_, key);
+    if (!recalled) waiting_.push_back(*answer);
+    if (points_.insert(key).second) new_points_.push_back(key);
+    if (std::chrono::steady_clock::now() - stored_ > grouping) store_waiting();
   }
   return std::move(answer->solution);
+}
+
+void RecordedEvaluations::store_waiting() {
+  if (!waiting_.empty()) store_->save(waiting_);
+  waiting_.clear();
+  if (!new_points_.empty()) store_->add_points(study_, new_points_);
+  new_points_.clear();
+  stored_ = std::chrono::steady_clock::now();
+}
+
+void RecordedEvaluations::flush() {
+  const std::lock_guard lock(mutex_);
+  if (store_) store_waiting();
+}
+
+RecordedEvaluations::~RecordedEvaluations() {
+  try {
+    flush();
+  } catch (...) {  // a destructor that ends the program would lose more
+  }
 }
 
 EvaluationCount RecordedEvaluations::count() const {
