@@ -1,5 +1,6 @@
 #include "studies/bar_chart.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -52,6 +53,14 @@ Span span_of(const BarChart& chart) {
   return span;
 }
 
+/// 1, 2 or 5 times a power of ten, for three to six numbers: bars leave their axis little room.
+double tick_step(const Span& span) {
+  const double length = span.highest - span.lowest, power = std::pow(10.0, std::floor(std::log10(length / 3)));
+  for (const int step : {5, 2})
+    if (length / (step * power) >= 2.9) return step * power;
+  return power;
+}
+
 std::string script_of(const BarChart& chart, const ChartFiles& files) {
   std::ostringstream script;
   const Span heights{0.4, static_cast<double>(chart.bars.size()) + 0.6};
@@ -63,7 +72,12 @@ std::string script_of(const BarChart& chart, const ChartFiles& files) {
         gnuplot::plain(bar.name) + (bar.symbol.empty() ? "" : "  " + gnuplot::symbol(bar.symbol));
     script << (i == 0 ? "" : ", ") << gnuplot::quoted(markup) << " " << i + 1;
   }
-  script << ")\nunset ylabel\nset grid noytics\nset arrow from 0, graph 0 to 0, graph 1 nohead lw 1.2 lc rgb "
+  std::size_t longest = 0;
+  for (const Bar& bar : chart.bars) longest = std::max(longest, width(bar.name) + 2 + width(bar.symbol));
+  constexpr double letter = 8.6 / 560;  // as a fraction of the picture's width
+  script << ")\nset lmargin at screen " << short_number(std::min(0.5, 0.05 + letter * static_cast<double>(longest)), 3)
+         << "\nset xtics " << short_number(tick_step(span_of(chart)))
+         << "\nunset ylabel\nset grid noytics\nset arrow from 0, graph 0 to 0, graph 1 nohead lw 1.2 lc rgb "
             "'#444444' front\nset style fill solid 0.85 noborder\n\n";
   const double half = 0.33 / static_cast<double>(series_of(chart));
   std::vector<std::string> plots;

@@ -46,9 +46,7 @@ void draw(const BarChart& chart, const SensitivityWords& words, Session& session
 
 BarChart elasticity_chart(const GradientReport& report, const std::string& name) {
   const Quantity& output = report.objective.output;
-  BarChart chart{.title = name,
-                 .axis = {.name = "elasticity of " + in_words(output.key), .symbol = std::string(output.symbol)},
-                 .bars = {}};
+  BarChart chart{.title = name + ": " + in_words(output.key), .axis = {.name = "elasticity"}, .bars = {}};
   for (std::size_t i = 0; i < report.size(); ++i) {
     const InputReport input = report[i];
     const Quantity& quantity = input.variable.quantity;

@@ -14,7 +14,7 @@ Design DesignEvaluator::operator()(std::span<const double> point, int jobs) {
       problem_, point, [this](const RollingScene& scene) { return evaluations_(scene); }, jobs);
   {
     const std::lock_guard lock(mutex_);
-    if (design.found()) designs_.push_back(design);
+    if (design.found() && seen_.insert(design.point).second) designs_.push_back(design);
     const Goal& goal = problem_.goal;
     if (design.feasible() && (!best_ || goal.better(design.value, best_->value) ||
                               (design.value == best_->value && design.point < best_->point)))

@@ -5,7 +5,9 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
+#include <vector>
 
 #include "studies/design.hpp"
 #include "studies/recorded_evaluations.hpp"
@@ -30,7 +32,7 @@ class DesignEvaluator {
 
   /// The best feasible design so far; of equal ones the one with the smallest variables.
   std::optional<Design> best() const;
-  /// Every design so far that has a value, feasible or not, in the order in which they came.
+  /// Every design so far that has a value, feasible or not, once and in the order in which they came.
   std::vector<Design> designs() const;
 
  private:
@@ -41,6 +43,7 @@ class DesignEvaluator {
   mutable std::mutex mutex_, reporting_;
   std::optional<Design> best_;
   std::vector<Design> designs_;
+  std::set<std::vector<double>> seen_;  // points of these
 };
 
 }  // namespace rollres

@@ -35,7 +35,7 @@ class Optimisation {
       : problem_(problem), evaluator_(problem, evaluations, options.jobs, [this, &options] {
           if (!options.report) return;
           const auto best = evaluator_.best();
-          options.report({evaluator_.count(), best ? std::optional(best->value) : std::nullopt});
+          options.report({evaluator_.count() - before_, best ? std::optional(best->value) : std::nullopt});
         }) {}
 
   OptimiseReport run() {
@@ -48,7 +48,7 @@ class Optimisation {
     }
     report_.best = evaluator_.best();
     report_.designs = evaluator_.designs();
-    report_.count = evaluator_.count();
+    report_.count = evaluator_.count() - before_;
     if (!report_.best && scale_) report_.nearest = nearest();
     return std::move(report_);
   }
@@ -56,7 +56,7 @@ class Optimisation {
  private:
   std::size_t left() const {
     const std::size_t all = evaluation_limit(problem_);
-    return all - std::min(all, evaluator_.count().all() - report_.slope_evaluations);
+    return all - std::min(all, evaluator_.count().all() - before_.all() - report_.slope_evaluations);
   }
 
   /// The start if it has a value, else the first of some points that fill the box evenly which is feasible, or at
@@ -143,6 +143,7 @@ class Optimisation {
 
   const DesignProblem& problem_;
   DesignEvaluator evaluator_;
+  EvaluationCount before_ = evaluator_.count();  // of other problems
   std::optional<DesignScale> scale_;
   OptimiseReport report_;
 };

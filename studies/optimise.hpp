@@ -53,7 +53,7 @@ struct OptimiseReport {
   std::optional<Design> nearest = {};   ///< without one: that with the smallest excess over its constraints
   std::optional<Optimum> optimum = {};  ///< of `best`; absent after an interruption
   std::vector<SearchReport> searches = {};
-  EvaluationCount count = {};         ///< all of this run
+  EvaluationCount count = {};         ///< all, those of earlier searches with the same evaluations left out
   std::size_t slope_evaluations = 0;  ///< of these, for the slopes at the end
   std::vector<Design> designs = {};   ///< all with a value, in the order in which they came
 

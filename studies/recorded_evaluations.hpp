@@ -24,6 +24,9 @@ struct EvaluationCount {
   std::size_t failed = 0;    ///< of both: without a converged answer
 
   std::size_t all() const { return solved + recalled; }
+  EvaluationCount operator-(const EvaluationCount& earlier) const {
+    return {solved - earlier.solved, recalled - earlier.recalled, failed - earlier.failed};
+  }
 };
 
 /// Thrown out of an evaluation by the wish to stop.

@@ -29,7 +29,7 @@ TEST_CASE("sensitivity sorts the elasticities of all inputs that are present by 
   const ProgramRun object = run_rollres({"sensitivity", cylinder, "--json", "--out", folder / "bars"}, power_law);
   CHECK(object.status == 0);
   const json inputs = json::parse(object.out)["inputs"];
-  REQUIRE(inputs.size() == 9);  // neither spacing, nor what is absent or zero
+  REQUIRE(inputs.size() == 10);  // neither spacing, nor what is absent or zero
   CHECK(inputs[0]["key"] == "speed");
   CHECK(inputs[0]["elasticity"].get<double>() == Approx(2).epsilon(1e-8));
   CHECK(std::abs(inputs[1]["elasticity"].get<double>()) == Approx(1).epsilon(1e-8));
