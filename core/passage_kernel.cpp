@@ -142,9 +142,11 @@ std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, co
   auto& [mutex, cache] = kernel_cache();
   constexpr std::size_t capacity = 16;
 
+  // Where the tail begins shows in the last digits: only a kernel of as many columns gives what a new one would, so
+  // that a solution does not depend on what was solved before it. Rows do not know of each other.
   const auto fits = [&](const KernelCache::Entry& entry) {
     return entry.indenter == indenter && entry.layer == layer && entry.cell_x == cell_x && entry.cell_y == cell_y &&
-           entry.kernel->columns() >= columns && entry.kernel->rows() >= rows;
+           entry.kernel->columns() == columns && entry.kernel->rows() >= rows;
   };
   {
     const std::lock_guard lock(mutex);

@@ -44,14 +44,21 @@ std::string immutable_uri(const std::filesystem::path& file) {
   return uri + "?immutable=1";
 }
 
-/// A reader needs the folder of the log to be writable; an archive that is not has no log, and nobody writes to it.
+bool is_read_only(SQLite::Database& connection) { return sqlite3_db_readonly(connection.getHandle(), "main") == 1; }
+
+/// SQLite opens a file that may not be written read-only. One that may is opened for writing all the same, though
+/// nothing is written through it: otherwise a reader that is the last to close leaves the log behind. Where the log
+/// cannot be made, there is none and nobody writes: the file is read as it stands.
 Connection open_for_reading(const std::filesystem::path& file) {
   try {
-    auto connection = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, patience_in_ms);
+    auto connection = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE, patience_in_ms);
+    connection->exec("PRAGMA query_only = ON");
     connection->exec("PRAGMA schema_version");
     return connection;
   } catch (const SQLite::Exception& error) {
-    const bool log_impossible = error.getErrorCode() == SQLITE_CANTOPEN || error.getErrorCode() == SQLITE_READONLY;
+    const int code = error.getErrorCode();
+    const bool log_impossible =
+        code == SQLITE_CANTOPEN || code == SQLITE_READONLY || code == SQLITE_IOERR || code == SQLITE_FULL;
     const std::filesystem::path log = file.string() + "-wal";
     if (!log_impossible || !std::filesystem::exists(file) || std::filesystem::exists(log)) throw;
     return std::make_unique<SQLite::Database>(immutable_uri(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
@@ -61,8 +68,7 @@ Connection open_for_reading(const std::filesystem::path& file) {
 Connection open_for_writing(const std::filesystem::path& file, const std::string& name) {
   auto connection =
       std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience_in_ms);
-  if (sqlite3_db_readonly(connection->getHandle(), "main") == 1)
-    throw std::runtime_error(name + ": the file is read-only");
+  if (is_read_only(*connection)) throw std::runtime_error(name + ": the file is read-only");
   return connection;
 }
 
@@ -129,7 +135,7 @@ Database::Database(const std::filesystem::path& file, Access access, std::span<c
       connection_ = open_for_reading(place);
       if (inspect(*connection_, name_, newest) == Found::nothing)
         throw std::runtime_error(name_ + ": an empty file, no database of rollres");
-      if (number(*connection_, "PRAGMA user_version") < newest) {
+      if (number(*connection_, "PRAGMA user_version") < newest && !is_read_only(*connection_)) {
         connection_.reset();
         { Database migrated(file, Access::write, migrations); }
         connection_ = open_for_reading(place);
@@ -144,6 +150,14 @@ Database::Database(const std::filesystem::path& file, Access access, std::span<c
       migrate(*connection_, name_, migrations);
     add_missing_columns(*connection_);
   });
+}
+
+void Database::stop_when(const std::atomic<bool>& wish) {
+  constexpr int steps = 10000;  // of SQLite's machine, less than a millisecond
+  sqlite3_progress_handler(
+      connection_->getHandle(), steps,
+      [](void* stop) { return static_cast<const std::atomic<bool>*>(stop)->load() ? 1 : 0; },
+      const_cast<std::atomic<bool>*>(&wish));
 }
 
 Database::Database(Database&&) noexcept = default;

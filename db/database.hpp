@@ -5,8 +5,10 @@
 /// The header of the file holds an application number and the version of its schema. A file of an older version is
 /// brought to the present one by a list of migrations, in one transaction. Writers use a write-ahead log, so that
 /// readers and one writer go on side by side; on a network file system, where that log does not work, a rollback
-/// journal. Whoever finds the file locked waits up to `patience`.
+/// journal. Whoever finds the file locked waits up to `patience`. The log and its index (-wal, -shm) stand beside the
+/// file while somebody has it open; the last to close removes them.
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -29,7 +31,8 @@ class Database {
   static constexpr int application_id = 0x726f6c6c;  // "roll"
   static constexpr std::chrono::seconds patience{60};
 
-  /// Opens `file`; with Access::write creates it if it is missing or empty, and migrates it.
+  /// Opens `file`; with Access::write creates it if it is missing or empty. Either migrates it; a reader who may not
+  /// write it reads an older file as it is.
   /// @throws std::invalid_argument if `file` is empty
   /// @throws std::runtime_error naming the file: it is missing (read), damaged, of another program, written by a newer
   ///         version, read-only (write) or locked for longer than `patience`
@@ -43,6 +46,9 @@ class Database {
   /// Name of the file as it was given, for messages.
   const std::string& name() const { return name_; }
   SQLite::Database& connection() const { return *connection_; }
+
+  /// As soon as `wish`, which must outlive this, is true, what runs and what comes fails with "interrupted".
+  void stop_when(const std::atomic<bool>& wish);
 
  private:
   std::string name_;

@@ -9,11 +9,7 @@ namespace rollres {
 
 namespace {
 
-std::string canonical(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::scientific, 11);
-  return {text, end.ptr};
-}
+std::string canonical(double value) { return twelve_digits(value); }
 std::string canonical(const std::optional<double>& value) { return value ? canonical(*value) : ""; }
 std::string canonical(int value) { return std::to_string(value); }
 template <class Choice>
@@ -32,6 +28,12 @@ std::string digest(std::string_view text) {
 }
 
 }  // namespace
+
+std::string twelve_digits(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::scientific, 11);
+  return {text, end.ptr};
+}
 
 std::string evaluation_key(const RollingScene& given, std::string_view solver) {
   RollingScene scene = given;

@@ -1,6 +1,8 @@
 #include "db/result_store.hpp"
 
 #include "db/evaluation_row.hpp"
+#include "db/fields_table.hpp"
+#include "db/packed_fields.hpp"
 #include "db/schema.hpp"
 #include "db/sqlite.hpp"
 
@@ -10,14 +12,20 @@ namespace {
 
 constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%fZ', 'now')";
 
-std::string insert_evaluation() {
+std::string insert_evaluation(Existing existing) {
   std::string names = "INSERT INTO evaluation(key, created, provenance";
   std::string values = std::string(") VALUES (?, ") + now + ", ?";
+  std::string changes = "created = excluded.created, provenance = excluded.provenance";
   for (const Column& column : quantity_columns()) {
     names += ", " + column.name;
     values += ", ?";
+    changes += ", " + column.name + " = excluded." + column.name;
   }
-  return names + values + ") ON CONFLICT(key) DO NOTHING";
+  const std::string conflict =
+      existing == Existing::kept
+          ? "NOTHING"
+          : "UPDATE SET " + changes + " WHERE excluded.status = 'converged' OR evaluation.status IS NOT 'converged'";
+  return names + values + ") ON CONFLICT(key) DO " + conflict;
 }
 
 /// Keys have no spaces.
@@ -63,7 +71,7 @@ StudySummary read_summary(SQLite::Statement& row) {
 struct ResultStore::Parts {
   Database database;
   std::string found_columns = {};
-  std::optional<SQLite::Statement> insert = {}, known = {};
+  std::optional<SQLite::Statement> insert = {}, replace = {}, answer = {};
 
   SQLite::Database& connection() { return database.connection(); }
 
@@ -129,34 +137,72 @@ ResultStore::~ResultStore() = default;
 
 const Database& ResultStore::database() const { return parts_->database; }
 
-std::size_t ResultStore::save(std::span<const Evaluation> evaluations) {
+std::size_t ResultStore::save(std::span<const Evaluation> evaluations, Existing existing) {
   return naming(database().name(), [&] {
     SQLite::Database& connection = parts_->connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
     const std::int64_t program = provenance_id(connection, this_program());
-    if (!parts_->insert) parts_->insert.emplace(connection, insert_evaluation());
-    std::size_t added = 0;
+    auto& prepared = existing == Existing::kept ? parts_->insert : parts_->replace;
+    if (!prepared) prepared.emplace(connection, insert_evaluation(existing));
+    SQLite::Statement& insert = *prepared;
+    std::size_t changed = 0;
     for (const Evaluation& evaluation : evaluations) {
-      SQLite::Statement& insert = *parts_->insert;
       insert.tryReset();  // whatever became of the one before
       insert.bind(1, evaluation.key);
       insert.bind(2, program);
       bind_row(insert, 3, evaluation.scene, evaluation.solution);
-      added += static_cast<std::size_t>(insert.exec());
+      const bool is_new = insert.exec() > 0;
+      bool fields_are_new = false;
+      if (evaluation.solution.fields.grid.size() == 0) {
+        if (is_new && existing == Existing::replaced) remove_fields(connection, evaluation.key);
+      } else if (is_new) {
+        put_fields(connection, evaluation.key, evaluation.solution.fields);
+      } else {
+        fields_are_new = add_fields(connection, evaluation);
+      }
+      changed += is_new || fields_are_new ? 1 : 0;
     }
-    parts_->insert->reset();
+    insert.reset();
     transaction.commit();
-    return added;
+    return changed;
   });
 }
 
-bool ResultStore::contains(const std::string& key) {
-  return naming(database().name(), [&] {
-    if (!parts_->known) parts_->known.emplace(parts_->connection(), "SELECT 1 FROM evaluation WHERE key = ?");
-    parts_->known->tryReset();
-    parts_->known->bind(1, key);
-    const bool found = parts_->known->executeStep();
-    parts_->known->reset();  // ends the reading, so that the log can be taken over into the file
+void ResultStore::save_fields(const std::string& key, const SurfaceFields& fields) {
+  if (!contains(key)) throw std::invalid_argument(database().name() + ": " + key + ": no such evaluation");
+  naming(database().name(), [&] { put_fields(parts_->connection(), key, fields); });
+}
+
+std::optional<SurfaceFields> ResultStore::find_fields(const std::string& key) {
+  const auto stored = naming(database().name(), [&] { return find_packed_fields(parts_->connection(), key); });
+  if (!stored) return std::nullopt;
+  try {
+    return unpacked_fields(stored->format, stored->bytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(database().name() + ": " + key + ": " + error.what());
+  }
+}
+
+std::optional<StoredAnswer> ResultStore::find_answer(const std::string& key) {
+  return naming(database().name(), [&]() -> std::optional<StoredAnswer> {
+    if (!parts_->answer)
+      parts_->answer.emplace(
+          parts_->connection(),
+          "SELECT status, created, " +
+              std::string(has_fields_table(parts_->connection()) ? "EXISTS (SELECT 1 FROM fields WHERE fields.key "
+                                                                   "= evaluation.key)"
+                                                                 : "0") +
+              " FROM evaluation WHERE key = ?");
+    SQLite::Statement& row = *parts_->answer;
+    row.tryReset();
+    row.bind(1, key);
+    std::optional<StoredAnswer> found;
+    if (row.executeStep()) {
+      const int status = find_name(ChoiceNames<Status>::names, row.getColumn(0).getString());
+      found = {status < 0 ? Status::not_converged : static_cast<Status>(status), row.getColumn(1).getString(),
+               row.getColumn(2).getInt() != 0};
+    }
+    row.reset();  // ends the reading, so that the log can be taken over into the file
     return found;
   });
 }

@@ -19,6 +19,9 @@
 
 namespace rollres {
 
+/// A number as it is told from others: rounded to 12 significant digits, without a sign of zero. "1.00000000000e-01"
+std::string twelve_digits(double value);
+
 /// What makes two evaluations the same: all inputs, numbers rounded to 12 significant digits (so that 0.1 + 0.2 is
 /// 0.3), and the solver; the method is the one that solves the scene, named or not. An input at its default value is
 /// left out, so that a scene keeps its key when inputs are added.
@@ -26,13 +29,29 @@ namespace rollres {
 /// @return digest of 32 hexadecimal digits
 std::string evaluation_key(const RollingScene& scene, std::string_view solver = this_program().solver);
 
-/// A scene and its answer. The fields of the solution are not kept.
+/// A scene and its answer. The fields of the solution are kept if it has any.
 struct Evaluation {
   std::string key;
   RollingScene scene;
   RollingSolution solution;
 };
 
+/// What becomes of an answer that is stored already when there is another one with its key.
+enum class Existing {
+  kept,
+  replaced  ///< in place, under its id; but an answer that converged gives way only to one that converged
+};
+
+/// What is known of an answer without reading it.
+struct StoredAnswer {
+  Status status = Status::not_converged;
+  std::string created;  ///< UTC
+  bool has_fields = false;
+
+  bool operator==(const StoredAnswer&) const = default;
+};
+
+/// An evaluation as it was found, without its fields.
 struct StoredEvaluation : Evaluation {
   std::int64_t id = 0;  ///< in this file
   std::string created;  ///< UTC, "2013-05-01T12:00:00.000Z"
@@ -74,12 +93,18 @@ class ResultStore {
   ResultStore(ResultStore&&) noexcept;
   ~ResultStore();
 
-  /// Stores evaluations in one transaction: when it returns they are on the disk, if it throws none is.
-  /// One whose key is there already is left as it was.
-  /// @return how many were new
-  std::size_t save(std::span<const Evaluation> evaluations);
+  /// Stores evaluations in one transaction: when it returns they are on the disk, if it throws all is as it was.
+  /// Fields go with their answer; a kept answer of the same status that has none gets them.
+  /// @return how many changed what is stored
+  std::size_t save(std::span<const Evaluation> evaluations, Existing existing = Existing::kept);
 
-  bool contains(const std::string& key);
+  /// Stores the fields of an answer, in place of those it had.
+  /// @throws std::invalid_argument if there is no answer with this key
+  void save_fields(const std::string& key, const SurfaceFields& fields);
+  std::optional<SurfaceFields> find_fields(const std::string& key);
+
+  bool contains(const std::string& key) { return find_answer(key).has_value(); }
+  std::optional<StoredAnswer> find_answer(const std::string& key);
   std::optional<StoredEvaluation> find(const std::string& key);
   std::optional<StoredEvaluation> find(std::int64_t id);
 

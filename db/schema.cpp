@@ -58,6 +58,23 @@ void create_first_tables(SQLite::Database& connection) {
   )");
 }
 
+void create_summary_and_fields(SQLite::Database& connection) {
+  std::string columns;
+  for (const std::string_view column : summary_columns) columns += (columns.empty() ? "" : ", ") + std::string(column);
+  connection.exec("CREATE INDEX evaluation_summary ON evaluation(" + columns + ")");
+  connection.exec(R"(
+    CREATE TABLE fields(
+      key TEXT NOT NULL PRIMARY KEY REFERENCES evaluation(key) ON DELETE CASCADE,
+      format INTEGER NOT NULL,
+      bytes BLOB NOT NULL) STRICT;
+    CREATE VIEW converged AS SELECT * FROM result WHERE status = 'converged';
+    CREATE VIEW resistance AS
+      SELECT study, position, indenter, radius, layer_thickness, speed, load, friction_coefficient, drive,
+             rolling_resistance, rolling_resistance_coefficient, approach, contact_area, peak_pressure
+      FROM converged
+  )");
+}
+
 std::vector<Column> missing_columns(SQLite::Database& connection) {
   const std::vector<Column> present = columns_of(connection, "evaluation");
   std::vector<Column> missing;
@@ -106,7 +123,7 @@ std::vector<Column> columns_of(SQLite::Database& connection, const std::string& 
 }
 
 std::span<const Migration> schema_migrations() {
-  static constexpr Migration migrations[] = {create_first_tables};
+  static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields};
   return migrations;
 }
 

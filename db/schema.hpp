@@ -3,20 +3,28 @@
 /// The tables of a database, and the columns that follow from the lists of quantities.
 ///
 ///     evaluation    one row for each scene that was solved: a column for each input and each output. What is absent
-///     (NaN,
-///                   not given, not applicable) is NULL; an infinite layer_thickness is SQLite's Inf.
+///                   (NaN, not given, not applicable) is NULL; an infinite layer_thickness is SQLite's Inf.
+///     fields        the fields on the surface, where they were asked for, by the key of their evaluation: compressed
+///                   (packed_fields.hpp)
 ///     provenance    what computed an evaluation
 ///     study         a name, its axes and the text of its file
 ///     study_point   the points of a study, in order, by the key of their evaluation: one that has no evaluation yet is
 ///                   missing, and an evaluation serves every study that has its key
 ///     result        a view ready to plot: study, position, and all columns of evaluation
+///     converged     the same, only rows with an answer
+///     resistance    of these the few columns that are plotted most
+///
+/// One index, evaluation_summary, holds the columns that are filtered and sorted by most: a question about them reads
+/// a tenth of the file, and one sorted by rolling resistance stops as soon as its first page is full.
 ///
 /// load, approach, driving_torque, rotation_ratio, spacing and method are inputs and outputs. The column with the plain
 /// key holds what was found or used; what the scene asked for stands in given_load, given_approach and so on, NULL
 /// where the scene left it open.
 
+#include <array>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/quantity.hpp"
@@ -42,6 +50,10 @@ const std::vector<QuantityColumn>& quantity_columns();
 
 /// What stands in a column, or nullptr if it is none of these.
 const QuantityColumn* find_quantity_column(std::string_view name);
+
+/// Columns of the index evaluation_summary. Changing them needs a migration.
+inline constexpr std::array<std::string_view, 8> summary_columns{
+    "rolling_resistance", "status", "indenter", "speed", "load", "friction_coefficient", "radius", "layer_thickness"};
 
 /// Columns that table or view has in this file.
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table);

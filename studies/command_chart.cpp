@@ -114,7 +114,9 @@ void add_chart(CLI::App& program, Session& session) {
   command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database");
   command->footer(
       "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"
-      "Example: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family load");
+      "Examples: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family "
+      "load\n"
+      "          rollres chart --db results.db --chart all");
   command->callback([words, &session] { chart(*words, session); });
 }
 

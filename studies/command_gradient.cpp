@@ -22,7 +22,7 @@ void run_gradient(const GradientWords& words, Session& session) {
   const RollingScene scene = read_scene(words.scene, words.overrides);
   std::vector<InputChoice> inputs;
   for (const std::string& key : words.inputs) inputs.push_back({key});
-  Objective objective{scene, {}, {}, session.from_scratch()};
+  Objective objective{scene, {}, {}, session.evaluate};
   objective.output = refusing_at("--output", [&] { return real_output(words.output); });
   objective.variables = refusing_at(words.scene + " with --inputs", [&] { return variables_of(scene, inputs); });
 

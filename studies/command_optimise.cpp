@@ -111,7 +111,7 @@ void run_optimise(const OptimiseWords& words, Session& session) {
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
   ResultStore store(words.database);
   const StopSignal signal;
-  RecordedEvaluations evaluations(session.from_scratch(), store, study, &signal.requested());
+  RecordedEvaluations evaluations(session.evaluate, store, study, &signal.requested());
 
   OptimiseOptions options{.jobs = words.jobs};
   const std::size_t width = terminal_width(session.err);

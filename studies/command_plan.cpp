@@ -8,6 +8,7 @@
 #include "studies/readable_number.hpp"
 #include "studies/scene_inputs.hpp"
 #include "studies/study_axes.hpp"
+#include "studies/study_keys.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
 
@@ -125,7 +126,8 @@ void add_plan(CLI::App& program, Session& session) {
   const auto words = std::make_shared<PlanWords>();
   command->add_option("study", words->study, "study file")->required();
   command->add_option("--db", words->database, "database: tells which points are stored there, and their status");
-  command->add_option("--limit", words->limit, "print no more than this many points")->check(CLI::NonNegativeNumber);
+  command->add_option("--limit", words->limit, "print no more than this many points")
+      ->check(CLI::Range(0, most_points));
   CLI::Option* const format =
       command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line): the points alone")
           ->check(CLI::IsMember(table_formats));

@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <memory>
 #include <ostream>
+#include <stdexcept>
 
 #include "db/query.hpp"
 #include "studies/commands.hpp"
 #include "studies/read_filter.hpp"
+#include "studies/split.hpp"
+#include "studies/stop_signal.hpp"
 #include "studies/table_output.hpp"
 
 namespace rollres {
@@ -13,7 +16,8 @@ namespace rollres {
 namespace {
 
 struct QueryWords {
-  std::string database, columns, sort, format = "table";
+  std::string database, columns, sort, aggregates, by, sql, format = "table";
+  bool with_sql = false;
   std::vector<std::string> filters;
   std::optional<std::int64_t> limit;
 };
@@ -28,36 +32,55 @@ constexpr const char* usual_columns[] = {"id",
                                          "rolling_resistance_coefficient",
                                          "status"};
 
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= text.size() && !text.empty();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
+std::vector<Filter> filters_of(const QueryWords& words) {
+  std::vector<Filter> filters;
+  for (const std::string& text : words.filters) filters.push_back(read_filter(text));
+  return filters;
+}
+
+/// A table on the screen shows the usual columns and those that the question names.
+void choose_columns(Query& question) {
+  question.columns.assign(std::begin(usual_columns), std::end(usual_columns));
+  auto add = [&](const std::string& name) {
+    if (std::find(question.columns.begin(), question.columns.end(), name) == question.columns.end())
+      question.columns.insert(question.columns.end() - 1, name);
+  };
+  for (const Filter& filter : question.filters)
+    if (filter.comparison != Comparison::equal) add(filter.column);
+  for (const std::string& name : question.sort) add(name.starts_with('-') ? name.substr(1) : name);
+}
+
+Table rows(const QueryWords& words, const Database& database) {
+  Query question{.filters = filters_of(words),
+                 .columns = split_at_commas(words.columns),
+                 .sort = split_at_commas(words.sort),
+                 .limit = words.limit};
+  if (question.columns.empty() && words.format == "table") choose_columns(question);
+  return run_query(database, question);
+}
+
+Table groups(const QueryWords& words, const Database& database) {
+  GroupQuery question{.filters = filters_of(words),
+                      .by = split_at_commas(words.by),
+                      .sort = split_at_commas(words.sort),
+                      .limit = words.limit};
+  for (const std::string& text : split_at_commas(words.aggregates))
+    question.aggregates.push_back(parse_aggregate(text));
+  return run_group_query(database, question);
 }
 
 void query(const QueryWords& words, Session& session) {
-  Query question{.columns = split_at_commas(words.columns), .sort = split_at_commas(words.sort), .limit = words.limit};
-  for (const std::string& text : words.filters) question.filters.push_back(read_filter(text));
-  if (question.columns.empty() && words.format == "table") {
-    question.columns.assign(std::begin(usual_columns), std::end(usual_columns));
-    auto add = [&](const std::string& name) {
-      if (std::find(question.columns.begin(), question.columns.end(), name) == question.columns.end())
-        question.columns.insert(question.columns.end() - 1, name);
-    };
-    for (const Filter& filter : question.filters)
-      if (filter.comparison != Comparison::equal) add(filter.column);
-    for (const std::string& name : question.sort) add(name.starts_with('-') ? name.substr(1) : name);
-  }
-  const Table table = run_query(Database(words.database, Access::read), question);
-  if (words.format == "csv")
-    write_csv(session.out, table);
-  else if (words.format == "json")
-    write_json(session.out, table);
-  else if (!table.rows.empty())
-    write_aligned(session.out, table);
+  const bool grouped = !words.aggregates.empty() || !words.by.empty();
+  const bool plain = words.filters.empty() && words.columns.empty() && words.sort.empty() && !words.limit && !grouped;
+  if (words.with_sql && !plain)
+    throw std::invalid_argument("--sql: stands alone; write filters, columns, order and limit in SQL");
+  if (grouped && !words.columns.empty())
+    throw std::invalid_argument("--columns = " + words.columns + ": has no place beside --aggregate and --by");
+  const StopSignal signal;
+  Database database(words.database, Access::read);
+  database.stop_when(signal.requested());
+  const Table table = words.with_sql ? run_sql(database, words.sql) : (grouped ? groups : rows)(words, database);
+  write_table(session.out, table, words.format);
   if (table.rows.empty()) {
     session.err << words.database << ": nothing matches\n";
     session.status = ExitStatus::no_answer;
@@ -77,12 +100,26 @@ void add_query(CLI::App& program, Session& session) {
   command->add_option("--sort", words->sort, "columns to sort by, separated by commas; --sort=-KEY: largest first");
   command->add_option_function<std::int64_t>(
       "--limit", [words](const std::int64_t& limit) { words->limit = limit; }, "print no more than this many rows");
-  command->add_option("--format", words->format, "table, csv or json")->check(CLI::IsMember({"table", "csv", "json"}));
+  command->add_option("--aggregate", words->aggregates,
+                      "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
+                      "(of a sample), sum or count and a column; sorted by as min_approach, count");
+  command->add_option("--by", words->by, "columns, separated by commas: one row for each combination of their values");
+  CLI::Option* const sql = command->add_option(
+      "--sql", words->sql,
+      "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
+      "resistance, evaluation, study, study_point, fields, provenance");
+  command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line)")
+      ->check(CLI::IsMember(table_formats));
   command->footer(
       "Exit status 1: nothing matches.\n"
-      "Example: rollres query --db results.db 'speed>0.1' 'load=20 kN/m' status=converged "
-      "--sort=-rolling_resistance --limit 5");
-  command->callback([words, &session] { query(*words, session); });
+      "Examples: rollres query --db results.db 'speed>0.1' 'load=20 kN/m' status=converged "
+      "--sort=-rolling_resistance --limit 5\n"
+      "          rollres query --db results.db study=tyres --aggregate 'max rolling_resistance, mean approach, count' "
+      "--by load");
+  command->callback([words, sql, &session] {
+    words->with_sql = sql->count() > 0;
+    query(*words, session);
+  });
 }
 
 }  // namespace rollres

@@ -59,7 +59,7 @@ BarChart elasticity_chart(const GradientReport& report, const std::string& name)
 
 void local_sensitivity(const SensitivityWords& words, Session& session) {
   const RollingScene scene = read_scene(words.file, words.overrides);
-  Objective objective{scene, variables_of(scene, inputs_with_elasticity(scene)), {}, session.from_scratch()};
+  Objective objective{scene, variables_of(scene, inputs_with_elasticity(scene)), {}, session.evaluate};
   objective.output =
       refusing_at("--output", [&] { return real_output(words.output.empty() ? "rolling_resistance" : words.output); });
   GradientReport report = gradient_report(std::move(objective), {.order = 4, .jobs = words.jobs});
@@ -148,12 +148,12 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
   std::optional<ResultStore> store;
   std::optional<RecordedEvaluations> evaluations;
   if (words.database.empty()) {
-    evaluations.emplace(session.from_scratch(), &signal.requested());
+    evaluations.emplace(session.evaluate, &signal.requested());
   } else {
     StudyRecord study{problem.name + " " + words.indices, {}, text_in(words.file)};
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
     store.emplace(words.database);
-    evaluations.emplace(session.from_scratch(), *store, study, &signal.requested());
+    evaluations.emplace(session.evaluate, *store, study, &signal.requested());
   }
   const CubeFunction function = [&](std::span<const double> place) {
     const auto evaluate = [&](const RollingScene& scene) { return (*evaluations)(scene); };

@@ -7,6 +7,7 @@
 #include "db/result_store.hpp"
 #include "db/schema.hpp"
 #include "studies/commands.hpp"
+#include "studies/fields_file.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/solution_json.hpp"
 #include "studies/study_definition.hpp"
@@ -19,8 +20,8 @@ namespace rollres {
 namespace {
 
 struct ShowWords {
-  std::string what, database;
-  bool json = false;
+  std::string what, database, fields;
+  bool json = false, with_fields = false;
 };
 
 /// Outputs in the table of a study, beside its axes, where its file does not list them.
@@ -95,13 +96,30 @@ void show_evaluation(const ShowWords& words, const StoredEvaluation& evaluation,
   session.out << '\n' << summary(evaluation.scene, evaluation.solution);
 }
 
+void export_fields(const ShowWords& words, ResultStore& store, const StoredEvaluation& evaluation, Session& session) {
+  if (const auto fields = store.find_fields(evaluation.key))
+    return write_fields(words.fields, evaluation.scene, *fields);
+  session.err << words.database << ": evaluation " << evaluation.id
+              << ": no fields are stored; rollres sweep STUDY --fields stores them\n";
+  session.status = ExitStatus::no_answer;
+}
+
 void show(const ShowWords& words, Session& session) {
+  if (words.with_fields && words.fields.empty()) throw std::invalid_argument("--fields = \"\": must name a directory");
   ResultStore store(words.database, Access::read);
-  if (const auto study = store.study(words.what)) return show_study(words, store, *study, session);
+  if (const auto study = store.study(words.what)) {
+    if (words.with_fields)
+      throw std::invalid_argument("--fields = " + words.fields + ": needs the number of an evaluation, not a study");
+    return show_study(words, store, *study, session);
+  }
   std::int64_t id = 0;
   const char* end = words.what.data() + words.what.size();
   if (std::from_chars(words.what.data(), end, id).ptr == end)
-    if (const auto evaluation = store.find(id)) return show_evaluation(words, *evaluation, session);
+    if (const auto evaluation = store.find(id)) {
+      show_evaluation(words, *evaluation, session);
+      if (words.with_fields) export_fields(words, store, *evaluation, session);
+      return;
+    }
   std::vector<std::string_view> names;
   const std::vector<StudySummary> studies = store.studies();
   for (const StudySummary& study : studies) names.push_back(study.name);
@@ -118,8 +136,14 @@ void add_show(CLI::App& program, Session& session) {
   command->add_option("what", words->what, "name of a study, or number (id) of an evaluation")->required();
   command->add_option("--db", words->database, "database")->required();
   command->add_flag("--json", words->json, "print one JSON object");
+  CLI::Option* const fields =
+      command->add_option("--fields", words->fields, "write an evaluation's stored fields to DIR/fields.csv and .vti")
+          ->option_text("DIR");
   command->footer("Example: rollres show --db results.db 'speed and load'");
-  command->callback([words, &session] { show(*words, session); });
+  command->callback([words, fields, &session] {
+    words->with_fields = fields->count() > 0;
+    show(*words, session);
+  });
 }
 
 }  // namespace rollres

@@ -33,9 +33,6 @@ struct Session {
   std::ostream& err;  ///< progress and messages
   Evaluate evaluate;  ///< solves a scene
   int status = ExitStatus::answered;
-  Evaluate cold = {};  ///< solves a scene from scratch, whatever was solved before; empty: as `evaluate`
-
-  const Evaluate& from_scratch() const { return cold ? cold : evaluate; }
 };
 
 /// Runs the program on its words, without its own name: {"solve", "scene.json", "--json"}. Returns the exit status;
@@ -48,9 +45,15 @@ void add_sensitivity(CLI::App& program, Session& session);
 void add_plan(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
 void add_optimise(CLI::App& program, Session& session);
+void add_merge(CLI::App& program, Session& session);
+void add_status(CLI::App& program, Session& session);
+void add_slurm(CLI::App& program, Session& session);
+void add_export(CLI::App& program, Session& session);
+void add_import(CLI::App& program, Session& session);
 void add_list(CLI::App& program, Session& session);
 void add_show(CLI::App& program, Session& session);
 void add_query(CLI::App& program, Session& session);
+void add_compare(CLI::App& program, Session& session);
 void add_chart(CLI::App& program, Session& session);
 void add_accuracy(CLI::App& program, Session& session);
 void add_stability(CLI::App& program, Session& session);

@@ -7,7 +7,7 @@
 
 namespace rollres {
 
-RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene) noexcept {
+RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene, Fields fields) noexcept {
   const auto begin = std::chrono::steady_clock::now();
   RollingSolution solution;
   try {
@@ -21,15 +21,10 @@ RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& sc
     solution.method = resolved_method(scene);
     solution.reason = "an unknown error";
   }
-  solution.fields = {};
+  if (fields == Fields::dropped) solution.fields = {};
   if (std::isnan(solution.seconds))
     solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
-}
-
-RollingSolution solve_in_turn(const RollingScene& scene) {
-  thread_local RollingSolver solver;
-  return solver.solve(scene);
 }
 
 Evaluate recalling(ResultStore& store, Evaluate evaluate) {

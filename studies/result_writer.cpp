@@ -5,11 +5,12 @@
 namespace rollres {
 
 ResultWriter::ResultWriter(ResultStore& store, std::chrono::milliseconds grouping, std::function<void()> met_another,
-                           std::function<void(std::exception_ptr)> failed)
+                           std::function<void(std::exception_ptr)> failed, Existing existing)
     : store_(store),
       grouping_(grouping),
       met_another_(std::move(met_another)),
       failed_(std::move(failed)),
+      existing_(existing),
       thread_([this] { run(); }) {}
 
 ResultWriter::~ResultWriter() {
@@ -42,7 +43,7 @@ void ResultWriter::run() {
         group.swap(waiting_);
       }
       earliest = std::chrono::steady_clock::now() + grouping_;
-      if (store_.save(group) < group.size()) met_another_();
+      if (store_.save(group, existing_) < group.size()) met_another_();
     }
   } catch (...) {
     failed_(std::current_exception());

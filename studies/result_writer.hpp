@@ -19,8 +19,9 @@ class ResultWriter {
   /// Stores answers as soon as they come, but leaves at least `grouping` between two transactions.
   /// @param met_another  called when an answer was stored by another process meanwhile
   /// @param failed       called once if the store fails; nothing is stored afterwards
+  /// @param existing     what becomes of answers that are stored already
   ResultWriter(ResultStore& store, std::chrono::milliseconds grouping, std::function<void()> met_another,
-               std::function<void(std::exception_ptr)> failed);
+               std::function<void(std::exception_ptr)> failed, Existing existing = Existing::kept);
   /// Stores what is left.
   ~ResultWriter();
 
@@ -33,6 +34,7 @@ class ResultWriter {
   std::chrono::milliseconds grouping_;
   std::function<void()> met_another_;
   std::function<void(std::exception_ptr)> failed_;
+  Existing existing_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Evaluation> waiting_;

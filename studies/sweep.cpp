@@ -5,11 +5,13 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "core/parallel.hpp"
 #include "core/threads.hpp"
+#include "db/point_states.hpp"
 #include "studies/evaluate.hpp"
 #include "studies/result_writer.hpp"
 #include "studies/work_list.hpp"
@@ -37,14 +39,42 @@ struct Run {
   }
 };
 
+bool is_wanted_again(const StoredAnswer& answer, const SweepOptions& options) {
+  const bool converged = answer.status == Status::converged;
+  switch (options.retry) {
+    case Retry::all:
+      return true;
+    case Retry::failed:
+      if (!converged) return true;
+      break;
+    case Retry::not_converged:
+      if (answer.status == Status::not_converged) return true;
+      break;
+    case Retry::nothing:
+      break;
+  }
+  return converged && options.fields == Fields::kept && !answer.has_fields;
+}
+
+/// Answers as they were at the start that are to be solved again, by their keys: any change is the new answer.
+std::unordered_map<std::string, StoredAnswer> wanted_again(ResultStore& reader, const std::vector<std::string>& keys,
+                                                           const SweepOptions& options) {
+  std::unordered_map<std::string, StoredAnswer> old;
+  if (options.retry == Retry::nothing && options.fields == Fields::dropped) return old;
+  for (const std::string& key : keys)
+    if (const auto answer = reader.find_answer(key); answer && is_wanted_again(*answer, options))
+      old.emplace(key, *answer);
+  return old;
+}
+
 void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
-          const Evaluate& evaluate, ResultWriter& writer, int cores) {
+          const Evaluate& evaluate, Fields fields, ResultWriter& writer, int cores) {
   limit_threads(cores);
   try {
     while (!run.broken && !run.asked_to_stop()) {
       const std::optional<std::size_t> point = list.next();
       if (!point) break;
-      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point])};
+      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point], fields)};
       if (answer.solution.status != Status::converged) ++run.failed;
       writer.add(std::move(answer));
       ++run.solved;
@@ -57,6 +87,25 @@ void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, con
   run.changed.notify_one();
 }
 
+/// Leaves the points of one shard.
+void keep_shard(const Shard& shard, std::vector<RollingScene>& scenes, std::vector<std::string>& keys) {
+  if (shard.count == 1) return;
+  const std::vector<int> shards = shards_of_points(keys, scenes, shard.count);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (shards[i] != shard.index) continue;
+    std::swap(scenes[kept], scenes[i]);
+    std::swap(keys[kept++], keys[i]);
+  }
+  scenes.resize(kept);
+  keys.resize(kept);
+}
+
+std::size_t count(const std::vector<PointState>& states, Answer answer) {
+  return static_cast<std::size_t>(
+      std::count_if(states.begin(), states.end(), [&](const PointState& state) { return state.answer == answer; }));
+}
+
 }  // namespace
 
 SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
@@ -64,7 +113,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   const auto begin = std::chrono::steady_clock::now();
   auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
 
-  const std::vector<RollingScene> scenes = points(study);
+  std::vector<RollingScene> scenes = points(study);
   std::vector<std::string> keys;
   for (const RollingScene& scene : scenes) keys.push_back(evaluation_key(scene));
   StudyRecord record{study.name, {}, options.definition};
@@ -72,21 +121,28 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   ResultStore store(database), reader(database, Access::read);
   store.start_study(record, keys);
-  const std::optional<StudySummary> before = store.study(study.name);
+  keep_shard(options.shard, scenes, keys);
+  const std::size_t missing = count(point_states(reader.database(), keys), Answer::missing);
+  const auto old = wanted_again(reader, keys, options);
 
   Run run;
   run.stop_from_outside = options.stop;
-  WorkList list(keys, [&](const std::string& key) { return reader.contains(key); });
+  WorkList list(keys, [&](const std::string& key) {
+    const auto answer = reader.find_answer(key);
+    const auto was = old.find(key);
+    return answer && (was == old.end() || *answer != was->second);
+  });
   const std::size_t to_solve = list.open();
   {
     ResultWriter writer(
-        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); });
+        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); },
+        options.retry == Retry::nothing ? Existing::kept : Existing::replaced);
     std::vector<std::jthread> threads;
     try {
       const std::size_t jobs = jobs_for(options.jobs, to_solve);
       const int cores_each = cores_for_each(jobs);
       for (std::size_t job = 0; job < jobs; ++job) {
-        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, writer, cores_each); });
+        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, options.fields, writer, cores_each); });
         const std::lock_guard lock(run.mutex);
         ++run.started;
       }
@@ -105,9 +161,14 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   SweepReport report;
   report.study = store.study(study.name).value_or(StudySummary{});
-  report.recalled = before ? static_cast<std::size_t>(before->answered) : 0;
+  const auto again = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return old.contains(key); });
+  const std::vector<PointState> states = point_states(reader.database(), keys);
+  report.points = keys.size();
+  report.answered = keys.size() - count(states, Answer::missing);
+  report.failed = count(states, Answer::failed);
+  report.recalled = keys.size() - missing - static_cast<std::size_t>(again);
   report.solved = run.solved;
-  report.interrupted = run.asked_to_stop() && report.study.answered < report.study.points;
+  report.interrupted = run.asked_to_stop() && report.answered < report.points;
   report.seconds = seconds();
   return report;
 }

@@ -6,6 +6,7 @@
 /// again, and several processes may work on one study in one database. Answers that come faster than twenty times a
 /// second are stored in groups: no more than about 0.1 s of them can be lost.
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -15,12 +16,27 @@
 
 #include "core/rolling_contact.hpp"
 #include "db/result_store.hpp"
+#include "studies/evaluate.hpp"
+#include "studies/shards.hpp"
 #include "studies/study.hpp"
 
 namespace rollres {
 
+/// Which stored answers are solved again. The new one takes the place of the old one, in one transaction and under the
+/// same key; what converged never gives way to what did not.
+enum class Retry {
+  nothing,
+  not_converged,  ///< those with this status
+  failed,         ///< all that did not converge: those without a steady state, too
+  all
+};
+template <>
+struct ChoiceNames<Retry> {
+  static constexpr std::array<std::string_view, 4> names{"nothing", "not_converged", "failed", "all"};
+};
+
 struct SweepProgress {
-  std::size_t to_solve = 0;  ///< points that were not stored at the start
+  std::size_t to_solve = 0;  ///< points without an answer at the start, or with one that is asked for again
   std::size_t solved = 0;    ///< by this process
   std::size_t failed = 0;    ///< of these, without an answer
   std::size_t left = 0;      ///< neither stored, nor being solved by this process
@@ -34,11 +50,17 @@ struct SweepOptions {
   std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second by the calling thread
   std::string definition = {};                            ///< text of the study file, kept in the store
   std::chrono::milliseconds grouping{50};                 ///< least time between two transactions
+  Shard shard = {};                                       ///< solve this part; the study is recorded whole
+  Retry retry = Retry::nothing;
+  Fields fields = Fields::dropped;  ///< kept: stored too; a point that converged without them is solved again
 };
 
 struct SweepReport {
   StudySummary study;        ///< as it is stored now
-  std::size_t recalled = 0;  ///< points whose answer was there at the start
+  std::size_t points = 0;    ///< of the shard; all, if there is one shard
+  std::size_t answered = 0;  ///< of these, now; failed ones included
+  std::size_t failed = 0;
+  std::size_t recalled = 0;  ///< points of the shard whose answer was there at the start and was good enough
   std::size_t solved = 0;    ///< evaluations solved by this process
   bool interrupted = false;  ///< stopped before all points were answered
   double seconds = 0;

@@ -165,14 +165,14 @@ TEST_CASE("a database that lacks columns of newer quantities gets them, and its 
   fill(file, 2);
   {
     SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);
-    plain.exec("ALTER TABLE evaluation DROP COLUMN peak_pressure");
+    plain.exec("ALTER TABLE evaluation DROP COLUMN mean_pressure");
     plain.exec("ALTER TABLE evaluation DROP COLUMN stiffening");
   }
   {
     ResultStore reader(file, Access::read);
     const auto row = reader.find(std::int64_t{1});
     REQUIRE(row);
-    CHECK(std::isnan(row->solution.peak_pressure));
+    CHECK(std::isnan(row->solution.mean_pressure));
     CHECK(row->scene.stiffening == 0);
     CHECK(row->scene.creep_time == 0.1);
   }
