@@ -9,10 +9,10 @@
 #include "studies/optimise_report.hpp"
 #include "studies/progress.hpp"
 #include "studies/readable_number.hpp"
+#include "studies/standalone_study.hpp"
 #include "studies/stop_signal.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
-#include "studies/write_file.hpp"
 
 namespace rollres {
 
@@ -107,7 +107,7 @@ void draw(const ChartRequest& request, const OptimiseWords& words, Session& sess
 void run_optimise(const OptimiseWords& words, Session& session) {
   const DesignProblem problem = problem_of(words);
   if (!words.out.empty()) chart_files(words.out);  // a wrong name is told before the work
-  StudyRecord study{problem.name, {}, text_in(words.study)};
+  StudyRecord study{problem.name, {}, standalone_study(words.study)};
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
   ResultStore store(words.database);
   const StopSignal signal;

@@ -16,10 +16,10 @@
 #include "studies/scaled_unit.hpp"
 #include "studies/scene_file.hpp"
 #include "studies/sensitivity.hpp"
+#include "studies/standalone_study.hpp"
 #include "studies/stop_signal.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
-#include "studies/write_file.hpp"
 
 namespace rollres {
 
@@ -150,7 +150,7 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
   if (words.database.empty()) {
     evaluations.emplace(session.evaluate, &signal.requested());
   } else {
-    StudyRecord study{problem.name + " " + words.indices, {}, text_in(words.file)};
+    StudyRecord study{problem.name + " " + words.indices, {}, standalone_study(words.file)};
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
     store.emplace(words.database);
     evaluations.emplace(session.evaluate, *store, study, &signal.requested());

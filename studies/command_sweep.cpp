@@ -8,7 +8,6 @@
 #include "studies/stop_signal.hpp"
 #include "studies/sweep.hpp"
 #include "studies/table_json.hpp"
-#include "studies/write_file.hpp"
 
 namespace rollres {
 

@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -41,13 +40,6 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
     std::filesystem::remove(part, error);
     fail(file, "cannot be written", why);
   }
-}
-
-std::string text_in(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw std::runtime_error(file.string() + ": cannot be read");
-  return text.str();
 }
 
 void make_directory(const std::filesystem::path& directory) {

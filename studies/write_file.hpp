@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace rollres {
@@ -9,9 +8,6 @@ namespace rollres {
 /// Writes a whole file: to a temporary name beside it, then renamed, so that nobody ever sees half of it.
 /// @throws std::runtime_error with the path and the system's words; the old file is then still there
 void write_file(const std::filesystem::path& file, std::string_view content);
-
-/// The whole text of a file. @throws std::runtime_error with the path
-std::string text_in(const std::filesystem::path& file);
 
 /// Creates a directory and those above it.
 /// @throws std::runtime_error with the path and the system's words
