@@ -252,6 +252,34 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
   });
 }
 
+void ResultStore::add_points(const std::string& study, std::span<const std::string> keys) {
+  naming(database().name(), [&] {
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement add(connection,
+                          "INSERT INTO study_point(study, position, key) "
+                          "SELECT id, 1 + coalesce((SELECT max(position) FROM study_point WHERE study = id), 0), ?1 "
+                          "FROM study WHERE name = ?2 "
+                          "AND NOT EXISTS (SELECT 1 FROM study_point WHERE key = ?1 AND study = id)");
+    for (const std::string& key : keys) {
+      add.reset();
+      add.bind(1, key);
+      add.bind(2, study);
+      add.exec();
+    }
+    add.reset();
+    transaction.commit();
+  });
+}
+
+std::vector<std::string> ResultStore::points(const std::string& study) {
+  return naming(database().name(), [&] {
+    SQLite::Statement row(parts_->connection(), "SELECT id FROM study WHERE name = ?");
+    row.bind(1, study);
+    return row.executeStep() ? parts_->keys_of(row.getColumn(0).getInt64(), 0) : std::vector<std::string>();
+  });
+}
+
 std::vector<StudySummary> ResultStore::studies() {
   return naming(database().name(), [&] { return parts_->summaries(nullptr); });
 }

@@ -111,6 +111,11 @@ class ResultStore {
   /// Records that a study starts (again) with these points, in this order, in place of those it had.
   void start_study(const StudyRecord& study, std::span<const std::string> keys);
 
+  /// Makes `keys` the next points of a study that has been started, but for those that are its points already.
+  void add_points(const std::string& study, std::span<const std::string> keys);
+  /// Keys of a study's points, in order; empty if there is no such study.
+  std::vector<std::string> points(const std::string& study);
+
   std::vector<StudySummary> studies();  ///< by name
   std::optional<StudySummary> study(const std::string& name);
   std::vector<std::string> study_names();  ///< in their order

@@ -41,8 +41,10 @@ int run_program(std::vector<std::string> words, Session session);
 
 void add_solve(CLI::App& program, Session& session);
 void add_gradient(CLI::App& program, Session& session);
+void add_sensitivity(CLI::App& program, Session& session);
 void add_plan(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
+void add_optimise(CLI::App& program, Session& session);
 void add_merge(CLI::App& program, Session& session);
 void add_status(CLI::App& program, Session& session);
 void add_slurm(CLI::App& program, Session& session);

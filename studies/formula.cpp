@@ -43,20 +43,6 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-/// The unit of a side that is one quantity; empty for any other formula.
-std::string_view unit_of(const Formula& side, Indenter indenter) {
-  if (side.keys().size() != 1 || side.keys().front() != side.text()) return {};
-  std::string_view unit;
-  auto look = [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == side.text()) unit = quantity.unit_for(indenter);
-  };
-  const RollingScene scene;
-  const RollingSolution solution;
-  visit_inputs(scene, look);
-  visit_outputs(solution, look);
-  return unit;
-}
-
 /// The right side as a formula in SI: "2 MPa" becomes 2000000 if the left side is a pressure.
 std::string in_si(const std::string& right, const Formula& left, Indenter indenter) {
   const std::string_view unit = unit_of(left, indenter);
@@ -71,6 +57,19 @@ std::string in_si(const std::string& right, const Formula& left, Indenter indent
 }
 
 }  // namespace
+
+std::string_view unit_of(const Formula& formula, Indenter indenter) {
+  if (formula.keys().size() != 1 || formula.keys().front() != formula.text()) return {};
+  std::string_view unit;
+  auto look = [&](const Quantity& quantity, const auto&) {
+    if (quantity.key == formula.text()) unit = quantity.unit_for(indenter);
+  };
+  const RollingScene scene;
+  const RollingSolution solution;
+  visit_inputs(scene, look);
+  visit_outputs(solution, look);
+  return unit;
+}
 
 std::vector<std::string_view> number_keys(FormulaNames names) {
   std::vector<std::string_view> keys;

@@ -45,6 +45,9 @@ class Formula {
   std::shared_ptr<Parts> parts_;
 };
 
+/// The unit of a formula that is one quantity; empty for any other formula.
+std::string_view unit_of(const Formula& formula, Indenter indenter);
+
 /// A condition between two formulas.
 class Condition {
  public:
@@ -56,6 +59,7 @@ class Condition {
   const std::string& text() const { return text_; }
   const Formula& left() const { return left_; }
   const Formula& right() const { return right_; }
+  bool at_most() const { return at_most_; }  ///< <= or <, not >= or >
 
   /// How far left exceeds right (<=, <) or falls short of it (>=, >) [unit of the left side]: at most 0 where the
   /// condition holds (below 0 for < and >), NaN if a number is absent.

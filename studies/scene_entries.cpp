@@ -53,13 +53,6 @@ double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter)
   return std::nan("");
 }
 
-Indenter indenter_of(const std::vector<SceneEntry>& entries) {
-  RollingScene scene;
-  for (const SceneEntry& entry : entries)
-    if (entry.key == "indenter") assign_input(scene, entry.key, input_value(entry, scene.indenter));
-  return scene.indenter;
-}
-
 void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
   auto given = [&](std::string_view key) {
     return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
@@ -74,6 +67,13 @@ void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& 
 }
 
 }  // namespace
+
+Indenter indenter_of(const std::vector<SceneEntry>& entries) {
+  RollingScene scene;
+  for (const SceneEntry& entry : entries)
+    if (entry.key == "indenter") assign_input(scene, entry.key, input_value(entry, scene.indenter));
+  return scene.indenter;
+}
 
 std::vector<SceneEntry> scene_entries(const Json& object, const std::string& place) {
   std::vector<SceneEntry> entries;

@@ -37,6 +37,9 @@ std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::v
 /// @throws std::invalid_argument naming place, key, value and rule
 InputValue input_value(const SceneEntry& entry, Indenter indenter);
 
+/// The body that the entries give: the units of other inputs depend on it.
+Indenter indenter_of(const std::vector<SceneEntry>& entries);
+
 /// The scene that the entries give.
 /// @param place named in messages about what is missing and what does not go together
 /// @throws std::invalid_argument
