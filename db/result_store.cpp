@@ -284,6 +284,15 @@ std::vector<StudySummary> ResultStore::studies() {
   return naming(database().name(), [&] { return parts_->summaries(nullptr); });
 }
 
+std::vector<std::string> ResultStore::study_names() {
+  return naming(database().name(), [&] {
+    SQLite::Statement row(parts_->connection(), "SELECT name FROM study ORDER BY name");
+    std::vector<std::string> names;
+    while (row.executeStep()) names.push_back(row.getColumn(0).getString());
+    return names;
+  });
+}
+
 std::optional<StudySummary> ResultStore::study(const std::string& name) {
   std::vector<StudySummary> found = naming(database().name(), [&] { return parts_->summaries(&name); });
   return found.empty() ? std::nullopt : std::optional(std::move(found.front()));

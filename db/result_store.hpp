@@ -118,6 +118,7 @@ class ResultStore {
 
   std::vector<StudySummary> studies();  ///< by name
   std::optional<StudySummary> study(const std::string& name);
+  std::vector<std::string> study_names();  ///< in their order
   /// Text of the study file; nothing if there is no such study.
   std::optional<std::string> definition(const std::string& study);
   std::vector<Failure> failures(const std::string& study);  ///< most frequent first

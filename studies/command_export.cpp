@@ -33,7 +33,7 @@ void import_one(const ExportWords& words, Session& session) {
 void add_export(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("export", "Write a study with its results and provenance into a folder");
   const auto words = std::make_shared<ExportWords>();
-  command->add_option("--study", words->study, "name of the study")->required();
+  command->add_option("--study", words->study, "name of the study; may be left out if the database holds one");
   command->add_option("--db", words->database, "database")->required();
   command->add_option("--out", words->folder, "folder; made if it is missing")->required();
   command->footer(

@@ -120,9 +120,8 @@ void show(const ShowWords& words, Session& session) {
       if (words.with_fields) export_fields(words, store, *evaluation, session);
       return;
     }
-  std::vector<std::string_view> names;
-  const std::vector<StudySummary> studies = store.studies();
-  for (const StudySummary& study : studies) names.push_back(study.name);
+  const std::vector<std::string> all = store.study_names();
+  const std::vector<std::string_view> names(all.begin(), all.end());
   const std::string nearest = nearest_name(names, words.what);
   throw std::invalid_argument(words.database + ": " + words.what + ": no such study or evaluation" +
                               (nearest.empty() ? "" : "; did you mean " + nearest + "?"));

@@ -1,8 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <ostream>
+#include <stdexcept>
 
+#include "db/result_store.hpp"
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
 #include "studies/shards.hpp"
@@ -14,15 +17,24 @@ namespace rollres {
 namespace {
 
 struct StatusWords {
-  std::string study;
+  std::string study;  // file; empty: what the databases say themselves
   std::vector<std::string> databases;
   int shards = 0;  // 0: not asked for
   bool json = false, array = false;
 };
 
-void print_json(std::ostream& out, const Study& study, const StudyStatus& status, const StatusWords& words) {
-  Json object{{"study", study.name},     {"points", status.points},   {"converged", status.converged},
-              {"failed", status.failed}, {"missing", status.missing}, {"seconds_left", status.seconds_left}};
+Json json_of(const std::string& name, const StudyStatus& status) {
+  Json object{{"study", name},
+              {"points", status.points},
+              {"converged", status.converged},
+              {"failed", status.failed},
+              {"missing", status.missing}};
+  if (!std::isnan(status.seconds_left)) object["seconds_left"] = status.seconds_left;
+  return object;
+}
+
+void print_json(std::ostream& out, const std::string& name, const StudyStatus& status, const StatusWords& words) {
+  Json object = json_of(name, status);
   if (words.shards > 0) {
     object["shards"] = words.shards;
     object["shards_missing"] = status.shards_missing;
@@ -31,16 +43,45 @@ void print_json(std::ostream& out, const Study& study, const StudyStatus& status
   out << text_of(object, 2) << '\n';
 }
 
-void print_lines(std::ostream& out, const Study& study, const StudyStatus& status, const StatusWords& words) {
-  out << study.name << ": " << status.converged + status.failed << " of " << status.points << " points answered, "
+void print_lines(std::ostream& out, const std::string& name, const StudyStatus& status, const StatusWords& words) {
+  out << name << ": " << status.converged + status.failed << " of " << status.points << " points answered, "
       << status.failed << " of them failed; " << status.missing << " missing";
-  if (status.missing > 0) out << ", about " << duration_in_words(status.seconds_left) << " on one core";
+  if (status.missing > 0 && !std::isnan(status.seconds_left))
+    out << ", about " << duration_in_words(status.seconds_left) << " on one core";
   out << '\n';
   if (words.shards > 0 && status.missing > 0)
     out << "shards with points missing: " << array_list(status.shards_missing) << " of " << words.shards << '\n';
 }
 
+/// Of the studies that a database holds, as it holds them.
+void status_of_stored(const std::string& file, const StatusWords& words, Session& session) {
+  const std::vector<StudySummary> studies = ResultStore(file, Access::read).studies();
+  Json object{{"db", file}, {"studies", Json::array()}};
+  for (const StudySummary& study : studies) {
+    StudyStatus status;
+    status.points = static_cast<std::size_t>(study.points);
+    status.failed = static_cast<std::size_t>(study.failed);
+    status.converged = static_cast<std::size_t>(study.answered - study.failed);
+    status.missing = static_cast<std::size_t>(study.points - study.answered);
+    if (words.json)
+      object["studies"].push_back(json_of(study.name, status));
+    else
+      print_lines(session.out, study.name, status, words);
+    if (status.missing > 0) session.status = ExitStatus::no_answer;
+  }
+  if (words.json) session.out << text_of(object, 2) << '\n';
+  if (studies.empty()) session.err << file << ": holds no study\n";
+}
+
 void status(const StatusWords& words, Session& session) {
+  if (words.study.empty()) {
+    if (words.databases.empty()) throw std::invalid_argument("status: needs a study file, or --db, or both");
+    if (words.shards > 0) throw std::invalid_argument("--shards: needs the study file");
+    if (words.json && words.databases.size() > 1)
+      throw std::invalid_argument("--db: only one with --json, without a study file");
+    for (const std::string& file : words.databases) status_of_stored(file, words, session);
+    return;
+  }
   const Study study = read_study(words.study);
   std::vector<std::filesystem::path> present;
   for (const std::string& file : words.databases) {
@@ -53,9 +94,9 @@ void status(const StatusWords& words, Session& session) {
   if (words.array)
     session.out << array_list(found.shards_missing) << '\n';
   else if (words.json)
-    print_json(session.out, study, found, words);
+    print_json(session.out, study.name, found, words);
   else
-    print_lines(session.out, study, found, words);
+    print_lines(session.out, study.name, found, words);
   if (found.missing > 0) session.status = ExitStatus::no_answer;
 }
 
@@ -64,7 +105,7 @@ void status(const StatusWords& words, Session& session) {
 void add_status(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("status", "Tell what of a study is stored, and what is missing");
   const auto words = std::make_shared<StatusWords>();
-  command->add_option("study", words->study, "study file")->required();
+  command->add_option("study", words->study, "study file; left out: every study of the database");
   command->add_option("--db", words->databases,
                       "database; several are taken together; none: the whole study is missing");
   CLI::Option* const shards =

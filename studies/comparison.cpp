@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "db/schema.hpp"
+#include "studies/stored_study.hpp"
 #include "studies/strict_json.hpp"
 
 namespace rollres {
@@ -44,13 +45,7 @@ struct Points {
 constexpr std::size_t position_column = 0, status_column = 1, first_input = 2;
 
 Points read_points(ResultStore& store, const std::string& name, const std::vector<std::string>& columns) {
-  if (!store.study(name)) {
-    const std::vector<StudySummary> studies = store.studies();
-    std::vector<std::string_view> names;
-    for (const StudySummary& study : studies) names.push_back(study.name);
-    throw std::invalid_argument(store.database().name() + ": study = " + name + ": " +
-                                unknown("unknown study", names, name));
-  }
+  stored_study(store, name);  // or refuses
   Query query{.filters = {{"study", Comparison::equal, name}}, .columns = columns};
   return {store.database().name() + ": " + name, run_query(store.database(), query).rows};
 }

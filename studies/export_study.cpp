@@ -7,6 +7,7 @@
 
 #include "db/query.hpp"
 #include "db/result_store.hpp"
+#include "studies/stored_study.hpp"
 #include "studies/strict_json.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
@@ -71,11 +72,10 @@ Json provenance_of(ResultStore& store, const StudySummary& study, const Table& r
 
 }  // namespace
 
-std::string export_study(const std::filesystem::path& database, const std::string& name,
+std::string export_study(const std::filesystem::path& database, const std::string& wanted,
                          const std::filesystem::path& folder) {
   ResultStore store(database, Access::read);
-  const std::optional<StudySummary> study = store.study(name);
-  if (!study) throw std::invalid_argument("study = " + name + ": there is no such study in " + database.string());
+  const std::string name = stored_study(store, wanted).name;
   const std::filesystem::path own = folder / "results.db";
   if (std::filesystem::exists(own) && !ResultStore(own, Access::read).study(name))
     throw std::invalid_argument("out = " + folder.string() + ": holds another study");

@@ -16,6 +16,7 @@
 namespace rollres {
 
 /// Files of that name in the folder are replaced, each as a whole.
+/// @param study its name; may be empty if the database holds one
 /// @return what is worth knowing: that the scene is not in the study file, as this version did not store it; or empty
 /// @throws std::invalid_argument if there is no such study, or the folder holds another one
 /// @throws std::runtime_error naming the file or folder that failed

@@ -9,6 +9,7 @@
 #include "db/schema.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/scaled_unit.hpp"
+#include "studies/stored_study.hpp"
 #include "studies/strict_json.hpp"
 #include "studies/study_definition.hpp"
 
@@ -18,22 +19,6 @@ namespace {
 
 StudyDefinition definition_of(ResultStore& store, const std::string& study) {
   return definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study);
-}
-
-StudySummary chosen_study(ResultStore& store, const std::string& name) {
-  const std::vector<StudySummary> all = store.studies();
-  const std::string& file = store.database().name();
-  if (all.empty()) throw std::invalid_argument(file + ": holds no study");
-  if (name.empty() && all.size() == 1) return all.front();
-  std::vector<std::string_view> names;
-  std::string list;
-  for (const StudySummary& study : all) {
-    if (study.name == name) return study;
-    names.push_back(study.name);
-    list += (list.empty() ? "" : ", ") + study.name;
-  }
-  if (name.empty()) throw std::invalid_argument(file + ": holds several studies, choose one with --study: " + list);
-  throw std::invalid_argument(file + ": study = " + name + ": " + unknown("unknown study", names, name));
 }
 
 /// A column of the stored rows; an axis is shown as it was given, not as it was found.
@@ -215,11 +200,11 @@ std::string common_inputs(const Rows& rows) {
 }  // namespace
 
 std::vector<std::string> stored_charts(ResultStore& store, const std::string& study) {
-  return definition_of(store, chosen_study(store, study).name).chart_names();
+  return definition_of(store, stored_study(store, study).name).chart_names();
 }
 
 StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
-  const StudySummary study = chosen_study(store, wishes.study);
+  const StudySummary study = stored_study(store, wishes.study);
   const std::string& file = store.database().name();
   const StudyDefinition definition = definition_of(store, study.name);
   const Rows rows(store, study.name, wishes.filters);

@@ -24,6 +24,7 @@ StudyStatus study_status(const Study& study, std::span<const std::filesystem::pa
 
   StudyStatus status;
   status.points = keys.size();
+  status.seconds_left = 0;
   const std::vector<int> shard = shards_of_points(keys, scenes, shards);
   std::set<int> missing;
   double took = 0, predicted = 0;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,8 @@ struct StudyStatus {
   std::size_t converged = 0;
   std::size_t failed = 0;   ///< answered, but without a solution
   std::size_t missing = 0;  ///< not answered
-  double seconds_left = 0;  ///< of one core, for what is missing: predicted_seconds, scaled by what the answered
-                            ///< points took
+  /// Of one core, for what is missing: predicted_seconds, scaled by what the answered points took; NaN: not predicted.
+  double seconds_left = std::numeric_limits<double>::quiet_NaN();
   std::vector<int> shards_missing{};  ///< shards with a missing point, from 1
 };
 
