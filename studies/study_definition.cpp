@@ -79,7 +79,7 @@ StudyDefinition definition_in(const std::string& text, const std::string& place)
     }
   if (const Json& sample = under(study, "sample"); sample.is_object())
     definition.sampled = add_group(definition, under(sample, "ranges"));
-  if (const Json& variables = under(object, "variables"); variables.is_object())  // of an optimisation
+  if (const Json& variables = under(study, "variables"); variables.is_object())  // of an optimisation
     definition.sampled = add_group(definition, variables);
   return definition;
 }
