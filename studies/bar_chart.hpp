@@ -12,7 +12,7 @@ namespace rollres {
 
 struct BarValue {
   double value = 0;  ///< NaN: no bar
-  double error = 0;  ///< half the length of its error bar
+  double error = 0;  ///< half the length of its error bar; NaN: none
 };
 
 /// One name with a bar for each series.

@@ -124,7 +124,7 @@ GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction&
   const MorrisEffects found = morris_effects(function, problem.variables.size(), trajectories, words.seed, words.jobs);
   GlobalFindings findings{.table = {{"input", "mean_size", "mean_size_error", "mean", "deviation", "effects"}, {}},
                           .series = {"mean size µ*", "deviation σ"},
-                          .axis = "elementary effect over the range",
+                          .axis = "effect over the range",
                           .inputs = {},
                           .summary = {{"trajectories", trajectories}, {"failed", found.failed}}};
   const auto number = [](double value) { return std::isfinite(value) ? Cell(value) : Cell(); };
@@ -136,7 +136,7 @@ GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction&
          quantity.symbol,
          {std::string(quantity.key), number(effect.mean_size), number(effect.mean_size_error), number(effect.mean),
           number(effect.deviation), static_cast<std::int64_t>(effect.effects)},
-         {{effect.mean_size, effect.mean_size_error}, {effect.deviation, 0}},
+         {{effect.mean_size, effect.mean_size_error}, {effect.deviation, RollingSolution::absent}},
          std::isfinite(effect.mean_size) ? effect.mean_size : -1});
   }
   return findings;

@@ -24,7 +24,8 @@ StudyChart chart_in(const Json& object) {
 }
 
 void add_axis(StudyDefinition& definition, const std::string& key, const Json& axis) {
-  if (axis.is_object() && text_under(axis, "spacing") == "logarithmic") definition.logarithmic.insert(key);
+  if (axis.is_object() && (text_under(axis, "spacing") == "logarithmic" || text_under(axis, "scale") == "logarithmic"))
+    definition.logarithmic.insert(key);
 }
 
 /// Axes of an object whose values vary together.
@@ -78,6 +79,8 @@ StudyDefinition definition_in(const std::string& text, const std::string& place)
     }
   if (const Json& sample = under(study, "sample"); sample.is_object())
     definition.sampled = add_group(definition, under(sample, "ranges"));
+  if (const Json& variables = under(study, "variables"); variables.is_object())  // of an optimisation
+    definition.sampled = add_group(definition, variables);
   return definition;
 }
 

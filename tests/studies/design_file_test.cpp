@@ -78,7 +78,7 @@ TEST_CASE("what is wrong in the study file of an optimisation is refused with fi
   const auto variable = [](const std::string& of) { return "\"variables\": {" + of + "}, " + goal; };
   CHECK_THAT(refusal(goal), Contains("study.json: variables is missing: must be an object with at least one input"));
   CHECK_THAT(refusal(variable("")), Contains("variables = {}: must be an object with at least one input"));
-  CHECK_THAT(refusal(variable(R"("thickness": {"from": 1, "to": 2})")),
+  CHECK_THAT(refusal(variable(R"("layer_thicknes": {"from": 1, "to": 2})")),
              Contains("unknown key; did you mean layer_thickness"));
   CHECK_THAT(refusal(variable(R"("layer_thickness": {"from": "1 mm"})")), Contains("layer_thickness: to is missing"));
   CHECK_THAT(refusal(variable(R"("layer_thickness": {"from": "2 mm", "to": "1 mm"})")),
