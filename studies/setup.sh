@@ -2,7 +2,7 @@
 # The one list of Debian packages stands here.
 
 packages="g++ cmake ninja-build pkg-config libeigen3-dev libfftw3-dev nlohmann-json3-dev libcli11-dev libsqlitecpp-dev
-  libsqlite3-dev libudunits2-dev libtbb-dev libnlopt-dev libmuparser-dev libceres-dev catch2 gnuplot-nox fonts-dejavu-core"
+  libsqlite3-dev libudunits2-dev libtbb-dev libnlopt-dev libmuparser-dev libceres-dev libboost-dev catch2 gnuplot-nox fonts-dejavu-core"
 
 say() { printf '%s\n' "$*"; }
 

@@ -1,0 +1,115 @@
+#include "fitting/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "fitting/latin_hypercube.hpp"
+#include "fitting/statistics.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// The other starts: the best quarter of the points of a Latin hypercube.
+std::vector<FitPoint> other_starts(const FitProblem& problem, int wanted, std::uint64_t seed) {
+  if (wanted <= 0) return {};
+  constexpr int tried_for_each = 4;
+  const double reach = std::log(10.0);
+  const Eigen::VectorXd centre = scaled_point(problem, start_point(problem));
+  Eigen::VectorXd lowest = centre.array() - reach, highest = centre.array() + reach;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    const Variable& variable = problem.parameters[j].variable;
+    const auto k = static_cast<Eigen::Index>(j);
+    lowest[k] = std::max(lowest[k], variable.scaled(variable.lowest));
+    highest[k] = std::min(highest[k], variable.scaled(variable.highest));
+  }
+  struct Candidate {
+    FitPoint point;
+    double misfit;
+  };
+  std::vector<Candidate> candidates;
+  for (const Eigen::VectorXd& unit : latin_hypercube(tried_for_each * wanted, centre.size(), seed)) {
+    const FitPoint point = point_of(problem, lowest + unit.cwiseProduct(highest - lowest));
+    const Prediction prediction = problem.predict(point);
+    if (prediction.found()) candidates.push_back({point, misfit(problem, residuals(problem, prediction))});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+  std::vector<FitPoint> starts;
+  for (const Candidate& candidate : candidates)
+    if (std::ssize(starts) < wanted) starts.push_back(candidate.point);
+  return starts;
+}
+
+const Descent& best_of(const std::vector<Descent>& descents) {
+  return *std::min_element(descents.begin(), descents.end(), [](const Descent& a, const Descent& b) {
+    const auto size = [](const Descent& d) { return d.found() ? d.misfit : std::numeric_limits<double>::infinity(); };
+    return size(a) < size(b);
+  });
+}
+
+/// A robust loss needs a scale: without known deviations, that of the bulk of the residuals of plain least squares
+/// (1.4826 times their median size).
+FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options) {
+  if (problem.loss == Loss::none || problem.deviations_known) return problem;
+  FitProblem plain = problem;
+  plain.loss = Loss::none;
+  const Descent descent = descend(plain, start_point(problem), {.stop = options.stop});
+  if (!descent.found()) return problem;
+  Eigen::VectorXd sizes = residuals(problem, descent.prediction).cwiseAbs();
+  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+  FitProblem scaled = problem;
+  scaled.loss_scale *= std::max(1.4826 * sizes[sizes.size() / 2], std::numeric_limits<double>::min());
+  return scaled;
+}
+
+void add_profiles(FitReport& report, const FitProblem& problem, const Descent& best, const FitOptions& options,
+                  FitPoint& better) {
+  for (std::size_t j = 0; j < problem.size() && better.empty(); ++j) {
+    if (options.stop && options.stop->load()) return;
+    report.parameters[j].profile =
+        profile(problem, best, report.slopes, report.errors, j, interval_threshold(problem), options.stop);
+    better = report.parameters[j].profile.better;
+  }
+}
+
+}  // namespace
+
+double interval_threshold(const FitProblem& problem) {
+  const double quantile = two_sided_quantile(confidence, problem.deviations_known ? 0 : degrees_of_freedom(problem));
+  return quantile * quantile;
+}
+
+FitReport fit(const FitProblem& given, const FitOptions& options) {
+  for (const FitParameter& parameter : given.parameters)
+    if (!(parameter.start >= parameter.variable.lowest && parameter.start <= parameter.variable.highest))
+      throw std::invalid_argument(parameter.name + " = " + std::to_string(parameter.start) +
+                                  ": the start must be inside its bounds");
+  const FitProblem problem = with_loss_scale(given, options);
+  std::vector<FitPoint> starts{start_point(problem)};
+  for (FitPoint& start : other_starts(problem, options.starts - 1, options.seed)) starts.push_back(std::move(start));
+  std::vector<Descent> descents;
+  for (const FitPoint& start : starts) {
+    if (!descents.empty() && options.stop && options.stop->load()) break;
+    descents.push_back(descend(problem, start, {.stop = options.stop}));
+  }
+  FitReport report = report_on(problem, best_of(descents), descents);
+  constexpr int most_returns = 2;
+  for (int returns = 0; options.profiles && report.slopes.found(); ++returns) {
+    FitPoint better;
+    add_profiles(report, problem, best_of(descents), options, better);
+    if (better.empty() || returns == most_returns) break;
+    descents.push_back(descend(problem, better, {.stop = options.stop}));
+    report = report_on(problem, best_of(descents), descents);
+  }
+  report.interrupted = options.stop && options.stop->load();
+  judge(report, problem);
+  report.evaluations = problem.log->evaluations();
+  report.failures = problem.log->failures();
+  report.failure_reasons = problem.log->reasons();
+  return report;
+}
+
+}  // namespace rollres
