@@ -13,10 +13,11 @@ namespace rollres {
 namespace {
 
 /// The other starts: the best quarter of the points of a Latin hypercube.
-std::vector<FitPoint> other_starts(const FitProblem& problem, int wanted, std::uint64_t seed) {
+std::vector<FitPoint> other_starts(const FitProblem& problem, const FitOptions& options) {
+  const int wanted = options.starts - 1;
   if (wanted <= 0) return {};
   constexpr int tried_for_each = 4;
-  const double reach = std::log(10.0);
+  const double reach = std::log(options.reach);
   const Eigen::VectorXd centre = scaled_point(problem, start_point(problem));
   Eigen::VectorXd lowest = centre.array() - reach, highest = centre.array() + reach;
   for (std::size_t j = 0; j < problem.size(); ++j) {
@@ -30,7 +31,7 @@ std::vector<FitPoint> other_starts(const FitProblem& problem, int wanted, std::u
     double misfit;
   };
   std::vector<Candidate> candidates;
-  for (const Eigen::VectorXd& unit : latin_hypercube(tried_for_each * wanted, centre.size(), seed)) {
+  for (const Eigen::VectorXd& unit : latin_hypercube(tried_for_each * wanted, centre.size(), options.seed)) {
     const FitPoint point = point_of(problem, lowest + unit.cwiseProduct(highest - lowest));
     const Prediction prediction = problem.predict(point);
     if (prediction.found()) candidates.push_back({point, misfit(problem, residuals(problem, prediction))});
@@ -89,7 +90,7 @@ FitReport fit(const FitProblem& given, const FitOptions& options) {
                                   ": the start must be inside its bounds");
   const FitProblem problem = with_loss_scale(given, options);
   std::vector<FitPoint> starts{start_point(problem)};
-  for (FitPoint& start : other_starts(problem, options.starts - 1, options.seed)) starts.push_back(std::move(start));
+  for (FitPoint& start : other_starts(problem, options)) starts.push_back(std::move(start));
   std::vector<Descent> descents;
   for (const FitPoint& start : starts) {
     if (!descents.empty() && options.stop && options.stop->load()) break;

@@ -13,7 +13,8 @@ namespace rollres {
 inline constexpr double confidence = 0.95;  ///< of all intervals
 
 struct FitOptions {
-  int starts = 1;          ///< the given one, and points of a Latin hypercube within the bounds, a factor of 10 at most
+  int starts = 1;          ///< the given one, and the best of a Latin hypercube's points within the bounds
+  double reach = 10;       ///< largest factor between the given start and the others
   std::uint64_t seed = 1;  ///< of the hypercube
   bool profiles = true;    ///< intervals by profile likelihood
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: return what is known so far

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -138,7 +139,7 @@ class Side {
     options.stop = stop_;
     FitPoint start = point_of(problem_, guess(distance));
     start[parameter_] = value_at(distance);
-    if (const auto rise = rise_beside(start)) return kept(start, distance, *rise);
+    if (const auto rise = rise_beside(start)) return kept(start, distance, *rise);  // which moved it
     Descent there = descend(quick_, start, options);
     if (!there.found()) {  // the guess was bold
       start = fit_.end;
@@ -156,26 +157,50 @@ class Side {
     return std::sqrt(std::max(rise, 0.0));
   }
 
-  /// The rise at the least misfit beside a point that is all but there by the slopes: one prediction is enough.
-  std::optional<double> rise_beside(const FitPoint& point) {
-    const Prediction prediction = quick_.predict(point);
-    if (!prediction.found()) return std::nullopt;
-    const Eigen::VectorXd misses = residuals(quick_, prediction);
-    const Slopes slopes = quick_.differentiate(point, prediction);
+  /// Gauss and Newton's steps from a point, as long as they are few and lead down, to the least misfit; the rise there.
+  /// A last step that is all but nothing is not taken: most points cost one or two predictions.
+  std::optional<double> rise_beside(FitPoint& point) {
+    constexpr int most_steps = 3;
+    double before = std::numeric_limits<double>::infinity();
+    for (int steps = 0; steps <= most_steps; ++steps) {
+      const Prediction prediction = quick_.predict(point);
+      if (!prediction.found()) return std::nullopt;
+      const Eigen::VectorXd misses = residuals(quick_, prediction);
+      const double here = misfit(quick_, misses);
+      if (!(here < before)) return std::nullopt;
+      before = here;
+      const OwnStep step = step_of_others(misses, quick_.differentiate(point, prediction));
+      if (step.fall < 0.02 * threshold_ * errors_.scale) return (here - step.fall - fit_.misfit) / errors_.scale;
+      const double own = point[parameter_];
+      point = point_of(problem_, scaled_point(problem_, point) + step.scaled);
+      point[parameter_] = own;
+    }
+    return std::nullopt;
+  }
+
+  struct OwnStep {
+    Eigen::VectorXd scaled;
+    double fall;  // of the misfit, by the slopes
+  };
+
+  /// Gauss and Newton's step with this parameter held.
+  OwnStep step_of_others(const Eigen::VectorXd& misses, const Slopes& slopes) const {
+    OwnStep step{Eigen::VectorXd::Zero(origin_.size()), 0};
+    if (origin_.size() == 1) return step;
     Eigen::VectorXd weighted = misses;
-    Eigen::MatrixXd others(misses.size(), std::ssize(point) - 1);
+    Eigen::MatrixXd others(misses.size(), origin_.size() - 1);
     for (Eigen::Index i = 0; i < misses.size(); ++i) {
       const double root = std::sqrt(loss_of(quick_, misses[i] * misses[i]).weight);
       weighted[i] *= root;
-      for (Eigen::Index j = 0, k = 0; j < std::ssize(point); ++j)
+      for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
         if (j != index())
           others(i, k++) = root / quick_.data[static_cast<std::size_t>(i)].deviation * slopes.derivatives(i, j);
     }
-    double fall = 0;
-    if (others.cols() > 0)
-      fall = weighted.squaredNorm() - (weighted + others * others.colPivHouseholderQr().solve(-weighted)).squaredNorm();
-    if (fall > 0.02 * threshold_ * errors_.scale) return std::nullopt;
-    return (misfit(quick_, misses) - fall - fit_.misfit) / errors_.scale;
+    const Eigen::VectorXd moved = others.colPivHouseholderQr().solve(-weighted);
+    for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
+      if (j != index()) step.scaled[j] = moved[k++];
+    step.fall = weighted.squaredNorm() - (weighted + others * moved).squaredNorm();
+    return step;
   }
 
   const FitProblem& problem_;

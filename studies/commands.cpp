@@ -18,7 +18,7 @@ using AddCommand = void (*)(CLI::App&, Session&);
 
 /// Every command, in the order of the help text.
 constexpr AddCommand commands[] = {
-    add_solve, add_gradient, add_sweep,    add_list,      add_show,
+    add_solve, add_gradient, add_sweep,    add_fit,       add_list,       add_show,
     add_query, add_chart,    add_accuracy, add_stability, add_quantities,
 };
 

@@ -42,6 +42,7 @@ int run_program(std::vector<std::string> words, Session session);
 void add_solve(CLI::App& program, Session& session);
 void add_gradient(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
+void add_fit(CLI::App& program, Session& session);
 void add_list(CLI::App& program, Session& session);
 void add_show(CLI::App& program, Session& session);
 void add_query(CLI::App& program, Session& session);

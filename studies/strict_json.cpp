@@ -103,4 +103,21 @@ std::string unknown(const std::string& what, std::span<const std::string_view> k
   return nearest.empty() ? what : what + "; did you mean " + nearest + "?";
 }
 
+void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place) {
+  for (const auto& [key, value] : object.items())
+    if (find_name(known, key) < 0) refuse(place, key, value, unknown("unknown key", known, key));
+}
+
+const Json& needed(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw std::invalid_argument(place + ": " + key + " is missing: " + rule);
+  return *found;
+}
+
+std::string needed_text(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
+  const Json& value = needed(object, key, place, rule);
+  if (!value.is_string() || value.get_ref<const std::string&>().empty()) refuse(place, key, value, rule);
+  return value.get<std::string>();
+}
+
 }  // namespace rollres

@@ -32,4 +32,13 @@ std::string shown(const Json& value);
 /// The rule for an unknown key or name: `what`, then the nearest known one.
 std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name);
 
+/// Refuses keys of `object` that are not among `known`.
+void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place);
+
+/// The value of a key that must be there; the rule says what it must be.
+const Json& needed(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
+
+/// The same for a text that must not be empty.
+std::string needed_text(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
+
 }  // namespace rollres

@@ -7,6 +7,7 @@
 
 #include "core/solution.hpp"
 #include "studies/scene_entries.hpp"
+#include "studies/study_scene.hpp"
 
 namespace rollres {
 
@@ -24,24 +25,6 @@ struct GivenAxis {
 
   bool choice() const { return !find_input(key)->choices.empty(); }
 };
-
-/// Refuses keys of `object` that are not among `known`.
-void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place) {
-  for (const auto& [key, value] : object.items())
-    if (find_name(known, key) < 0) refuse(place, key, value, unknown("unknown key", known, key));
-}
-
-const Json& needed(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
-  const auto found = object.find(key);
-  if (found == object.end()) throw std::invalid_argument(place + ": " + key + " is missing: " + rule);
-  return *found;
-}
-
-std::string needed_text(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
-  const Json& value = needed(object, key, place, rule);
-  if (!value.is_string() || value.get_ref<const std::string&>().empty()) refuse(place, key, value, rule);
-  return value.get<std::string>();
-}
 
 GivenAxis interval(const std::string& key, const Json& object, const std::string& place) {
   constexpr std::string_view known[] = {"from", "to", "points", "spacing"};
@@ -163,27 +146,10 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
   return *first;
 }
 
-std::vector<SceneEntry> study_entries(const Json& study, const std::filesystem::path& file, const std::string& place) {
-  const Json& scene = needed(study, "scene", place, "must be the name of a scene file, or a scene");
-  if (scene.is_object()) return scene_entries(scene, place + ": scene");
-  if (!scene.is_string() || scene.get_ref<const std::string&>().empty())
-    refuse(place, "scene", scene, "must be the name of a scene file, or a scene");
-  const std::string path = (file.parent_path() / scene.get<std::string>()).string();
-  return scene_entries(read_object(path), path);
-}
-
-std::vector<SceneEntry> set_entries(const Json& study, const std::vector<GivenAxis>& axes, const std::string& place) {
-  const auto set = study.find("set");
-  if (set == study.end()) return {};
-  if (!set->is_object()) refuse(place, "set", *set, "must be an object { ... } of inputs");
-  std::vector<SceneEntry> entries;
-  for (const auto& [key, value] : set->items()) {
-    if (!find_input(key)) refuse(place + ": set", key, value, unknown("unknown key", input_keys(), key));
+void refuse_set_axes(const std::vector<SceneEntry>& set, const std::vector<GivenAxis>& axes) {
+  for (const SceneEntry& entry : set)
     for (const GivenAxis& axis : axes)
-      if (axis.key == key) refuse(place + ": set", key, value, "is an axis of the study too");
-    entries.push_back({key, value, place + ": set"});
-  }
-  return entries;
+      if (axis.key == entry.key) refuse(entry.place, entry.key, entry.value, "is an axis of the study too");
 }
 
 StudyChart study_chart(const Json& study, const std::vector<Axis>& axes, const std::string& place) {
@@ -237,7 +203,9 @@ Study read_study(const std::filesystem::path& file) {
   for (const auto& [key, value] : axes.items()) given.push_back(given_axis(key, value, place));
   refuse_axes_that_exclude_each_other(given, axes, place);
 
-  const auto entries = overridden(study_entries(object, file, place), set_entries(object, given, place));
+  const std::vector<SceneEntry> set = set_entries(object, place);
+  refuse_set_axes(set, given);
+  const auto entries = overridden(scene_entries_of(object, file, place), set);
   study.base = base_scene(entries, given, place);
   std::vector<Indenter> indenters{study.base.indenter};
   for (const GivenAxis& axis : given)

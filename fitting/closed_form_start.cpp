@@ -1,0 +1,88 @@
+#include "fitting/closed_form_start.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <tuple>
+#include <utility>
+
+#include "core/material.hpp"
+#include "core/reference_solutions.hpp"
+#include "fitting/fit.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, double>, 3> placeholders{
+    {{"static_shear_modulus", 1e6}, {"stiffening", 1}, {"creep_time", 0.1}}};
+
+/// Half-width and the factor of tan(delta) a/R P.
+std::pair<double, double> contact(const RollingScene& scene, double modulus) {
+  const bool cylinder = scene.indenter == Indenter::cylinder, finite = std::isfinite(scene.layer_thickness);
+  const double radius = scene.radius, load = *scene.load;
+  const ConstantLossCoefficients coefficients = constant_loss_coefficients();
+  const double thick =
+      cylinder ? hertz_line(radius, load, modulus).half_width : hertz_sphere(radius, load, modulus).half_width;
+  const double thick_coefficient = cylinder ? coefficients.half_space_cylinder : coefficients.half_space_sphere;
+  if (!finite) return {thick, thick_coefficient};
+  const double height = scene.layer_thickness;
+  const double thin = cylinder ? thin_layer_line(radius, height, load, modulus).half_width
+                               : thin_layer_sphere(radius, height, load, modulus).half_width;
+  if (thick < thin) return {thick, thick_coefficient};
+  return {thin, cylinder ? coefficients.thin_layer_cylinder : coefficients.thin_layer_sphere};
+}
+
+}  // namespace
+
+bool has_closed_form_start(std::string_view key) {
+  return std::any_of(placeholders.begin(), placeholders.end(), [&](const auto& known) { return known.first == key; });
+}
+
+double closed_form_placeholder(std::string_view key) {
+  return std::find_if(placeholders.begin(), placeholders.end(), [&](const auto& known) { return known.first == key; })
+      ->second;
+}
+
+double estimated_resistance(const RollingScene& scene) {
+  double half_width = contact(scene, scene.static_shear_modulus).first, coefficient = 0;
+  std::complex<double> modulus;
+  constexpr int enough = 8;
+  for (int i = 0; i < enough; ++i) {
+    modulus = complex_modulus(scene, scene.speed / half_width);
+    std::tie(half_width, coefficient) = contact(scene, std::abs(modulus));
+  }
+  return coefficient * (modulus.imag() / modulus.real()) * half_width / scene.radius * *scene.load;
+}
+
+std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene>& scenes,
+                                                 std::vector<FittedInput> inputs, std::string_view output) {
+  const auto wanted = [](const FittedInput& input) { return !input.start && has_closed_form_start(input.input.key); };
+  const bool possible = output == "rolling_resistance" &&
+                        std::all_of(scenes.begin(), scenes.end(), [](const auto& row) { return row.scene.load; });
+  if (!possible || std::none_of(inputs.begin(), inputs.end(), wanted)) return inputs;
+  const Evaluate estimate = [](const RollingScene& scene) {
+    RollingSolution solution;
+    solution.rolling_resistance = estimated_resistance(scene);
+    solution.status = Status::converged;
+    return solution;
+  };
+  std::vector<FittedInput> searched;
+  std::vector<std::size_t> places;
+  for (std::size_t j = 0; j < inputs.size(); ++j) {
+    if (!wanted(inputs[j])) continue;
+    FittedInput input = inputs[j];
+    const double usual = closed_form_placeholder(input.input.key);
+    input.start = std::min(std::max(usual, input.input.lowest.value_or(usual)), input.input.highest.value_or(usual));
+    input.input.logarithmic = true;
+    searched.push_back(input);
+    places.push_back(j);
+  }
+  const FitProblem problem = resistance_problem(scenes, searched, estimate, {.jobs = 1});
+  const FitReport found = fit(problem, {.starts = 16, .reach = 1000, .profiles = false});
+  for (std::size_t k = 0; k < places.size(); ++k) inputs[places[k]].start = found.parameters[k].value;
+  return inputs;
+}
+
+}  // namespace rollres

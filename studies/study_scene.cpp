@@ -1,0 +1,27 @@
+#include "studies/study_scene.hpp"
+
+namespace rollres {
+
+std::vector<SceneEntry> scene_entries_of(const Json& object, const std::filesystem::path& file,
+                                         const std::string& place) {
+  const Json& scene = needed(object, "scene", place, "must be the name of a scene file, or a scene");
+  if (scene.is_object()) return scene_entries(scene, place + ": scene");
+  if (!scene.is_string() || scene.get_ref<const std::string&>().empty())
+    refuse(place, "scene", scene, "must be the name of a scene file, or a scene");
+  const std::string path = (file.parent_path() / scene.get<std::string>()).string();
+  return scene_entries(read_object(path), path);
+}
+
+std::vector<SceneEntry> set_entries(const Json& object, const std::string& place) {
+  const auto set = object.find("set");
+  if (set == object.end()) return {};
+  if (!set->is_object()) refuse(place, "set", *set, "must be an object { ... } of inputs");
+  std::vector<SceneEntry> entries;
+  for (const auto& [key, value] : set->items()) {
+    if (!find_input(key)) refuse(place + ": set", key, value, unknown("unknown key", input_keys(), key));
+    entries.push_back({key, value, place + ": set"});
+  }
+  return entries;
+}
+
+}  // namespace rollres
