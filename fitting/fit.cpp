@@ -6,11 +6,14 @@
 #include <stdexcept>
 
 #include "fitting/latin_hypercube.hpp"
+#include "fitting/secant_slopes.hpp"
 #include "fitting/statistics.hpp"
 
 namespace rollres {
 
 namespace {
+
+constexpr double rough = 1e-2;  // tolerance of a descent that will be gone on with
 
 /// The other starts: the best quarter of the points of a Latin hypercube.
 std::vector<FitPoint> other_starts(const FitProblem& problem, const FitOptions& options) {
@@ -44,7 +47,7 @@ std::vector<FitPoint> other_starts(const FitProblem& problem, const FitOptions& 
   return starts;
 }
 
-const Descent& best_of(const std::vector<Descent>& descents) {
+Descent& best_of(std::vector<Descent>& descents) {
   return *std::min_element(descents.begin(), descents.end(), [](const Descent& a, const Descent& b) {
     const auto size = [](const Descent& d) { return d.found() ? d.misfit : std::numeric_limits<double>::infinity(); };
     return size(a) < size(b);
@@ -64,6 +67,45 @@ FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options)
   FitProblem scaled = problem;
   scaled.loss_scale *= std::max(1.4826 * sizes[sizes.size() / 2], std::numeric_limits<double>::min());
   return scaled;
+}
+
+/// Whether Gauss and Newton's step from here is but a small part of the standard errors.
+bool arrived(const FitReport& report) {
+  constexpr double near = 0.02, exactly = 1e-6;
+  for (Eigen::Index j = 0; j < report.errors.step.size(); ++j) {
+    const double deviation = report.errors.deviations[j];
+    if (std::abs(report.errors.step[j]) > std::max(std::isfinite(deviation) ? near * deviation : 0, exactly))
+      return false;
+  }
+  return true;
+}
+
+/// The report on the best descent, which goes on from where it stopped for its rough tolerance: by secants from the
+/// slopes of the report, which stay good enough for the errors if this leads less than a third of a standard error
+/// away.
+FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, const FitOptions& options) {
+  Descent& best = best_of(descents);
+  FitReport report = report_on(problem, best, descents);
+  constexpr int most_rounds = 4;
+  constexpr double beside = 0.3;
+  for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
+    if (options.stop && options.stop->load()) break;
+    const KnownSlopes known{best.end, best.prediction, report.slopes};
+    const Descent further =
+        descend(with_secants(problem, known), best.end, {.most_iterations = 8, .stop = options.stop});
+    if (!further.found() || !(further.misfit < best.misfit)) break;
+    const Eigen::VectorXd moved = scaled_point(problem, further.end) - scaled_point(problem, best.end);
+    const bool near = (moved.array().abs() <= beside * report.errors.deviations.array()).all();
+    best = {best.start,
+            further.end,
+            further.misfit,
+            further.prediction,
+            further.stopped_by_itself,
+            further.why,
+            best.iterations + further.iterations};
+    report = near ? report_on(problem, best, descents, report.slopes) : report_on(problem, best, descents);
+  }
+  return report;
 }
 
 void add_profiles(FitReport& report, const FitProblem& problem, const Descent& best, const FitOptions& options,
@@ -94,16 +136,16 @@ FitReport fit(const FitProblem& given, const FitOptions& options) {
   std::vector<Descent> descents;
   for (const FitPoint& start : starts) {
     if (!descents.empty() && options.stop && options.stop->load()) break;
-    descents.push_back(descend(problem, start, {.stop = options.stop}));
+    descents.push_back(descend(problem, start, {.tolerance = rough, .stop = options.stop}));
   }
-  FitReport report = report_on(problem, best_of(descents), descents);
+  FitReport report = settled(problem, descents, options);
   constexpr int most_returns = 2;
   for (int returns = 0; options.profiles && report.slopes.found(); ++returns) {
     FitPoint better;
     add_profiles(report, problem, best_of(descents), options, better);
     if (better.empty() || returns == most_returns) break;
-    descents.push_back(descend(problem, better, {.stop = options.stop}));
-    report = report_on(problem, best_of(descents), descents);
+    descents.push_back(descend(problem, better, {.tolerance = rough, .stop = options.stop}));
+    report = settled(problem, descents, options);
   }
   report.interrupted = options.stop && options.stop->load();
   judge(report, problem);

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "fitting/fit_problem.hpp"
 #include "fitting/fit_report.hpp"
@@ -24,8 +26,10 @@ struct FitOptions {
 FitReport fit(const FitProblem& problem, const FitOptions& options = {});
 
 /// The report on a point that a descent led to: errors, tests, status, without profiles.
-/// @param ends  all descents, for their agreement
-FitReport report_on(const FitProblem& problem, const Descent& best, const std::vector<Descent>& ends);
+/// @param ends    all descents, for their agreement
+/// @param slopes  at the point or close beside it; none: they are evaluated
+FitReport report_on(const FitProblem& problem, const Descent& best, const std::vector<Descent>& ends,
+                    const std::optional<Slopes>& slopes = {});
 
 /// The rise of the misfit, over its scale, at the ends of an interval: the square of the two-sided quantile, normal
 /// where deviations are known, else Student's.

@@ -60,7 +60,8 @@ ParameterPair worst_pair(const FitReport& report) {
   return pair;
 }
 
-FitReport report_on(const FitProblem& problem, const Descent& best, const std::vector<Descent>& ends) {
+FitReport report_on(const FitProblem& problem, const Descent& best, const std::vector<Descent>& ends,
+                    const std::optional<Slopes>& slopes) {
   FitReport report;
   report.deviations_known = problem.deviations_known;
   report.degrees = degrees_of_freedom(problem);
@@ -97,7 +98,7 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
   report.rms = std::sqrt(squares / static_cast<double>(misses.size()));
   report.relative_rms = std::sqrt(relative_squares / static_cast<double>(misses.size()));
 
-  report.slopes = problem.differentiate(best.end, best.prediction);
+  report.slopes = slopes ? *slopes : problem.differentiate(best.end, best.prediction);
   if (!report.slopes.found()) return report;
   report.errors = fit_errors(problem, best.end, misses, report.slopes);
   report.noise = report.slopes.noise.cwiseQuotient(best.prediction.values).cwiseAbs().maxCoeff();

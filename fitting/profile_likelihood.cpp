@@ -4,36 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
+
+#include "fitting/secant_slopes.hpp"
 
 namespace rollres {
 
 namespace {
-
-/// Slopes that start from known ones and follow the predictions from point to point.
-class SecantSlopes {
- public:
-  SecantSlopes(const FitProblem& problem, const Descent& fit, const Slopes& slopes)
-      : problem_(&problem), slopes_(slopes), scaled_(scaled_point(problem, fit.end)), values_(fit.prediction.values) {}
-
-  Slopes operator()(const FitPoint& point, const Prediction& prediction) {
-    const Eigen::VectorXd scaled = scaled_point(*problem_, point), moved = scaled - scaled_;
-    const double square = moved.squaredNorm();
-    if (square > 0) {
-      const Eigen::VectorXd missed = prediction.values - values_ - slopes_.derivatives * moved;
-      slopes_.derivatives += missed * moved.transpose() / square;
-      scaled_ = scaled;
-      values_ = prediction.values;
-    }
-    return slopes_;
-  }
-
- private:
-  const FitProblem* problem_;
-  Slopes slopes_;
-  Eigen::VectorXd scaled_, values_;
-};
 
 /// One side of a profile.
 class Side {
@@ -47,13 +24,8 @@ class Side {
         direction_(direction),
         threshold_(threshold),
         stop_(stop),
-        quick_(problem),
-        origin_(scaled_point(problem, fit.end)) {
-    const auto secants = std::make_shared<SecantSlopes>(problem, fit, slopes);
-    quick_.differentiate = [secants](const FitPoint& point, const Prediction& prediction) {
-      return (*secants)(point, prediction);
-    };
-  }
+        quick_(with_secants(problem, KnownSlopes{fit.end, fit.prediction, slopes})),
+        origin_(scaled_point(problem, fit.end)) {}
 
   struct End {
     double value;
@@ -79,7 +51,10 @@ class Side {
       next = std::min(next, limit);
       const double root = root_of_rise(next);
       if (std::isnan(root)) return {value_at(inside), IntervalEnd::open};
-      if (std::abs(root - target) < 0.01 * target) return {interpolated(next, root, target), IntervalEnd::closed};
+      if (std::abs(root - target) < 0.05 * target) {
+        const double slope = (root - inside_root) / (next - inside);  // inside < next: roots grow with the distance
+        return {value_at(next + (target - root) / slope), IntervalEnd::closed};
+      }
       if (root < target) {
         if (next >= limit) return {value_at(limit), at_limit};
         inside = next, inside_root = root;
@@ -107,7 +82,6 @@ class Side {
   double value_at(double distance) const {
     return problem_.parameters[parameter_].variable.value(origin_[index()] + direction_ * distance);
   }
-  double interpolated(double distance, double root, double target) const { return value_at(distance * target / root); }
 
   /// Where the others are thought to be: by the covariance, then along the line through the last two points.
   Eigen::VectorXd guess(double distance) const {

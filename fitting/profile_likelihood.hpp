@@ -43,8 +43,8 @@ struct Profile {
 
 /// @param fit        a least misfit   @param slopes, errors there
 /// @param threshold  the rise at the ends of the interval: 3.84 for 95 % where deviations are known
-/// The slopes of the fit are carried on by secants (Broyden 1965, Math. Comp. 19, 577): a point of the profile costs
-/// a few predictions.
+/// The slopes of the fit are carried on by secants (secant_slopes.hpp): a point of the profile costs one or two
+/// predictions.
 Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
                 std::size_t parameter, double threshold, const std::atomic<bool>* stop = nullptr);
 
