@@ -71,7 +71,7 @@ FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options)
 
 /// Whether Gauss and Newton's step from here is but a small part of the standard errors.
 bool arrived(const FitReport& report) {
-  constexpr double near = 0.02, exactly = 1e-6;
+  constexpr double near = 0.002, exactly = 1e-7;
   for (Eigen::Index j = 0; j < report.errors.step.size(); ++j) {
     const double deviation = report.errors.deviations[j];
     if (std::abs(report.errors.step[j]) > std::max(std::isfinite(deviation) ? near * deviation : 0, exactly))

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
@@ -114,6 +113,7 @@ class Model {
 
   /// Measures noise and curvature where that is not done yet.
   void calibrate_at(const FitPoint& point) {
+    const std::lock_guard one_at_a_time(calibrating_);
     struct Piece {
       std::size_t column, row;
     };
@@ -158,6 +158,7 @@ class Model {
 
   std::vector<Row> rows_;
   std::vector<RelativeCalibration> calibrations_;
+  std::mutex calibrating_;
   int jobs_;
 };
 
@@ -175,18 +176,9 @@ Evaluate logging(const Evaluate& evaluate, const std::shared_ptr<EvaluationLog>&
 
 }  // namespace
 
-RollingScene scene_with(const RollingScene& scene, const std::string& set, const std::vector<FittedInput>& inputs,
-                        const FitPoint& point) {
-  assert(point.size() == inputs.size());
-  RollingScene changed = scene;
-  for (std::size_t j = 0; j < inputs.size(); ++j)
-    if (concerns(inputs[j], set)) assign_real(changed, inputs[j].input.key, point[j]);
-  return changed;
-}
-
-FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const std::vector<FittedInput>& inputs,
-                              Evaluate evaluate, const ResistanceFitOptions& options) {
-  FitProblem problem;
+std::vector<FitParameter> fit_parameters(const std::vector<MeasuredScene>& scenes,
+                                         const std::vector<FittedInput>& inputs) {
+  std::vector<FitParameter> parameters;
   for (const FittedInput& input : inputs) {
     const auto first = std::find_if(scenes.begin(), scenes.end(),
                                     [&](const MeasuredScene& scene) { return concerns(input, scene.set); });
@@ -196,9 +188,16 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     if (input.start) assign_real(base, input.input.key, *input.start);
     const Variable variable = variables_of(base, {input.input}).front();
     const double start = base_point({base, {variable}, {}, {}}).front();
-    problem.parameters.push_back(
-        {input.input.key + (input.set.empty() ? "" : " (" + input.set + ")"), variable, start});
+    parameters.push_back({input.input.key + (input.set.empty() ? "" : " (" + input.set + ")"), variable, start});
   }
+  return parameters;
+}
+
+FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const std::vector<FittedInput>& inputs,
+                              const std::vector<FitParameter>& parameters, const Evaluate& evaluate,
+                              const ResistanceFitOptions& options) {
+  FitProblem problem;
+  problem.parameters = parameters;
   const Quantity output = real_output(options.output);
   std::vector<Row> rows;
   for (const MeasuredScene& measured : scenes) {

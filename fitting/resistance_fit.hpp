@@ -31,16 +31,25 @@ struct ResistanceFitOptions {
   std::optional<double> step = {};  ///< scaled; forced in place of those that suit the noise
 };
 
+/// The inputs as parameters, with bounds, scale and start.
+/// @throws std::invalid_argument naming key, value and rule
+std::vector<FitParameter> fit_parameters(const std::vector<MeasuredScene>& scenes,
+                                         const std::vector<FittedInput>& inputs);
+
 /// The problem of least squares. Slopes are differences whose steps suit the noise of the output, which is measured
 /// once for each input, on three of its scenes at the first point with slopes (core/calibration.hpp), and taken to be
 /// proportional to the output; no scene outside the bounds is evaluated (core/gradient.hpp).
-/// @param evaluate  called by several threads at once
+/// @param parameters  fit_parameters(scenes, inputs), or those of a fit to other scenes
+/// @param evaluate    called by several threads at once
 /// @throws std::invalid_argument naming key, value and rule
 FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const std::vector<FittedInput>& inputs,
-                              Evaluate evaluate, const ResistanceFitOptions& options = {});
+                              const std::vector<FitParameter>& parameters, const Evaluate& evaluate,
+                              const ResistanceFitOptions& options = {});
 
-/// The scene with the inputs of a point that belong to its data set.
-RollingScene scene_with(const RollingScene& scene, const std::string& set, const std::vector<FittedInput>& inputs,
-                        const FitPoint& point);
+/// The same with parameters from these scenes.
+inline FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const std::vector<FittedInput>& inputs,
+                                     const Evaluate& evaluate, const ResistanceFitOptions& options = {}) {
+  return resistance_problem(scenes, inputs, fit_parameters(scenes, inputs), evaluate, options);
+}
 
 }  // namespace rollres

@@ -1,6 +1,7 @@
 #include "studies/chart_frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 
@@ -88,6 +89,12 @@ struct LegendGrid {
 };
 
 }  // namespace
+
+std::string_view curve_colour(std::size_t curve) {
+  constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                    "#E69F00", "#56B4E9", "#000000"};
+  return colours[curve % colours.size()];
+}
 
 void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
                 const ChartAxis& y, const Span& y_span) {

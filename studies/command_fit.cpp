@@ -1,14 +1,20 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <ostream>
+#include <stdexcept>
 
 #include "studies/commands.hpp"
+#include "studies/fit_curves.hpp"
 #include "studies/fit_file.hpp"
+#include "studies/fit_json.hpp"
 #include "studies/fit_summary.hpp"
 #include "studies/scene_inputs.hpp"
 #include "studies/shared_recall.hpp"
 #include "studies/stop_signal.hpp"
+#include "studies/table_json.hpp"
+#include "studies/write_file.hpp"
 
 namespace rollres {
 
@@ -16,8 +22,9 @@ namespace {
 
 struct FitWords {
   std::string fit, database, out;
-  int jobs = 0;
-  bool json = false, no_profiles = false;
+  int jobs = 0, coverage = 0;
+  std::uint64_t seed = 1;
+  bool json = false, no_profiles = false, design = false;
 };
 
 FitContext context_of(const FitFile& file) {
@@ -34,9 +41,23 @@ FitContext context_of(const FitFile& file) {
   return context;
 }
 
+/// Draws around the fit, solves them without the store (nobody asks for these scenes again) and counts.
+Coverage coverage_of(const FitFile& file, const FitReport& report, const FitWords& words, Session& session) {
+  FitFile alone = file;
+  for (std::size_t j = 0; j < alone.inputs.size(); ++j) alone.inputs[j].start = report.parameters[j].value;
+  const FitProblem problem = problem_of(alone, session.evaluate, 1);
+  return coverage(problem, report.point(), std::sqrt(report.errors.scale),
+                  {.draws = words.coverage,
+                   .seed = words.seed,
+                   .jobs = words.jobs,
+                   .profiles = !words.no_profiles,
+                   .stop = file.options.stop});
+}
+
 void fit_resistance(const FitWords& words, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   FitFile file = read_fit(words.fit);
+  if (!words.out.empty()) make_directory(words.out);
   const StopSignal signal;
   file.options.stop = &signal.requested();
   file.options.profiles = !words.no_profiles;
@@ -44,15 +65,32 @@ void fit_resistance(const FitWords& words, Session& session) {
   const Evaluate evaluate = [&recall](const RollingScene& scene) { return recall(scene); };
   const FitProblem problem = problem_of(file, evaluate, words.jobs);
   const FitReport report = fit(problem, file.options);
-  recall.finish();
-
   FitContext context = context_of(file);
   context.solved = recall.solved();
   context.recalled = recall.recalled();
   context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   save_fit(Database(words.database, Access::write), fit_record(report, context));
-  session.out << (words.json ? fit_json(report, context) + '\n' : fit_summary(report, context)) << std::flush;
   if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+
+  const bool known = report.slopes.found() && !report.interrupted;
+  Json object = json_of(report, context);
+  if (!words.json) session.out << fit_summary(report, context) << std::flush;
+  if (words.design && known) {
+    const FitDesign next = design_of(file, report, evaluate, words.jobs);
+    object["design"] = json_of(next, report);
+    if (!words.json) session.out << design_summary(next, file, report) << std::flush;
+  }
+  if (words.coverage > 0 && known) {
+    const Coverage counted = coverage_of(file, report, words, session);
+    object["coverage"] = json_of(counted);
+    if (!words.json) session.out << coverage_summary(counted) << std::flush;
+  }
+  if (!words.out.empty() && known)
+    for (const auto& picture :
+         draw_fit(report, fit_curves(file, report, evaluate, words.jobs), file.name, words.out, file.indenter()))
+      session.err << "drawn: " << picture.string() << '\n';
+  recall.finish();
+  if (words.json) session.out << text_of(object, 2) << '\n';
 }
 
 }  // namespace
@@ -67,13 +105,22 @@ void add_fit(CLI::App& program, Session& session) {
   command->add_option("--db", words->database, "Database: every evaluation and the fit are stored here")
       ->required()
       ->option_text("FILE");
+  command->add_option("--out", words->out, "Draw data, residuals, profiles and the worst pair's ellipse into DIR")
+      ->option_text("DIR");
+  command->add_flag("--design", words->design, "Which speed, and which load, to measure next");
+  command
+      ->add_option("--coverage", words->coverage,
+                   "Draw the data N times around the fit, fit them, and count the intervals that hold it")
+      ->check(CLI::Range(1, 1'000'000))
+      ->option_text("N");
+  command->add_option("--seed", words->seed, "Of the draws; default 1");
   command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->check(CLI::Range(1, 1024));
   command->add_flag("--no-profiles", words->no_profiles, "Leave out the intervals by profile likelihood");
   command->add_flag("--json", words->json, "Print one JSON object");
   command->footer(
       "Status: USABLE; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); DID NOT MOVE (ended\n"
       "where it started); NOT CONVERGED (no least misfit was found). Exit status 1 for the last three.\n"
-      "Example: rollres fit studies/examples/fit_cylinder.json --db out/fit.db");
+      "Example: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit");
   command->callback([words, &session] { fit_resistance(*words, session); });
 }
 

@@ -1,7 +1,6 @@
-#include <cmath>
+#include "studies/fit_json.hpp"
 
-#include "studies/fit_summary.hpp"
-#include "studies/table_json.hpp"
+#include <cmath>
 
 namespace rollres {
 
@@ -46,9 +45,27 @@ Json parameter_json(const FittedParameter& fitted, const FitContext& context) {
   return object;
 }
 
+Json choices_json(const Design& design, const FitReport& report) {
+  Json choices = Json::array();
+  for (std::size_t i = 0; i < std::min(best_shown, design.choices.size()); ++i) {
+    const DesignChoice& choice = design.choices[i];
+    Json after = Json::object();
+    for (std::size_t j = 0; j < report.parameters.size(); ++j)
+      after[report.parameters[j].parameter.name] = choice.deviations[static_cast<Eigen::Index>(j)];
+    choices.push_back({{"speed", choice.scene.speed},
+                       {"load", choice.scene.load ? Json(*choice.scene.load) : Json(nullptr)},
+                       {"data", choice.set},
+                       {"predicted", choice.predicted},
+                       {"deviation", choice.deviation},
+                       {"relative_errors", after},
+                       {"ratio", design.ratio(choice)}});
+  }
+  return choices;
+}
+
 }  // namespace
 
-std::string fit_json(const FitReport& report, const FitContext& context) {
+Json json_of(const FitReport& report, const FitContext& context) {
   const FitRecord record = fit_record(report, context);
   Json warnings = report.warnings;
   for (const std::string& warning : context.data_warnings) warnings.push_back(warning);
@@ -101,7 +118,30 @@ std::string fit_json(const FitReport& report, const FitContext& context) {
                               {"predicted", number(value.predicted)},
                               {"residual", number(value.residual)},
                               {"band", number(value.band)}});
-  return text_of(object, 2);
+  return object;
+}
+
+Json json_of(const FitDesign& design, const FitReport& report) {
+  return {{"worst", report.parameters[design.speeds.worst].parameter.name},
+          {"relative_error", number(design.speeds.deviations[static_cast<Eigen::Index>(design.speeds.worst)])},
+          {"speeds", choices_json(design.speeds, report)},
+          {"loads", choices_json(design.loads, report)}};
+}
+
+Json json_of(const Coverage& coverage) {
+  Json object{{"draws", coverage.draws},
+              {"fitted", coverage.fitted},
+              {"seed", coverage.seed},
+              {"parameters", Json::array()},
+              {"failures", coverage.failures}};
+  for (const ParameterCoverage& parameter : coverage.parameters)
+    object["parameters"].push_back({{"name", parameter.name},
+                                    {"truth", parameter.truth},
+                                    {"linear", parameter.linear},
+                                    {"profile", coverage.profiles ? Json(parameter.profile) : Json(nullptr)},
+                                    {"mean_offset", number(parameter.mean_offset)},
+                                    {"offset_scatter", number(parameter.offset_scatter)}});
+  return object;
 }
 
 }  // namespace rollres

@@ -112,6 +112,21 @@ std::string fit_summary(const FitReport& report, const FitContext& context) {
   return text.str();
 }
 
+std::string coverage_summary(const Coverage& coverage) {
+  std::ostringstream text;
+  text << "\ncoverage: " << coverage.fitted << " of " << coverage.draws << " draws fitted, seed " << coverage.seed
+       << "\n";
+  Table table{{"parameter", "truth", "95 % linear holds", "95 % profile holds", "mean offset", "scatter"}, {}};
+  const auto part = [&](int count) { return percent(static_cast<double>(count) / std::max(1, coverage.fitted)); };
+  for (const ParameterCoverage& count : coverage.parameters)
+    table.rows.push_back({count.name, count.truth, part(count.linear),
+                          coverage.profiles ? part(count.profile) : std::string("-"), count.mean_offset,
+                          count.offset_scatter});
+  write_aligned(text, table);
+  for (const std::string& failure : coverage.failures) text << "not fitted: " << failure << '\n';
+  return text.str();
+}
+
 FitRecord fit_record(const FitReport& report, const FitContext& context) {
   FitRecord record;
   record.name = context.name;

@@ -1,10 +1,11 @@
 #pragma once
 
-/// The report of a fit as text, JSON and rows of the database.
+/// The report of a fit as text and as rows of the database.
 
 #include <string>
 
 #include "db/fit_store.hpp"
+#include "fitting/coverage.hpp"
 #include "fitting/fit_report.hpp"
 
 namespace rollres {
@@ -28,8 +29,8 @@ struct FitContext {
 /// Status, parameters with errors and intervals, tests, and what to mind: for people.
 std::string fit_summary(const FitReport& report, const FitContext& context);
 
-/// The same in one JSON object, with data and profiles; null for what is absent.
-std::string fit_json(const FitReport& report, const FitContext& context);
+/// How many intervals of the draws hold the truth.
+std::string coverage_summary(const Coverage& coverage);
 
 FitRecord fit_record(const FitReport& report, const FitContext& context);
 
