@@ -15,8 +15,19 @@ namespace rollres {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, double>, 3> placeholders{
-    {{"static_shear_modulus", 1e6}, {"stiffening", 1}, {"creep_time", 0.1}}};
+/// A usual value, and how far from it the search goes either way, as a factor.
+struct Placeholder {
+  std::string_view key;
+  double usual, reach;
+};
+constexpr std::array<Placeholder, 3> placeholders{
+    {{"static_shear_modulus", 1e6, 1e3}, {"stiffening", 2, 30}, {"creep_time", 0.1, 1e4}}};
+
+const Placeholder* find(std::string_view key) {
+  const auto* const found =
+      std::find_if(placeholders.begin(), placeholders.end(), [&](const auto& known) { return known.key == key; });
+  return found == placeholders.end() ? nullptr : found;
+}
 
 /// Half-width and the factor of tan(delta) a/R P.
 std::pair<double, double> contact(const RollingScene& scene, double modulus) {
@@ -36,14 +47,9 @@ std::pair<double, double> contact(const RollingScene& scene, double modulus) {
 
 }  // namespace
 
-bool has_closed_form_start(std::string_view key) {
-  return std::any_of(placeholders.begin(), placeholders.end(), [&](const auto& known) { return known.first == key; });
-}
+bool has_closed_form_start(std::string_view key) { return find(key) != nullptr; }
 
-double closed_form_placeholder(std::string_view key) {
-  return std::find_if(placeholders.begin(), placeholders.end(), [&](const auto& known) { return known.first == key; })
-      ->second;
-}
+double closed_form_placeholder(std::string_view key) { return find(key)->usual; }
 
 double estimated_resistance(const RollingScene& scene) {
   double half_width = contact(scene, scene.static_shear_modulus).first, coefficient = 0;
@@ -73,14 +79,16 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
   for (std::size_t j = 0; j < inputs.size(); ++j) {
     if (!wanted(inputs[j])) continue;
     FittedInput input = inputs[j];
-    const double usual = closed_form_placeholder(input.input.key);
-    input.start = std::min(std::max(usual, input.input.lowest.value_or(usual)), input.input.highest.value_or(usual));
+    const Placeholder& known = *find(input.input.key);
+    input.input.lowest = std::max(input.input.lowest.value_or(0), known.usual / known.reach);
+    input.input.highest = std::min(input.input.highest.value_or(1e300), known.usual * known.reach);
+    input.start = std::clamp(known.usual, *input.input.lowest, *input.input.highest);
     input.input.logarithmic = true;
     searched.push_back(input);
     places.push_back(j);
   }
   const FitProblem problem = resistance_problem(scenes, searched, estimate, {.jobs = 1});
-  const FitReport found = fit(problem, {.starts = 16, .reach = 1000, .profiles = false});
+  const FitReport found = fit(problem, {.starts = 16, .reach = 1e4, .profiles = false});
   for (std::size_t k = 0; k < places.size(); ++k) inputs[places[k]].start = found.parameters[k].value;
   return inputs;
 }

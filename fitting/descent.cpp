@@ -37,19 +37,28 @@ class Position : public ceres::EvaluationCallback {
       if (!best_.prediction.found()) best_.prediction = prediction_;
     }
     if (with_slopes && prediction_.found() && !slopes_) {
-      slopes_ = problem_.differentiate(point_of(problem_, at_), prediction_);
-      if (!slopes_->found() && lack_.empty()) lack_ = slopes_->reason;
+      Slopes slopes = problem_.differentiate(point_of(problem_, at_), prediction_);
+      if (slopes.found())
+        slopes_ = last_slopes_ = std::move(slopes);
+      else
+        lack(slopes.reason);
     }
+  }
+
+  /// Whether the descent can begin.
+  bool starts() {
+    PrepareForEvaluation(true, true);
+    return prediction_.found() && slopes_.has_value();
   }
 
   bool residual(Eigen::Index row, double* value, double** jacobians) const {
     if (!prediction_.found()) return false;
     *value = residuals_[row];
     if (!jacobians) return true;
-    if (!slopes_ || !slopes_->found()) return false;
+    const Slopes& slopes = slopes_ ? *slopes_ : *last_slopes_;  // where there are none, those of the point before
     const double deviation = problem_.data[static_cast<std::size_t>(row)].deviation;
     for (Eigen::Index j = 0; j < scaled_.size(); ++j)
-      if (jacobians[j]) *jacobians[j] = slopes_->derivatives(row, j) / deviation;
+      if (jacobians[j]) *jacobians[j] = slopes.derivatives(row, j) / deviation;
     return true;
   }
 
@@ -58,10 +67,14 @@ class Position : public ceres::EvaluationCallback {
   const std::string& lack() const { return lack_; }
 
  private:
+  void lack(const std::string& reason) {
+    if (lack_.empty()) lack_ = reason;
+  }
+
   const FitProblem& problem_;
   Eigen::VectorXd scaled_, at_, residuals_;
   Prediction prediction_;
-  std::optional<Slopes> slopes_;
+  std::optional<Slopes> slopes_, last_slopes_;
   Best best_;
   std::string lack_;
 };
@@ -140,7 +153,8 @@ Descent descend(const FitProblem& problem, const FitPoint& start, const DescentO
   ceres::Solver::Options wanted = solver_options(options);
   wanted.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
-  ceres::Solve(wanted, &task, &summary);
+  summary.message = "there are no slopes at the start";
+  if (position.starts()) ceres::Solve(wanted, &task, &summary);
 
   const Position::Best& best = position.best();
   Descent answer{start, start, RollingSolution::absent, best.prediction, false, summary.message};
@@ -150,7 +164,7 @@ Descent descend(const FitProblem& problem, const FitPoint& start, const DescentO
   if (options.held) answer.end[*options.held] = start[*options.held];
   answer.misfit = best.misfit;
   answer.stopped_by_itself = summary.termination_type == ceres::CONVERGENCE;
-  if (!position.lack().empty()) answer.why = position.lack();
+  if (!position.lack().empty()) answer.why += "; " + position.lack();
   return answer;
 }
 

@@ -57,11 +57,9 @@ FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eig
     errors.scale = std::max({misfit(problem, residuals) / degrees, noise, std::numeric_limits<double>::min()});
   }
   errors.at_bound = bounds_met(problem, point, whitened.transpose() * weighted);
-  errors.slope_doubt = (whitening.asDiagonal() * slopes.errors)
-                           .colwise()
-                           .norm()
-                           .transpose()
-                           .cwiseQuotient(whitened.colwise().norm().transpose());
+  const Eigen::VectorXd column_errors = (whitening.asDiagonal() * slopes.errors).colwise().norm().transpose();
+  errors.slope_doubt = column_errors.cwiseQuotient(whitened.colwise().norm().transpose());
+  errors.slope_errors = column_errors / std::sqrt(errors.scale);
   std::vector<Eigen::Index> inside;
   for (Eigen::Index j = 0; j < columns; ++j)
     if (errors.at_bound[static_cast<std::size_t>(j)] == AtBound::no) inside.push_back(j);

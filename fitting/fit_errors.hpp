@@ -27,6 +27,9 @@ struct FitErrors {
   Eigen::VectorXd step;      ///< Gauss and Newton's from here: where the least misfit is thought to be
   /// For each parameter the estimated error of its column of A over the column: from 1 on, slopes are noise.
   Eigen::VectorXd slope_doubt;
+  /// The same error in standard deviations of the data, for a change of the scaled parameter by 1: a slope whose error
+  /// is less than these is that of a parameter which the data hardly feel, and no matter of noise.
+  Eigen::VectorXd slope_errors;
 };
 
 /// @throws std::invalid_argument if the data are fewer than the parameters, or as many while deviations are unknown

@@ -9,6 +9,7 @@ namespace rollres {
 namespace {
 
 constexpr double noisy_slope = 0.5, doubtful_slope = 0.1;  // estimated error over slope
+constexpr double felt = 0.3;                               // error of a slope, in deviations of the data
 constexpr double near = 0.1, exactly = 1e-5;               // distance to the least misfit: standard errors, scaled
 constexpr double unlikely = 0.01;                          // of a test
 constexpr double strong = 0.98;                            // correlation
@@ -20,7 +21,7 @@ std::string not_converged(const FitReport& report) {
   if (!report.slopes.found()) return report.slopes.reason;
   for (std::size_t j = 0; j < report.parameters.size(); ++j) {
     const FittedParameter& fitted = report.parameters[j];
-    if (fitted.slope_doubt > noisy_slope)
+    if (fitted.slope_doubt > noisy_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
       return "the slopes by " + fitted.parameter.name + " are noise: with steps of " + rounded(fitted.step) +
              " and a relative noise of the model of " + rounded(report.noise) + " their estimated error is " +
              percent(fitted.slope_doubt) + " of them";
@@ -63,9 +64,10 @@ std::string not_identified(const FitReport& report, const FitProblem& problem) {
 
 void add_warnings(FitReport& report, const FitProblem& problem) {
   const auto warn = [&](const std::string& words) { report.warnings.push_back(words); };
-  for (const FittedParameter& fitted : report.parameters) {
+  for (std::size_t j = 0; j < report.parameters.size(); ++j) {
+    const FittedParameter& fitted = report.parameters[j];
     if (fitted.at_bound != AtBound::no) warn(fitted.parameter.name + " is at its bound: its error is not known");
-    if (fitted.slope_doubt > doubtful_slope)
+    if (fitted.slope_doubt > doubtful_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
       warn("the slopes by " + fitted.parameter.name + " are known to " + percent(fitted.slope_doubt) + " only");
   }
   if (report.p_value < unlikely)
