@@ -21,7 +21,7 @@ struct Placeholder {
   double usual, reach;
 };
 constexpr std::array<Placeholder, 3> placeholders{
-    {{"static_shear_modulus", 1e6, 1e3}, {"stiffening", 2, 30}, {"creep_time", 0.1, 1e4}}};
+    {{"static_shear_modulus", 1e6, 1e3}, {"stiffening", 2, 100}, {"creep_time", 0.1, 1e4}}};
 
 const Placeholder* find(std::string_view key) {
   const auto* const found =
@@ -74,6 +74,14 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
     solution.status = Status::converged;
     return solution;
   };
+  // Stiffness and stiffening are hard to separate: the latter starts from its usual value.
+  std::vector<MeasuredScene> usual = scenes;
+  for (FittedInput& input : inputs) {
+    if (!wanted(input) || input.input.key != "stiffening") continue;
+    const double value = find("stiffening")->usual;
+    input.start = std::clamp(value, input.input.lowest.value_or(value), input.input.highest.value_or(value));
+    for (MeasuredScene& row : usual) row.scene.stiffening = *input.start;
+  }
   std::vector<FittedInput> searched;
   std::vector<std::size_t> places;
   for (std::size_t j = 0; j < inputs.size(); ++j) {
@@ -87,7 +95,8 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
     searched.push_back(input);
     places.push_back(j);
   }
-  const FitProblem problem = resistance_problem(scenes, searched, estimate, {.jobs = 1});
+  if (searched.empty()) return inputs;
+  const FitProblem problem = resistance_problem(usual, searched, estimate, {.jobs = 1});
   const FitReport found = fit(problem, {.starts = 16, .reach = 1e4, .profiles = false});
   for (std::size_t k = 0; k < places.size(); ++k) inputs[places[k]].start = found.parameters[k].value;
   return inputs;

@@ -21,7 +21,8 @@ double closed_form_placeholder(std::string_view key);
 double estimated_resistance(const RollingScene& scene);
 
 /// The inputs with starts: those of the list above that have none get the one with which estimated_resistance fits the
-/// measured values best. For other outputs than the rolling resistance, and scenes without a load, nothing is added.
+/// measured values best, the stiffening 2. For other outputs than the rolling resistance, and scenes without a load,
+/// nothing is added.
 std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene>& scenes,
                                                  std::vector<FittedInput> inputs, std::string_view output);
 

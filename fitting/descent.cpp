@@ -2,8 +2,10 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace rollres {
 
@@ -38,6 +40,7 @@ class Position : public ceres::EvaluationCallback {
     }
     if (with_slopes && prediction_.found() && !slopes_) {
       Slopes slopes = problem_.differentiate(point_of(problem_, at_), prediction_);
+      if (slopes.found() && !slopes.derivatives.allFinite()) slopes.reason = "a slope is not a number";
       if (slopes.found())
         slopes_ = last_slopes_ = std::move(slopes);
       else
@@ -111,11 +114,12 @@ ceres::LossFunction* ceres_loss(const FitProblem& problem) {
   return nullptr;
 }
 
+/// The parameter's bounds, or a factor of 10^6 either way where they are farther: what the data do not feel stays
+/// finite.
 void bound(ceres::Problem& problem, double* block, const Variable& variable) {
-  const double lowest = variable.scaled(variable.lowest), highest = variable.scaled(variable.highest);
-  constexpr double out_of_reach = 200;  // e^-200: the lower end of a logarithm's range is no bound
-  if (lowest > -out_of_reach) problem.SetParameterLowerBound(block, 0, lowest);
-  if (highest < out_of_reach) problem.SetParameterUpperBound(block, 0, highest);
+  constexpr double reach = 13.8;
+  problem.SetParameterLowerBound(block, 0, std::max(variable.scaled(variable.lowest), *block - reach));
+  problem.SetParameterUpperBound(block, 0, std::min(variable.scaled(variable.highest), *block + reach));
 }
 
 ceres::Solver::Options solver_options(const DescentOptions& wanted) {
@@ -144,7 +148,7 @@ Descent descend(const FitProblem& problem, const FitPoint& start, const DescentO
   for (Eigen::Index row = 0; row < std::ssize(problem.data); ++row)
     task.AddResidualBlock(new OneResidual(position, row, problem.size()), ceres_loss(problem), blocks);
   for (std::size_t j = 0; j < problem.size(); ++j) {
-    if (options.held == j)
+    if (std::find(options.held.begin(), options.held.end(), j) != options.held.end())
       task.SetParameterBlockConstant(blocks[j]);
     else
       bound(task, blocks[j], problem.parameters[j].variable);
@@ -161,7 +165,7 @@ Descent descend(const FitProblem& problem, const FitPoint& start, const DescentO
   answer.iterations = static_cast<int>(summary.iterations.size());
   if (!best.prediction.found()) return answer;
   answer.end = point_of(problem, best.scaled);
-  if (options.held) answer.end[*options.held] = start[*options.held];
+  for (const std::size_t j : options.held) answer.end[j] = start[j];
   answer.misfit = best.misfit;
   answer.stopped_by_itself = summary.termination_type == ceres::CONVERGENCE;
   if (!position.lack().empty()) answer.why += "; " + position.lack();

@@ -4,8 +4,8 @@
 
 #include <atomic>
 #include <cstddef>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "fitting/fit_problem.hpp"
 
@@ -14,7 +14,7 @@ namespace rollres {
 struct DescentOptions {
   int most_iterations = 60;
   double tolerance = 1e-7;                  ///< least relative change of the misfit that is worth another step
-  std::optional<std::size_t> held = {};     ///< a parameter that keeps its value
+  std::vector<std::size_t> held = {};       ///< parameters that keep their values
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: give up
 };
 
@@ -29,7 +29,8 @@ struct Descent {
   bool found() const { return prediction.found(); }
 };
 
-/// Points without a prediction are stepped back from; the best point seen is the end.
+/// Points without a prediction are stepped back from; the best point seen is the end. No descent goes farther from its
+/// start than a factor of 10^6.
 Descent descend(const FitProblem& problem, const FitPoint& start, const DescentOptions& options = {});
 
 }  // namespace rollres

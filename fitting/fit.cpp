@@ -80,6 +80,15 @@ bool arrived(const FitReport& report) {
   return true;
 }
 
+/// Parameters that the misfit presses against a bound: held, they do not spoil the steps of the others.
+std::vector<std::size_t> pressed_on_bounds(const FitReport& report) {
+  std::vector<std::size_t> held;
+  for (std::size_t j = 0; j < report.errors.at_bound.size(); ++j)
+    if (report.errors.at_bound[j] != AtBound::no) held.push_back(j);
+  if (held.size() == report.parameters.size()) held.clear();
+  return held;
+}
+
 /// The report on the best descent, which goes on from where it stopped for its rough tolerance: by secants from the
 /// slopes of the report, which stay good enough for the errors if this leads less than a third of a standard error
 /// away.
@@ -87,13 +96,18 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
   Descent& best = best_of(descents);
   FitReport report = report_on(problem, best, descents);
   constexpr int most_rounds = 4;
-  constexpr double beside = 0.3;
+  constexpr double beside = 0.1;
   for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
     if (options.stop && options.stop->load()) break;
+    const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
     const KnownSlopes known{best.end, best.prediction, report.slopes};
     const Descent further =
-        descend(with_secants(problem, known), best.end, {.most_iterations = 8, .stop = options.stop});
-    if (!further.found() || !(further.misfit < best.misfit)) break;
+        descend(last ? problem : with_secants(problem, known), best.end,
+                {.most_iterations = last ? 60 : 8, .held = pressed_on_bounds(report), .stop = options.stop});
+    if (!further.found() || !(further.misfit < best.misfit)) {
+      round = std::max(round, most_rounds - 2);
+      continue;
+    }
     const Eigen::VectorXd moved = scaled_point(problem, further.end) - scaled_point(problem, best.end);
     const bool near = (moved.array().abs() <= beside * report.errors.deviations.array()).all();
     best = {best.start,
@@ -103,7 +117,7 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
             further.stopped_by_itself,
             further.why,
             best.iterations + further.iterations};
-    report = near ? report_on(problem, best, descents, report.slopes) : report_on(problem, best, descents);
+    report = near && !last ? report_on(problem, best, descents, report.slopes) : report_on(problem, best, descents);
   }
   return report;
 }

@@ -33,7 +33,7 @@ void compare(FitReport& report, const FitProblem& problem, const Descent& best, 
     const Eigen::VectorXd distance = scaled_point(problem, end.end) - scaled_point(problem, end.start);
     for (Eigen::Index j = 0; j < distance.size(); ++j) {
       const double deviation = report.errors.deviations[j];
-      const double unmoved = std::max(std::isfinite(deviation) ? 1e-3 * deviation : 0, 1e-8);
+      const double unmoved = std::max(std::isfinite(deviation) ? std::min(1e-3 * deviation, 1e-3) : 0, 1e-8);
       report.moved |= std::abs(distance[j]) > unmoved;
     }
   }

@@ -16,6 +16,14 @@ constexpr double strong = 0.98;                            // correlation
 
 std::string percent(double part) { return rounded(100 * part) + " %"; }
 
+/// Noise of the model over the scatter of the data.
+double noise_over_scatter(const FitReport& report) {
+  double noisy = 0;
+  for (std::size_t i = 0; i < report.values.size(); ++i)
+    noisy = std::max(noisy, report.slopes.noise[static_cast<Eigen::Index>(i)] / report.values[i].measured.deviation);
+  return noisy / std::sqrt(report.errors.scale);
+}
+
 /// Why this is no least misfit; empty if it is one.
 std::string not_converged(const FitReport& report) {
   if (!report.slopes.found()) return report.slopes.reason;
@@ -26,10 +34,13 @@ std::string not_converged(const FitReport& report) {
              " and a relative noise of the model of " + rounded(report.noise) + " their estimated error is " +
              percent(fitted.slope_doubt) + " of them";
   }
-  for (std::size_t j = 0; j < report.parameters.size(); ++j) {
+  const bool flat = !(report.errors.weakest_deviation < 1);  // then no place is the least misfit
+  for (std::size_t j = 0; j < report.parameters.size() && !flat; ++j) {
     const FittedParameter& fitted = report.parameters[j];
     const double distance = std::abs(report.errors.step[static_cast<Eigen::Index>(j)]);
-    if (distance > std::max(near * fitted.relative_error, exactly))
+    // A noise e of residuals moves the misfit by about e, and its least place by the root of that.
+    const double enough = std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near);
+    if (distance > std::max(enough * fitted.relative_error, exactly))
       return fitted.parameter.name + " is thought to be " + rounded(distance / fitted.relative_error) +
              " standard errors away from the least misfit (the descent stopped: " + report.stopped + ")";
   }
@@ -88,11 +99,8 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
     warn("only " + std::to_string(report.agreeing) + " of " + std::to_string(report.starts) +
          " starts led to this misfit");
   const double scatter = std::sqrt(report.errors.scale);
-  double noisy = 0;
-  for (Eigen::Index i = 0; i < report.slopes.noise.size(); ++i)
-    noisy = std::max(noisy, report.slopes.noise[i] / problem.data[static_cast<std::size_t>(i)].deviation);
-  if (noisy > 0.5 * scatter && scatter > 0)
-    warn("the noise of the model is " + percent(noisy / scatter) + " of the scatter of the data");
+  if (const double noisy = noise_over_scatter(report); noisy > 0.5)
+    warn("the noise of the model is " + percent(noisy) + " of the scatter of the data");
   const FittedValue& worst = report.values[report.largest_residual];
   if (std::abs(worst.residual) > 4 * scatter)
     warn((worst.measured.place.empty() ? "a measurement" : worst.measured.place) + " is " +

@@ -107,7 +107,7 @@ class Side {
   /// sqrt of the rise with the parameter at this distance; NaN without a prediction.
   double root_of_rise(double distance) {
     DescentOptions options;
-    options.held = parameter_;
+    options.held = {parameter_};
     options.most_iterations = 12;
     options.tolerance = 2e-3 * threshold_ * errors_.scale / (fit_.misfit + threshold_ * errors_.scale);
     options.stop = stop_;
