@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "studies/fit_file.hpp"
 #include "studies/fit_json.hpp"
 #include "studies/fit_summary.hpp"
+#include "studies/material_file.hpp"
 #include "studies/scene_inputs.hpp"
 #include "studies/shared_recall.hpp"
 #include "studies/stop_signal.hpp"
@@ -93,13 +95,68 @@ void fit_resistance(const FitWords& words, Session& session) {
   if (words.json) session.out << text_of(object, 2) << '\n';
 }
 
+/// The curves of the moduli at the reference temperature; data are shifted there.
+FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
+  FitCurves curves{{.name = "reduced angular frequency", .symbol = "ω", .unit = "rad/s", .logarithmic = true},
+                   {.name = "shear modulus", .unit = "Pa", .logarithmic = true},
+                   {{.label = "storage"}, {.label = "loss"}}};
+  std::vector<double> reduced;
+  for (const MeasuredModulus& row : file.data)
+    reduced.push_back(row.angular_frequency * shift_factor(found.shift, row.temperature));
+  const auto [lowest, highest] = std::minmax_element(reduced.begin(), reduced.end());
+  constexpr int pieces = 120;
+  for (std::size_t part = 0; part < 2; ++part) {
+    FitCurve& curve = curves.curves[part];
+    for (std::size_t i = 0; i < reduced.size(); ++i) {
+      curve.data_x.push_back(reduced[i]);
+      curve.data.push_back(2 * i + part);
+    }
+    for (int i = 0; i <= pieces; ++i) {
+      const double omega = *lowest * std::pow(*highest / *lowest, static_cast<double>(i) / pieces);
+      const std::complex<double> modulus = found.modulus(omega, found.shift.reference);
+      curve.x.push_back(omega);
+      curve.value.push_back(part == 0 ? modulus.real() : modulus.imag());
+      curve.band.push_back(0);
+    }
+  }
+  return curves;
+}
+
+void fit_moduli(const FitWords& words, Session& session) {
+  if (words.design || words.coverage > 0)
+    throw std::invalid_argument(words.fit + ": --design and --coverage are for fits of scenes");
+  const auto begin = std::chrono::steady_clock::now();
+  MaterialFile file = read_material_fit(words.fit);
+  if (!words.out.empty()) make_directory(words.out);
+  const StopSignal signal;
+  file.options.options.stop = &signal.requested();
+  file.options.options.profiles = !words.no_profiles;
+  const MaterialFit found = fit_material(file.data, file.options);
+  FitContext context{.name = file.name,
+                     .kind = "material",
+                     .definition = file.definition,
+                     .data_digest = file.data_digest,
+                     .output_unit = "Pa"};
+  context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  save_fit(Database(words.database, Access::write), fit_record(found.report, context));
+  if (found.report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+  if (words.json)
+    session.out << text_of(json_of(found.report, context), 2) << '\n';
+  else
+    session.out << fit_summary(found.report, context) << std::flush;
+  if (words.out.empty() || !found.report.slopes.found()) return;
+  for (const auto& picture :
+       draw_fit(found.report, modulus_curves(file, found), file.name, words.out, Indenter::cylinder))
+    session.err << "drawn: " << picture.string() << '\n';
+}
+
 }  // namespace
 
 void add_fit(CLI::App& program, Session& session) {
   CLI::App* const command =
-      program.add_subcommand("fit", "Fit inputs of a scene to measured values, with intervals and a judgement");
+      program.add_subcommand("fit", "Fit a scene, or a material, to measured values, with intervals and a judgement");
   const auto words = std::make_shared<FitWords>();
-  command->add_option("fit", words->fit, "Fit file (JSON): scene, data (CSV), parameters")
+  command->add_option("fit", words->fit, "Fit file (JSON): scene or material, data (CSV), parameters")
       ->required()
       ->option_text("FIT");
   command->add_option("--db", words->database, "Database: every evaluation and the fit are stored here")
@@ -121,7 +178,12 @@ void add_fit(CLI::App& program, Session& session) {
       "Status: USABLE; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); DID NOT MOVE (ended\n"
       "where it started); NOT CONVERGED (no least misfit was found). Exit status 1 for the last three.\n"
       "Example: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit");
-  command->callback([words, &session] { fit_resistance(*words, session); });
+  command->callback([words, &session] {
+    if (is_material_fit(words->fit))
+      fit_moduli(*words, session);
+    else
+      fit_resistance(*words, session);
+  });
 }
 
 }  // namespace rollres
