@@ -37,7 +37,7 @@ std::string axis_label(const ChartAxis& axis, std::size_t room) {
   std::string text = axis.name, markup = gnuplot::plain(axis.name);
   if (!axis.symbol.empty()) {
     text += "  " + axis.symbol;
-    markup += " " + gnuplot::symbol(axis.symbol);
+    markup += kept_blanks + gnuplot::symbol(axis.symbol);
   }
   if (!axis.unit.empty()) {
     text += "  [" + axis.unit + "]";

@@ -178,7 +178,8 @@ std::filesystem::path draw_profile(const FitReport& report, std::size_t paramete
     }
   std::string file = fitted.parameter.name;
   std::replace_if(
-      file.begin(), file.end(), [](char letter) { return letter == ' ' || letter == '/'; }, '_');
+      file.begin(), file.end(),
+      [](char letter) { return std::string_view(" /()").find(letter) != std::string_view::npos; }, '_');
   ChartAxis x = parameter_axis(fitted, indenter);
   x.logarithmic = fitted.parameter.variable.logarithmic && xs.back() > 10 * xs.front();
   Picture picture(folder, name + "_profile_" + file, name + ": profile of " + fitted.parameter.name, scaled_axis(x, xs),
@@ -195,10 +196,23 @@ std::filesystem::path draw_profile(const FitReport& report, std::size_t paramete
       picture.add(variable.value(centre + offset * deviation), {offset * offset});
     }
   picture.plot(line + " using 1:2 with lines lw 1.5 dt 2 lc rgb '#888888' notitle");
+  // Between the points the root of the rise is all but a straight line.
+  const std::string curve = picture.block();
+  const std::vector<ProfilePoint>& known = fitted.profile.points;
+  const auto root = [&](const ProfilePoint& point) {
+    return std::copysign(std::sqrt(std::max(point.rise, 0.0)), point.value - fitted.value);
+  };
+  for (std::size_t k = 0; k + 1 < known.size(); ++k)
+    for (int i = 0; i < 20; ++i) {
+      const double part = i / 20.0, from = variable.scaled(known[k].value), to = variable.scaled(known[k + 1].value);
+      const double rise = root(known[k]) + part * (root(known[k + 1]) - root(known[k]));
+      picture.add(variable.value(from + part * (to - from)), {rise * rise});
+    }
+  picture.plot(curve + " using 1:2 with lines lw 1.8" + colour(0) + " notitle");
   const std::string points = picture.block();
-  for (const ProfilePoint& point : fitted.profile.points)
+  for (const ProfilePoint& point : known)
     if (point.rise < 2.5 * threshold) picture.add(point.value, {point.rise});
-  picture.plot(points + " using 1:2 with linespoints lw 1.8" + marks(0) + colour(0) + " notitle");
+  picture.plot(points + " using 1:2 with points" + marks(0) + colour(0) + " notitle");
   picture.legend("linespoints lw 1.8" + marks(0) + colour(0), "profile likelihood");
   picture.legend("lines lw 1.5 dt 2 lc rgb '#888888'", "linear; level of 95 %");
   return picture.draw();

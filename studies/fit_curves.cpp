@@ -80,7 +80,12 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
     lowest = std::min(lowest, value);
     highest = std::max(highest, value);
   }
-  answer.x.logarithmic = lowest > 0 && highest > 20 * lowest;
+  constexpr double wide = 20;
+  answer.x.logarithmic = lowest > 0 && highest > wide * lowest;
+  const auto [least, most] = std::minmax_element(
+      file.scenes.begin(), file.scenes.end(),
+      [](const MeasuredScene& a, const MeasuredScene& b) { return a.measured.value < b.measured.value; });
+  answer.y.logarithmic = least->measured.value > 0 && most->measured.value > wide * least->measured.value;
 
   std::vector<FitParameter> parameters;
   for (const FittedParameter& fitted : report.parameters) parameters.push_back(fitted.parameter);
