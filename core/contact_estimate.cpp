@@ -136,51 +136,88 @@ double find_alpha(Number number, int power, double value) {
   return std::exp(bracketed_root(excess, low, high));
 }
 
-double load_scale(Indenter indenter, double shear_modulus) {
-  return indenter == Indenter::sphere ? shear_modulus : pi * shear_modulus;
-}
+/// The two numbers of a layer, for a modulus of G: they contain what Poisson's ratio changes.
+class ContactNumbers {
+ public:
+  ContactNumbers(Indenter indenter, const Layer& layer)
+      : sphere_(indenter == Indenter::sphere), layered_(!std::isinf(layer.thickness)), nu_(layer.poisson_ratio) {}
+
+  /// P R / (G a^3), or P R / (G a^2) for a cylinder
+  double load(double alpha) const {
+    if (!layered_) return deep();
+    return deep() + confined(alpha) * share_of_shear(alpha);
+  }
+  /// d R / a^2
+  double approach(double alpha) const {
+    if (!layered_) return 1;
+    const double incompressible = sphere_ ? sphere_approach_number(alpha) : cylinder_approach_number(alpha);
+    if (nu_ == 0.5) return incompressible;
+    const double by_base = confined(alpha) / (deep() + confined(alpha));
+    const double foundation = by_base * (1 - share_of_shear(alpha));  // d = a^2/2R there
+    return incompressible + foundation * (0.5 - incompressible);
+  }
+
+ private:
+  double deep() const { return (sphere_ ? 16.0 / 3 : pi) / (2 * (1 - nu_)); }
+  /// What the base adds to the load on an incompressible layer.
+  double confined(double alpha) const {
+    return sphere_ ? sphere_load_number(alpha) - 16.0 / 3 : pi * (cylinder_load_number(alpha) - 1);
+  }
+  /// The part of it that is left where the layer yields in volume too: 1 for nu = 1/2.
+  double share_of_shear(double alpha) const {
+    if (nu_ == 0.5) return 1;
+    const double modulus = 2 * (1 - nu_) / (1 - 2 * nu_);  // of the foundation, times H/G
+    const double foundation = modulus * (sphere_ ? pi / 4 : 2.0 / 3) * alpha;
+    return foundation / (foundation + confined(alpha));
+  }
+
+  bool sphere_, layered_;
+  double nu_;
+};
 
 }  // namespace
 
-ContactEstimate elastic_contact_from_load(Indenter indenter, double radius, double layer_thickness,
-                                          double shear_modulus, double load) {
+ContactEstimate elastic_contact_from_load(Indenter indenter, double radius, const Layer& layer, double shear_modulus,
+                                          double load) {
   require_positive("radius", radius);
-  require_positive_or_infinite("layer_thickness", layer_thickness);
+  require_positive_or_infinite("layer_thickness", layer.thickness);
   require_positive("shear_modulus", shear_modulus);
   require_positive("load", load);
   const bool sphere = indenter == Indenter::sphere;
-  const double number = load * radius / load_scale(indenter, shear_modulus);  // a^n f, n = 3 (sphere) or 2
-  if (std::isinf(layer_thickness)) {
-    const double a = sphere ? std::cbrt(3.0 / 16 * number) : std::sqrt(number);
+  const ContactNumbers numbers(indenter, layer);
+  const double scaled = load * radius / shear_modulus;  // a^n f, n = 3 (sphere) or 2
+  if (std::isinf(layer.thickness)) {
+    const double a = sphere ? std::cbrt(scaled / numbers.load(0)) : std::sqrt(scaled / numbers.load(0));
     return {a, sphere ? a * a / radius : std::numeric_limits<double>::quiet_NaN(), load};
   }
-  const double h = layer_thickness;
-  const double alpha = sphere ? find_alpha(sphere_load_number, 3, number / (h * h * h))
-                              : find_alpha(cylinder_load_number, 2, number / (h * h));
+  const double h = layer.thickness;
+  const int power = sphere ? 3 : 2;
+  const double alpha =
+      find_alpha([&](double at) { return numbers.load(at); }, power, scaled / (sphere ? h * h * h : h * h));
   const double a = alpha * h;
-  return {a, a * a / radius * (sphere ? sphere_approach_number(alpha) : cylinder_approach_number(alpha)), load};
+  return {a, a * a / radius * numbers.approach(alpha), load};
 }
 
-ContactEstimate elastic_contact_from_approach(Indenter indenter, double radius, double layer_thickness,
+ContactEstimate elastic_contact_from_approach(Indenter indenter, double radius, const Layer& layer,
                                               double shear_modulus, double approach) {
   require_positive("radius", radius);
-  require_positive_or_infinite("layer_thickness", layer_thickness);
+  require_positive_or_infinite("layer_thickness", layer.thickness);
   require_positive("shear_modulus", shear_modulus);
   require_positive("approach", approach);
   const bool sphere = indenter == Indenter::sphere;
-  const double scale = load_scale(indenter, shear_modulus) / radius;
-  if (std::isinf(layer_thickness)) {
+  const ContactNumbers numbers(indenter, layer);
+  const double scale = shear_modulus / radius;
+  if (std::isinf(layer.thickness)) {
     if (!sphere)
       throw std::invalid_argument(
           "approach: a cylinder on a half-space has no approach (layer_thickness is infinite); give a load");
     const double a = std::sqrt(approach * radius);
-    return {a, approach, scale * 16 / 3 * a * a * a};
+    return {a, approach, scale * numbers.load(0) * a * a * a};
   }
-  const double h = layer_thickness, number = approach * radius / (h * h);
-  const double alpha =
-      sphere ? find_alpha(sphere_approach_number, 2, number) : find_alpha(cylinder_approach_number, 2, number);
+  const double h = layer.thickness;
+  const double alpha = find_alpha([&](double at) { return numbers.approach(at); }, 2, approach * radius / (h * h));
   const double a = alpha * h;
-  return {a, approach, scale * a * a * (sphere ? a * sphere_load_number(alpha) : cylinder_load_number(alpha))};
+  return {a, approach, scale * a * a * (sphere ? a : 1) * numbers.load(alpha)};
 }
 
 }  // namespace rollres

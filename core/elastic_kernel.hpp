@@ -1,7 +1,7 @@
 #pragma once
 
-/// Displacements of the surface of an elastic incompressible layer of unit shear modulus under a force spread
-/// uniformly over one cell: the half-space's part in closed form plus the layer's correction from tables.
+/// Displacements of the surface of an elastic layer of unit shear modulus under a force spread uniformly over one cell:
+/// the half-space's part in closed form plus the layer's correction from tables.
 ///
 /// Sphere (cells ax by ay): Boussinesq's and Cerruti's solutions integrated over the cell (Love 1929; Kalker 1990),
 /// and four radial functions of r/H, Hankel transforms of the symbols' difference to the half-space.
@@ -9,8 +9,11 @@
 /// cosine and sine transforms of what is left of the symbols.
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "core/layer_compliance.hpp"
+#include "core/layer_tables.hpp"
 #include "core/quantity.hpp"
 
 namespace rollres {
@@ -27,9 +30,8 @@ inline const Coefficients mirror_y{{1, 1, 1, -1, 1, -1}};
 
 class ElasticKernel {
  public:
-  /// @param thickness H [m], infinity for a half-space   @param cell_x, cell_y size of the loaded cell [m]
-  /// (cell_y is not used for a cylinder)
-  ElasticKernel(Indenter indenter, double thickness, double cell_x, double cell_y);
+  /// @param cell_x, cell_y size of the loaded cell [m] (cell_y is not used for a cylinder)
+  ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y);
 
   /// At a distance (x, y) from the centre of the cell [m].
   Coefficients operator()(double x, double y) const;
@@ -38,14 +40,17 @@ class ElasticKernel {
   double reach() const;
 
   Indenter indenter() const { return indenter_; }
-  double thickness() const { return thickness_; }
+  const Layer& layer() const { return layer_; }
 
  private:
   Coefficients sphere(double x, double y) const;
   Coefficients cylinder(double x) const;
 
   Indenter indenter_;
-  double thickness_, cell_x_, cell_y_;
+  Layer layer_;
+  double cell_x_, cell_y_;
+  std::shared_ptr<const RadialTable> radial_table_;                // of a sphere over a layer
+  std::shared_ptr<const LineTable> line_table_;                    // of a cylinder
   std::vector<double> nodes_x_, weights_x_, nodes_y_, weights_y_;  // average of the correction over the cell
 };
 

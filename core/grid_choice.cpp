@@ -10,9 +10,8 @@ namespace rollres {
 namespace {
 
 ContactEstimate elastic_contact(const RollingScene& scene, double modulus) {
-  if (scene.load)
-    return elastic_contact_from_load(scene.indenter, scene.radius, scene.layer_thickness, modulus, *scene.load);
-  return elastic_contact_from_approach(scene.indenter, scene.radius, scene.layer_thickness, modulus, *scene.approach);
+  if (scene.load) return elastic_contact_from_load(scene.indenter, scene.radius, layer_of(scene), modulus, *scene.load);
+  return elastic_contact_from_approach(scene.indenter, scene.radius, layer_of(scene), modulus, *scene.approach);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& gri
   const int reach_x = grid.columns, reach_y = sphere ? grid.rows : 0;
   const CreepSpectrum material = creep_spectrum(scene);
   if (scene.period)
-    return periodic_table(material, scene.speed, scene.layer_thickness, *scene.period, scene.series_terms,
-                          grid.spacing_x, grid.spacing_y, reach_x, reach_y);
-  return shared_passage_kernel(scene.indenter, scene.layer_thickness, grid.spacing_x, grid.spacing_y, reach_x, reach_y)
+    return periodic_table(material, scene.speed, layer_of(scene), *scene.period, scene.series_terms, grid.spacing_x,
+                          grid.spacing_y, reach_x, reach_y);
+  return shared_passage_kernel(scene.indenter, layer_of(scene), grid.spacing_x, grid.spacing_y, reach_x, reach_y)
       ->table(material, scene.speed, reach_x, reach_y);
 }
 

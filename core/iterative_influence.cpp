@@ -25,7 +25,7 @@ struct CellSymbols {
 };
 
 /// Sum over the aliases that matter: the nearest ones, for wavelengths of a few cells.
-CellSymbols cell_symbols(double kx, double ky, double thickness, double cell_x, double cell_y) {
+CellSymbols cell_symbols(double kx, double ky, const Layer& layer, double cell_x, double cell_y) {
   const auto factor = [](double k, double cell) {
     const double z = 0.5 * k * cell;
     return z == 0 ? 1 : std::sin(z) / z;
@@ -37,7 +37,7 @@ CellSymbols cell_symbols(double kx, double ky, double thickness, double cell_x, 
       const double x = kx + (m == 0 ? 0 : m * 2 * M_PI / cell_x), y = ky + (n == 0 ? 0 : n * 2 * M_PI / cell_y);
       const double k = std::sqrt(x * x + y * y), lx = x / k, ly = y / k;
       const double average = factor(x, cell_x) * factor(y, cell_y);
-      const LayerSymbols c = layer_symbols(k, thickness);
+      const LayerSymbols c = layer_symbols(k, layer);
       sum.ww += average * c.normal;
       sum.uu += average * (lx * lx * c.longitudinal + ly * ly * c.transverse);
       sum.uv += average * lx * ly * (c.longitudinal - c.transverse);
@@ -116,7 +116,7 @@ void IterativeInfluence<Real>::prepare_inverses(const RollingScene& scene, bool 
       // Minus the forward difference over a cell, as a symbol.
       difference.push_back((1.0 - std::polar(1.0, kx * grid_.spacing_x)) / grid_.spacing_x);
     }
-    symbols[i] = cell_symbols(kx, ky, scene.layer_thickness, grid_.spacing_x, sphere_ ? grid_.spacing_y : 0);
+    symbols[i] = cell_symbols(kx, ky, layer_of(scene), grid_.spacing_x, sphere_ ? grid_.spacing_y : 0);
     largest_ww = std::max(largest_ww, std::abs(compliance[column]) * symbols[i].ww);
     largest_xx = std::max(largest_xx, std::abs(difference[column] * compliance[column]) * symbols[i].uu);
   }

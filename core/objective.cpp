@@ -128,6 +128,11 @@ RollingScene scene_at(const Objective& objective, std::span<const double> point)
       if constexpr (is_real<std::decay_t<decltype(value)>>)
         if (quantity.key == objective.variables[i].quantity.key) value = point[i];
     });
+  // One method for all points: the spectral one takes incompressible layers only.
+  const bool varies_compressibility =
+      std::any_of(objective.variables.begin(), objective.variables.end(),
+                  [](const Variable& variable) { return variable.quantity.key == "poisson_ratio"; });
+  if (varies_compressibility && scene.method == Method::automatic) scene.method = Method::newton;
   return scene;
 }
 

@@ -7,9 +7,10 @@
 
 namespace rollres {
 
-PassageKernel::PassageKernel(Indenter indenter, double thickness, double cell_x, double cell_y, int columns, int rows)
+PassageKernel::PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows)
     : columns_(columns), rows_(rows), cell_x_(cell_x) {
-  const ElasticKernel kernel(indenter, thickness, cell_x, cell_y);
+  const ElasticKernel kernel(indenter, layer, cell_x, cell_y);
+  const double thickness = layer.thickness;
 
   // Displacements bend at the edge of the loaded cell, in the middle of a cell of nodes: two halves near it, and
   // panels no longer than the layer is thick.
@@ -121,7 +122,8 @@ namespace {
 struct KernelCache {
   struct Entry {
     Indenter indenter;
-    double thickness, cell_x, cell_y;
+    Layer layer;
+    double cell_x, cell_y;
     std::shared_ptr<const PassageKernel> kernel;
   };
   std::mutex mutex;
@@ -135,14 +137,16 @@ KernelCache& kernel_cache() {
 
 }  // namespace
 
-std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, double thickness, double cell_x,
+std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, const Layer& layer, double cell_x,
                                                            double cell_y, int columns, int rows) {
   auto& [mutex, cache] = kernel_cache();
   constexpr std::size_t capacity = 16;
 
+  // Where the tail begins shows in the last digits: only a kernel of as many columns gives what a new one would, so
+  // that a solution does not depend on what was solved before it. Rows do not know of each other.
   const auto fits = [&](const KernelCache::Entry& entry) {
-    return entry.indenter == indenter && entry.thickness == thickness && entry.cell_x == cell_x &&
-           entry.cell_y == cell_y && entry.kernel->columns() >= columns && entry.kernel->rows() >= rows;
+    return entry.indenter == indenter && entry.layer == layer && entry.cell_x == cell_x && entry.cell_y == cell_y &&
+           entry.kernel->columns() == columns && entry.kernel->rows() >= rows;
   };
   {
     const std::lock_guard lock(mutex);
@@ -152,9 +156,9 @@ std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, do
       return found->kernel;
     }
   }
-  auto kernel = std::make_shared<const PassageKernel>(indenter, thickness, cell_x, cell_y, columns, rows);
+  auto kernel = std::make_shared<const PassageKernel>(indenter, layer, cell_x, cell_y, columns, rows);
   const std::lock_guard lock(mutex);
-  cache.push_front({indenter, thickness, cell_x, cell_y, kernel});
+  cache.push_front({indenter, layer, cell_x, cell_y, kernel});
   if (cache.size() > capacity) cache.pop_back();
   return kernel;
 }

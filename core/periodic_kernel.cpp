@@ -22,7 +22,7 @@ int wrapped(int n, int size) { return ((n % size) + size) % size; }
 
 }  // namespace
 
-InfluenceTable periodic_table(const CreepSpectrum& material, double speed, double thickness, double period, int terms,
+InfluenceTable periodic_table(const CreepSpectrum& material, double speed, const Layer& layer, double period, int terms,
                               double cell_x, double cell_y, int reach_x, int reach_y) {
   using complex = std::complex<double>;
   const bool sphere = reach_y > 0;
@@ -45,7 +45,7 @@ InfluenceTable periodic_table(const CreepSpectrum& material, double speed, doubl
     const complex scale = material(-kx * speed) * cell_factor(kx, cell_x) / area;
     for (int m = -terms_y; m <= terms_y; ++m) {
       const double ky = m * step_y, k = std::hypot(kx, ky);
-      const LayerSymbols c = layer_symbols(k, thickness);
+      const LayerSymbols c = layer_symbols(k, layer);
       const double lx = k > 0 ? kx / k : 0, ly = k > 0 ? ky / k : 0;
       const complex factor = scale * cell_factor(ky, cell_y), i_factor = complex(0, 1) * factor;
       const auto at = static_cast<std::size_t>(wrapped(m, rows) * half + column);

@@ -4,14 +4,15 @@
 /// Gavin (2013b), folded onto a fast Fourier transform. The second route beside the single passage.
 
 #include "core/influence.hpp"
+#include "core/layer_compliance.hpp"
 #include "core/material.hpp"
 
 namespace rollres {
 
 /// The sums run over wavenumbers 2 pi n / L, |n| <= terms, in each direction; the period is rounded to a whole number
 /// of cells.
-/// @param period L [m]   @param thickness H [m], finite   @param reach_y 0 for a cylinder
-InfluenceTable periodic_table(const CreepSpectrum& material, double speed, double thickness, double period, int terms,
+/// @param layer of finite thickness   @param period L [m]   @param reach_y 0 for a cylinder
+InfluenceTable periodic_table(const CreepSpectrum& material, double speed, const Layer& layer, double period, int terms,
                               double cell_x, double cell_y, int reach_x, int reach_y);
 
 }  // namespace rollres

@@ -13,10 +13,13 @@ std::vector<std::string_view> input_keys() {
   return keys;
 }
 
+bool spectral_applies(const RollingScene& scene) {
+  return scene.indenter == Indenter::cylinder && !scene.period && scene.poisson_ratio == 0.5;
+}
+
 Method resolved_method(const RollingScene& scene) {
   if (scene.method != Method::automatic) return scene.method;
-  const bool spectral = scene.indenter == Indenter::cylinder && !scene.spacing && !scene.period;
-  return spectral ? Method::spectral : Method::newton;
+  return spectral_applies(scene) && !scene.spacing ? Method::spectral : Method::newton;
 }
 
 std::vector<std::string> check(const RollingScene& scene) {
@@ -57,6 +60,8 @@ std::vector<std::string> check(const RollingScene& scene) {
   if (scene.method == Method::spectral) {
     if (scene.indenter == Indenter::sphere) complain("method", name_of(scene.method), "only for a cylinder");
     if (scene.period) complain("period", *scene.period, "not with method \"spectral\"");
+    if (scene.poisson_ratio != 0.5)
+      complain("poisson_ratio", scene.poisson_ratio, "must be 0.5 with method \"spectral\"");
   }
   if (scene.period && std::isinf(scene.layer_thickness))
     complain("period", *scene.period, "needs a layer of finite thickness");

@@ -111,7 +111,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.layer_thickness);
   visitor(Q{"layer_density", "ρ", "kg/m3", "density of the layer, for the warning about inertia", not_negative},
           scene.layer_density);
-  visitor(Q{"poisson_ratio", "ν", "1", "Poisson's ratio of the layer", {.lowest = 0.5, .highest = 0.5}},
+  visitor(Q{"poisson_ratio", "ν", "1", "Poisson's ratio of the layer", {.lowest = 0.0, .highest = 0.5}},
           scene.poisson_ratio);
   visitor(Q{"material", "", "", "model of the layer's material"}, scene.material);
   visitor(Q{"static_shear_modulus", "G0", "Pa", "shear modulus at rest, G'(0)", positive}, scene.static_shear_modulus);
@@ -152,6 +152,9 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   visitor(Q{"resticking", "", "", "active_set in 2D: whether a slipping node may stick again"}, scene.resticking);
   visitor(Q{"slip_rule", "", "", "active_set in 3D: how nodes change between stick and slip"}, scene.slip_rule);
 }
+
+/// Whether method spectral can be asked: a single cylinder on an incompressible layer.
+bool spectral_applies(const RollingScene& scene);
 
 /// The method that solves the scene first: its own, or what `automatic` stands for.
 Method resolved_method(const RollingScene& scene);

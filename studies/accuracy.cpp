@@ -167,7 +167,7 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   if (methods.empty())
     for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
       if (const Method method = static_cast<Method>(i);
-          on_grid(method) || (method == Method::spectral && scene.indenter == Indenter::cylinder && !scene.period))
+          on_grid(method) || (method == Method::spectral && spectral_applies(scene)))
         methods.push_back(method);
   std::vector<double> spacings = options.spacings;
   if (spacings.empty()) {

@@ -43,6 +43,7 @@ struct ChartRequest {
   ChartAxis x, y;
   ChartAxis family = {};  ///< the legend says "symbol = label"
   std::vector<ChartCurve> curves;
+  bool lines = true;         ///< join the points of a curve; else each bears a mark and no peak is marked
   bool mark_peaks = true;    ///< marks the peak of each curve with its value
   std::string comment = {};  ///< what else to know, line by line, for the head of the data file
 };

@@ -58,7 +58,8 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses) {
     if (label.empty()) continue;
     const std::string& symbol = request.family.symbol;
     const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
-    entries.push_back({"linespoints linetype " + std::to_string(i + 1), equals + gnuplot::plain(label) + kept_blanks,
+    entries.push_back({(request.lines ? "linespoints linetype " : "points linetype ") + std::to_string(i + 1),
+                       equals + gnuplot::plain(label) + kept_blanks,
                        width(label) + (symbol.empty() ? 0 : width(symbol) + 3)});
   }
   const std::string grey = " lw 1.5 lc rgb '#444444'";
@@ -75,14 +76,14 @@ std::vector<std::string> plots(const ChartRequest& request) {
     const std::string data = "data index " + std::to_string(i) + " using 1:($3 == ";
     const std::string type = "linetype " + std::to_string(i + 1) + " notitle";
     if (std::any_of(points.begin(), points.end(), [](const auto& point) { return point.joined(); })) {
-      parts.push_back(data + "1 ? $2 : NaN) with lines " + type);
+      if (request.lines) parts.push_back(data + "1 ? $2 : NaN) with lines " + type);
       parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
     }
     if (std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; }))
       parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(i).hollow) +
                       " ps 0.7 lw 1.5 lc rgb '" + std::string(look(i).colour) + "' notitle");
   }
-  if (request.mark_peaks)
+  if (request.lines && request.mark_peaks)
     for (std::size_t i = 0; i < request.curves.size(); ++i)
       if (const auto top = peak(request.curves[i])) {
         const std::string row = std::to_string(*top);
@@ -103,7 +104,7 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
     script << "set linetype " << i + 1 << " lc rgb '" << look(i).colour << "' lw 2 dt " << look(i).dash << " pt "
            << look(i).filled << " ps 0.7\n";
   script << "\n";
-  if (request.mark_peaks) write_peak_values(script, request, layout);
+  if (request.lines && request.mark_peaks) write_peak_values(script, request, layout);
   const std::vector<LegendEntry> entries = legend(request, write_crosses(script, request));
   write_pictures(script, files, request.title, plots(request), entries);
   return script.str();

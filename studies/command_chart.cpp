@@ -23,12 +23,8 @@ AxisScale scale_named(const std::string& name) {
   return static_cast<AxisScale>(find_name(ChoiceNames<AxisScale>::names, name));
 }
 
-/// Beside the database: the study's name, and what is shown if that was asked for; "/" and the like become "_".
-std::filesystem::path usual_name(const ChartWords& words, const StoredChart& chart) {
-  std::string name = chart.study;
-  for (const std::string& word : {words.wishes.y, words.wishes.x, words.wishes.family})
-    if (!word.empty()) name += "_" + word;
-  for (const std::string& filter : words.filters) name += "_" + filter;
+/// A name that file systems take: "/" and the like become "_".
+std::string file_name(std::string name) {
   std::replace_if(
       name.begin(), name.end(),
       [](unsigned char letter) {
@@ -38,10 +34,20 @@ std::filesystem::path usual_name(const ChartWords& words, const StoredChart& cha
       '_');
   constexpr std::size_t longest = 120;  // file systems take 255 bytes, suffix included
   name.resize(std::min(name.size(), longest));
-  return std::filesystem::path(words.database).parent_path() / (name + ".svg");
+  return name;
+}
+
+/// Beside the database: the study's name, and what is shown if that was asked for.
+std::filesystem::path usual_name(const ChartWords& words, const StoredChart& chart) {
+  std::string name = chart.study;
+  for (const std::string& word : {words.wishes.chart, words.wishes.y, words.wishes.x, words.wishes.family})
+    if (!word.empty()) name += "_" + word;
+  for (const std::string& filter : words.filters) name += "_" + filter;
+  return std::filesystem::path(words.database).parent_path() / (file_name(name) + ".svg");
 }
 
 void print_peaks(std::ostream& out, const ChartRequest& request) {
+  if (!request.lines) return;
   for (const ChartCurve& curve : request.curves)
     if (const auto place = peak(curve)) {
       const ChartPoint& top = curve.points[*place];
@@ -55,12 +61,11 @@ void print_peaks(std::ostream& out, const ChartRequest& request) {
     }
 }
 
-void chart(const ChartWords& words, Session& session) {
+void draw(const ChartWords& words, ResultStore& store, Session& session) {
   StudyChartWishes wishes = words.wishes;
   for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
   wishes.x_scale = scale_named(words.x_scale);
   wishes.y_scale = scale_named(words.y_scale);
-  ResultStore store(words.database, Access::read);
   const StoredChart chart = stored_chart(store, wishes);
   const ChartFiles files =
       draw_chart(chart.request, words.out.empty() ? usual_name(words, chart) : std::filesystem::path(words.out));
@@ -71,6 +76,21 @@ void chart(const ChartWords& words, Session& session) {
   for (const auto& file : {files.svg, files.png, files.script, files.data}) session.out << file.string() << '\n';
 }
 
+/// One chart of the study, or all of them; with --out, the name of each of several ends with that of the chart.
+void chart(const ChartWords& words, Session& session) {
+  ResultStore store(words.database, Access::read);
+  if (words.wishes.chart != "all") return draw(words, store, session);
+  for (const std::string& name : stored_charts(store, words.wishes.study)) {
+    ChartWords one = words;
+    one.wishes.chart = name;
+    if (!one.out.empty()) {
+      const std::filesystem::path script = chart_files(words.out).script;  // its suffix is known
+      one.out = (script.parent_path() / (script.stem().string() + "_" + file_name(name) + ".svg")).string();
+    }
+    draw(one, store, session);
+  }
+}
+
 }  // namespace
 
 void add_chart(CLI::App& program, Session& session) {
@@ -79,6 +99,8 @@ void add_chart(CLI::App& program, Session& session) {
   StudyChartWishes& wishes = words->wishes;
   command->add_option("--db", words->database, "database")->required();
   command->add_option("--study", wishes.study, "study; may be left out if the database holds one");
+  command->add_option("--chart", wishes.chart,
+                      "chart of the study file, by its name or its number; all: every one; left out: the first");
   command->add_option("--x", wishes.x,
                       "input or output along x; left out: as the study file says, or its longest axis");
   command->add_option("--y", wishes.y, "output along y; left out: as the study file says, or rolling_resistance");
@@ -92,7 +114,9 @@ void add_chart(CLI::App& program, Session& session) {
   command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database");
   command->footer(
       "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"
-      "Example: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family load");
+      "Examples: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family "
+      "load\n"
+      "          rollres chart --db results.db --chart all");
   command->callback([words, &session] { chart(*words, session); });
 }
 

@@ -7,7 +7,9 @@
 #include "db/result_store.hpp"
 #include "db/schema.hpp"
 #include "studies/commands.hpp"
+#include "studies/readable_number.hpp"
 #include "studies/solution_json.hpp"
+#include "studies/study_definition.hpp"
 #include "studies/summary.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
@@ -21,7 +23,7 @@ struct ShowWords {
   bool json = false;
 };
 
-/// Outputs in the table of a study, beside its axes.
+/// Outputs in the table of a study, beside its axes, where its file does not list them.
 constexpr const char* main_outputs[] = {"rolling_resistance",
                                         "rolling_resistance_coefficient",
                                         "load",
@@ -31,9 +33,12 @@ constexpr const char* main_outputs[] = {"rolling_resistance",
                                         "peak_pressure",
                                         "status"};
 
-std::string unit_in_brackets(const QuantityColumn& column, Indenter indenter) {
-  const std::string_view unit = column.quantity.unit_for(indenter);
-  return unit.empty() || unit == "1" ? "" : " [" + std::string(unit) + "]";
+std::vector<std::string> outputs_of(ResultStore& store, const std::string& study) {
+  std::vector<std::string> outputs =
+      definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study).compute;
+  if (outputs.empty()) outputs.assign(std::begin(main_outputs), std::end(main_outputs));
+  if (std::find(outputs.begin(), outputs.end(), "status") == outputs.end()) outputs.push_back("status");
+  return outputs;
 }
 
 void show_study(const ShowWords& words, ResultStore& store, const StudySummary& study, Session& session) {
@@ -43,7 +48,7 @@ void show_study(const ShowWords& words, ResultStore& store, const StudySummary& 
     query.columns.push_back(input_column(axis));
     names.push_back(axis);
   }
-  for (const std::string output : main_outputs) {
+  for (const std::string& output : outputs_of(store, study.name)) {
     if (std::find(names.begin(), names.end(), output) != names.end()) continue;
     query.columns.push_back(output);
     names.push_back(output);
@@ -63,7 +68,7 @@ void show_study(const ShowWords& words, ResultStore& store, const StudySummary& 
     const auto first = store.find(std::get<std::int64_t>(table.rows.front()[1]));
     for (std::size_t i = 2; first && i < names.size(); ++i)
       if (const QuantityColumn* column = find_quantity_column(query.columns[i]))
-        table.columns[i] += unit_in_brackets(*column, first->scene.indenter);
+        table.columns[i] += unit_in_brackets(column->quantity.unit_for(first->scene.indenter));
   }
   session.out << study.name << ": " << study.answered << " of " << study.points << " points answered, " << study.failed
               << " failed\n\n";

@@ -1,11 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
 #include <ostream>
-#include <sstream>
 
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
+#include "studies/standalone_study.hpp"
 #include "studies/stop_signal.hpp"
 #include "studies/sweep.hpp"
 #include "studies/table_json.hpp"
@@ -15,43 +14,39 @@ namespace rollres {
 namespace {
 
 struct SweepWords {
-  std::string study, database;
+  std::string study, database, shard;
   int jobs = 0;
   bool json = false;
 };
 
-std::string text_in(const std::string& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw std::runtime_error(file + ": cannot be read");
-  return text.str();
-}
-
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
-                const std::string& database) {
+                const SweepWords& words, std::size_t dropped) {
   const StudySummary& study = report.study;
-  Json object{{"study", study.name},         {"db", database},
-              {"points", study.points},      {"answered", study.answered},
-              {"recalled", report.recalled}, {"solved", report.solved},
-              {"failed", study.failed},      {"interrupted", report.interrupted},
-              {"seconds", report.seconds},   {"failures", Json::array()}};
+  Json object{{"study", study.name},       {"db", words.database},        {"points", report.points},
+              {"dropped", dropped},        {"answered", report.answered}, {"recalled", report.recalled},
+              {"solved", report.solved},   {"failed", report.failed},     {"interrupted", report.interrupted},
+              {"seconds", report.seconds}, {"failures", Json::array()}};
+  if (!words.shard.empty()) object["shard"] = words.shard;
   for (const Failure& failure : failures)
     object["failures"].push_back({{"status", failure.status}, {"reason", failure.reason}, {"points", failure.points}});
   out << text_of(object, 2) << '\n';
 }
 
 void print_summary(Session& session, const SweepReport& report, const std::vector<Failure>& failures,
-                   const std::string& database) {
+                   const SweepWords& words, std::size_t dropped) {
   const StudySummary& study = report.study;
-  session.out << study.name << ": " << study.answered << " of " << study.points << " points in " << database << ", "
-              << report.recalled << " recalled, " << report.solved << " solved in " << duration_in_words(report.seconds)
-              << ", " << study.failed << " failed\n";
+  session.out << study.name << (words.shard.empty() ? "" : ", shard " + words.shard) << ": " << report.answered
+              << " of " << report.points << " points in " << words.database << ", " << report.recalled << " recalled, "
+              << report.solved << " solved in " << duration_in_words(report.seconds) << ", " << report.failed
+              << " failed\n";
+  if (dropped > 0)
+    session.err << dropped << (dropped == 1 ? " point is" : " points are") << " dropped by constraints\n";
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < failures.size() && i < shown; ++i)
     session.err << failures[i].points << " x " << failures[i].status << ": " << failures[i].reason << '\n';
   if (failures.size() > shown)
     session.err << "and " << failures.size() - shown << " other reasons: rollres query 'study=" << study.name
-                << "' 'status!=converged' --columns position,status,reason --db " << database << '\n';
+                << "' 'status!=converged' --columns position,status,reason --db " << words.database << '\n';
   if (report.interrupted) session.err << "interrupted: the same command solves what is missing\n";
 }
 
@@ -61,7 +56,8 @@ void sweep(const SweepWords& words, Session& session) {
   SweepOptions options;
   options.jobs = words.jobs;
   options.stop = &signal.requested();
-  options.definition = text_in(words.study);
+  options.definition = standalone_study(words.study);
+  if (!words.shard.empty()) options.shard = parse_shard(words.shard);
   const std::size_t width = terminal_width(session.err);
   if (width > 0)
     options.report = [&](const SweepProgress& progress) {
@@ -78,13 +74,14 @@ void sweep(const SweepWords& words, Session& session) {
     throw;
   }
   clear_line();
+  const std::size_t dropped = study.constraints.empty() ? 0 : plan(study).all_dropped();
   std::vector<Failure> failures;
   if (report.study.failed > 0) failures = ResultStore(words.database, Access::read).failures(study.name);
   if (words.json)
-    print_json(session.out, report, failures, words.database);
+    print_json(session.out, report, failures, words, dropped);
   else
-    print_summary(session, report, failures, words.database);
-  if (report.study.failed > 0 || report.study.answered < report.study.points) session.status = ExitStatus::no_answer;
+    print_summary(session, report, failures, words, dropped);
+  if (report.failed > 0 || report.answered < report.points) session.status = ExitStatus::no_answer;
 }
 
 }  // namespace
@@ -95,10 +92,15 @@ void add_sweep(CLI::App& program, Session& session) {
   command->add_option("study", words->study, "study file")->required();
   command->add_option("--db", words->database, "database; created if it is missing")->required();
   command->add_option("--jobs", words->jobs, "threads; default: one for each core")->check(CLI::Range(1, 1024));
+  command->add_option("--shard", words->shard,
+                      "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together");
   command->add_flag("--json", words->json, "print the outcome as one JSON object");
   command->footer(
       "What is stored already is not solved again: a study that was stopped goes on with the same command.\n"
-      "Example: rollres sweep studies/examples/speed_resistance.json --db results.db");
+      "Example: rollres sweep studies/examples/speed_resistance.json --db results.db\n"
+      "16 parts on 8 cores, by GNU parallel (for Slurm see rollres slurm):\n"
+      "  parallel -j 8 rollres sweep STUDY --shard {}/16 --jobs 1 --db shard-{}.db ::: $(seq 16)\n"
+      "  rollres merge shard-*.db --db results.db");
   command->callback([words, &session] { sweep(*words, session); });
 }
 

@@ -41,14 +41,21 @@ int run_program(std::vector<std::string> words, Session session);
 
 void add_solve(CLI::App& program, Session& session);
 void add_gradient(CLI::App& program, Session& session);
+void add_plan(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
 void add_fit(CLI::App& program, Session& session);
+void add_merge(CLI::App& program, Session& session);
+void add_status(CLI::App& program, Session& session);
+void add_slurm(CLI::App& program, Session& session);
+void add_export(CLI::App& program, Session& session);
+void add_import(CLI::App& program, Session& session);
 void add_list(CLI::App& program, Session& session);
 void add_show(CLI::App& program, Session& session);
 void add_query(CLI::App& program, Session& session);
 void add_chart(CLI::App& program, Session& session);
 void add_accuracy(CLI::App& program, Session& session);
 void add_stability(CLI::App& program, Session& session);
+void add_schema(CLI::App& program, Session& session);
 void add_quantities(CLI::App& program, Session& session);
 
 }  // namespace rollres

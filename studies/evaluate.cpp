@@ -27,11 +27,6 @@ RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& sc
   return solution;
 }
 
-RollingSolution solve_in_turn(const RollingScene& scene) {
-  thread_local RollingSolver solver;
-  return solver.solve(scene);
-}
-
 Evaluate recalling(ResultStore& store, Evaluate evaluate) {
   return [&store, evaluate = std::move(evaluate)](const RollingScene& scene) {
     const std::string key = evaluation_key(scene);

@@ -1,6 +1,10 @@
 #pragma once
 
 /// Solving through the store: what was solved once is recalled.
+///
+/// Every scene is solved from nothing, not from a neighbour's answer (RollingSolver), although that takes a fifth less
+/// time on a sphere's grid: its answer is then the same to the last bit whatever was solved before it, by how many
+/// threads, processes and machines, and after how many interruptions.
 
 #include "core/rolling_contact.hpp"
 #include "db/result_store.hpp"
@@ -10,9 +14,6 @@ namespace rollres {
 /// `evaluate(scene)` without its fields. An exception becomes an answer with status not_converged and its message as
 /// the reason, so that one bad point never ends a study.
 RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene) noexcept;
-
-/// Solves with a RollingSolver of the calling thread's own, so that scenes much like the last one start from it.
-RollingSolution solve_in_turn(const RollingScene& scene);
 
 /// Recalls a scene's stored answer, or solves and saves it. The store must outlive the result, which is used by one
 /// thread at a time; it throws std::runtime_error if the store fails.

@@ -2,9 +2,7 @@
 #include <iostream>
 
 #include "studies/commands.hpp"
-#include "studies/evaluate.hpp"
 
 int main(int count, char** words) {
-  return rollres::run_program({words + std::min(count, 1), words + count},
-                              {std::cout, std::cerr, rollres::solve_in_turn});
+  return rollres::run_program({words + std::min(count, 1), words + count}, {std::cout, std::cerr, rollres::solve});
 }

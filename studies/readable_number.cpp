@@ -35,6 +35,10 @@ std::string readable(double value, std::string_view unit) {
   return scaled.name.empty() ? number : number + ' ' + scaled.name;
 }
 
+std::string unit_in_brackets(std::string_view unit) {
+  return unit.empty() || unit == "1" ? "" : " [" + std::string(unit) + "]";
+}
+
 std::size_t width(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));

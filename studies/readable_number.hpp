@@ -18,6 +18,9 @@ std::string short_number(double value, int digits = 6);
 /// A number as short as it can be read back without loss.
 std::string shortest(double value);
 
+/// " [m/s]" behind the name of a column; empty for a unit "1" or none.
+std::string unit_in_brackets(std::string_view unit);
+
 /// Number of letters of a UTF-8 text, for aligning columns.
 std::size_t width(std::string_view text);
 

@@ -21,7 +21,7 @@ std::string joined(std::span<const std::string_view> names) {
 void refuse_unknown_key(const SceneEntry& entry) {
   if (find_input(entry.key)) return;
   std::vector<std::string_view> known = input_keys();
-  known.push_back("comment");
+  known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
   refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
 }
 
@@ -78,7 +78,7 @@ void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& 
 std::vector<SceneEntry> scene_entries(const Json& object, const std::string& place) {
   std::vector<SceneEntry> entries;
   for (const auto& [key, value] : object.items()) {
-    if (key == "comment") {
+    if (find_name(ignored_keys, key) >= 0) {
       if (!value.is_string()) refuse(place, key, value, "must be a text");
       continue;
     }
@@ -142,13 +142,17 @@ InputValue input_value(const SceneEntry& entry, Indenter indenter) {
   return value;
 }
 
-RollingScene scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {
+RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {
   RollingScene scene;
   scene.indenter = indenter_of(entries);  // first: the units of the others depend on it
   // Nothing is cleared here, so that `check` sees two inputs that exclude each other.
   for (const SceneEntry& entry : entries) assign_input(scene, entry.key, input_value(entry, scene.indenter));
-
   refuse_missing(entries, scene, place);
+  return scene;
+}
+
+RollingScene scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {
+  RollingScene scene = unchecked_scene_from(entries, place);
   if (const auto broken = check(scene); !broken.empty()) throw std::invalid_argument(place + ": " + broken.front());
   return scene;
 }

@@ -2,6 +2,7 @@
 
 /// Inputs as they were given, before units and rules. For sources only: it needs nlohmann_json.
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,10 @@ struct SceneEntry {
   std::string place;  ///< file, "--set", ...
 };
 
-/// The entries of a scene object without its comment, each checked by itself.
+/// Keys of a scene file that are no inputs; their values are texts that the program ignores.
+inline constexpr std::array<std::string_view, 2> ignored_keys{"$schema", "comment"};
+
+/// The entries of a scene object without what is ignored, each checked by itself.
 /// @throws std::invalid_argument for an unknown key or a wrong value
 std::vector<SceneEntry> scene_entries(const Json& object, const std::string& place);
 
@@ -37,5 +41,8 @@ InputValue input_value(const SceneEntry& entry, Indenter indenter);
 /// @param place named in messages about what is missing and what does not go together
 /// @throws std::invalid_argument
 RollingScene scene_from(const std::vector<SceneEntry>& entries, const std::string& place);
+
+/// The same before the rules of `check`: nothing that is needed is missing, but what must go together may not.
+RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const std::string& place);
 
 }  // namespace rollres

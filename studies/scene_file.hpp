@@ -1,8 +1,8 @@
 #pragma once
 
 /// Scene files: one flat JSON object, its keys those of `visit_inputs`. A number is SI, or a text with a unit ("5 mm");
-/// layer_thickness may be "infinite"; a text under "comment" is ignored. Nothing else is accepted: every refusal is one
-/// line that names file, key, value and rule.
+/// layer_thickness may be "infinite"; texts under "comment" and "$schema" are ignored. Nothing else is accepted: every
+/// refusal is one line that names file, key, value and rule.
 
 #include <filesystem>
 #include <string>

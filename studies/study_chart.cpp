@@ -10,33 +10,14 @@
 #include "studies/readable_number.hpp"
 #include "studies/scaled_unit.hpp"
 #include "studies/strict_json.hpp"
+#include "studies/study_definition.hpp"
 
 namespace rollres {
 
 namespace {
 
-/// What the study file asks for: its "chart", and which axes it spaces logarithmically.
-struct Hints {
-  std::string x, y, family;
-  std::set<std::string> logarithmic;
-};
-Hints hints_in(const std::string& definition, const std::string& place) {
-  Hints hints;
-  if (definition.empty()) return hints;
-  const Json study = parse_object(definition, place);
-  const auto text = [](const Json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-  };
-  if (const auto chart = study.find("chart"); chart != study.end() && chart->is_object()) {
-    hints.x = text(*chart, "x");
-    hints.y = text(*chart, "y");
-    hints.family = text(*chart, "family");
-  }
-  if (const auto axes = study.find("axes"); axes != study.end() && axes->is_object())
-    for (const auto& [key, axis] : axes->items())
-      if (axis.is_object() && text(axis, "spacing") == "logarithmic") hints.logarithmic.insert(key);
-  return hints;
+StudyDefinition definition_of(ResultStore& store, const std::string& study) {
+  return definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study);
 }
 
 StudySummary chosen_study(ResultStore& store, const std::string& name) {
@@ -138,7 +119,21 @@ struct Choice {
   const QuantityColumn* along = nullptr;        // joins the points of a curve: x, or an axis if x is none
   std::vector<const QuantityColumn*> families;  // their values tell the curves apart
 };
-Choice choose(const StudySummary& study, const Rows& rows, const Hints& hints, const StudyChartWishes& wishes) {
+/// Whether the columns tell the value of another one in every row.
+bool follows(const Rows& rows, const QuantityColumn& column, const std::vector<const QuantityColumn*>& from) {
+  std::map<std::vector<Cell>, Cell> values;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::vector<Cell> place;
+    for (const QuantityColumn* const other : from) place.push_back(rows.cell(row, *other));
+    if (values.emplace(place, rows.cell(row, column)).first->second != rows.cell(row, column)) return false;
+  }
+  return true;
+}
+
+std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
+
+Choice choose(const StudySummary& study, const Rows& rows, const StudyDefinition& definition, const StudyChart& hints,
+              const StudyChartWishes& wishes) {
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };
   Choice choice;
   const std::string y = first_of(wishes.y, hints.y);
@@ -170,8 +165,14 @@ Choice choose(const StudySummary& study, const Rows& rows, const Hints& hints, c
   if (!choice.x) choice.x = longest;
   if (!choice.x) throw std::invalid_argument(study.name + ": no axis is a number; choose one with --x");
   if (!choice.along) choice.along = choice.x;
-  for (const QuantityColumn* axis : axes)
-    if (axis != choice.along && !taken(axis) && rows.values(*axis).size() > 1) choice.families.push_back(axis);
+  for (const QuantityColumn* axis : axes) {
+    if (axis == choice.along || taken(axis) || rows.values(*axis).size() <= 1) continue;
+    std::vector<const QuantityColumn*> mates;  // drawn already, and varying together with this axis
+    for (const QuantityColumn* drawn : axes)
+      if ((drawn == choice.along || taken(drawn)) && definition.are_together(key_of(*drawn), key_of(*axis)))
+        mates.push_back(drawn);
+    if (mates.empty() || !follows(rows, *axis, mates)) choice.families.push_back(axis);
+  }
   return choice;
 }
 
@@ -213,14 +214,18 @@ std::string common_inputs(const Rows& rows) {
 
 }  // namespace
 
+std::vector<std::string> stored_charts(ResultStore& store, const std::string& study) {
+  return definition_of(store, chosen_study(store, study).name).chart_names();
+}
+
 StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
   const StudySummary study = chosen_study(store, wishes.study);
   const std::string& file = store.database().name();
-  const Hints hints = hints_in(store.definition(study.name).value_or(""), file + ": " + study.name);
+  const StudyDefinition definition = definition_of(store, study.name);
   const Rows rows(store, study.name, wishes.filters);
-  const auto [x, y, along, families] = choose(study, rows, hints, wishes);
-  const Scale x_scale =
-      scale_of(rows, *x, wishes.x_scale, hints.logarithmic.contains(std::string(x->quantity.key)), "x-scale");
+  const auto [x, y, along, families] =
+      choose(study, rows, definition, definition.chart(wishes.chart, file + ": " + study.name), wishes);
+  const Scale x_scale = scale_of(rows, *x, wishes.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
   const Scale y_scale = scale_of(rows, *y, wishes.y_scale, false, "y-scale");
 
   StoredChart chart;
@@ -251,6 +256,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
   request.y.unit = typeset_unit(y_scale.unit.name);
   request.x.logarithmic = x_scale.logarithmic;
   request.y.logarithmic = y_scale.logarithmic;
+  request.lines = definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*along));
+  if (!request.lines) request.x.margin = 0.03;  // no mark is cut by the frame
   if (families.size() == 1) request.family = described(*families.front());
 
   const std::set<Cell> places = rows.values(*along);

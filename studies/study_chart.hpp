@@ -18,10 +18,12 @@ struct ChoiceNames<AxisScale> {
   static constexpr std::array<std::string_view, 3> names{"auto", "linear", "logarithmic"};
 };
 
-/// What to show; what is empty is taken from the study's own "chart", else: x is the first of the axes with the most
-/// values, y the rolling resistance, and the family all other axes that have more than one value.
+/// What to show; what is empty is taken from a chart of the study file, else: x is the first of the axes with the most
+/// values, y the rolling resistance, and the family all other axes that have more than one value and do not follow from
+/// x because they vary together with it.
 struct StudyChartWishes {
   std::string study = {};  ///< may be left out if the database holds one study
+  std::string chart = {};  ///< name or number of a chart of the study file; empty: the first
   std::string x = {}, y = {}, family = {};
   std::vector<Filter> filters = {};  ///< rows to show
   AxisScale x_scale = AxisScale::automatic, y_scale = AxisScale::automatic;
@@ -39,8 +41,12 @@ struct StoredChart {
 /// Curves of more values than this cannot be told apart any more.
 inline constexpr std::size_t most_curves = 24;
 
-/// Reads the curves of a study. An axis is logarithmic if the study spaced it so, or if its values are positive and
-/// span two decades or more; units are scaled to be read easily.
+/// Names of the charts in the study's file, or their numbers; one where the file has none.
+/// @param study  may be empty if the database holds one study
+std::vector<std::string> stored_charts(ResultStore& store, const std::string& study);
+
+/// Reads the curves of a study; the points of a sample of several inputs are not joined. An axis is logarithmic if the
+/// study spaced it so, or if its values are positive and span two decades or more; units are scaled to be read easily.
 /// @throws std::invalid_argument naming what is unknown (and the nearest known name), what cannot be drawn, or that no
 ///         row is left
 /// @throws std::runtime_error naming the file if the database fails

@@ -10,6 +10,7 @@
 
 #include "core/parallel.hpp"
 #include "core/threads.hpp"
+#include "db/point_states.hpp"
 #include "studies/evaluate.hpp"
 #include "studies/result_writer.hpp"
 #include "studies/work_list.hpp"
@@ -57,6 +58,25 @@ void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, con
   run.changed.notify_one();
 }
 
+/// Leaves the points of one shard.
+void keep_shard(const Shard& shard, std::vector<RollingScene>& scenes, std::vector<std::string>& keys) {
+  if (shard.count == 1) return;
+  const std::vector<int> shards = shards_of_points(keys, scenes, shard.count);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (shards[i] != shard.index) continue;
+    std::swap(scenes[kept], scenes[i]);
+    std::swap(keys[kept++], keys[i]);
+  }
+  scenes.resize(kept);
+  keys.resize(kept);
+}
+
+std::size_t count(const std::vector<PointState>& states, Answer answer) {
+  return static_cast<std::size_t>(
+      std::count_if(states.begin(), states.end(), [&](const PointState& state) { return state.answer == answer; }));
+}
+
 }  // namespace
 
 SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
@@ -64,7 +84,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   const auto begin = std::chrono::steady_clock::now();
   auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
 
-  const std::vector<RollingScene> scenes = points(study);
+  std::vector<RollingScene> scenes = points(study);
   std::vector<std::string> keys;
   for (const RollingScene& scene : scenes) keys.push_back(evaluation_key(scene));
   StudyRecord record{study.name, {}, options.definition};
@@ -72,7 +92,8 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   ResultStore store(database), reader(database, Access::read);
   store.start_study(record, keys);
-  const std::optional<StudySummary> before = store.study(study.name);
+  keep_shard(options.shard, scenes, keys);
+  const std::size_t missing = count(point_states(reader.database(), keys), Answer::missing);
 
   Run run;
   run.stop_from_outside = options.stop;
@@ -105,9 +126,13 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   SweepReport report;
   report.study = store.study(study.name).value_or(StudySummary{});
-  report.recalled = before ? static_cast<std::size_t>(before->answered) : 0;
+  const std::vector<PointState> states = point_states(reader.database(), keys);
+  report.points = keys.size();
+  report.answered = keys.size() - count(states, Answer::missing);
+  report.failed = count(states, Answer::failed);
+  report.recalled = keys.size() - missing;
   report.solved = run.solved;
-  report.interrupted = run.asked_to_stop() && report.study.answered < report.study.points;
+  report.interrupted = run.asked_to_stop() && report.answered < report.points;
   report.seconds = seconds();
   return report;
 }

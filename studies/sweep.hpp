@@ -15,6 +15,7 @@
 
 #include "core/rolling_contact.hpp"
 #include "db/result_store.hpp"
+#include "studies/shards.hpp"
 #include "studies/study.hpp"
 
 namespace rollres {
@@ -34,11 +35,15 @@ struct SweepOptions {
   std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second by the calling thread
   std::string definition = {};                            ///< text of the study file, kept in the store
   std::chrono::milliseconds grouping{50};                 ///< least time between two transactions
+  Shard shard = {};                                       ///< solve this part; the study is recorded whole
 };
 
 struct SweepReport {
   StudySummary study;        ///< as it is stored now
-  std::size_t recalled = 0;  ///< points whose answer was there at the start
+  std::size_t points = 0;    ///< of the shard; all, if there is one shard
+  std::size_t answered = 0;  ///< of these, now; failed ones included
+  std::size_t failed = 0;
+  std::size_t recalled = 0;  ///< points of the shard whose answer was there at the start
   std::size_t solved = 0;    ///< evaluations solved by this process
   bool interrupted = false;  ///< stopped before all points were answered
   double seconds = 0;

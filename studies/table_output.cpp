@@ -115,4 +115,19 @@ void write_json(std::ostream& out, const Table& table) {
   out << (rows.empty() ? "[]" : "\n]") << '\n';
 }
 
+void write_json_lines(std::ostream& out, const Table& table) {
+  for (const Json& row : json_of(table)) out << text_of(row, -1) << '\n';
+}
+
+void write_table(std::ostream& out, const Table& table, std::string_view format) {
+  if (format == "csv")
+    write_csv(out, table);
+  else if (format == "json")
+    write_json(out, table);
+  else if (format == "jsonl")
+    write_json_lines(out, table);
+  else if (!table.rows.empty())
+    write_aligned(out, table);
+}
+
 }  // namespace rollres

@@ -2,8 +2,10 @@
 
 /// Tables of stored results as text.
 
+#include <array>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 
 #include "db/query.hpp"
 
@@ -18,5 +20,13 @@ void write_csv(std::ostream& out, const Table& table);
 /// An array with one object for each row; all digits; null where something is absent, "infinite" for an infinite
 /// number.
 void write_json(std::ostream& out, const Table& table);
+
+/// The objects of write_json, each on a line of its own (JSON lines).
+void write_json_lines(std::ostream& out, const Table& table);
+
+inline constexpr std::array table_formats{"table", "csv", "json", "jsonl"};
+
+/// One of the above, by its name; of an empty table nothing as "table".
+void write_table(std::ostream& out, const Table& table, std::string_view format);
 
 }  // namespace rollres

@@ -57,6 +57,30 @@ TEST_CASE("a uniformly loaded cell moves the half-space as Boussinesq and Cerrut
   CHECK((kernel(0, 0) - middle).abs().maxCoeff() < 1e-13 * middle(vv));
 }
 
+TEST_CASE("a compressible half-space moves as Boussinesq and Cerruti say", "[core][elastic_kernel]") {
+  const double ax = 0.3, ay = 0.2, nu = 0.3;
+  const ElasticKernel sphere(Indenter::sphere, {infinite, nu}, ax, ay);
+  const QuadratureRule gauss = gauss_legendre(40);
+  for (const auto& [x, y] : {std::pair{0.3, 0.0}, {0.0, -0.25}, {-0.4, 0.3}, {0.6, 0.5}, {2.0, -1.0}, {0.0, 7.0}}) {
+    Coefficients sum = Coefficients::Zero();
+    for (std::size_t j = 0; j < gauss.nodes.size(); ++j)
+      for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
+        const double dx = x - (gauss.nodes[i] - 0.5) * ax, dy = y - (gauss.nodes[j] - 0.5) * ay;
+        const double square = dx * dx + dy * dy, r = std::sqrt(square), r3 = r * square;
+        Coefficients point;  // of unit shear modulus (Johnson 1985, eqs. 3.18, 3.75)
+        point << (1 - nu) / r, (1 - nu) / r + nu * dx * dx / r3, (1 - nu) / r + nu * dy * dy / r3, nu * dx * dy / r3,
+            0.5 * (1 - 2 * nu) * dx / square, 0.5 * (1 - 2 * nu) * dy / square;
+        sum += gauss.weights[i] * gauss.weights[j] / (2 * M_PI) * point;
+      }
+    CHECK((sphere(x, y) - sum).abs().maxCoeff() < 1e-12 * sum.abs().maxCoeff());
+  }
+  // A line load lifts the surface on either side away from itself: u = (1 - 2 nu)/4 sgn(x).
+  const ElasticKernel cylinder(Indenter::cylinder, {infinite, nu}, ax, 1);
+  CHECK(cylinder(2, 0)(uw) == Approx(0.25 * (1 - 2 * nu)).epsilon(1e-14));
+  CHECK(cylinder(-2, 0)(uw) == Approx(-0.25 * (1 - 2 * nu)).epsilon(1e-14));
+  CHECK(cylinder(0, 0)(uw) == 0);
+}
+
 TEST_CASE("the layer's influence functions have the moments of its long waves", "[core][elastic_kernel]") {
   // The average over a cell has no alias at zero wavenumber, so sums over the nodes are the integrals. At small k
   // c_ww = 0, c_ll = H and u from a normal force = i k H^2/2.

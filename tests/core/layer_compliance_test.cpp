@@ -46,7 +46,81 @@ std::array<double, 4> layer_under(double k, double thickness, double shear, doub
   return state;
 }
 
+/// Displacements of the surface of a compressible layer under given tractions, by Runge-Kutta from the bonded base:
+/// with u = i U e^{ikx}, w = W e^{ikx} and g = 1/(1 - 2 nu), U'' = k^2 (1 + g) U - g k W' and (1 + g) W'' = k^2 W + g k
+/// U'; tau = i (U' + k W), sigma = 2 nu g (W' - k U) + 2 W'.
+struct Surface {
+  double u, w;
+};
+Surface compressible(double k, double thickness, double nu, double tau_over_i, double sigma) {
+  const double g = 1 / (1 - 2 * nu);
+  using State = std::array<double, 4>;  // U, U', W, W'
+  const auto rate = [&](const State& s) {
+    return State{s[1], k * k * (1 + g) * s[0] - g * k * s[3], s[3], (k * k * s[2] + g * k * s[1]) / (1 + g)};
+  };
+  const auto grown = [&](State state) {
+    constexpr int steps = 4000;
+    const double h = thickness / steps;
+    for (int step = 0; step < steps; ++step) {
+      const auto moved = [&](const State& slope, double by) {
+        State there = state;
+        for (std::size_t i = 0; i < 4; ++i) there[i] += by * slope[i];
+        return there;
+      };
+      const State k1 = rate(state), k2 = rate(moved(k1, h / 2)), k3 = rate(moved(k2, h / 2)), k4 = rate(moved(k3, h));
+      for (std::size_t i = 0; i < 4; ++i) state[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+    }
+    return state;
+  };
+  const State a = grown({0, 1, 0, 0}), b = grown({0, 0, 0, 1});
+  const auto shear = [&](const State& s) { return s[1] + k * s[2]; };
+  const auto normal = [&](const State& s) { return 2 * nu * g * (s[3] - k * s[0]) + 2 * s[3]; };
+  const double determinant = shear(a) * normal(b) - shear(b) * normal(a);
+  const double of_a = (tau_over_i * normal(b) - shear(b) * sigma) / determinant;
+  const double of_b = (shear(a) * sigma - tau_over_i * normal(a)) / determinant;
+  return {of_a * a[0] + of_b * b[0], of_a * a[2] + of_b * b[2]};
+}
+
 }  // namespace
+
+TEST_CASE("the symbols of a compressible layer solve Navier's equations", "[core][layer_compliance]") {
+  const double thickness = 0.7;
+  for (const double nu : {0.0, 0.3, 0.45})
+    for (const double h : {0.02, 0.049, 0.051, 0.3, 1.0, 2.5, 5.0}) {
+      const double k = h / thickness;
+      const LayerSymbols c = layer_symbols(k, {thickness, nu});
+      // sigma = 1: w = c_ww, u = i U = i c_x; tau = i: u = i c_ll, w = -i c_x i
+      const Surface pressed = compressible(k, thickness, nu, 0, 1), sheared = compressible(k, thickness, nu, 1, 0);
+      INFO("nu = " << nu << ", kH = " << h);
+      const double tolerance = 1e-9;  // Runge-Kutta's; of the largest where a symbol passes through zero
+      CHECK(pressed.w == Approx(c.normal).epsilon(tolerance));
+      CHECK(pressed.u == Approx(c.cross).epsilon(tolerance).margin(tolerance * c.normal));
+      CHECK(sheared.u == Approx(c.longitudinal).epsilon(tolerance));
+      CHECK(sheared.w == Approx(c.cross).epsilon(tolerance).margin(tolerance * c.normal));
+    }
+}
+
+TEST_CASE("a thin compressible layer is a foundation, a thick one a half-space, and nu = 1/2 no special case",
+          "[core][layer_compliance]") {
+  for (const double nu : {0.0, 0.3, 0.49}) {
+    INFO("nu = " << nu);
+    CHECK(layer_symbols(0, {2, nu}).normal == Approx(2 * (1 - 2 * nu) / (2 * (1 - nu))).epsilon(1e-14));
+    CHECK(layer_symbols(0, {2, nu}).longitudinal == Approx(2).epsilon(1e-14));
+    const LayerSymbols deep = half_space_symbols(nu), thick = layer_symbols(3, {20, nu});
+    CHECK(thick.normal == Approx(deep.normal / 3).epsilon(1e-12));
+    CHECK(thick.cross == Approx(deep.cross / 3).epsilon(1e-12));
+    for (const double h : {0.3, 2.0}) {
+      const LayerSymbols correction = layer_correction(h, nu), whole = layer_symbols(h, {1, nu});
+      CHECK(correction.normal + deep.normal / h == Approx(whole.normal).epsilon(1e-12));
+      CHECK(correction.cross + deep.cross / h == Approx(whole.cross).epsilon(1e-12));
+    }
+  }
+  for (const double h : {0.01, 0.3, 2.0, 8.0}) {
+    const LayerSymbols limit = layer_symbols(h, 1), near = layer_symbols(h, {1, 0.5 - 1e-10});
+    CHECK(near.normal == Approx(limit.normal).epsilon(1e-8).margin(2e-10));
+    CHECK(near.cross == Approx(limit.cross).epsilon(1e-8).margin(2e-10));
+  }
+}
 
 TEST_CASE("the layer's symbols solve the equations of the incompressible layer", "[core][layer_compliance]") {
   const double thickness = 0.7;

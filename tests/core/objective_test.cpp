@@ -88,7 +88,7 @@ TEST_CASE("wrong inputs and outputs of an objective are refused by name", "[core
   CHECK(refusal({{"series_terms"}}) == "series_terms: must be an input that is a real number");
   CHECK(refusal({{"approach"}}) == "approach: must be in the scene to be varied");
   CHECK(refusal({{"speed"}, {"speed"}}) == "speed: input given twice");
-  CHECK(refusal({{"poisson_ratio"}}) == "poisson_ratio = 0.5: must have room between its bounds");
+  CHECK(refusal({{"speed", 1.0, 1.0}}) == "speed = 1: must have room between its bounds");
   CHECK(refusal({{"speed", 2.0}}) == "speed = 1: must be inside its bounds");
   CHECK(refusal({{.key = "rotation_ratio"}}) == "rotation_ratio: must be in the scene to be varied");
   CHECK(refusal({{"speed"}}, "rolling_resistanse") ==

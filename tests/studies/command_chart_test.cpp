@@ -52,6 +52,25 @@ TEST_CASE("rollres chart draws beside the database and names the peaks and the f
   CHECK_THAT(part.out, Contains("speed_load_contact_nodes_load=10_kN_m.svg"));
 }
 
+TEST_CASE("rollres chart draws all charts of a study, each into files of its own", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  const auto study = scratch.write("study.json", R"({"study": "two", "scene": {"radius": 0.1, "layer_thickness": 0.01,
+    "static_shear_modulus": 1e6, "material": "elastic", "load": 1e4}, "axes": {"speed": [0.1, 1, 10], "load": [1e4, 2e4]},
+    "charts": [{"x": "speed"}, {"name": "a/b", "x": "load"}]})");
+  const std::string file = (scratch / "results.db").string();
+  REQUIRE(run({"sweep", study.string(), "--db", file}).status == 0);
+  const Run all = run({"chart", "--db", file, "--chart", "all"});
+  CHECK(all.status == 0);
+  CHECK(std::filesystem::exists(scratch / "two_1.svg"));
+  CHECK(std::filesystem::exists(scratch / "two_a_b.svg"));
+  CHECK(run({"chart", "--db", file, "--chart", "all", "--out", (scratch / "out.png").string()}).status == 0);
+  CHECK(std::filesystem::exists(scratch / "out_1.png"));
+  CHECK(std::filesystem::exists(scratch / "out_a_b.png"));
+  const Run unknown = run({"chart", "--db", file, "--chart", "c"});
+  CHECK(unknown.status == 2);
+  CHECK(unknown.err == "rollres: " + file + ": two: chart = c: must be one of 1, a/b\n");
+}
+
 TEST_CASE("rollres chart tells how many points have no answer", "[studies][chart]") {
   const TemporaryDirectory scratch;
   const std::string file = database(scratch, [](const RollingScene& scene) {

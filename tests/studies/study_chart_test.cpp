@@ -159,6 +159,63 @@ TEST_CASE("a study of methods has one curve for each, by its name", "[studies][c
   CHECK(request.curves[1].label == "newton");
 }
 
+TEST_CASE("what varies together with x needs no curves of its own, unless x does not tell it", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  Study study{.name = "zip",
+              .base = plain_scene(),
+              .axes = {{.key = "load", .values = {1e4, 2e4}},
+                       {.key = "speed", .values = {1, 2, 3, 4}, .group = "run"},
+                       {.key = "friction_coefficient", .values = {0.1, 0.2, 0.1, 0.2}, .group = "run"}}};
+  ResultStore store = stored(scratch, study, closed_form,
+                             R"({"axes": {"load": [], "run": {"zip": {"speed": [], "friction_coefficient": []}}}})");
+  const ChartRequest along_speed = stored_chart(store, {}).request;
+  CHECK(along_speed.x.name == "speed");
+  CHECK(along_speed.lines);
+  REQUIRE(along_speed.curves.size() == 2);
+  CHECK(along_speed.curves[0].points.size() == 4);
+  CHECK(along_speed.family.name == "load");
+  const ChartRequest by_friction = stored_chart(store, {.x = "speed", .family = "friction_coefficient"}).request;
+  CHECK(by_friction.curves.size() == 4);
+  const ChartRequest along_friction = stored_chart(store, {.x = "friction_coefficient"}).request;
+  REQUIRE(along_friction.curves.size() == 8);  // four speeds, two loads
+  CHECK(along_friction.curves[0].label == "P = 10 kN/m, V = 1 m/s");
+}
+
+TEST_CASE("the points of a sample of several inputs are marks without lines and without peaks", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  Study study{.name = "sample",
+              .base = plain_scene(),
+              .axes = {{.key = "load", .values = {1e4, 2e4}},
+                       {.key = "speed", .values = {1, 3, 2, 4}, .group = "sample"},
+                       {.key = "radius", .values = {0.1, 0.2, 0.4, 0.3}, .group = "sample"}}};
+  ResultStore store = stored(scratch, study, closed_form, R"({"axes": {"load": []}, "sample": {"ranges": {
+    "speed": {"from": 1, "to": 5}, "radius": {"from": 0.1, "to": 1, "spacing": "logarithmic"}}}})");
+  const ChartRequest request = stored_chart(store, {.x = "radius"}).request;
+  CHECK(request.x.logarithmic);
+  CHECK_FALSE(request.lines);
+  REQUIRE(request.curves.size() == 2);
+  CHECK(request.curves[0].points.size() == 4);
+  const std::string script = chart_script(request, chart_files("a"));
+  CHECK_THAT(script, !Contains("with lines") && Contains("with points") && !Contains("linespoints"));
+  CHECK_FALSE(stored_chart(store, {.x = "rolling_resistance_coefficient"}).request.lines);
+  const ChartRequest along_load = stored_chart(store, {.x = "load"}).request;
+  CHECK(along_load.lines);
+  CHECK(along_load.curves.size() == 4);
+}
+
+TEST_CASE("a study's charts are asked for by name or number", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  ResultStore store = stored(scratch, speed_and_load(), closed_form,
+                             R"({"charts": [{"x": "speed"}, {"name": "by load", "x": "load"}]})");
+  CHECK(stored_charts(store, "") == std::vector<std::string>{"1", "by load"});
+  CHECK(stored_chart(store, {}).request.x.name == "speed");
+  CHECK(stored_chart(store, {.chart = "1"}).request.x.name == "speed");
+  CHECK(stored_chart(store, {.chart = "2"}).request.x.name == "load");
+  CHECK(stored_chart(store, {.chart = "by load"}).request.x.name == "load");
+  CHECK_THAT(message_of([&] { stored_chart(store, {.chart = "3"}); }),
+             Contains("speed and load: chart = 3: must be one of 1, by load"));
+}
+
 TEST_CASE("a chart that cannot be made names what is wrong and the nearest known name", "[studies][chart]") {
   const TemporaryDirectory scratch;
   ResultStore store = stored(scratch, speed_and_load());

@@ -37,9 +37,10 @@ TEST_CASE("the example studies hold the points they promise", "[studies][study]"
   // logarithmic: the same ratio from each speed to the next, up to rounding of pow
   for (std::size_t i = 1; i < 60; ++i)
     CHECK(scenes[i].speed / scenes[i - 1].speed == Approx(std::pow(1e4, 1.0 / 59)).epsilon(1e-13));
-  CHECK(study.chart.x == "speed");
-  CHECK(study.chart.y == "rolling_resistance");
-  CHECK(study.chart.family == "load");
+  REQUIRE(study.charts.size() == 1);
+  CHECK(study.charts[0].x == "speed");
+  CHECK(study.charts[0].y == "rolling_resistance");
+  CHECK(study.charts[0].family == "load");
 
   const auto spheres = points(read_study(examples / "speed_resistance_sphere.json"));
   CHECK(spheres.size() >= 12);

@@ -9,11 +9,11 @@
 #include <random>
 #include <thread>
 
-#include "db/query.hpp"
 #include "studies/evaluate.hpp"
 #include "studies/stop_signal.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/studies/stored_rows.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
@@ -47,15 +47,7 @@ Evaluate moody(milliseconds duration) {
   };
 }
 
-/// The rows of a study without what differs from run to run.
-std::vector<std::vector<Cell>> rows(const std::filesystem::path& file, const std::string& study) {
-  const Database database(file, Access::read);
-  const Query query{.filters = {{"study", Comparison::equal, study}}};
-  Query lasting = query;
-  for (const std::string& column : run_query(database, query).columns)
-    if (column != "id" && column != "created" && column != "seconds") lasting.columns.push_back(column);
-  return run_query(database, lasting).rows;
-}
+constexpr auto rows = stored_rows;
 
 int count(const std::filesystem::path& file, const std::string& query) {
   SQLite::Database plain(file.string());

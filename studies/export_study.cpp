@@ -1,0 +1,109 @@
+#include "studies/export_study.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "db/query.hpp"
+#include "db/result_store.hpp"
+#include "studies/strict_json.hpp"
+#include "studies/table_json.hpp"
+#include "studies/table_output.hpp"
+#include "studies/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr const char* readme = R"(A study of rolling resistance, exported by rollres VERSION.
+
+study.json       the study: base scene, axes, chart. `rollres sweep study.json --db FILE` computes it anew
+results.csv      one line for each answered point, one column for each input and output, in SI units; empty: absent.
+                 `rollres quantities` explains the columns
+results.db       the same as an SQLite database: table evaluation, views such as result
+provenance.json  which version of rollres, on which machine, computed how many of the points, and when
+
+`rollres import FOLDER --db FILE` brings the results into another database; doing so again changes nothing.
+)";
+
+Json provenance_of(ResultStore& store, const StudySummary& study, const Table& results) {
+  struct Made {
+    Provenance program;
+    std::int64_t points = 0;
+    std::string first, last;
+  };
+  const auto column = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(results.columns.begin(), results.columns.end(), name) -
+                                    results.columns.begin());
+  };
+  const std::size_t id = column("id"), number = column("provenance"), created = column("created");
+  std::map<std::int64_t, Made> programs;
+  for (const std::vector<Cell>& row : results.rows) {
+    Made& made = programs[std::get<std::int64_t>(row[number])];
+    const std::string& time = std::get<std::string>(row[created]);
+    if (made.points++ == 0) {
+      made.program = store.find(std::get<std::int64_t>(row[id])).value().provenance;
+      made.first = made.last = time;
+    }
+    made.first = std::min(made.first, time);
+    made.last = std::max(made.last, time);
+  }
+  Json object{{"study", study.name},
+              {"created", study.created},
+              {"started", study.started},
+              {"points", study.points},
+              {"answered", study.answered},
+              {"failed", study.failed},
+              {"programs", Json::array()},
+              {"exported_by", {{"version", this_program().version}, {"git_hash", this_program().git_hash}}}};
+  for (const auto& [ignored, made] : programs)
+    object["programs"].push_back({{"version", made.program.version},
+                                  {"git_hash", made.program.git_hash},
+                                  {"solver", made.program.solver},
+                                  {"compiler", made.program.compiler},
+                                  {"machine", made.program.machine},
+                                  {"points", made.points},
+                                  {"first_result", made.first},
+                                  {"last_result", made.last}});
+  return object;
+}
+
+}  // namespace
+
+std::string export_study(const std::filesystem::path& database, const std::string& name,
+                         const std::filesystem::path& folder) {
+  ResultStore store(database, Access::read);
+  const std::optional<StudySummary> study = store.study(name);
+  if (!study) throw std::invalid_argument("study = " + name + ": there is no such study in " + database.string());
+  const std::filesystem::path own = folder / "results.db";
+  if (std::filesystem::exists(own) && !ResultStore(own, Access::read).study(name))
+    throw std::invalid_argument("out = " + folder.string() + ": holds another study");
+  make_directory(folder);
+
+  extract_study(database, name, own);
+  ResultStore exported(own, Access::read);
+  const Table results = run_query(exported.database(), {.filters = {{"study", Comparison::equal, name}}});
+  std::ostringstream csv;
+  write_csv(csv, results);
+  write_file(folder / "results.csv", csv.str());
+  write_file(folder / "provenance.json",
+             text_of(provenance_of(exported, exported.study(name).value(), results), 2) + "\n");
+  const std::string definition = exported.definition(name).value_or("");
+  write_file(folder / "study.json", definition);
+  std::string text = readme;
+  text.replace(text.find("VERSION"), 7, this_program().version);
+  write_file(folder / "README.txt", text);
+
+  const Json parsed = definition.empty() ? Json::object() : parse_object(definition, database.string() + ": " + name);
+  const auto scene = parsed.find("scene");
+  if (scene != parsed.end() && scene->is_object()) return "";
+  return definition.empty() ? "no study file was stored; study.json is empty"
+                            : "the scene was not stored with the study; study.json needs the file " + shown(*scene);
+}
+
+MergeReport import_study(const std::filesystem::path& folder, const Database& into) {
+  return merge(into, folder / "results.db");
+}
+
+}  // namespace rollres

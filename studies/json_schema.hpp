@@ -1,0 +1,17 @@
+#pragma once
+
+/// JSON schemas (draft-07) of scene and study files, for editors: made from the list of inputs and from the keys of a
+/// study, so that they hold what the readers accept. What joins several keys with their values, such as a unit that
+/// fits the quantity, is left to the readers.
+
+#include <string>
+
+namespace rollres {
+
+/// The schema of a scene file: keys, ranges, names, which keys are needed and which exclude each other.
+std::string scene_schema();
+
+/// The schema of a study file.
+std::string study_schema();
+
+}  // namespace rollres

@@ -1,0 +1,58 @@
+#include "studies/plan_table.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+
+namespace rollres {
+
+namespace {
+
+Cell cell_of(double value) { return value; }
+Cell cell_of(int value) { return std::int64_t{value}; }
+Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+template <class Choice>
+requires std::is_enum_v<Choice> Cell cell_of(Choice choice) { return std::string(name_of(choice)); }
+
+Cell input_of(const RollingScene& scene, std::string_view key) {
+  Cell cell;
+  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+    if (quantity.key == key) cell = cell_of(value);
+  });
+  return cell;
+}
+
+}  // namespace
+
+std::vector<Cell> stored_status(ResultStore& store, const StudyPlan& plan) {
+  std::vector<Cell> status;
+  for (const RollingScene& scene : plan.scenes) {
+    const auto found = store.find(evaluation_key(scene));
+    status.push_back(found ? Cell(std::string(name_of(found->solution.status))) : Cell());
+  }
+  return status;
+}
+
+StoredPoints count_stored(const std::vector<Cell>& status) {
+  StoredPoints stored;
+  for (const Cell& cell : status)
+    if (const auto* const name = std::get_if<std::string>(&cell)) {
+      ++stored.answered;
+      if (*name != name_of(Status::converged)) ++stored.failed;
+    }
+  return stored;
+}
+
+Table plan_table(const Study& study, const StudyPlan& plan, const std::vector<Cell>& status, std::size_t limit) {
+  Table table{{"position"}, {}};
+  for (const Axis& axis : study.axes) table.columns.push_back(axis.key);
+  if (!status.empty()) table.columns.push_back("status");
+  for (std::size_t point = 0; point < std::min(limit, plan.scenes.size()); ++point) {
+    table.rows.push_back({static_cast<std::int64_t>(point + 1)});
+    for (const Axis& axis : study.axes) table.rows.back().push_back(input_of(plan.scenes[point], axis.key));
+    if (!status.empty()) table.rows.back().push_back(status[point]);
+  }
+  return table;
+}
+
+}  // namespace rollres
