@@ -1,8 +1,8 @@
 #include <charconv>
-#include <cstdint>
 #include <optional>
 #include <type_traits>
 
+#include "db/digest.hpp"
 #include "db/result_store.hpp"
 
 namespace rollres {
@@ -14,18 +14,6 @@ std::string canonical(const std::optional<double>& value) { return value ? canon
 std::string canonical(int value) { return std::to_string(value); }
 template <class Choice>
 requires std::is_enum_v<Choice> std::string canonical(Choice choice) { return std::string(name_of(choice)); }
-
-/// FNV-1a of 128 bits (Fowler, Noll and Vo; IETF draft-eastlake-fnv), in hexadecimal digits.
-std::string digest(std::string_view text) {
-  __extension__ using Wide = unsigned __int128;
-  constexpr Wide prime = (Wide{1} << 88) + 0x13b;
-  Wide hash = (Wide{0x6c62272e07bb0142} << 64) + 0x62b821756295c58d;
-  for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * prime;
-  std::string digits(32, '0');
-  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, hash >>= 4)
-    *digit = "0123456789abcdef"[static_cast<unsigned>(hash & 15)];
-  return digits;
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "core/scene.hpp"
 #include "core/solution.hpp"
+#include "db/fit_store.hpp"
 #include "db/sqlite.hpp"
 
 namespace rollres {
@@ -123,7 +124,7 @@ std::vector<Column> columns_of(SQLite::Database& connection, const std::string& 
 }
 
 std::span<const Migration> schema_migrations() {
-  static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields};
+  static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields, create_fit_tables};
   return migrations;
 }
 

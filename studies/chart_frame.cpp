@@ -1,6 +1,7 @@
 #include "studies/chart_frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 
@@ -36,7 +37,7 @@ std::string axis_label(const ChartAxis& axis, std::size_t room) {
   std::string text = axis.name, markup = gnuplot::plain(axis.name);
   if (!axis.symbol.empty()) {
     text += "  " + axis.symbol;
-    markup += " " + gnuplot::symbol(axis.symbol);
+    markup += kept_blanks + gnuplot::symbol(axis.symbol);
   }
   if (!axis.unit.empty()) {
     text += "  [" + axis.unit + "]";
@@ -88,6 +89,12 @@ struct LegendGrid {
 };
 
 }  // namespace
+
+std::string_view curve_colour(std::size_t curve) {
+  constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                    "#E69F00", "#56B4E9", "#000000"};
+  return colours[curve % colours.size()];
+}
 
 void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
                 const ChartAxis& y, const Span& y_span) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "studies/chart.hpp"
@@ -15,6 +16,9 @@ namespace rollres {
 
 /// gnuplot keeps the blanks of an SVG's text only where two stand together.
 inline constexpr const char* kept_blanks = "  ";
+
+/// Colour of the n-th curve: those of Okabe and Ito (2008) without their yellow, seven in turn.
+std::string_view curve_colour(std::size_t curve);
 
 /// One entry of the legend.
 struct LegendEntry {

@@ -14,19 +14,17 @@ namespace rollres {
 
 namespace {
 
-/// Look of the n-th curve. The colours are those of Okabe and Ito (2008) without their yellow; the periods 7, 6 and 5
-/// of colours, marks and dashes have no common factor, so 210 curves differ.
+/// Look of the n-th curve. The periods 7, 6 and 5 of colours, marks and dashes have no common factor, so 210 curves
+/// differ.
 struct Look {
   std::string_view colour;
   int filled, hollow;  // gnuplot's point types
   std::string_view dash;
 };
 Look look(std::size_t curve) {
-  constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                    "#E69F00", "#56B4E9", "#000000"};
   constexpr std::array<int, 6> filled{7, 5, 9, 13, 11, 15}, hollow{6, 4, 8, 12, 10, 14};
   constexpr std::array<std::string_view, 5> dashes{"1", "(10,4)", "(3,3)", "(10,3,2,3)", "(6,2)"};
-  return {colours[curve % colours.size()], filled[curve % filled.size()], hollow[curve % hollow.size()],
+  return {curve_colour(curve), filled[curve % filled.size()], hollow[curve % hollow.size()],
           dashes[curve % dashes.size()]};
 }
 

@@ -45,6 +45,7 @@ void add_sensitivity(CLI::App& program, Session& session);
 void add_plan(CLI::App& program, Session& session);
 void add_sweep(CLI::App& program, Session& session);
 void add_optimise(CLI::App& program, Session& session);
+void add_fit(CLI::App& program, Session& session);
 void add_merge(CLI::App& program, Session& session);
 void add_status(CLI::App& program, Session& session);
 void add_slurm(CLI::App& program, Session& session);

@@ -1,0 +1,23 @@
+#pragma once
+
+/// A Prony series in relaxation moduli and times (generalised Maxwell solid).
+
+#include <complex>
+#include <vector>
+
+namespace rollres {
+
+/// G*(omega) = static_modulus + sum_j modulus_j i omega time_j / (1 + i omega time_j).
+struct PronySeries {
+  struct Term {
+    double modulus;  ///< [Pa], > 0
+    double time;     ///< relaxation time [s], > 0
+  };
+  double static_modulus = 0;  ///< G'(0) [Pa], > 0
+  std::vector<Term> terms;    ///< times ascending
+};
+
+/// G*(omega) [Pa], omega [rad/s] of either sign.
+std::complex<double> complex_modulus(const PronySeries& series, double omega);
+
+}  // namespace rollres

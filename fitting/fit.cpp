@@ -1,0 +1,172 @@
+#include "fitting/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "fitting/latin_hypercube.hpp"
+#include "fitting/secant_slopes.hpp"
+#include "fitting/statistics.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr double rough = 1e-2;  // tolerance of a descent that will be gone on with
+
+/// The other starts: the best quarter of the points of a Latin hypercube.
+std::vector<FitPoint> other_starts(const FitProblem& problem, const FitOptions& options) {
+  const int wanted = options.starts - 1;
+  if (wanted <= 0) return {};
+  constexpr int tried_for_each = 4;
+  const double reach = std::log(options.reach);
+  const Eigen::VectorXd centre = scaled_point(problem, start_point(problem));
+  Eigen::VectorXd lowest = centre.array() - reach, highest = centre.array() + reach;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    const Variable& variable = problem.parameters[j].variable;
+    const auto k = static_cast<Eigen::Index>(j);
+    lowest[k] = std::max(lowest[k], variable.scaled(variable.lowest));
+    highest[k] = std::min(highest[k], variable.scaled(variable.highest));
+  }
+  struct Candidate {
+    FitPoint point;
+    double misfit;
+  };
+  std::vector<Candidate> candidates;
+  for (const Eigen::VectorXd& unit : latin_hypercube(tried_for_each * wanted, centre.size(), options.seed)) {
+    const FitPoint point = point_of(problem, lowest + unit.cwiseProduct(highest - lowest));
+    const Prediction prediction = problem.predict(point);
+    if (prediction.found()) candidates.push_back({point, misfit(problem, residuals(problem, prediction))});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+  std::vector<FitPoint> starts;
+  for (const Candidate& candidate : candidates)
+    if (std::ssize(starts) < wanted) starts.push_back(candidate.point);
+  return starts;
+}
+
+Descent& best_of(std::vector<Descent>& descents) {
+  return *std::min_element(descents.begin(), descents.end(), [](const Descent& a, const Descent& b) {
+    const auto size = [](const Descent& d) { return d.found() ? d.misfit : std::numeric_limits<double>::infinity(); };
+    return size(a) < size(b);
+  });
+}
+
+/// A robust loss needs a scale: without known deviations, that of the bulk of the residuals of plain least squares
+/// (1.4826 times their median size).
+FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options) {
+  if (problem.loss == Loss::none || problem.deviations_known) return problem;
+  FitProblem plain = problem;
+  plain.loss = Loss::none;
+  const Descent descent = descend(plain, start_point(problem), {.stop = options.stop});
+  if (!descent.found()) return problem;
+  Eigen::VectorXd sizes = residuals(problem, descent.prediction).cwiseAbs();
+  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+  FitProblem scaled = problem;
+  scaled.loss_scale *= std::max(1.4826 * sizes[sizes.size() / 2], std::numeric_limits<double>::min());
+  return scaled;
+}
+
+/// Whether Gauss and Newton's step from here is but a small part of the standard errors.
+bool arrived(const FitReport& report) {
+  constexpr double near = 0.002, exactly = 1e-7;
+  for (Eigen::Index j = 0; j < report.errors.step.size(); ++j) {
+    const double deviation = report.errors.deviations[j];
+    if (std::abs(report.errors.step[j]) > std::max(std::isfinite(deviation) ? near * deviation : 0, exactly))
+      return false;
+  }
+  return true;
+}
+
+/// Parameters that the misfit presses against a bound: held, they do not spoil the steps of the others.
+std::vector<std::size_t> pressed_on_bounds(const FitReport& report) {
+  std::vector<std::size_t> held;
+  for (std::size_t j = 0; j < report.errors.at_bound.size(); ++j)
+    if (report.errors.at_bound[j] != AtBound::no) held.push_back(j);
+  if (held.size() == report.parameters.size()) held.clear();
+  return held;
+}
+
+/// The report on the best descent, which goes on from where it stopped for its rough tolerance: by secants from the
+/// slopes of the report, which stay good enough for the errors if this leads less than a third of a standard error
+/// away.
+FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, const FitOptions& options) {
+  Descent& best = best_of(descents);
+  FitReport report = report_on(problem, best, descents);
+  constexpr int most_rounds = 4;
+  constexpr double beside = 0.1;
+  for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
+    if (options.stop && options.stop->load()) break;
+    const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
+    const KnownSlopes known{best.end, best.prediction, report.slopes};
+    const Descent further =
+        descend(last ? problem : with_secants(problem, known), best.end,
+                {.most_iterations = last ? 60 : 8, .held = pressed_on_bounds(report), .stop = options.stop});
+    if (!further.found() || !(further.misfit < best.misfit)) {
+      round = std::max(round, most_rounds - 2);
+      continue;
+    }
+    const Eigen::VectorXd moved = scaled_point(problem, further.end) - scaled_point(problem, best.end);
+    const bool near = (moved.array().abs() <= beside * report.errors.deviations.array()).all();
+    best = {best.start,
+            further.end,
+            further.misfit,
+            further.prediction,
+            further.stopped_by_itself,
+            further.why,
+            best.iterations + further.iterations};
+    report = near && !last ? report_on(problem, best, descents, report.slopes) : report_on(problem, best, descents);
+  }
+  return report;
+}
+
+void add_profiles(FitReport& report, const FitProblem& problem, const Descent& best, const FitOptions& options,
+                  FitPoint& better) {
+  for (std::size_t j = 0; j < problem.size() && better.empty(); ++j) {
+    if (options.stop && options.stop->load()) return;
+    report.parameters[j].profile =
+        profile(problem, best, report.slopes, report.errors, j, interval_threshold(problem), options.stop);
+    better = report.parameters[j].profile.better;
+  }
+}
+
+}  // namespace
+
+double interval_threshold(const FitProblem& problem) {
+  const double quantile = two_sided_quantile(confidence, problem.deviations_known ? 0 : degrees_of_freedom(problem));
+  return quantile * quantile;
+}
+
+FitReport fit(const FitProblem& given, const FitOptions& options) {
+  for (const FitParameter& parameter : given.parameters)
+    if (!(parameter.start >= parameter.variable.lowest && parameter.start <= parameter.variable.highest))
+      throw std::invalid_argument(parameter.name + " = " + std::to_string(parameter.start) +
+                                  ": the start must be inside its bounds");
+  const FitProblem problem = with_loss_scale(given, options);
+  std::vector<FitPoint> starts{start_point(problem)};
+  for (FitPoint& start : other_starts(problem, options)) starts.push_back(std::move(start));
+  std::vector<Descent> descents;
+  for (const FitPoint& start : starts) {
+    if (!descents.empty() && options.stop && options.stop->load()) break;
+    descents.push_back(descend(problem, start, {.tolerance = rough, .stop = options.stop}));
+  }
+  FitReport report = settled(problem, descents, options);
+  constexpr int most_returns = 2;
+  for (int returns = 0; options.profiles && report.slopes.found(); ++returns) {
+    FitPoint better;
+    add_profiles(report, problem, best_of(descents), options, better);
+    if (better.empty() || returns == most_returns) break;
+    descents.push_back(descend(problem, better, {.tolerance = rough, .stop = options.stop}));
+    report = settled(problem, descents, options);
+  }
+  report.interrupted = options.stop && options.stop->load();
+  judge(report, problem);
+  report.evaluations = problem.log->evaluations();
+  report.failures = problem.log->failures();
+  report.failure_reasons = problem.log->reasons();
+  return report;
+}
+
+}  // namespace rollres

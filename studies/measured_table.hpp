@@ -1,0 +1,47 @@
+#pragma once
+
+/// Tables of measured values: CSV with a line of names, each with its unit: "speed [km/h],rolling_resistance [N/m]".
+/// Commas (or, where the first line has none, semicolons or tabs) separate cells, double quotes may enclose one, empty
+/// lines and lines that begin with # are left out.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rollres {
+
+struct MeasuredColumn {
+  std::string name, unit;          ///< unit empty if none is given
+  std::vector<std::string> cells;  ///< without blanks around them
+};
+
+struct MeasuredTable {
+  std::string file;
+  std::string text;  ///< of the whole file
+  std::vector<MeasuredColumn> columns;
+  std::vector<int> lines;  ///< where each row stands in the file
+
+  std::size_t rows() const { return lines.size(); }
+  /// The column of that name, or nullptr.
+  const MeasuredColumn* find(std::string_view name) const;
+  /// "data.csv, line 7"
+  std::string place(std::size_t row) const;
+};
+
+/// @throws std::invalid_argument naming file and line: no row, a row with more or fewer cells than names, a quote that
+///         does not end, a name given twice
+/// @throws std::runtime_error if the file cannot be read
+MeasuredTable read_measured_table(const std::filesystem::path& file);
+
+/// The number in a cell in SI units.
+/// @param unit      the wanted SI unit; "1" if dimensionless
+/// @throws std::invalid_argument naming file, line, column, cell and rule: an empty cell, text in a number, a wrong
+/// unit
+double measured_number(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row,
+                       std::string_view unit);
+
+/// A column's name with its unit: "speed [km/h]".
+std::string heading(const MeasuredColumn& column);
+
+}  // namespace rollres
