@@ -39,7 +39,8 @@ inline constexpr std::array duty_keys{
 };
 
 inline constexpr std::array stop_keys{
-    FileKey{"evaluations", "most scenes that the searches may ask for, recalled ones included"},
+    FileKey{"evaluations",
+            "most scenes that the searches may ask for, recalled ones included; slopes once begun are finished"},
     FileKey{"tolerance", "of each variable, as a fraction of its range; default 1e-4"},
 };
 

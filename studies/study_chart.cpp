@@ -156,7 +156,9 @@ Choice choose(const StudySummary& study, const Rows& rows, const StudyDefinition
     for (const QuantityColumn* drawn : axes)
       if ((drawn == choice.along || taken(drawn)) && definition.are_together(key_of(*drawn), key_of(*axis)))
         mates.push_back(drawn);
-    if (mates.empty() || !follows(rows, *axis, mates)) choice.families.push_back(axis);
+    const bool scattered =  // drawn as points without lines: nothing need tell them apart
+        definition.sampled.contains(key_of(*choice.along)) && definition.sampled.contains(key_of(*axis));
+    if (!scattered && (mates.empty() || !follows(rows, *axis, mates))) choice.families.push_back(axis);
   }
   return choice;
 }
