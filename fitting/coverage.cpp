@@ -28,7 +28,7 @@ class Normal {
   std::mt19937_64 random_;
 };
 
-bool holds(const Interval& interval, double truth) {
+bool holds(const ConfidenceInterval& interval, double truth) {
   return (interval.low == IntervalEnd::open || truth >= interval.lowest) &&
          (interval.high == IntervalEnd::open || truth <= interval.highest);
 }

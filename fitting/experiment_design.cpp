@@ -35,11 +35,12 @@ double usual_relative_deviation(const FitReport& report) {
 
 }  // namespace
 
-Design design(const FitReport& report, const std::vector<FittedInput>& inputs, std::vector<MeasuredScene> candidates,
-              const Evaluate& evaluate, const ResistanceFitOptions& options) {
+MeasurementPlan design(const FitReport& report, const std::vector<FittedInput>& inputs,
+                       std::vector<MeasuredScene> candidates, const Evaluate& evaluate,
+                       const ResistanceFitOptions& options) {
   if (!report.slopes.found()) throw std::invalid_argument("a design needs a fit with slopes");
   const Eigen::MatrixXd covariance = covariance_of(report);
-  Design answer;
+  MeasurementPlan answer;
   answer.deviations = covariance.diagonal().cwiseSqrt();
   Eigen::Index worst = 0;
   answer.deviations.maxCoeff(&worst);

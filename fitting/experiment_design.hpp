@@ -21,7 +21,7 @@ struct DesignChoice {
   Eigen::VectorXd deviations;  ///< of the scaled parameters, afterwards
 };
 
-struct Design {
+struct MeasurementPlan {
   std::size_t worst;                  ///< the parameter with the largest standard deviation now
   Eigen::VectorXd deviations;         ///< of the scaled parameters, now
   std::vector<DesignChoice> choices;  ///< those with an answer; what shrinks the worst most comes first
@@ -36,7 +36,8 @@ struct Design {
 /// @param inputs      of the fit
 /// @param candidates  scenes; their measured values are not used
 /// @throws std::invalid_argument if the report has no slopes
-Design design(const FitReport& report, const std::vector<FittedInput>& inputs, std::vector<MeasuredScene> candidates,
-              const Evaluate& evaluate, const ResistanceFitOptions& options = {});
+MeasurementPlan design(const FitReport& report, const std::vector<FittedInput>& inputs,
+                       std::vector<MeasuredScene> candidates, const Evaluate& evaluate,
+                       const ResistanceFitOptions& options = {});
 
 }  // namespace rollres

@@ -58,7 +58,7 @@ FitPoint point_of(const FitProblem& problem, const Eigen::VectorXd& scaled) {
 Eigen::VectorXd residuals(const FitProblem& problem, const Prediction& prediction) {
   Eigen::VectorXd answer(std::ssize(problem.data));
   for (Eigen::Index i = 0; i < answer.size(); ++i) {
-    const Measurement& measured = problem.data[static_cast<std::size_t>(i)];
+    const MeasuredValue& measured = problem.data[static_cast<std::size_t>(i)];
     answer[i] = (prediction.values[i] - measured.value) / measured.deviation;
   }
   return answer;

@@ -22,7 +22,7 @@ struct FitParameter {
   double start;       ///< [SI]
 };
 
-struct Measurement {
+struct MeasuredValue {
   double value;            ///< [SI]
   double deviation;        ///< standard deviation [SI]; where none is known, what residuals are measured in
   std::string place = {};  ///< "data.csv, line 7"
@@ -62,7 +62,7 @@ double usual_loss_scale(Loss loss);
 
 struct FitProblem {
   std::vector<FitParameter> parameters;
-  std::vector<Measurement> data;
+  std::vector<MeasuredValue> data;
   bool deviations_known = false;  ///< else errors are scaled by the scatter of the residuals
   Loss loss = Loss::none;
   double loss_scale = 1;  ///< c [1]

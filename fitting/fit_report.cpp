@@ -12,8 +12,8 @@ namespace rollres {
 
 namespace {
 
-Interval linear_interval(const FitParameter& parameter, double value, double deviation, double quantile) {
-  Interval interval;
+ConfidenceInterval linear_interval(const FitParameter& parameter, double value, double deviation, double quantile) {
+  ConfidenceInterval interval;
   if (!std::isfinite(deviation)) return interval;
   const Variable& variable = parameter.variable;
   const auto at = [&](double scaled) { return variable.logarithmic ? std::exp(scaled) : scaled * variable.size; };
@@ -89,7 +89,7 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
   misses.cwiseAbs().maxCoeff(&largest);
   report.largest_residual = static_cast<std::size_t>(largest);
   for (Eigen::Index i = 0; i < misses.size(); ++i) {
-    const Measurement& measured = problem.data[static_cast<std::size_t>(i)];
+    const MeasuredValue& measured = problem.data[static_cast<std::size_t>(i)];
     const double miss = best.prediction.values[i] - measured.value;
     squares += miss * miss;
     relative_squares += std::pow(miss / measured.value, 2);

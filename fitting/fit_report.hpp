@@ -30,20 +30,20 @@ struct ChoiceNames<FitStatus> {
 /// What is known of one parameter.
 struct FittedParameter {
   FitParameter parameter;
-  double value;           ///< [SI]
-  double standard_error;  ///< [SI] linear; NaN at a bound
-  double relative_error;  ///< of the scaled variable: of a positive quantity relative, else over its size
-  Interval linear;        ///< 95 %: symmetric in the scaled variable
-  Profile profile;        ///< 95 %; without points if profiles were not wanted
-  double step;            ///< of the differences, scaled
-  double slope_doubt;     ///< estimated error of the slopes over the slopes
+  double value;               ///< [SI]
+  double standard_error;      ///< [SI] linear; NaN at a bound
+  double relative_error;      ///< of the scaled variable: of a positive quantity relative, else over its size
+  ConfidenceInterval linear;  ///< 95 %: symmetric in the scaled variable
+  Profile profile;            ///< 95 %; without points if profiles were not wanted
+  double step;                ///< of the differences, scaled
+  double slope_doubt;         ///< estimated error of the slopes over the slopes
   AtBound at_bound;
   std::string flag;  ///< "at its lower bound", "not bounded above", ...; empty: nothing to mind
 };
 
 /// One measured value and what the fit makes of it.
 struct FittedValue {
-  Measurement measured;
+  MeasuredValue measured;
   double predicted;  ///< [SI]
   double residual;   ///< (predicted - measured) / deviation
   double band;       ///< standard error of the prediction by the errors of the parameters [SI]

@@ -49,7 +49,7 @@ std::string not_converged(const FitReport& report) {
 
 void flag_parameters(FitReport& report) {
   for (FittedParameter& fitted : report.parameters) {
-    const Interval& profile = fitted.profile.interval;
+    const ConfidenceInterval& profile = fitted.profile.interval;
     const auto add = [&](const std::string& words) { fitted.flag += (fitted.flag.empty() ? "" : ", ") + words; };
     fitted.flag.clear();
     if (fitted.at_bound == AtBound::lowest) add("at its lower bound");

@@ -22,7 +22,7 @@ struct ChoiceNames<IntervalEnd> {
   static constexpr std::array<std::string_view, 3> names{"closed", "limit", "open"};
 };
 
-struct Interval {
+struct ConfidenceInterval {
   double lowest = RollingSolution::absent, highest = RollingSolution::absent;  ///< [SI]
   IntervalEnd low = IntervalEnd::open, high = IntervalEnd::open;
 
@@ -36,7 +36,7 @@ struct ProfilePoint {
 
 struct Profile {
   std::vector<ProfilePoint> points;  ///< by value, the fit among them
-  Interval interval;
+  ConfidenceInterval interval;
   /// A point with a smaller misfit than the fit's, if one was met: then the fit was not at the least misfit.
   FitPoint better = {};
 };

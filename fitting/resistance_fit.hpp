@@ -14,7 +14,7 @@ namespace rollres {
 /// One measured value and the scene it belongs to.
 struct MeasuredScene {
   RollingScene scene;
-  Measurement measured;
+  MeasuredValue measured;
   std::string set = {};  ///< data set
 };
 

@@ -128,7 +128,7 @@ std::filesystem::path draw_data(const FitReport& report, const FitCurves& curves
     picture.plot(line + " using 1:2 with lines lw 1.5" + colour(c) + " notitle");
     const std::string points = picture.block();
     for (std::size_t i = 0; i < curve.data.size(); ++i) {
-      const Measurement& measured = report.values[curve.data[i]].measured;
+      const MeasuredValue& measured = report.values[curve.data[i]].measured;
       picture.add(curve.data_x[i], {measured.value, scatter * measured.deviation});
     }
     picture.plot(points + " using 1:2:3 with yerrorbars lw 1.2" + marks(c) + colour(c) + " notitle");

@@ -31,7 +31,7 @@ std::vector<MeasuredScene> groups_of(const FitFile& file) {
   return groups;
 }
 
-Table table_of(const Design& design, const FitFile& file) {
+Table table_of(const MeasurementPlan& design, const FitFile& file) {
   const Quantity output = real_output(file.output);
   Table table{{"speed", "load", "data", std::string(output.key), "error now", "afterwards", "ratio"}, {}};
   const auto worst = static_cast<Eigen::Index>(design.worst);

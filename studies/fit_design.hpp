@@ -13,7 +13,7 @@ inline constexpr std::size_t best_shown = 5;
 /// The best next measurements: speeds from a tenth of the slowest to ten times the fastest for each set of the other
 /// inputs, then loads from a third to three times at the best speed.
 struct FitDesign {
-  Design speeds, loads;  ///< loads: without choices where the scenes give no load
+  MeasurementPlan speeds, loads;  ///< loads: without choices where the scenes give no load
 };
 
 FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate& evaluate, int jobs);

@@ -181,7 +181,7 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
     if (!fit.scenes.empty() && scene.indenter != fit.indenter())
       throw std::invalid_argument(place + ": indenter: must be the same in all rows");
     const std::string_view unit = real_output(fit.output).unit_for(scene.indenter);
-    Measurement measured{measured_number(table, output, row, unit), 1, place};
+    MeasuredValue measured{measured_number(table, output, row, unit), 1, place};
     if (deviations) {
       const bool relative = deviations->unit == "%";
       MeasuredColumn column = *deviations;

@@ -14,7 +14,7 @@ Json number(double value) {
 
 Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json interval_json(const Interval& interval) {
+Json interval_json(const ConfidenceInterval& interval) {
   return {{"lowest", interval.low == IntervalEnd::open ? Json(nullptr) : number(interval.lowest)},
           {"highest", interval.high == IntervalEnd::open ? Json(nullptr) : number(interval.highest)},
           {"low", name_of(interval.low)},
@@ -45,7 +45,7 @@ Json parameter_json(const FittedParameter& fitted, const FitContext& context) {
   return object;
 }
 
-Json choices_json(const Design& design, const FitReport& report) {
+Json choices_json(const MeasurementPlan& design, const FitReport& report) {
   Json choices = Json::array();
   for (std::size_t i = 0; i < std::min(best_shown, design.choices.size()); ++i) {
     const DesignChoice& choice = design.choices[i];

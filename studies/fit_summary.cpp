@@ -18,7 +18,7 @@ std::string_view unit_of(const FittedParameter& fitted, const FitContext& contex
 
 std::string percent(double part) { return std::isfinite(part) ? short_number(100 * part, 3) + " %" : "-"; }
 
-std::string interval_text(const Interval& interval, std::string_view unit) {
+std::string interval_text(const ConfidenceInterval& interval, std::string_view unit) {
   if (std::isnan(interval.lowest) && std::isnan(interval.highest)) return "-";
   const auto end = [&](double value, IntervalEnd kind) {
     return kind == IntervalEnd::open ? std::string("open") : readable(value, unit);
@@ -155,7 +155,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
   record.deviations_known = report.deviations_known;
   const double absent = RollingSolution::absent;
   for (const FittedParameter& fitted : report.parameters) {
-    const Interval& profile = fitted.profile.interval;
+    const ConfidenceInterval& profile = fitted.profile.interval;
     const bool profiled = !fitted.profile.points.empty();
     record.parameters.push_back({fitted.parameter.name, std::string(unit_of(fitted, context)), false, fitted.value,
                                  fitted.standard_error, fitted.relative_error, fitted.linear.lowest,

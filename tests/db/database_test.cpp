@@ -137,13 +137,13 @@ TEST_CASE("an older schema is migrated once, also by a reader, and keeps its row
   const auto file = folder.path / "older.db";
   fill(file, 5);
   const Migration next = [](SQLite::Database& connection) {
-    connection.exec("CREATE TABLE fit(id INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT");
+    connection.exec("CREATE TABLE novelty(id INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT");
   };
   std::vector<Migration> longer(schema_migrations().begin(), schema_migrations().end());
   longer.push_back(next);
   for (const Access access : {Access::read, Access::write, Access::read}) {
     Database database(file, access, longer);
-    CHECK(database.connection().execAndGet("SELECT count(*) FROM fit").getInt() == 0);
+    CHECK(database.connection().execAndGet("SELECT count(*) FROM novelty").getInt() == 0);
     CHECK(database.connection().execAndGet("SELECT count(*) FROM evaluation").getInt() == 5);
     CHECK(database.connection().execAndGet("PRAGMA user_version").getInt() == static_cast<int>(longer.size()));
   }

@@ -47,7 +47,7 @@ TEST_CASE("a design foretells the errors of the fit with the measurement added",
   std::vector<MeasuredScene> candidates;
   for (const double load : {3e3, 1e4, 4e4, 1e5})
     for (const double speed : {0.001, 0.03, 1.0, 20.0}) candidates.push_back({half_space_scene(speed, load), {}});
-  const Design next = design(report, inputs, candidates, quick_resistance);
+  const MeasurementPlan next = design(report, inputs, candidates, quick_resistance);
   REQUIRE(next.choices.size() == candidates.size());
   const DesignChoice& best = next.choices.front();
   CHECK(next.ratio(best) <= next.ratio(next.choices.back()));
