@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <ostream>
 
 #include "studies/progress.hpp"
@@ -35,7 +36,9 @@ std::string GradientReport::derivative_unit(const Variable& variable) const {
   return std::string(output_unit()) + " / " + (unit.find('/') == std::string::npos ? unit : '(' + unit + ')');
 }
 
-GradientReport gradient_report(Objective objective, const GradientOptions& options) {
+namespace {
+
+GradientReport plain_report(Objective objective, const GradientOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   GradientReport report{std::move(objective), {}, {}, 0};
   const std::vector<double> point = base_point(report.objective);
@@ -43,6 +46,40 @@ GradientReport gradient_report(Objective objective, const GradientOptions& optio
   report.gradient = report.calibration.centre.found() ? gradient(report.objective, point, report.calibration, options)
                                                       : Gradient{point, report.calibration.centre, {}};
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+/// Where a cylinder's Poisson's ratio stands among the inputs, if the others had better be solved by another method.
+std::optional<std::size_t> compressibility_apart(const Objective& objective) {
+  if (resolved_method(objective.base) != Method::spectral) return {};
+  for (std::size_t i = 0; i < objective.variables.size(); ++i)
+    if (objective.variables[i].quantity.key == "poisson_ratio") return i;
+  return {};
+}
+
+}  // namespace
+
+GradientReport gradient_report(Objective objective, const GradientOptions& options) {
+  const std::optional<std::size_t> place = compressibility_apart(objective);
+  if (!place) return plain_report(std::move(objective), options);
+  // Compressible layers need the grid: at what a grid can reach, and only where they are asked for.
+  constexpr double reached_by_grids = 1e-5;
+  Objective compressible = objective;
+  compressible.variables = {objective.variables[*place]};
+  compressible.base.tolerance = std::max(objective.base.tolerance.value_or(0), reached_by_grids);
+  GradientReport part = plain_report(std::move(compressible), options);
+  if (objective.variables.size() == 1) return part;
+  const auto at = static_cast<std::ptrdiff_t>(*place);
+  objective.variables.erase(objective.variables.begin() + at);
+  GradientReport report = plain_report(std::move(objective), options);
+  if (report.size() == 0 || part.size() == 0) return report;
+  const auto insert = [&](auto& list, const auto& from) { list.insert(list.begin() + at, from.front()); };
+  insert(report.objective.variables, part.objective.variables);
+  insert(report.calibration.point, part.calibration.point);
+  insert(report.calibration.inputs, part.calibration.inputs);
+  insert(report.gradient.point, part.gradient.point);
+  insert(report.gradient.inputs, part.gradient.inputs);
+  report.seconds += part.seconds;
   return report;
 }
 

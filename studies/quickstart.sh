@@ -7,7 +7,7 @@ CDPATH= cd -- "$(dirname -- "$0")/.." || exit 1
 . ./studies/setup.sh
 
 name=speed_resistance
-install_packages
+install_packages $packages
 build_release rollres
 
 rollres=build/release/rollres

@@ -4,6 +4,8 @@
 packages="g++ cmake ninja-build pkg-config libeigen3-dev libfftw3-dev nlohmann-json3-dev libcli11-dev libsqlitecpp-dev
   libsqlite3-dev zlib1g-dev libudunits2-dev libtbb-dev libnlopt-dev libmuparser-dev libceres-dev libboost-dev catch2
   gnuplot-nox fonts-dejavu-core"
+# What some tests need besides: a Slurm that they start themselves, and other programs that read what rollres writes.
+test_packages="slurm-wlm munge sqlite3 python3-jsonschema"
 
 say() { printf '%s\n' "$*"; }
 
@@ -12,14 +14,14 @@ fail() {
   exit 1
 }
 
-# Installs those of the packages that are missing; needs no rights if none is.
+# Installs those of the packages named that are missing; needs no rights if none is.
 install_packages() {
   if ! command -v dpkg-query >/dev/null 2>&1; then
-    say "This is no Debian: have the counterparts of these packages installed:" $packages
+    say "This is no Debian: have the counterparts of these packages installed:" "$@"
     return
   fi
   missing=
-  for package in $packages; do
+  for package in "$@"; do
     case $(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) in
       "install ok installed") ;;
       *) missing="$missing $package" ;;

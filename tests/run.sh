@@ -5,7 +5,7 @@ set -u
 CDPATH= cd -- "$(dirname -- "$0")/.." || exit 1
 . ./studies/setup.sh
 
-install_packages
+install_packages $packages $test_packages
 build_release all
 
 report=$PWD/build/release/tests.xml
