@@ -174,6 +174,8 @@ class SpectralContact {
           }
           if (done && !lawful) return false;
           done = true;
+          residual =
+              std::max(0.01 * residual, smallest_residual);  // where edges that are not quite in place break laws
           if (violation < 0.5 * least_violation)
             least_violation = violation;
           else if (++stays == most_stays || violation > 1e-6)

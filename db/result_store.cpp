@@ -71,7 +71,7 @@ StudySummary read_summary(SQLite::Statement& row) {
 struct ResultStore::Parts {
   Database database;
   std::string found_columns = {};
-  std::optional<SQLite::Statement> insert = {}, replace = {}, answer = {};
+  std::optional<SQLite::Statement> insert = {}, replace = {}, answer = {}, recalled = {};
 
   SQLite::Database& connection() { return database.connection(); }
 
@@ -89,21 +89,38 @@ struct ResultStore::Parts {
     found.created = row.getColumn(2).getString();
     found.provenance = {row.getColumn(3).getString(), row.getColumn(4).getString(), row.getColumn(5).getString(),
                         row.getColumn(6).getString(), row.getColumn(7).getString()};
-    try {
-      SceneAndSolution both = read_row(row, 8);
-      found.scene = std::move(both.scene);
-      found.solution = std::move(both.solution);
-    } catch (const SQLite::Exception&) {
-      throw;
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(database.name() + ": evaluation " + std::to_string(found.id) + ": " + error.what());
-    }
+    SceneAndSolution both = row_of(row, found.id, 8);
+    found.scene = std::move(both.scene);
+    found.solution = std::move(both.solution);
     SQLite::Statement study(connection(),
                             "SELECT DISTINCT name FROM study_point JOIN study ON study.id = study "
                             "WHERE key = ? ORDER BY name");
     study.bind(1, found.key);
     while (study.executeStep()) found.studies.push_back(study.getColumn(0).getString());
     return found;
+  }
+
+  std::optional<RollingSolution> recall(const std::string& key) {
+    if (!recalled)
+      recalled.emplace(connection(),
+                       "SELECT evaluation.id, " + select_list(connection()) + " FROM evaluation WHERE key = ?");
+    recalled->tryReset();
+    recalled->bind(1, key);
+    std::optional<RollingSolution> found;
+    if (recalled->executeStep()) found = row_of(*recalled, recalled->getColumn(0).getInt64(), 1).solution;
+    recalled->reset();  // ends the reading, so that the log can be taken over into the file
+    return found;
+  }
+
+  /// read_row, which names the evaluation where it fails.
+  SceneAndSolution row_of(SQLite::Statement& row, std::int64_t id, int first) {
+    try {
+      return read_row(row, first);
+    } catch (const SQLite::Exception&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(database.name() + ": evaluation " + std::to_string(id) + ": " + error.what());
+    }
   }
 
   std::vector<std::string> keys_of(std::int64_t study, std::size_t expected) {
@@ -209,6 +226,10 @@ std::optional<StoredAnswer> ResultStore::find_answer(const std::string& key) {
 
 std::optional<StoredEvaluation> ResultStore::find(const std::string& key) {
   return naming(database().name(), [&] { return parts_->find("key = ?", key); });
+}
+
+std::optional<RollingSolution> ResultStore::solution(const std::string& key) {
+  return naming(database().name(), [&] { return parts_->recall(key); });
 }
 
 std::optional<StoredEvaluation> ResultStore::find(std::int64_t id) {

@@ -106,6 +106,8 @@ class ResultStore {
   bool contains(const std::string& key) { return find_answer(key).has_value(); }
   std::optional<StoredAnswer> find_answer(const std::string& key);
   std::optional<StoredEvaluation> find(const std::string& key);
+  /// The solution alone, without its fields: quicker.
+  std::optional<RollingSolution> solution(const std::string& key);
   std::optional<StoredEvaluation> find(std::int64_t id);
 
   /// Records that a study starts (again) with these points, in this order, in place of those it had.

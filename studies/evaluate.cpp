@@ -30,7 +30,7 @@ RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& sc
 Evaluate recalling(ResultStore& store, Evaluate evaluate) {
   return [&store, evaluate = std::move(evaluate)](const RollingScene& scene) {
     const std::string key = evaluation_key(scene);
-    if (auto stored = store.find(key)) return std::move(stored->solution);
+    if (auto stored = store.solution(key)) return std::move(*stored);
     const Evaluation answer{key, scene, evaluate_safely(evaluate, scene)};
     store.save({&answer, 1});
     return answer.solution;

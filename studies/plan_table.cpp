@@ -27,8 +27,8 @@ Cell input_of(const RollingScene& scene, std::string_view key) {
 std::vector<Cell> stored_status(ResultStore& store, const StudyPlan& plan) {
   std::vector<Cell> status;
   for (const RollingScene& scene : plan.scenes) {
-    const auto found = store.find(evaluation_key(scene));
-    status.push_back(found ? Cell(std::string(name_of(found->solution.status))) : Cell());
+    const auto found = store.find_answer(evaluation_key(scene));
+    status.push_back(found ? Cell(std::string(name_of(found->status))) : Cell());
   }
   return status;
 }

@@ -42,23 +42,23 @@ RollingSolution RecordedEvaluations::operator()(const RollingScene& scene) {
 }
 
 RollingSolution RecordedEvaluations::answer_to(const std::string& key, const RollingScene& scene, bool& recalled) {
-  std::optional<Evaluation> answer;
+  std::optional<RollingSolution> answer;
   if (store_) {
     const std::lock_guard lock(mutex_);
-    if (auto stored = store_->find(key)) answer = std::move(*stored);
+    answer = store_->solution(key);
   }
   recalled = answer.has_value();
   if (!answer) {
     if (stop_ && stop_->load()) throw Interrupted();
-    answer = Evaluation{key, scene, evaluate_safely(evaluate_, scene)};
+    answer = evaluate_safely(evaluate_, scene);
   }
   if (store_) {
     const std::lock_guard lock(mutex_);
-    if (!recalled) waiting_.push_back(*answer);
+    if (!recalled) waiting_.push_back({key, scene, *answer});
     if (points_.insert(key).second) new_points_.push_back(key);
     if (std::chrono::steady_clock::now() - stored_ > grouping) store_waiting();
   }
-  return std::move(answer->solution);
+  return std::move(*answer);
 }
 
 void RecordedEvaluations::store_waiting() {

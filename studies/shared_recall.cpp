@@ -32,7 +32,7 @@ RollingSolution SharedRecall::operator()(const RollingScene& scene) {
   std::optional<RollingSolution> stored;
   try {
     const std::lock_guard lock(reading_mutex_);
-    if (auto found = reading_.find(key)) stored = std::move(found->solution);
+    stored = reading_.solution(key);
   } catch (...) {
     const std::lock_guard lock(mutex_);
     answers_.erase(key);
