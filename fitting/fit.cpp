@@ -13,7 +13,17 @@ namespace rollres {
 
 namespace {
 
-constexpr double rough = 1e-2;  // tolerance of a descent that will be gone on with
+/// A descent that will be gone on with: by slopes that cost half as much, and no farther than they are worth. Where
+/// those do not exist, by the problem's own.
+Descent rough_descent(const FitProblem& problem, const FitPoint& start, const FitOptions& options) {
+  constexpr double step = 0.02, tolerance = 1e-2;
+  FitProblem roughly = problem;
+  roughly.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
+    Slopes slopes = rough_differences(problem, point, prediction, step);
+    return slopes.found() ? slopes : problem.differentiate(point, prediction);
+  };
+  return descend(roughly, start, {.tolerance = tolerance, .stop = options.stop});
+}
 
 /// The other starts: the best quarter of the points of a Latin hypercube.
 std::vector<FitPoint> other_starts(const FitProblem& problem, const FitOptions& options) {
@@ -150,7 +160,7 @@ FitReport fit(const FitProblem& given, const FitOptions& options) {
   std::vector<Descent> descents;
   for (const FitPoint& start : starts) {
     if (!descents.empty() && options.stop && options.stop->load()) break;
-    descents.push_back(descend(problem, start, {.tolerance = rough, .stop = options.stop}));
+    descents.push_back(rough_descent(problem, start, options));
   }
   FitReport report = settled(problem, descents, options);
   constexpr int most_returns = 2;
@@ -158,7 +168,7 @@ FitReport fit(const FitProblem& given, const FitOptions& options) {
     FitPoint better;
     add_profiles(report, problem, best_of(descents), options, better);
     if (better.empty() || returns == most_returns) break;
-    descents.push_back(descend(problem, better, {.tolerance = rough, .stop = options.stop}));
+    descents.push_back(rough_descent(problem, better, options));
     report = settled(problem, descents, options);
   }
   report.interrupted = options.stop && options.stop->load();

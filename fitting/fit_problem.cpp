@@ -84,6 +84,28 @@ double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals) {
   return sum;
 }
 
+Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction, double step) {
+  const Eigen::Index rows = prediction.values.size(), columns = std::ssize(point);
+  Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns), Eigen::VectorXd::Zero(rows),
+                Eigen::VectorXd::Constant(columns, step)};
+  for (std::size_t j = 0; j < point.size(); ++j) {
+    const Variable& variable = problem.parameters[j].variable;
+    const double from = variable.scaled(point[j]);
+    const bool room_above = variable.scaled(variable.highest) - from >= from - variable.scaled(variable.lowest) ||
+                            variable.scaled(variable.highest) - from >= step;
+    FitPoint moved = point;
+    moved[j] = variable.value(from + (room_above ? step : -step));
+    const Prediction there = problem.predict(moved);
+    if (!there.found()) {
+      slopes.reason = there.reason;
+      return slopes;
+    }
+    slopes.derivatives.col(static_cast<Eigen::Index>(j)) =
+        (there.values - prediction.values) / variable.scaled_step(point[j], moved[j]);
+  }
+  return slopes;
+}
+
 Slopes differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction, double step,
                    const Eigen::VectorXd& noise) {
   const Eigen::Index rows = prediction.values.size(), columns = std::ssize(point);

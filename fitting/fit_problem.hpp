@@ -90,6 +90,10 @@ LossValue loss_of(const FitProblem& problem, double squared_residual);
 /// The sum of the losses: chi squared if there is no robust loss.
 double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals);
 
+/// Derivatives to a few per cent from one more prediction for each parameter, a scaled step away: enough to begin a
+/// descent with. Steps stay inside the bounds; errors and noise are left at 0.
+Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction, double step);
+
 /// Derivatives by differences with one step for all parameters: for models that cost little, and steps that are
 /// forced. Central with four points, or one-sided with five near a bound: no point outside the bounds is evaluated.
 /// @param step   scaled
