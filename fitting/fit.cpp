@@ -44,7 +44,9 @@ std::vector<FitPoint> other_starts(const FitProblem& problem, const FitOptions& 
     double misfit;
   };
   std::vector<Candidate> candidates;
-  for (const Eigen::VectorXd& unit : latin_hypercube(tried_for_each * wanted, centre.size(), options.seed)) {
+  const Eigen::MatrixXd sample = latin_hypercube(tried_for_each * wanted, centre.size(), options.seed);
+  for (Eigen::Index row = 0; row < sample.rows(); ++row) {
+    const Eigen::VectorXd unit = sample.row(row);
     const FitPoint point = point_of(problem, lowest + unit.cwiseProduct(highest - lowest));
     const Prediction prediction = problem.predict(point);
     if (prediction.found()) candidates.push_back({point, misfit(problem, residuals(problem, prediction))});

@@ -1,30 +1,13 @@
 #include "studies/sampling.hpp"
 
 #include <boost/random/sobol.hpp>
-#include <numeric>
 #include <random>
-#include <utility>
+
+#include "fitting/latin_hypercube.hpp"
 
 namespace rollres {
 
 namespace {
-
-// What std::shuffle and the distributions make of a generator differs between libraries; its own numbers do not.
-
-/// A number below `end`, without bias.
-std::uint64_t number_below(std::uint64_t end, std::mt19937_64& random) {
-  const std::uint64_t uneven = (0 - end) % end;  // 2^64 modulo end
-  std::uint64_t bits = random();
-  while (bits < uneven) bits = random();
-  return bits % end;
-}
-
-std::vector<std::uint64_t> permutation(std::size_t size, std::mt19937_64& random) {
-  std::vector<std::uint64_t> order(size);
-  std::iota(order.begin(), order.end(), 0);
-  for (std::size_t i = size; i > 1; --i) std::swap(order[i - 1], order[number_below(i, random)]);
-  return order;
-}
 
 std::vector<std::vector<double>> sobol(std::size_t points, std::size_t dimensions, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -39,22 +22,16 @@ std::vector<std::vector<double>> sobol(std::size_t points, std::size_t dimension
   return columns;
 }
 
-std::vector<std::vector<double>> latin_hypercube(std::size_t points, std::size_t dimensions, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::vector<std::vector<double>> columns(dimensions);
-  for (std::vector<double>& column : columns)
-    for (const std::uint64_t part : permutation(points, random)) {
-      const double inside = static_cast<double>(random() >> 32) * 0x1p-32;  // few enough bits not to round to 1
-      column.push_back((static_cast<double>(part) + inside) / static_cast<double>(points));
-    }
-  return columns;
-}
-
 }  // namespace
 
 std::vector<std::vector<double>> unit_sample(SampleMethod method, std::size_t points, std::size_t dimensions,
                                              std::uint64_t seed) {
-  return method == SampleMethod::sobol ? sobol(points, dimensions, seed) : latin_hypercube(points, dimensions, seed);
+  if (method == SampleMethod::sobol) return sobol(points, dimensions, seed);
+  const Eigen::MatrixXd sample =
+      latin_hypercube(static_cast<Eigen::Index>(points), static_cast<Eigen::Index>(dimensions), seed);
+  std::vector<std::vector<double>> columns;
+  for (const auto& column : sample.colwise()) columns.emplace_back(column.begin(), column.end());
+  return columns;
 }
 
 }  // namespace rollres

@@ -28,8 +28,7 @@ struct ChoiceNames<SampleMethod> {
 /// point"). A seed other than 0 shifts it digitally: each dimension has a random number added bit by bit, which keeps
 /// it a net (Lemieux, 2009, "Monte Carlo and Quasi-Monte Carlo Sampling", chapter 6).
 ///
-/// latin_hypercube: McKay, Beckman and Conover (1979); one random permutation for each dimension, and a random place
-/// inside each part.
+/// latin_hypercube: fitting/latin_hypercube.hpp.
 ///
 /// @param dimensions  from 1 to 3667 for sobol
 std::vector<std::vector<double>> unit_sample(SampleMethod method, std::size_t points, std::size_t dimensions,

@@ -25,12 +25,12 @@ TEST_CASE("the runs test tells a misfit from chance", "[fitting][statistics]") {
 }
 
 TEST_CASE("a Latin hypercube has one point in each part of each side", "[fitting][latin_hypercube]") {
-  const auto points = latin_hypercube(16, 3, 5);
+  const Eigen::MatrixXd points = latin_hypercube(16, 3, 5);
   for (Eigen::Index d = 0; d < 3; ++d) {
     std::vector<int> counts(16, 0);
-    for (const Eigen::VectorXd& point : points) ++counts[static_cast<std::size_t>(16 * point[d])];
+    for (const double place : points.col(d)) ++counts[static_cast<std::size_t>(16 * place)];
     CHECK(counts == std::vector<int>(16, 1));
   }
-  CHECK(latin_hypercube(16, 3, 5)[7] == points[7]);
-  CHECK(latin_hypercube(16, 3, 6)[7] != points[7]);
+  CHECK(latin_hypercube(16, 3, 5) == points);
+  CHECK(latin_hypercube(16, 3, 6) != points);
 }
