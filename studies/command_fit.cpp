@@ -12,6 +12,7 @@
 #include "studies/fit_json.hpp"
 #include "studies/fit_summary.hpp"
 #include "studies/material_file.hpp"
+#include "studies/refusing_at.hpp"
 #include "studies/scene_inputs.hpp"
 #include "studies/shared_recall.hpp"
 #include "studies/stop_signal.hpp"
@@ -28,16 +29,6 @@ struct FitWords {
   std::uint64_t seed = 1;
   bool json = false, no_profiles = false, design = false;
 };
-
-/// Puts the file in front of a refusal.
-template <class Function>
-auto naming_the_file(const std::string& file, Function function) {
-  try {
-    return function();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(file + ": " + error.what());
-  }
-}
 
 FitContext context_of(const FitFile& file) {
   FitContext context{.name = file.name,
@@ -76,7 +67,7 @@ void fit_resistance(const FitWords& words, Session& session) {
   SharedRecall recall(words.database, session.evaluate);
   const Evaluate evaluate = [&recall](const RollingScene& scene) { return recall(scene); };
   const FitProblem problem = problem_of(file, evaluate, words.jobs);
-  const FitReport report = naming_the_file(file.source, [&] { return fit(problem, file.options); });
+  const FitReport report = refusing_at(file.source, [&] { return fit(problem, file.options); });
   FitContext context = context_of(file);
   context.solved = recall.solved();
   context.recalled = recall.recalled();
@@ -141,7 +132,7 @@ void fit_moduli(const FitWords& words, Session& session) {
   const StopSignal signal;
   file.options.options.stop = &signal.requested();
   file.options.options.profiles = !words.no_profiles;
-  const MaterialFit found = naming_the_file(words.fit, [&] { return fit_material(file.data, file.options); });
+  const MaterialFit found = refusing_at(words.fit, [&] { return fit_material(file.data, file.options); });
   FitContext context{.name = file.name,
                      .kind = "material",
                      .definition = file.definition,

@@ -4,6 +4,7 @@
 
 #include "studies/commands.hpp"
 #include "studies/gradient_report.hpp"
+#include "studies/refusing_at.hpp"
 #include "studies/scene_file.hpp"
 #include "studies/table_json.hpp"
 

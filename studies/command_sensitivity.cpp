@@ -13,6 +13,7 @@
 #include "studies/gradient_report.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/recorded_evaluations.hpp"
+#include "studies/refusing_at.hpp"
 #include "studies/scaled_unit.hpp"
 #include "studies/scene_file.hpp"
 #include "studies/sensitivity.hpp"

@@ -21,10 +21,10 @@ struct SweepWords {
 };
 
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
-                const SweepWords& words, std::size_t dropped) {
+                const SweepWords& words) {
   const StudySummary& study = report.study;
   Json object{{"study", study.name},       {"db", words.database},        {"points", report.points},
-              {"dropped", dropped},        {"answered", report.answered}, {"recalled", report.recalled},
+              {"dropped", report.dropped}, {"answered", report.answered}, {"recalled", report.recalled},
               {"solved", report.solved},   {"failed", report.failed},     {"interrupted", report.interrupted},
               {"seconds", report.seconds}, {"failures", Json::array()}};
   if (!words.shard.empty()) object["shard"] = words.shard;
@@ -34,14 +34,14 @@ void print_json(std::ostream& out, const SweepReport& report, const std::vector<
 }
 
 void print_summary(Session& session, const SweepReport& report, const std::vector<Failure>& failures,
-                   const SweepWords& words, std::size_t dropped) {
+                   const SweepWords& words) {
   const StudySummary& study = report.study;
   session.out << study.name << (words.shard.empty() ? "" : ", shard " + words.shard) << ": " << report.answered
               << " of " << report.points << " points in " << words.database << ", " << report.recalled << " recalled, "
               << report.solved << " solved in " << duration_in_words(report.seconds) << ", " << report.failed
               << " failed\n";
-  if (dropped > 0)
-    session.err << dropped << (dropped == 1 ? " point is" : " points are") << " dropped by constraints\n";
+  if (report.dropped > 0)
+    session.err << report.dropped << (report.dropped == 1 ? " point is" : " points are") << " dropped by constraints\n";
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < failures.size() && i < shown; ++i)
     session.err << failures[i].points << " x " << failures[i].status << ": " << failures[i].reason << '\n';
@@ -77,13 +77,12 @@ void sweep(const SweepWords& words, Session& session) {
     throw;
   }
   clear_line();
-  const std::size_t dropped = study.constraints.empty() ? 0 : plan(study).all_dropped();
   std::vector<Failure> failures;
   if (report.study.failed > 0) failures = ResultStore(words.database, Access::read).failures(study.name);
   if (words.json)
-    print_json(session.out, report, failures, words, dropped);
+    print_json(session.out, report, failures, words);
   else
-    print_summary(session, report, failures, words, dropped);
+    print_summary(session, report, failures, words);
   if (report.failed > 0 || report.answered < report.points) session.status = ExitStatus::no_answer;
 }
 

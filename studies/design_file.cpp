@@ -20,15 +20,6 @@ const Json* object_at(const Json& object, const std::string& key, const std::str
   return &*found;
 }
 
-int whole_number(const Json& object, const std::string& key, int least, const std::string& place,
-                 const std::string& rule) {
-  const Json& value = needed(object, key, place, rule);
-  if (!value.is_number_integer() || value < least || value > most_points)
-    refuse(place, key, value,
-           "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most_points));
-  return value.get<int>();
-}
-
 /// A variable as it was given.
 struct GivenVariable {
   SceneEntry start;    ///< its value is null where the file has none
@@ -149,7 +140,8 @@ DesignStop stop_of(const Json& file, const std::string& place) {
   if (!object) return stop;
   const std::string own = place + ": stop";
   refuse_unknown_keys(*object, stop_keys, own);
-  if (object->contains("evaluations")) stop.evaluations = whole_number(*object, "evaluations", 1, own, "");
+  if (const auto found = object->find("evaluations"); found != object->end())
+    stop.evaluations = whole_number(*found, "evaluations", 1, most_points, own);
   if (const auto found = object->find("tolerance"); found != object->end()) {
     if (!found->is_number() || !(*found >= 1e-8 && *found <= 0.1))
       refuse(own, "tolerance", *found, "must be a number from 1e-8 to 0.1");
@@ -163,7 +155,8 @@ std::optional<ParetoWish> pareto_of(const Json& file, const std::string& place) 
   if (!object) return std::nullopt;
   const std::string own = place + ": pareto";
   refuse_unknown_keys(*object, pareto_keys, own);
-  return ParetoWish{goal_of(*object, own), whole_number(*object, "points", 2, own, "how many designs on the front")};
+  return ParetoWish{goal_of(*object, own), whole_number(needed(*object, "points", own, "how many designs on the front"),
+                                                        "points", 2, most_points, own)};
 }
 
 template <class Choice>

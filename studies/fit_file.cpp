@@ -232,15 +232,6 @@ double number_of(const GivenParameter& given, const Json& value, const char* wha
   return std::get<double>(found);
 }
 
-int whole(const Json& fit, const char* key, int usual, int lowest, int highest, const std::string& place) {
-  const auto found = fit.find(key);
-  if (found == fit.end()) return usual;
-  if (!found->is_number_integer() || *found < lowest || *found > highest)
-    refuse(place, key, *found,
-           "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
-  return found->get<int>();
-}
-
 void read_loss(FitFile& fit, const Json& object, const std::string& place) {
   if (const auto loss = object.find("loss"); loss != object.end()) {
     const std::string name = loss->is_string() ? loss->get<std::string>() : "";
@@ -297,8 +288,8 @@ FitFile read_fit(const std::filesystem::path& file) {
     throw std::invalid_argument(place + ": output: " + error.what());
   }
   read_loss(fit, object, place);
-  fit.options.starts = whole(object, "starts", 1, 1, 1000, place);
-  fit.options.seed = static_cast<std::uint64_t>(whole(object, "seed", 1, 0, 2'000'000'000, place));
+  fit.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
+  fit.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
 
   const Json& parameters = needed(object, "parameters", place, "must be an object with at least one input");
   if (!parameters.is_object() || parameters.empty())

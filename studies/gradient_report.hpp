@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <iosfwd>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -52,15 +51,5 @@ Table table_of(const GradientReport& report);
 Json json_of(const GradientReport& report);
 /// The table, or why there is none; to `err` what failed on the way.
 void print_text(const GradientReport& report, std::ostream& out, std::ostream& err);
-
-/// Puts the place in front of a refusal.
-template <class Function>
-auto refusing_at(const std::string& place, Function function) {
-  try {
-    return function();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(place + ": " + error.what());
-  }
-}
 
 }  // namespace rollres

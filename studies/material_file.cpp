@@ -27,15 +27,6 @@ std::string choice(const Json& object, const char* key, std::span<const std::str
   refuse(place, key, *found, unknown(rule, names, name));
 }
 
-double whole_or(const Json& object, const char* key, int usual, int lowest, int highest, const std::string& place) {
-  const auto found = object.find(key);
-  if (found == object.end()) return usual;
-  if (!found->is_number_integer() || *found < lowest || *found > highest)
-    refuse(place, key, *found,
-           "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
-  return found->get<int>();
-}
-
 /// [K]
 double kelvin(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row) {
   if (column.unit != "degC" && column.unit != "°C") return measured_number(table, column, row, "K");
@@ -103,12 +94,12 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   const std::string form = choice(object, "material", ChoiceNames<MaterialForm>::names, place);
   fit.options.form = static_cast<MaterialForm>(find_name(ChoiceNames<MaterialForm>::names, form));
   if (const auto terms = object.find("terms"); terms != object.end() && *terms != "auto")
-    fit.options.terms = static_cast<int>(whole_or(object, "terms", 0, 1, 100, place));
+    fit.options.terms = whole_number_or(object, "terms", 0, 1, 100, place);
   constexpr std::string_view laws[] = {"none", "wlf", "arrhenius"}, moduli[] = {"shear", "young"};
   fit.options.shift.law = static_cast<ShiftLaw>(find_name(laws, choice(object, "shift", laws, place)));
   fit.options.shift.reference = reference_temperature(object, place);
-  fit.options.options.starts = static_cast<int>(whole_or(object, "starts", 1, 1, 1000, place));
-  fit.options.options.seed = static_cast<std::uint64_t>(whole_or(object, "seed", 1, 0, 2'000'000'000, place));
+  fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
+  fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
   const double share = choice(object, "modulus", moduli, place) == "young" ? 1.0 / 3 : 1;
   const double sigma = relative_sigma(object, place);
   fit.options.deviations_known = std::isfinite(sigma);

@@ -120,4 +120,17 @@ std::string needed_text(const Json& object, const std::string& key, const std::s
   return value.get<std::string>();
 }
 
+int whole_number(const Json& value, std::string_view key, int lowest, int highest, const std::string& place) {
+  if (!value.is_number_integer() || value < lowest || value > highest)
+    refuse(place, key, value,
+           "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+  return value.get<int>();
+}
+
+int whole_number_or(const Json& object, const std::string& key, int usual, int lowest, int highest,
+                    const std::string& place) {
+  const auto found = object.find(key);
+  return found == object.end() ? usual : whole_number(*found, key, lowest, highest, place);
+}
+
 }  // namespace rollres

@@ -18,11 +18,7 @@ bool is_logarithmic(const Json& object, const std::string& place) {
 }
 
 int number_of_points(const Json& object, int least, const std::string& place, const std::string& rule) {
-  const Json& count = needed(object, "points", place, rule);
-  if (!count.is_number_integer() || count < least || count > most_points)
-    refuse(place, "points", count,
-           "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most_points));
-  return count.get<int>();
+  return whole_number(needed(object, "points", place, rule), "points", least, most_points, place);
 }
 
 /// An axis between two ends, its positions still to be filled.

@@ -113,7 +113,8 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   const auto begin = std::chrono::steady_clock::now();
   auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
 
-  std::vector<RollingScene> scenes = points(study);
+  StudyPlan planned = plan(study);
+  std::vector<RollingScene>& scenes = planned.scenes;
   std::vector<std::string> keys;
   for (const RollingScene& scene : scenes) keys.push_back(evaluation_key(scene));
   StudyRecord record{study.name, {}, options.definition};
@@ -163,6 +164,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   report.study = store.study(study.name).value_or(StudySummary{});
   const auto again = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return old.contains(key); });
   const std::vector<PointState> states = point_states(reader.database(), keys);
+  report.dropped = planned.all_dropped();
   report.points = keys.size();
   report.answered = keys.size() - count(states, Answer::missing);
   report.failed = count(states, Answer::failed);

@@ -57,6 +57,7 @@ struct SweepOptions {
 
 struct SweepReport {
   StudySummary study;        ///< as it is stored now
+  std::size_t dropped = 0;   ///< combinations that constraints leave out of the study
   std::size_t points = 0;    ///< of the shard; all, if there is one shard
   std::size_t answered = 0;  ///< of these, now; failed ones included
   std::size_t failed = 0;
