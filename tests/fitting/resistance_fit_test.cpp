@@ -67,8 +67,11 @@ TEST_CASE("errors, correlations and intervals agree with lmfit on the same resid
     CHECK(report.errors.correlations(0, 1) == Approx(0.9976098).epsilon(1e-3));
     CHECK(report.errors.correlations(0, 2) == Approx(-0.9924298).epsilon(1e-3));
     CHECK(report.errors.correlations(1, 2) == Approx(-0.9913880).epsilon(1e-3));
-    CHECK(report.parameters[0].profile.interval.lowest == Approx(705484.6).epsilon(0.01));
-    CHECK(report.parameters[0].profile.interval.highest == Approx(1340496.2).epsilon(0.01));
+    const double lowest[] = {705484.63, 1.3731040, 0.089393894}, highest[] = {1340496.2, 2.8589335, 0.11703329};
+    for (std::size_t j = 0; j < 3; ++j) {
+      CHECK(report.parameters[j].profile.interval.lowest == Approx(lowest[j]).epsilon(0.01));
+      CHECK(report.parameters[j].profile.interval.highest == Approx(highest[j]).epsilon(0.01));
+    }
   }
   SECTION("unknown ones are scaled by the reduced chi squared") {
     const FitReport report = fit(problem);
@@ -110,11 +113,15 @@ TEST_CASE("speeds on one flank of the peak do not identify the material", "[fitt
   // Far below the peak the resistance is P V tau f/(1 + f)/R, whatever G0 is.
   const auto scenes = measured(quick_resistance, spread_speeds(1e-4, 1e-3, 8), {1e4}, 0.02);
   const FitReport report = fit(known(resistance_problem(scenes, zener_inputs(), quick_resistance)));
-  CHECK(name_of(report.status) == "NOT IDENTIFIED");
   INFO(report.reason);
-  CHECK(std::any_of(report.parameters.begin(), report.parameters.end(), [](const FittedParameter& fitted) {
-    return fitted.profile.interval.open() && fitted.flag.find("not bounded") != std::string::npos;
-  }));
+  CHECK(name_of(report.status) == "NOT IDENTIFIED");
+  CHECK_THAT(report.reason, Catch::Contains("stiffening and creep_time are not separable by these data") ||
+                                Catch::Contains("creep_time and stiffening are not separable by these data") ||
+                                Catch::Contains("static_shear_modulus"));
+  for (const std::size_t j : {0, 1}) {  // G0 has no effect; f tends to infinity as tau f/(1 + f) is kept
+    CHECK(report.parameters[j].profile.interval.open());
+    CHECK_THAT(report.parameters[j].flag, Catch::Contains("not bounded"));
+  }
 }
 
 TEST_CASE("a step far below the model's noise is never called a success", "[fitting][resistance_fit]") {
@@ -190,19 +197,38 @@ TEST_CASE("scenes without an answer are stepped back from and recorded", "[fitti
   CHECK_THAT(none.reason, Catch::Contains("row 1"));
 }
 
-TEST_CASE("robust losses keep an outlier from moving the fit", "[fitting][resistance_fit]") {
+TEST_CASE("an outlier moves a robust fit by no more than its bounded influence", "[fitting][resistance_fit]") {
+  // A residual pulls with at most the slope of half its loss: c for Huber's, c/2 for Cauchy's (at c); so the parameters
+  // move by at most C a_k times that, with the row a_k of the whitened slopes and the covariance C for deviations of 1.
   auto scenes = measured(quick_resistance, spread_speeds(0.003, 3, 10), {1e4, 3e4}, 0.01, 5, 0.01);
-  scenes[4].measured.value *= 1.6;
+  constexpr std::size_t outlier = 4;
+  auto others = scenes;
+  others.erase(others.begin() + outlier);
+  const FitReport without =
+      fit(known(resistance_problem(others, zener_inputs(), quick_resistance)), {.profiles = false});
+  scenes[outlier].measured.value *= 1.6;
   FitProblem problem = known(resistance_problem(scenes, zener_inputs(), quick_resistance));
-  const double plain = error_of(fit(problem, {.profiles = false}), 2, 0.1);
+  const FitReport plain = fit(problem, {.profiles = false});
+  const auto moved = [&](const FitReport& report, std::size_t j) {
+    return std::abs(std::log(report.parameters[j].value / without.parameters[j].value));
+  };
   for (const Loss loss : {Loss::huber, Loss::cauchy})
     for (const bool deviations : {true, false}) {
       problem.loss = loss;
       problem.loss_scale = usual_loss_scale(loss);
       problem.deviations_known = deviations;
       const FitReport report = fit(problem, {.profiles = false});
-      CHECK(error_of(report, 2, 0.1) < 0.5 * plain);
-      CHECK(report.largest_residual == 4);
+      CHECK(report.largest_residual == outlier);
+      const double pull = problem.loss_scale / (loss == Loss::huber ? 1 : 2);
+      const Eigen::VectorXd row =
+          report.slopes.derivatives.row(outlier).transpose() / scenes[outlier].measured.deviation;
+      const Eigen::VectorXd influence = pull * (without.errors.covariance * row).cwiseAbs();
+      for (std::size_t j = 0; j < 3; ++j) {
+        CAPTURE(loss, deviations, j);
+        // Other residuals beyond c pull less too, and a median of 20 is known to a fifth.
+        CHECK(moved(report, j) < 2 * influence[static_cast<Eigen::Index>(j)]);
+        CHECK(moved(report, j) < 0.1 * moved(plain, j));
+      }
     }
 }
 
