@@ -109,6 +109,8 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
          " starts led to this misfit");
   const double scatter = std::sqrt(report.errors.scale);
   if (const std::string noise = noise_in_words(report, problem); !noise.empty()) warn(noise);
+  if (report.relative_rms > 0.2)
+    warn("the fit misses the data by " + percent(report.relative_rms) + " (rms): the model does not describe them");
   const FittedValue& worst = report.values[report.largest_residual];
   if (std::abs(worst.residual) > 4 * scatter)
     warn((worst.measured.place.empty() ? "a measurement" : worst.measured.place) + " is " +
