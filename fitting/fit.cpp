@@ -144,14 +144,14 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
   Descent& best = best_of(descents);
   FitReport report = report_on(problem, best, descents);
   constexpr int most_rounds = 4;
-  constexpr double beside = 0.1;
+  constexpr double beside = 0.1, smooth = 1e-5;
   for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
     if (options.stop && options.stop->load()) break;
     const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
     const KnownSlopes known{best.end, best.prediction, report.slopes};
     const Descent further = descend(last ? problem : with_secants(problem, {.known = known}), best.end,
                                     {.most_iterations = last ? 60 : 8,
-                                     .radius = near_the_end,
+                                     .radius = last || report.noise > smooth ? DescentOptions{}.radius : near_the_end,
                                      .held = pressed_on_bounds(report),
                                      .stop = options.stop});
     if (!further.found() || !(further.misfit < best.misfit)) {
