@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -7,6 +6,7 @@
 #include <stdexcept>
 
 #include "studies/accuracy_table.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/paper_scenes.hpp"
 #include "studies/progress.hpp"
@@ -162,8 +162,8 @@ void accuracy(const AccuracyWords& words, Session& session) {
 
 }  // namespace
 
-void add_accuracy(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_accuracy(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("accuracy", "Chart error against time, method by method, over a range of spacings");
   const auto words = std::make_shared<AccuracyWords>();
   AccuracyOptions& options = words->options;
@@ -172,26 +172,26 @@ void add_accuracy(CLI::App& program, Session& session) {
                       "these two");
   command->add_option("--out", words->out, "directory for accuracy.csv and the charts")->required()->option_text("DIR");
   command->add_option("--methods", words->methods, "methods, separated by commas; left out: all")->delimiter(',');
-  CLI::Option* const spacings =
+  CommandOption* const spacings =
       command->add_option("--spacings", words->spacings, "spacings, with a unit or in m, separated by commas")
           ->delimiter(',');
   command
       ->add_option("--levels", options.levels,
                    "how many spacings, each 1/sqrt(2) of the last, from 8 nodes along the contact; left out: to 500 "
                    "nodes along a cylinder's, 130 along a sphere's")
-      ->check(CLI::Range(1, 100))
+      ->between(1, 100)
       ->excludes(spacings);
   command->add_option("--repeats", options.repeats, "solutions of which the median time is taken; default 5")
-      ->check(CLI::Range(1, 1000));
+      ->between(1, 1000);
   command
       ->add_option("--seconds-limit", options.seconds_limit,
                    "what would take longer is skipped, what takes longer is stopped; default 30")
-      ->check(CLI::PositiveNumber);
+      ->positive();
   command
       ->add_option("--set", words->overrides, "replace an input of all scenes, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
-      ->allow_extra_args(false);
-  command->add_option("--format", words->format, "text or markdown")->check(CLI::IsMember({"text", "markdown"}));
+      ->one_value_each();
+  command->add_option("--format", words->format, "text or markdown")->one_of({"text", "markdown"});
   command->add_flag("--json", words->json, "print one JSON object");
   command->footer(
       "Each solution is cold, in a process of its own on one core. Exit status 1: a method did not converge "

@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <ostream>
 #include <type_traits>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/scene_inputs.hpp"
@@ -109,8 +109,8 @@ Json json_rows(const std::vector<Row>& rows, bool inputs) {
 
 }  // namespace
 
-void add_quantities(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_quantities(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("quantities", "List every key: symbol, unit, values, default and meaning");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print one JSON object");
