@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <cmath>
+
+#include "studies/figure_drawings.hpp"
+#include "studies/gnuplot.hpp"
+#include "studies/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// A field of arrows.
+struct ArrowField {
+  std::string_view name, symbol, unit;
+  const std::vector<double>&x, &y;
+  bool in_contact_only;
+};
+
+FigureText arrow_map(const Figure& figure, const FigureSource& source, const ChartFiles& files, const ArrowField& field,
+                     const MapView& view, int most) {
+  const SurfaceGrid& grid = source.surface.grid;
+  const ShownNodes nodes = view.nodes(grid, most);
+  double longest = 0;
+  for (std::size_t i = 0; i < field.x.size(); ++i) longest = std::max(longest, std::hypot(field.x[i], field.y[i]));
+  const ScaledUnit unit = figure_unit(field.unit, longest);
+  const double between =
+      (view.x.highest - view.x.lowest) / std::max(1.0, static_cast<double>(nodes.columns.size()) - 1);
+
+  FigureMap map(figure, source, files, view, false);
+  map.fill_contact();
+  map.draw_borders();
+  map.script() << "# Length of an arrow [" << view.length.name << "] for 1 " << unit.name
+               << ".\nlength = " << short_number(1.8 * between * unit.factor / longest) << "\n";
+  const auto arrows = [&](Zone zone, const std::string& look, const char* words) {
+    std::vector<DataRow> rows;
+    for (const int row : nodes.rows)
+      for (const int column : nodes.columns) {
+        const auto node = static_cast<std::size_t>(grid.index(column, row));
+        if (source.surface.zone[node] != zone) continue;
+        rows.push_back({grid.x(column) / view.length.factor, grid.y(row) / view.length.factor,
+                        field.x[node] / unit.factor + 0.0, field.y[node] / unit.factor + 0.0});
+      }
+    if (rows.empty()) return;
+    const std::string symbol(field.symbol);
+    const std::string block =
+        map.data().add(std::string(field.name) + "_" + std::string(name_of(zone)),
+                       with_unit("x", view.length) + ", " + with_unit("y", view.length) + ", " +
+                           with_unit(symbol + " along x", unit) + ", " + with_unit(symbol + " along y", unit),
+                       rows);
+    map.plot(block + " using 1:2:(length * $3):(length * $4) with vectors " + look + " notitle");
+    map.explain({"vectors " + look, words, std::string_view(words).size()});
+  };
+  if (!field.in_contact_only) arrows(Zone::free, "nohead lw 1.3 lc rgb '#777777'", "free");
+  arrows(Zone::stick, "filled head size graph 0.014,22 lw 1.3 lc rgb '#0072B2'", "stick");
+  arrows(Zone::slip, "empty head size graph 0.018,28 lw 1.3 lc rgb '#D55E00'", "slip");
+  const double shown = std::pow(10.0, std::floor(std::log10(longest / unit.factor)));
+  (void)shown;
+  return map.finished(std::string(figure.title));
+}
+
+}  // namespace
+
+FigureText friction_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+  return arrow_map(figure, source, files, {"friction", "τ", "Pa", source.surface.shear_x, source.surface.shear_y, true},
+                   MapView(source, 0.2), 28);
+}
+
+FigureText velocity_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+  return arrow_map(figure, source, files, {"velocity", "velocity", "m/s", source.velocity.x, source.velocity.y, false},
+                   MapView(source, 1.0), 32);
+}
+
+}  // namespace rollres
