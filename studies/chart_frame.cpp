@@ -116,7 +116,7 @@ void write_pictures(std::ostream& script, const ChartFiles& files, const std::st
   const auto from_top = [&](double pixels) { return short_number(1 - pixels / height, 4); };
   script << "set label " << fitted(title, gnuplot::plain(title) + kept_blanks, 46) << " at screen 0.5, screen "
          << from_top(title_height / 2) << " center\n"
-         << "set tmargin at screen " << from_top(title_height + grid.height() + 10) << "\nset rmargin at screen "
+         << "set tmargin at screen " << from_top(title_height + grid.height() + shape.gap) << "\nset rmargin at screen "
          << short_number(shape.right / picture_width, 3) << "\n";
   if (shape.left > 0) script << "set lmargin at screen " << short_number(shape.left / picture_width, 4) << "\n";
   if (shape.bottom > 0) script << "set bmargin at screen " << short_number(shape.bottom / height, 4) << "\n";

@@ -35,6 +35,7 @@ void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& 
 struct PictureShape {
   double height = 345;                       ///< of all that stands below title and legend
   double left = 0, right = 535, bottom = 0;  ///< of the plot, from the left and the lower edge; 0: as the numbers need
+  double gap = 10;                           ///< above the plot
   bool surface = false;                      ///< the plots are of gnuplot's splot
 };
 

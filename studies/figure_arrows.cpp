@@ -16,6 +16,18 @@ struct ArrowField {
   bool in_contact_only;
 };
 
+/// An arrow of a round value in the lower left corner.
+void draw_measure(std::ostream& script, double longest, const ScaledUnit& unit) {
+  const double power = std::pow(10.0, std::floor(std::log10(longest)));
+  const double value = power * (longest >= 5 * power ? 5 : longest >= 2 * power ? 2 : 1);
+  const std::string text = short_number(value) + " " + typeset_unit(unit.name);
+  script << "set object rectangle from graph 0, graph 0 to graph " << short_number(0.15 + 0.021 * width(text), 3)
+         << ", graph 0.075 front fillcolor rgb 'white' fillstyle solid border lc rgb '#444444'\n"
+         << "set arrow from graph 0.025, graph 0.038 rto first length * " << short_number(value)
+         << ", graph 0 front filled size graph 0.014,22 lw 1.3 lc rgb 'black'\n"
+         << "set label " << gnuplot::quoted(text + kept_blanks) << " at graph 0.125, graph 0.038 front\n";
+}
+
 FigureText arrow_map(const Figure& figure, const FigureSource& source, const ChartFiles& files, const ArrowField& field,
                      const MapView& view, int most) {
   const SurfaceGrid& grid = source.surface.grid;
@@ -47,14 +59,14 @@ FigureText arrow_map(const Figure& figure, const FigureSource& source, const Cha
                        with_unit("x", view.length) + ", " + with_unit("y", view.length) + ", " +
                            with_unit(symbol + " along x", unit) + ", " + with_unit(symbol + " along y", unit),
                        rows);
-    map.plot(block + " using 1:2:(length * $3):(length * $4) with vectors " + look + " notitle");
+    map.plot(block + " using ($1 - length * $3 / 2):($2 - length * $4 / 2):(length * $3):(length * $4) with vectors " +
+             look + " notitle");
     map.explain({"vectors " + look, words, std::string_view(words).size()});
   };
-  if (!field.in_contact_only) arrows(Zone::free, "nohead lw 1.3 lc rgb '#777777'", "free");
   arrows(Zone::stick, "filled head size graph 0.014,22 lw 1.3 lc rgb '#0072B2'", "stick");
   arrows(Zone::slip, "empty head size graph 0.018,28 lw 1.3 lc rgb '#D55E00'", "slip");
-  const double shown = std::pow(10.0, std::floor(std::log10(longest / unit.factor)));
-  (void)shown;
+  if (!field.in_contact_only) arrows(Zone::free, "filled head size graph 0.010,18 lw 1 lc rgb '#777777'", "free");
+  draw_measure(map.script(), longest / unit.factor, unit);
   return map.finished(std::string(figure.title));
 }
 
@@ -62,12 +74,12 @@ FigureText arrow_map(const Figure& figure, const FigureSource& source, const Cha
 
 FigureText friction_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   return arrow_map(figure, source, files, {"friction", "τ", "Pa", source.surface.shear_x, source.surface.shear_y, true},
-                   MapView(source, 0.2), 28);
+                   MapView(source, 0.15), 28);
 }
 
 FigureText velocity_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   return arrow_map(figure, source, files, {"velocity", "velocity", "m/s", source.velocity.x, source.velocity.y, false},
-                   MapView(source, 1.0), 32);
+                   MapView(source, 1.0), 36);
 }
 
 }  // namespace rollres

@@ -13,7 +13,7 @@ namespace rollres {
 namespace {
 
 constexpr int most_contour_nodes = 240;
-constexpr double room_around_contact = 0.15;  // [half-lengths of the contact]
+constexpr double room_around_contact = 0.15, room_for_displacements = 1.1;  // [half-lengths of the contact]
 
 /// Names of the bands that the loops enclose, for a loop of the script.
 std::string listed(const std::vector<std::string>& words) {
@@ -41,7 +41,7 @@ ShownField shown_field(const FigureSource& source, std::string_view name) {
 
 FigureText contour_map(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   const ShownField shown = shown_field(source, figure.name);
-  const MapView view = shown.traction ? MapView(source, room_around_contact) : MapView(source);
+  const MapView view(source, shown.traction ? room_around_contact : room_for_displacements);
   const ScaledUnit unit = figure_unit(shown.unit, largest(shown.values));
   const PlaneField field = plane_field(source.surface.grid, view.nodes(source.surface.grid, most_contour_nodes), view,
                                        shown.values, unit.factor);

@@ -11,7 +11,7 @@ namespace {
 
 /// One line of a figure over x, by the nodes of the window.
 struct FieldLine {
-  std::string_view symbol;
+  std::string_view symbol;            // in the data; of lines that follow each other and look alike one is explained
   const std::vector<double>& values;  // [SI]
   double factor;                      // by which they are multiplied
   std::string look;
@@ -73,6 +73,7 @@ FigureText line_figure(const Figure& figure, const FigureSource& source, const C
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     plots.push_back(block + " using 1:" + std::to_string(i + 2) + " with lines " + lines[i].look + " notitle");
+    if (i + 1 < lines.size() && lines[i + 1].look == lines[i].look) continue;
     legend.push_back(
         {"lines " + lines[i].look, gnuplot::symbol(lines[i].symbol) + kept_blanks, width(lines[i].symbol)});
   }
@@ -87,8 +88,8 @@ FigureText line_figure(const Figure& figure, const FigureSource& source, const C
                     " using 1:2:3:4:5:6 with boxxyerror " + look + " notitle");
     legend.push_back({"boxes " + look, name + kept_blanks, name.size()});
   };
-  bar(Zone::stick, "fs solid 0.45 border lc rgb '#0072B2' lw 1.5");
-  bar(Zone::slip, "fs pattern 4 border lc rgb '#D55E00' lw 1.5");
+  bar(Zone::stick, "lc rgb '#0072B2' fs solid 0.45 border lc rgb '#0072B2'");
+  bar(Zone::slip, "lc rgb '#D55E00' fs pattern 4 border lc rgb '#D55E00'");
   write_pictures(script, files, std::string(figure.title), plots, legend);
   return {script.str(), data.text()};
 }
@@ -113,7 +114,7 @@ FigureText traction_lines(const Figure& figure, const FigureSource& source, cons
   if (bound > 0) {
     lines.push_back({"τ_xz", fields.shear_x, 1, "lw 2.5 lc rgb '#0072B2'"});
     lines.push_back({"-μ σ_z", fields.pressure, bound, "lw 1.5 dt (2,3) lc rgb '#444444'"});
-    lines.push_back({"μ σ_z", fields.pressure, -bound, "lw 1.5 dt (7,3,2,3) lc rgb '#444444'"});
+    lines.push_back({"±μ σ_z", fields.pressure, -bound, "lw 1.5 dt (2,3) lc rgb '#444444'"});
   }
   return line_figure(figure, source, files, lines, "traction on the layer", unit, s.trailing_edge - room,
                      s.leading_edge + room);

@@ -13,8 +13,8 @@ namespace rollres {
 namespace {
 
 constexpr int most_outline_nodes = 240;
-constexpr double left_edge = 76, lower_edge = 62, gap_above = 10;  // around the map [px]
-constexpr double right_edge = 540, right_edge_at_bar = 445;
+constexpr double left_edge = 84, lower_edge = 74, gap_above = 10;  // around the map [px]
+constexpr double right_edge = 540, right_edge_at_bar = 440;
 
 /// 1 where a zone is one of the wanted, blurred over the neighbours: its contour at 1/2 is the outline without the
 /// steps of the cells, within half a cell.
@@ -64,6 +64,7 @@ double largest(const std::vector<double>& values) {
 
 MapView::MapView(const FigureSource& source) {
   const SurfaceGrid& grid = source.surface.grid;
+  trailing_column_ = static_cast<int>(std::lround((source.solution.trailing_edge - grid.x(0)) / grid.spacing_x));
   length = scaled_unit("m", std::max(std::abs(grid.x(0)), std::abs(grid.x(grid.columns - 1))));
   x = {grid.x(0) / length.factor, grid.x(grid.columns - 1) / length.factor};
   y = {grid.y(0) / length.factor, grid.y(grid.rows - 1) / length.factor};
@@ -77,21 +78,19 @@ MapView::MapView(const FigureSource& source, double room) : MapView(source) {
 }
 
 ShownNodes MapView::nodes(const SurfaceGrid& grid, int most) const {
-  const auto along = [&](const Span& span, int first, int count, const auto& place, double spacing) {
-    const double shown = (span.highest - span.lowest) * length.factor / spacing;
-    const int step = std::max(1, static_cast<int>(std::ceil(shown / most)));
+  const double spacing = std::max(grid.spacing_x, grid.spacing_y);
+  const double longest = std::max(x.highest - x.lowest, y.highest - y.lowest) * length.factor;
+  const int step = std::max(1, static_cast<int>(std::ceil(longest / spacing / most)));
+  const auto along = [&](const Span& span, int start, int count, const auto& place) {
     std::vector<int> kept;
     for (int i = 0; i < count; ++i)
-      if ((first + i) % step == 0 && place(i) >= span.lowest * length.factor - spacing &&
+      if ((i - start) % step == 0 && place(i) >= span.lowest * length.factor - spacing &&
           place(i) <= span.highest * length.factor + spacing)
         kept.push_back(i);
     return kept;
   };
-  const double spacing = std::max(grid.spacing_x, grid.spacing_y);
-  return {along(
-              x, grid.first_column, grid.columns, [&](int i) { return grid.x(i); }, spacing),
-          along(
-              y, grid.first_row, grid.rows, [&](int i) { return grid.y(i); }, spacing)};
+  return {along(x, trailing_column_, grid.columns, [&](int i) { return grid.x(i); }),
+          along(y, -grid.first_row, grid.rows, [&](int i) { return grid.y(i); })};
 }
 
 PlaneField plane_field(const SurfaceGrid& grid, const ShownNodes& nodes, const MapView& view,
@@ -126,11 +125,11 @@ void FigureMap::fill_contact() {
 }
 
 void FigureMap::blank_outside() {
-  // Once round the frame; from its corner round each hole and back. White lines cover the seams.
+  // Once round the frame, clockwise; from its corner round each contact, counterclockwise, and back: what is filled is
+  // between. White lines cover the seams.
   const Span &x = view_.x, &y = view_.y;
-  const double width = x.highest - x.lowest, height = y.highest - y.lowest;
-  const double left = x.lowest - width, right = x.highest + width, low = y.lowest - height, top = y.highest + height;
-  std::vector<DataRow> rows{{left, low}, {right, low}, {right, top}, {left, top}, {left, low}};
+  const double left = x.lowest, right = x.highest, low = y.lowest, top = y.highest;
+  std::vector<DataRow> rows{{left, low}, {left, top}, {right, top}, {right, low}, {left, low}};
   for (const ContourLoop& loop : contact_) {
     for (DataRow& row : closed(loop)) rows.push_back(std::move(row));
     rows.push_back({left, low});
@@ -146,7 +145,7 @@ void FigureMap::draw_borders() {
   constexpr const char *edge = "lines lc rgb 'black' lw 2", *border = "lines lc rgb 'black' lw 2 dt (5,3)";
   if (slip && !stick_.empty()) {
     plot(data_.add("stick", columns(), stick_) + " using 1:2 with " + border + " notitle");
-    explain({border, "border of stick and slip", 24});
+    explain({border, "stick-slip border", 17});
   }
   plot(data_.add("contact_edge", columns(), contact_) + " using 1:2 with " + edge + " notitle");
   legend_.insert(legend_.begin(), {edge, "edge of contact", 15});

@@ -26,13 +26,14 @@ ScaledUnit figure_unit(std::string_view unit, double size);
 /// "u [mm]"
 std::string with_unit(std::string_view symbol, const ScaledUnit& unit);
 
-/// Rows and columns of a grid that a picture can show: all, or every n-th, counted from the body's axis.
+/// Columns and rows of a grid that a picture can show: all, or every n-th.
 struct ShownNodes {
   std::vector<int> columns, rows;
 };
 
 /// What of the surface a map shows, in units of its axes.
-struct MapView {
+class MapView {
+ public:
   ScaledUnit length;
   Span x, y;
 
@@ -41,8 +42,11 @@ struct MapView {
   /// The contact and `room` times its half-length around it.
   MapView(const FigureSource& source, double room);
 
-  /// Nodes inside, at most `most` along the longer side.
+  /// Nodes inside, about `most` at most along the longer side, the trailing edge and the axis y = 0 among them.
   ShownNodes nodes(const SurfaceGrid& grid, int most) const;
+
+ private:
+  int trailing_column_ = 0;
 };
 
 /// The largest magnitude of a field.

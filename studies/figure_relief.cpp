@@ -10,14 +10,14 @@ namespace rollres {
 namespace {
 
 constexpr int most_relief_nodes = 64;
-constexpr double room_around_contact = 0.2;  // [half-lengths of the contact]
+constexpr double room_around_contact = 0.2, room_for_displacements = 1.1;  // [half-lengths of the contact]
 
 }  // namespace
 
 FigureText relief(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   const std::string_view name = figure.name.substr(0, figure.name.find("_surface"));
   const ShownField shown = shown_field(source, name);
-  const MapView view = shown.traction ? MapView(source, room_around_contact) : MapView(source);
+  const MapView view(source, shown.traction ? room_around_contact : room_for_displacements);
   const ScaledUnit unit = figure_unit(shown.unit, largest(shown.values));
   const PlaneField field = plane_field(source.surface.grid, view.nodes(source.surface.grid, most_relief_nodes), view,
                                        shown.values, unit.factor);
@@ -38,12 +38,14 @@ FigureText relief(const Figure& figure, const FigureSource& source, const ChartF
   write_axes(script, files, {.name = "", .symbol = "x", .unit = view.length.name}, {field.x.front(), field.x.back()},
              {.name = "", .symbol = "y", .unit = view.length.name}, {field.y.front(), field.y.back()});
   write_colours(script, bands, label);
-  script << "unset colorbox\nset zlabel " << gnuplot::quoted(label) << " rotate\nset ztics autofreq\n"
-         << "set border 4095 lw 0.8 lc rgb '#888888'\nset tics in offset 0,0\nset grid ztics\n"
-         << "set xyplane relative 0.05\nset view 52, 322, 1, 1.1\nset view equal xy\n"
+  // Tractions are seen from ahead of the body, where they dip below zero; displacements from behind it.
+  script << "set palette maxcolors 0\nunset colorbox\nset zlabel " << gnuplot::quoted(label) << " rotate\n"
+         << "set border 895 lw 0.8 lc rgb '#888888'\nset grid ztics\n"
+         << "set xtics offset 0,-0.3\nset ytics offset 0,-0.3\n"
+         << "set xyplane relative 0.05\nset view " << (shown.traction ? "50, 35" : "56, 318") << "\n"
          << "set pm3d depthorder border lc rgb '#303030' lw 0.25\n";
   write_pictures(script, files, std::string(figure.title), {block + " using 1:2:3 with pm3d notitle"}, {},
-                 {.height = 400, .left = 30, .right = 540, .bottom = 40, .surface = true});
+                 {.height = 390, .left = 150, .right = 465, .bottom = 110, .gap = 86, .surface = true});
   return {script.str(), data.text()};
 }
 
