@@ -34,10 +34,10 @@ SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, 
   int ahead = cells(margin * half_length, given.spacing_x), aside = cells(margin * half_length, given.spacing_y);
   const int contact_columns = contact.last_column - contact.first_column + 1;
   const int top_row = given.first_row + contact.last_row;
-  if (scene.period) {
-    const auto most = [&](double spacing) { return static_cast<int>(*scene.period / spacing); };
+  if (scene.period) {  // the coefficients reach half a period
+    const auto most = [&](double spacing) { return (static_cast<int>(std::lround(*scene.period / spacing)) - 1) / 2; };
     ahead = std::clamp((most(given.spacing_x) - contact_columns) / 2, 0, ahead);
-    aside = std::clamp(most(given.spacing_y) / 2 - top_row, 0, aside);
+    aside = std::clamp((most(given.spacing_y) - 1) / 2 - top_row, 0, aside);
   }
   SurfaceGrid half = given;
   half.first_column = given.first_column + contact.first_column - ahead;

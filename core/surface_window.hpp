@@ -14,7 +14,7 @@ constexpr double spectral_field_margin = 1.5;
 
 /// Fields over the contact and `margin` times its half-length on all sides of it, on the nodes of the solution's grid
 /// continued: the solution's tractions, zones and slip, zero and free beyond its grid, and the displacements that these
-/// tractions cause (Zehil and Gavin 2013, eq. 5). A periodic layer is shown over one period at most. The fields of a
+/// tractions cause (Zehil and Gavin 2013, eq. 5). Of a periodic layer half a period is shown at most. The fields of a
 /// spectral solution, which are not sums over cells, are returned as they are.
 /// @param solution with fields that have a node in contact
 SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& solution, double margin);

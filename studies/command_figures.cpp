@@ -13,8 +13,6 @@
 
 namespace rollres {
 
-void add_figures(CLI::App& program, Session& session);
-
 namespace {
 
 struct FigureWords {

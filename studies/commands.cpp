@@ -12,8 +12,6 @@
 
 namespace rollres {
 
-void add_figures(CLI::App& program, Session& session);
-
 namespace {
 
 using AddCommand = void (*)(CLI::App&, Session&);

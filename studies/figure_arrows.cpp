@@ -17,15 +17,19 @@ struct ArrowField {
 };
 
 /// An arrow of a round value in the lower left corner.
-void draw_measure(std::ostream& script, double longest, const ScaledUnit& unit) {
+/// @param longest of the arrows, and what it takes of the map's width
+void draw_measure(std::ostream& script, double longest, double share, const ScaledUnit& unit) {
   const double power = std::pow(10.0, std::floor(std::log10(longest)));
   const double value = power * (longest >= 5 * power ? 5 : longest >= 2 * power ? 2 : 1);
+  const double start = 0.025, text_start = start + share * value / longest + 0.02;
   const std::string text = short_number(value) + " " + typeset_unit(unit.name);
-  script << "set object rectangle from graph 0, graph 0 to graph " << short_number(0.15 + 0.021 * width(text), 3)
+  script << "set object rectangle from graph 0, graph 0 to graph "
+         << short_number(text_start + 0.023 * static_cast<double>(width(text)), 3)
          << ", graph 0.075 front fillcolor rgb 'white' fillstyle solid border lc rgb '#444444'\n"
-         << "set arrow from graph 0.025, graph 0.038 rto first length * " << short_number(value)
+         << "set arrow from graph " << start << ", graph 0.038 rto first length * " << short_number(value)
          << ", graph 0 front filled size graph 0.014,22 lw 1.3 lc rgb 'black'\n"
-         << "set label " << gnuplot::quoted(text + kept_blanks) << " at graph 0.125, graph 0.038 front\n";
+         << "set label " << gnuplot::quoted(text + kept_blanks) << " at graph " << short_number(text_start, 3)
+         << ", graph 0.038 front\n";
 }
 
 FigureText arrow_map(const Figure& figure, const FigureSource& source, const ChartFiles& files, const ArrowField& field,
@@ -34,15 +38,16 @@ FigureText arrow_map(const Figure& figure, const FigureSource& source, const Cha
   const ShownNodes nodes = view.nodes(grid, most);
   double longest = 0;
   for (std::size_t i = 0; i < field.x.size(); ++i) longest = std::max(longest, std::hypot(field.x[i], field.y[i]));
+  if (longest == 0) longest = 1;  // nothing but points
   const ScaledUnit unit = figure_unit(field.unit, longest);
-  const double between =
-      (view.x.highest - view.x.lowest) / std::max(1.0, static_cast<double>(nodes.columns.size()) - 1);
+  const double longest_arrow =
+      1.5 * (view.x.highest - view.x.lowest) / std::max(1.0, static_cast<double>(nodes.columns.size()) - 1);
 
   FigureMap map(figure, source, files, view, false);
   map.fill_contact();
   map.draw_borders();
   map.script() << "# Length of an arrow [" << view.length.name << "] for 1 " << unit.name
-               << ".\nlength = " << short_number(1.8 * between * unit.factor / longest) << "\n";
+               << ".\nlength = " << short_number(longest_arrow * unit.factor / longest) << "\n";
   const auto arrows = [&](Zone zone, const std::string& look, const char* words) {
     std::vector<DataRow> rows;
     for (const int row : nodes.rows)
@@ -66,7 +71,7 @@ FigureText arrow_map(const Figure& figure, const FigureSource& source, const Cha
   arrows(Zone::stick, "filled head size graph 0.014,22 lw 1.3 lc rgb '#0072B2'", "stick");
   arrows(Zone::slip, "empty head size graph 0.018,28 lw 1.3 lc rgb '#D55E00'", "slip");
   if (!field.in_contact_only) arrows(Zone::free, "filled head size graph 0.010,18 lw 1 lc rgb '#777777'", "free");
-  draw_measure(map.script(), longest / unit.factor, unit);
+  draw_measure(map.script(), longest / unit.factor, longest_arrow / (view.x.highest - view.x.lowest), unit);
   return map.finished(std::string(figure.title));
 }
 

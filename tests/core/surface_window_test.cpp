@@ -1,7 +1,6 @@
 #include "core/surface_window.hpp"
 
 #include <cmath>
-#include <numeric>
 
 #include "core/rolling_contact.hpp"
 #include "tests/catch.hpp"
@@ -44,19 +43,30 @@ TEST_CASE("the surface around a contact continues the surface under it", "[core]
         CHECK(own.pressure[from] == wide.pressure[to]);
         CHECK(own.zone[from] == wide.zone[to]);
       }
-    CHECK(worst < 1e-12);
+    CHECK(worst < 1e-9);  // the kernels of either window are quadratures of their own
   }
 }
 
-TEST_CASE("an incompressible layer rises around the contact by as much as it sinks under it", "[core][surface]") {
+TEST_CASE("an incompressible layer rises around a cylinder by as much as it sinks under it", "[core][surface]") {
+  const RollingScene scene = paper_cylinder();
+  // 150 mm to either side: thirty thicknesses, twelve times the way during the creep time.
+  const SurfaceFields wide = surface_around(scene, solve(scene), 40);
+  double sum = 0, sum_of_sizes = 0;
+  for (const double w : wide.w) sum += w, sum_of_sizes += std::abs(w);
+  CHECK(wide.grid.columns > 1200);
+  CHECK(std::abs(sum) < 1e-4 * sum_of_sizes);
+}
+
+TEST_CASE("of a periodic train the surface is shown over half a period at most", "[core][surface]") {
   RollingScene scene = paper_cylinder();
-  scene.method = Method::newton;
-  scene.period = 399 * *scene.spacing;
-  const SurfaceFields wide = surface_around(scene, solve(scene), 100);
-  REQUIRE(wide.grid.columns == 399);
-  const double sum = std::accumulate(wide.w.begin(), wide.w.end(), 0.0);
-  // The coefficients between nodes are sums of as many waves as the scene keeps.
-  CHECK(std::abs(sum) < 1e-9 * 399 * largest_size(wide.w));
+  scene.period = 0.03;
+  const RollingSolution solution = solve(scene);
+  const SurfaceFields wide = surface_around(scene, solution, 1.5);
+  CHECK(wide.grid.columns <= 60);
+  CHECK(wide.grid.columns >= 57);
+  const double left = wide.w.front(), under = wide.w[node_at(wide.grid, 0)];
+  CHECK(under == Approx(-solution.approach).epsilon(1e-6));
+  CHECK(left > 0);
 }
 
 TEST_CASE("a cylinder's surface outside the contact is the same by continuous edges and on a fine grid",
@@ -68,8 +78,8 @@ TEST_CASE("a cylinder's surface outside the contact is the same by continuous ed
   const RollingSolution smooth = solve(scene);
   REQUIRE(smooth.method == Method::spectral);
   const SurfaceFields on_grid = surface_around(scene, fine, 1.6), exact = surface_around(scene, smooth, 1.6);
-  CHECK(exact.grid.x(0) < -9e-3);
-  CHECK(exact.grid.x(exact.grid.columns - 1) > 9.4e-3);
+  CHECK(exact.grid.x(0) < -8.9e-3);
+  CHECK(exact.grid.x(exact.grid.columns - 1) > 9.3e-3);
   for (int i = 0; i < exact.grid.columns; ++i) {
     const double x = exact.grid.x(i);
     const std::size_t near = node_at(on_grid.grid, x), here = static_cast<std::size_t>(i);
