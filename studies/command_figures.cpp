@@ -32,6 +32,10 @@ void draw_figures(const FigureWords& words, Session& session) {
     session.status = ExitStatus::no_answer;
     return;
   }
+  if (solution.fields.grid.size() == 0) {
+    session.err << "rollres: " << words.out << ": nothing drawn, the solution has no fields\n";
+    return;
+  }
   const FigureSource source(scene, solution);
   write_fields(words.out, scene, source.surface);
   session.out << (std::filesystem::path(words.out) / "fields.vti").string() << std::endl;

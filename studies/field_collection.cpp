@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "core/surface_window.hpp"
@@ -97,7 +98,8 @@ std::string collection_text(const std::vector<TimedFile>& files) {
 
 FieldCollections write_field_collections(ResultStore& store, const StudySummary& study, const std::string& axis,
                                          const std::filesystem::path& directory) {
-  FieldCollections written{.axis = chosen_axis(study, axis)};
+  FieldCollections written;
+  written.axis = chosen_axis(study, axis);
   const std::string base = file_name(study.name);
   TimedFiles collections;
   AxisTimes times;
