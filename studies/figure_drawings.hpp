@@ -1,7 +1,7 @@
 #pragma once
 
-/// The kinds of figures, each as script and data. They end in figure_lines.cpp, figure_zones.cpp, figure_contours.cpp,
-/// figure_relief.cpp and figure_arrows.cpp.
+/// The kinds of figures, each as script and data: figure_lines.cpp, figure_zones.cpp, figure_contours.cpp,
+/// figure_relief.cpp, figure_arrows.cpp.
 
 #include "studies/figure_map.hpp"
 

@@ -38,14 +38,23 @@ FigureText relief(const Figure& figure, const FigureSource& source, const ChartF
   write_axes(script, files, {.name = "", .symbol = "x", .unit = view.length.name}, {field.x.front(), field.x.back()},
              {.name = "", .symbol = "y", .unit = view.length.name}, {field.y.front(), field.y.back()});
   write_colours(script, bands, label);
-  // Tractions are seen from ahead of the body, where they dip below zero; displacements from behind it.
+  // Tractions are seen from ahead of the body, where they dip below zero; displacements from behind it. The labels of x
+  // and y stand where terminals with different letters agree.
+  const bool from_ahead = shown.traction;
+  const auto place_label = [&](const char* name, const char* symbol, const char* at) {
+    script << "unset " << name << "\nset label "
+           << gnuplot::quoted(gnuplot::symbol(symbol) + "  [" + typeset_unit(view.length.name) + "]") << " at " << at
+           << ", graph 0 center\n";
+  };
+  place_label("xlabel", "x", from_ahead ? "graph 0.48, graph -0.42" : "graph 0.62, graph -0.4");
+  place_label("ylabel", "y", from_ahead ? "graph 1.33, graph 0.5" : "graph -0.48, graph 0.52");
   script << "set palette maxcolors 0\nunset colorbox\nset zlabel " << gnuplot::quoted(label) << " rotate\n"
          << "set border 895 lw 0.8 lc rgb '#888888'\nset grid ztics\n"
          << "set xtics offset 0,-0.3\nset ytics offset 0,-0.3\n"
-         << "set xyplane relative 0.05\nset view " << (shown.traction ? "50, 35" : "56, 318") << "\n"
+         << "set xyplane relative 0.05\nset view " << (from_ahead ? "50, 35" : "56, 318") << "\n"
          << "set pm3d depthorder border lc rgb '#303030' lw 0.25\n";
   write_pictures(script, files, std::string(figure.title), {block + " using 1:2:3 with pm3d notitle"}, {},
-                 {.height = 390, .left = 150, .right = 465, .bottom = 110, .gap = 86, .surface = true});
+                 {.height = 390, .left = 170, .right = 460, .bottom = 110, .gap = 86, .surface = true});
   return {script.str(), data.text()};
 }
 

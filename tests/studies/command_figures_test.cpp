@@ -37,6 +37,10 @@ void check_pictures(const std::filesystem::path& folder, const std::string& out,
     const std::string svg = file_text(folder / (name + ".svg"));
     CHECK(well_formed(svg));
     CHECK(std::count(svg.begin(), svg.end(), '\n') > 60);
+    // gnuplot leaves out a label for which a margin has no room.
+    int lengths = 0;
+    for (auto at = svg.find("[mm]"); at != std::string::npos; at = svg.find("[mm]", at + 1)) ++lengths;
+    CHECK(lengths >= (indenter == Indenter::sphere ? 2 : 1));
     CHECK(file_text(folder / (name + ".png")).starts_with("\x89PNG"));
     CHECK(file_text(folder / (name + ".gp")).find("'./" + name + ".dat'") != std::string::npos);
     for (const auto& [block, all] : figure_blocks(file_text(folder / (name + ".dat"))))
