@@ -41,8 +41,8 @@ FigureText relief(const Figure& figure, const FigureSource& source, const ChartF
   // Tractions are seen from ahead of the body, where they dip below zero; displacements from behind it. The labels of x
   // and y stand where terminals with different letters agree.
   const bool from_ahead = shown.traction;
-  const auto place_label = [&](const char* name, const char* symbol, const char* at) {
-    script << "unset " << name << "\nset label "
+  const auto place_label = [&](const char* axis, const char* symbol, const char* at) {
+    script << "unset " << axis << "\nset label "
            << gnuplot::quoted(gnuplot::symbol(symbol) + "  [" + typeset_unit(view.length.name) + "]") << " at " << at
            << ", graph 0 center\n";
   };
