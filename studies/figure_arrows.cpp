@@ -24,7 +24,7 @@ void draw_measure(std::ostream& script, double longest, double share, const Scal
   const double start = 0.025, text_start = start + share * value / longest + 0.02;
   const std::string text = short_number(value) + " " + typeset_unit(unit.name);
   script << "set object rectangle from graph 0, graph 0 to graph "
-         << short_number(text_start + 0.023 * static_cast<double>(width(text)), 3)
+         << short_number(text_start + 0.026 * static_cast<double>(width(text)), 3)
          << ", graph 0.075 front fillcolor rgb 'white' fillstyle solid border lc rgb '#444444'\n"
          << "set arrow from graph " << start << ", graph 0.038 rto first length * " << short_number(value)
          << ", graph 0 front filled size graph 0.014,22 lw 1.3 lc rgb 'black'\n"

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int most_outline_nodes = 240;
 constexpr double left_edge = 84, lower_edge = 88, gap_above = 10;  // around the map [px]
-constexpr double right_edge = 540, right_edge_at_bar = 440;
+constexpr double right_edge = 540, right_edge_at_bar = 424;
 
 /// 1 where a zone is one of the wanted, blurred over the neighbours: its contour at 1/2 is the outline without the
 /// steps of the cells, within half a cell.
