@@ -4,6 +4,7 @@
 
 #include "studies/command_line.hpp"
 #include "studies/commands.hpp"
+#include "studies/file_name.hpp"
 #include "studies/read_filter.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/study_chart.hpp"
@@ -21,20 +22,6 @@ struct ChartWords {
 
 AxisScale scale_named(const std::string& name) {
   return static_cast<AxisScale>(find_name(ChoiceNames<AxisScale>::names, name));
-}
-
-/// A name that file systems take: "/" and the like become "_".
-std::string file_name(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(),
-      [](unsigned char letter) {
-        return letter <= 0x20 || letter == 0x7f ||
-               std::string_view("/\\:*?\"<>|").find(static_cast<char>(letter)) != std::string_view::npos;
-      },
-      '_');
-  constexpr std::size_t longest = 120;  // file systems take 255 bytes, suffix included
-  name.resize(std::min(name.size(), longest));
-  return name;
 }
 
 /// Beside the database: the study's name, and what is shown if that was asked for.

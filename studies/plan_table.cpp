@@ -14,6 +14,8 @@ Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) :
 template <class Choice>
 requires std::is_enum_v<Choice> Cell cell_of(Choice choice) { return std::string(name_of(choice)); }
 
+}  // namespace
+
 Cell input_of(const RollingScene& scene, std::string_view key) {
   Cell cell;
   visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
@@ -21,8 +23,6 @@ Cell input_of(const RollingScene& scene, std::string_view key) {
   });
   return cell;
 }
-
-}  // namespace
 
 std::vector<Cell> stored_status(ResultStore& store, const StudyPlan& plan) {
   std::vector<Cell> status;
