@@ -5,6 +5,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "fitting/statistics.hpp"
 #include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/fit_curves.hpp"
@@ -37,7 +38,8 @@ FitContext context_of(const FitFile& file) {
                      .data_digest = file.data_digest,
                      .indenter = file.indenter(),
                      .output_unit = real_output(file.output).unit_for(file.indenter()),
-                     .data_warnings = file.warnings};
+                     .data_warnings = file.warnings,
+                     .notes = file.notes};
   for (const FixedInput& fixed : file.fixed)
     context.fixed.push_back(
         {fixed.key, std::string(find_input(fixed.key)->quantity.unit_for(file.indenter())), fixed.value});
@@ -106,6 +108,7 @@ FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
     reduced.push_back(row.angular_frequency * shift_factor(found.shift, row.temperature));
   const auto [lowest, highest] = std::minmax_element(reduced.begin(), reduced.end());
   constexpr int pieces = 120;
+  const double quantile = two_sided_quantile(confidence, found.report.deviations_known ? 0 : found.report.degrees);
   for (std::size_t part = 0; part < 2; ++part) {
     FitCurve& curve = curves.curves[part];
     for (std::size_t i = 0; i < reduced.size(); ++i) {
@@ -116,8 +119,10 @@ FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
       const double omega = *lowest * std::pow(*highest / *lowest, static_cast<double>(i) / pieces);
       const std::complex<double> modulus = found.modulus(omega, found.shift.reference);
       curve.x.push_back(omega);
+      const std::complex<double> error = found.modulus_error(omega, found.shift.reference);
+      const double half_band = quantile * (part == 0 ? error.real() : error.imag());
       curve.value.push_back(part == 0 ? modulus.real() : modulus.imag());
-      curve.band.push_back(0);
+      curve.band.push_back(std::isfinite(half_band) ? half_band : 0);
     }
   }
   return curves;

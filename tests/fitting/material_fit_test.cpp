@@ -98,6 +98,19 @@ TEST_CASE("a Prony series with a number of terms of its own follows a fractional
   CHECK(fit_material(data, {.terms = 5, .options = {.profiles = false}}).prony.terms.size() <= 5);
 }
 
+TEST_CASE("an automatic Prony series has only terms that the data bind, and a true band", "[fitting][material_fit]") {
+  auto data = measured_moduli(FractionalZener{1e6, 300, 2, 0.5}, 0.02);
+  const MaterialFit found = fit_material(data, {.deviations_known = true});
+  INFO(name_of(found.report.status) << ": " << found.report.reason);
+  CHECK(found.report.status >= FitStatus::usable_with_warnings);
+  for (const FittedParameter& fitted : found.report.parameters) CHECK(!fitted.profile.interval.open());
+  for (const std::size_t i : {0, 7, 24}) {
+    const auto error = found.modulus_error(data[i].angular_frequency, data[i].temperature);
+    CHECK(error.real() == Approx(found.report.values[2 * i].band).epsilon(1e-3));
+    CHECK(error.imag() == Approx(found.report.values[2 * i + 1].band).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("a Zener solid's moduli at two temperatures give it back with Arrhenius' energy", "[fitting][material_fit]") {
   const FractionalZener truth{2e6, 3, 0.1, 1};
   const TemperatureShift shift{ShiftLaw::arrhenius, 293.15, 0, 0, 9e4};

@@ -1,0 +1,114 @@
+#include "studies/schema_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rollres::json_schema {
+
+namespace {
+
+std::string described(const Quantity& quantity) {
+  std::string text(quantity.meaning);
+  if (!quantity.symbol.empty()) text = std::string(quantity.symbol) + ": " + text;
+  if (quantity.unit.empty() || quantity.unit == "1") return text;
+  text += quantity.unit_2d.empty() ? " [" + std::string(quantity.unit) + "]"
+                                   : " [" + std::string(quantity.unit_2d) + " for a cylinder, " +
+                                         std::string(quantity.unit) + " for a sphere]";
+  return text;
+}
+
+Json number(const InputKind& kind) {
+  const Range& range = kind.quantity.range;
+  Json plain{{"type", kind.whole ? "integer" : "number"}};
+  if (std::isfinite(range.lowest)) plain[range.lowest_excluded ? "exclusiveMinimum" : "minimum"] = range.lowest;
+  if (std::isfinite(range.highest)) plain["maximum"] = range.highest;
+  if (kind.whole) return plain;
+  Json forms{plain, reference(with_unit)};
+  if (range.infinity_allowed) forms.push_back({{"const", "infinite"}});
+  return {{"anyOf", forms}};
+}
+
+}  // namespace
+
+Json names(std::span<const std::string_view> list) {
+  Json all = Json::array();
+  for (const std::string_view name : list) all.push_back(name);
+  return {{"type", "string"}, {"enum", all}};
+}
+
+Json reference(const std::string& name) { return {{"$ref", "#/definitions/" + name}}; }
+
+Json common_definitions() {
+  const Json text{{"type", "string"},
+                  {"pattern", R"(^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?\s*[^0-9\s.].*$)"}};
+  return {{with_unit, text}};
+}
+
+Json input_definitions() {
+  Json definitions = common_definitions();
+  for (const InputKind& kind : input_kinds()) definitions[std::string(kind.quantity.key)] = input(kind);
+  return definitions;
+}
+
+Json input(const InputKind& kind) {
+  Json schema = kind.choices.empty() ? number(kind) : names(kind.choices);
+  schema["description"] = described(kind.quantity);
+  if (kind.optional || !kind.needed_by().empty()) return schema;
+  if (const auto* const name = std::get_if<std::string>(&kind.default_value))
+    schema["default"] = *name;
+  else
+    schema["default"] = std::get<double>(kind.default_value);
+  return schema;
+}
+
+Json input_reference(const InputKind& kind) { return reference(std::string(kind.quantity.key)); }
+
+bool any_input(const InputKind&) { return true; }
+bool real_input(const InputKind& kind) { return kind.choices.empty() && !kind.whole; }
+
+Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& forms,
+               const std::vector<std::string_view>& required) {
+  if (forms.size() != keys.size()) throw std::logic_error("a schema has not as many forms as keys");
+  Json properties = Json::object();
+  for (const FileKey& key : keys) {
+    const auto form =
+        std::find_if(forms.begin(), forms.end(), [&](const auto& named) { return named.first == key.key; });
+    if (form == forms.end()) throw std::logic_error("a schema has no form for " + std::string(key.key));
+    Json& property = properties[std::string(key.key)] = form->second;
+    property["description"] = key.meaning;
+  }
+  Json schema{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  if (!required.empty()) schema["required"] = required;
+  return schema;
+}
+
+Json text() { return {{"type", "string"}}; }
+
+Json name() { return {{"type", "string"}, {"minLength", 1}}; }
+
+Json boolean(bool by_default) { return {{"type", "boolean"}, {"default", by_default}}; }
+
+Json whole(int lowest, int highest) { return {{"type", "integer"}, {"minimum", lowest}, {"maximum", highest}}; }
+
+Json list_of(const Json& item) { return {{"type", "array"}, {"items", item}, {"minItems", 1}}; }
+
+Json input_number() { return {{"anyOf", {{{"type", "number"}}, reference(with_unit)}}}; }
+
+Json ignored_texts() {
+  Json texts = Json::object();
+  for (const FileKey& key : study_keys)
+    if (find_name(ignored_keys, key.key) >= 0)
+      texts[std::string(key.key)] = {{"type", "string"}, {"description", key.meaning}};
+  return texts;
+}
+
+Json scene_or_file() {
+  Json scene = inputs(input_reference, any_input);
+  scene["properties"].update(ignored_texts());
+  return {{"anyOf", {name(), scene}}};
+}
+
+std::string printed(const Json& schema) { return schema.dump(2) + '\n'; }
+
+}  // namespace rollres::json_schema
