@@ -39,8 +39,13 @@ std::vector<std::string> check(const RollingScene& scene) {
       if (!quantity.range.contains(value)) complain(quantity.key, value, quantity.range.rule());
     } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (value && !quantity.range.contains(*value)) complain(quantity.key, *value, quantity.range.rule());
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      for (std::size_t i = 0; i < value.size(); ++i)
+        if (!quantity.range.contains(value[i]))
+          complain(std::string(quantity.key) + "[" + std::to_string(i) + "]", value[i], quantity.range.rule());
     }
   });
+  for (std::string& line : check_material(scene)) broken.push_back(std::move(line));
 
   if (scene.load && scene.approach) complain("approach", *scene.approach, "give load or approach, not both");
   if (!scene.load && !scene.approach) missing("load", "give load or approach");

@@ -9,15 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/material_inputs.hpp"
 #include "core/quantity.hpp"
 
 namespace rollres {
-
-enum class MaterialModel { zener, elastic };
-template <>
-struct ChoiceNames<MaterialModel> {
-  static constexpr std::array<std::string_view, 2> names{"zener", "elastic"};
-};
 
 /// What drives the body.
 enum class Drive {
@@ -67,16 +62,11 @@ struct ChoiceNames<SlipRule> {
   static constexpr std::array<std::string_view, 2> names{"projected", "printed"};
 };
 
-struct RollingScene {
+struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
-  double radius = 0;            // R [m]
-  double layer_thickness = 0;   // H [m]; infinity for a half-space
-  double layer_density = 1000;  // rho [kg/m3]
-  double poisson_ratio = 0.5;   // nu [1]
-  MaterialModel material = MaterialModel::zener;
-  double static_shear_modulus = 0;  // G0 = G'(0) [Pa]
-  double stiffening = 0;            // f = G'(infinity)/G'(0) - 1 [1]
-  double creep_time = 0;            // tau [s]
+  double radius = 0;                // R [m]
+  double layer_thickness = 0;       // H [m]; infinity for a half-space
+  double layer_density = 1000;      // rho [kg/m3]
   double speed = 0;                 // V [m/s]
   std::optional<double> load;       // P [N/m] or [N]; this or
   std::optional<double> approach;   // d [m]
@@ -96,8 +86,8 @@ struct RollingScene {
   SlipRule slip_rule = SlipRule::projected;         // active_set in 3D
 };
 
-/// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double> or an
-/// enumeration with ChoiceNames. Works on const and non-const scenes.
+/// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double>, an
+/// enumeration with ChoiceNames or, for a list, std::vector<double>. Works on const and non-const scenes.
 template <class Scene, class Visitor>
 void visit_inputs(Scene& scene, Visitor&& visitor) {
   using Q = Quantity;
@@ -111,12 +101,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.layer_thickness);
   visitor(Q{"layer_density", "ρ", "kg/m3", "density of the layer, for the warning about inertia", not_negative},
           scene.layer_density);
-  visitor(Q{"poisson_ratio", "ν", "1", "Poisson's ratio of the layer", {.lowest = 0.0, .highest = 0.5}},
-          scene.poisson_ratio);
-  visitor(Q{"material", "", "", "model of the layer's material"}, scene.material);
-  visitor(Q{"static_shear_modulus", "G0", "Pa", "shear modulus at rest, G'(0)", positive}, scene.static_shear_modulus);
-  visitor(Q{"stiffening", "f", "1", "G'(∞)/G'(0) - 1", not_negative}, scene.stiffening);
-  visitor(Q{"creep_time", "τ", "s", "creep (retardation) time", not_negative}, scene.creep_time);
+  visit_material_inputs(scene, visitor);
   visitor(Q{"speed", "V", "m/s", "speed of the body along +x", positive}, scene.speed);
   visitor(Q{"load", "P", "N", "vertical load, downwards", positive, "N/m"}, scene.load);
   visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface, in place of a load", positive},

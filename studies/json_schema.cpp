@@ -34,6 +34,8 @@ Json names(std::span<const std::string_view> list) {
   return {{"type", "string"}, {"enum", all}};
 }
 
+Json list_of(const Json& item) { return {{"type", "array"}, {"items", item}, {"minItems", 1}}; }
+
 /// A definition of the schema by its name.
 Json reference(const std::string& name) { return {{"$ref", "#/definitions/" + name}}; }
 
@@ -59,8 +61,9 @@ Json number(const InputKind& kind) {
 
 Json input(const InputKind& kind) {
   Json schema = kind.choices.empty() ? number(kind) : names(kind.choices);
+  if (kind.list) schema = list_of(schema);
   schema["description"] = described(kind.quantity);
-  if (kind.optional || !kind.needed_by().empty()) return schema;
+  if (kind.optional || kind.list || !kind.needed_by().empty()) return schema;
   if (const auto* const name = std::get_if<std::string>(&kind.default_value))
     schema["default"] = *name;
   else
@@ -105,7 +108,8 @@ Json inputs(ValueOf&& value_of, bool (*accepts)(const InputKind&)) {
   return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
 }
 bool any_input(const InputKind&) { return true; }
-bool real_input(const InputKind& kind) { return kind.choices.empty() && !kind.whole; }
+bool real_input(const InputKind& kind) { return kind.real(); }
+bool no_list(const InputKind& kind) { return !kind.list; }
 
 /// An object of a study file: each of its keys with what it holds.
 /// @throws std::logic_error if a key has no form, or a form no key
@@ -127,8 +131,6 @@ Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::s
 
 Json whole(int lowest, int highest) { return {{"type", "integer"}, {"minimum", lowest}, {"maximum", highest}}; }
 
-Json list_of(const Json& item) { return {{"type", "array"}, {"items", item}, {"minItems", 1}}; }
-
 Json input_reference(const InputKind& kind) { return reference(std::string(kind.quantity.key)); }
 
 constexpr const char* interval_name = "interval";
@@ -142,7 +144,7 @@ Json axis(const InputKind& kind) {
 }
 
 Json axes() {
-  Json schema = inputs(axis, any_input);
+  Json schema = inputs(axis, no_list);
   Json together = schema;
   together["minProperties"] = 2;
   schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}}, {"zip"});

@@ -26,6 +26,8 @@ Json inputs_json(const RollingScene& scene) {
     const std::string key(quantity.key);
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>) {
       if (value) object[key] = json_of(*value);
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
+      if (!value.empty()) object[key] = value;
     } else if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
       object[key] = std::isinf(value) ? Json("infinite") : json_of(value);
     } else {

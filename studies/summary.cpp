@@ -16,6 +16,17 @@ struct Line {
   std::string key, symbol, value;
 };
 
+/// Short lists in full, of longer ones the ends.
+std::string list_text(const std::vector<double>& values, std::string_view unit) {
+  constexpr std::size_t most = 6;
+  std::string text;
+  if (values.size() > most)
+    return std::to_string(values.size()) + " values, " + readable(values.front(), unit) + " ... " +
+           readable(values.back(), unit);
+  for (const double value : values) text += (text.empty() ? "" : ", ") + readable(value, unit);
+  return text;
+}
+
 template <class Value>
 std::string value_text(const Value& value, std::string_view unit) {
   if constexpr (std::is_enum_v<Value>)
@@ -26,6 +37,8 @@ std::string value_text(const Value& value, std::string_view unit) {
     return std::isnan(value) ? "" : readable(value, unit);
   else if constexpr (std::is_integral_v<Value>)
     return std::to_string(value);
+  else if constexpr (std::is_same_v<Value, std::vector<double>>)
+    return list_text(value, unit);
   else
     return "";  // texts stand at the top
 }
