@@ -26,6 +26,8 @@ struct MediumLayer {
   double poisson_ratio;  ///< [1]
   double density;        ///< [kg/m3]; 0: without inertia
   CreepSpectrum material;
+
+  bool operator==(const MediumLayer&) const = default;
 };
 
 /// From the surface down; on a rigid base unless the last layer is infinite.

@@ -16,6 +16,7 @@ struct CreepSpectrum {
   struct Term {
     double compliance;  // [1/Pa]
     double time;        // retardation time [s]
+    bool operator==(const Term&) const = default;
   };
   double instantaneous = 0;  // 1 / G'(infinity) [1/Pa]
   std::vector<Term> terms;   // times ascending, all different
@@ -24,6 +25,8 @@ struct CreepSpectrum {
   std::complex<double> operator()(double omega) const;
   /// 1/G'(0) [1/Pa]
   double at_rest() const;
+
+  bool operator==(const CreepSpectrum&) const = default;
 };
 
 /// The layer's material at its temperature; a scene is such an input. Exact for an elastic layer, a Zener solid,

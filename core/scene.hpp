@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/material_inputs.hpp"
+#include "core/bonded_layer.hpp"
 #include "core/quantity.hpp"
 
 namespace rollres {
@@ -62,11 +62,25 @@ struct ChoiceNames<SlipRule> {
   static constexpr std::array<std::string_view, 2> names{"projected", "printed"};
 };
 
+/// Whether the layers' inertia is part of the model.
+enum class Inertia {
+  automatic,  ///< where it matters to a given tolerance, of a cylinder or in a periodic train
+  off,
+  on
+};
+template <>
+struct ChoiceNames<Inertia> {
+  static constexpr std::array<std::string_view, 3> names{"automatic", "off", "on"};
+};
+
 struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
-  double radius = 0;                // R [m]
-  double layer_thickness = 0;       // H [m]; infinity for a half-space
-  double layer_density = 1000;      // rho [kg/m3]
+  double radius = 0;            // R [m]
+  double layer_thickness = 0;   // H [m]; infinity for a half-space
+  double layer_density = 1000;  // rho [kg/m3]
+  BondedLayers lower_layers;    // bonded under the first, from above; under the last a rigid base
+  BondedLayers coating_layers;  // bonded on the body, from its surface inwards to a rigid core
+  Inertia inertia = Inertia::automatic;
   double speed = 0;                 // V [m/s]
   std::optional<double> load;       // P [N/m] or [N]; this or
   std::optional<double> approach;   // d [m]
@@ -87,21 +101,20 @@ struct RollingScene : MaterialInputs {
 };
 
 /// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double>, an
-/// enumeration with ChoiceNames or, for a list, std::vector<double>. Works on const and non-const scenes.
+/// enumeration with ChoiceNames or, for lists, std::vector<double> or BondedLayers. Works on const and non-const
+/// scenes.
 template <class Scene, class Visitor>
 void visit_inputs(Scene& scene, Visitor&& visitor) {
   using Q = Quantity;
   visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
   visitor(Q{"radius", "R", "m", "radius of the body", positive}, scene.radius);
-  visitor(Q{"layer_thickness",
-            "H",
-            "m",
-            "thickness of the layer; \"infinite\" for a half-space",
-            {.lowest = 0.0, .lowest_excluded = true, .infinity_allowed = true}},
-          scene.layer_thickness);
-  visitor(Q{"layer_density", "ρ", "kg/m3", "density of the layer, for the warning about inertia", not_negative},
-          scene.layer_density);
-  visit_material_inputs(scene, visitor);
+  visit_layer_inputs(scene, visitor);
+  visitor(Q{"lower_layers", "", "", "layers bonded under the first, from above, each an object; a rigid base below"},
+          scene.lower_layers);
+  visitor(Q{"coating_layers", "", "", "layers bonded on the body, from its surface inwards, each an object"},
+          scene.coating_layers);
+  visitor(Q{"inertia", "", "", "whether the layers' inertia counts; automatic: where a tolerance asks for it"},
+          scene.inertia);
   visitor(Q{"speed", "V", "m/s", "speed of the body along +x", positive}, scene.speed);
   visitor(Q{"load", "P", "N", "vertical load, downwards", positive, "N/m"}, scene.load);
   visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface, in place of a load", positive},

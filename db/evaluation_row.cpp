@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/number_list.hpp"
+#include "db/layer_list.hpp"
 #include "db/schema.hpp"
 
 namespace rollres {
@@ -34,6 +35,12 @@ void bind_value(SQLite::Statement& statement, int index, const std::vector<doubl
   else
     statement.bind(index, text_of_list(list));
 }
+void bind_value(SQLite::Statement& statement, int index, const BondedLayers& layers) {
+  if (layers.empty())
+    statement.bind(index);
+  else
+    statement.bind(index, text_of_layers(layers));
+}
 void bind_value(SQLite::Statement& statement, int index, int value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const Lines& lines) {
@@ -58,6 +65,13 @@ void read_value(const SQLite::Column& column, std::vector<double>& list) {
   const auto numbers = list_in(text);
   if (!numbers) throw std::runtime_error(std::string(column.getName()) + " = " + text + ": is no list of numbers");
   list = *numbers;
+}
+void read_value(const SQLite::Column& column, BondedLayers& layers) {
+  try {
+    layers = layers_in(column.getString());
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(std::string(column.getName()) + " = " + error.what());
+  }
 }
 void read_value(const SQLite::Column& column, int& value) { value = column.getInt(); }
 void read_value(const SQLite::Column& column, std::string& value) { value = column.getString(); }

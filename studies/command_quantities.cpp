@@ -57,7 +57,7 @@ std::vector<Row> input_rows() {
   std::vector<Row> rows;
   for (const InputKind& kind : input_kinds()) {
     rows.push_back(row_of(kind.quantity));
-    rows.back().range = range_text(kind.quantity, kind.choices, kind.list);
+    rows.back().range = kind.layers ? "list of layers" : range_text(kind.quantity, kind.choices, kind.list);
     rows.back().default_value = default_text(kind);
   }
   return rows;

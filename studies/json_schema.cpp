@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/solution.hpp"
+#include "studies/layer_entries.hpp"
 #include "studies/sampling.hpp"
 #include "studies/scene_entries.hpp"
 #include "studies/study_keys.hpp"
@@ -59,7 +60,24 @@ Json number(const InputKind& kind) {
   return {{"anyOf", forms}};
 }
 
+Json input(const InputKind& kind);
+
+/// One of a scene's further layers.
+Json further_layer() {
+  Json properties = Json::object(), needed = Json::array();
+  for (const InputKind& kind : layer_kinds()) {
+    properties[std::string(kind.quantity.key)] = input(kind);
+    if (kind.needed_by_all()) needed.push_back(kind.quantity.key);
+  }
+  return {{"type", "object"}, {"properties", properties}, {"required", needed}, {"additionalProperties", false}};
+}
+
 Json input(const InputKind& kind) {
+  if (kind.layers) {
+    Json layers = list_of(further_layer());
+    layers["description"] = described(kind.quantity);
+    return layers;
+  }
   Json schema = kind.choices.empty() ? number(kind) : names(kind.choices);
   if (kind.list) schema = list_of(schema);
   schema["description"] = described(kind.quantity);

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "studies/layer_entries.hpp"
 #include "studies/units.hpp"
 
 namespace rollres {
@@ -143,19 +144,24 @@ std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::v
 InputValue input_value(const SceneEntry& entry, Indenter indenter) {
   const InputKind* const kind = find_input(entry.key);
   if (!kind) refuse(entry.place, entry.key, entry.value, "unknown key");
+  return input_value(entry, *kind, indenter);
+}
+
+InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
+  if (kind.layers) return layers_of(entry);
   auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
-  if (!kind->choices.empty()) {
-    const std::string rule = "must be one of " + joined(kind->choices);
+  if (!kind.choices.empty()) {
+    const std::string rule = "must be one of " + joined(kind.choices);
     if (!entry.value.is_string()) fail(rule);
     const auto& name = entry.value.get_ref<const std::string&>();
-    if (find_name(kind->choices, name) < 0) fail(unknown(rule, kind->choices, name));
+    if (find_name(kind.choices, name) < 0) fail(unknown(rule, kind.choices, name));
     return name;
   }
-  if (kind->list) return numbers(entry, kind->quantity, indenter);
-  const double value = number(entry, kind->quantity, indenter);
-  const bool whole = !kind->whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
+  if (kind.list) return numbers(entry, kind.quantity, indenter);
+  const double value = number(entry, kind.quantity, indenter);
+  const bool whole = !kind.whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
   if (!whole) fail("must be a whole number");
-  if (!kind->quantity.range.contains(value)) fail(kind->quantity.range.rule());
+  if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
   return value;
 }
 

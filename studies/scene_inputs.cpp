@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "core/number_list.hpp"
+#include "db/layer_list.hpp"
 
 namespace rollres {
 
@@ -24,6 +25,9 @@ InputKind kind_of(const Quantity& quantity, const Value& value) {
     kind.optional = true;
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
     kind.list = true;
+    kind.default_value = value;
+  } else if constexpr (std::is_same_v<Value, BondedLayers>) {
+    kind.list = kind.layers = true;
     kind.default_value = value;
   } else {
     kind.whole = std::is_integral_v<Value>;
@@ -47,6 +51,10 @@ void assign(Value& target, std::string_view key, const InputValue& value) {
     const auto* const list = std::get_if<Value>(&value);
     if (!list) refuse_value(key, value, "must be a list of numbers");
     target = *list;
+  } else if constexpr (std::is_same_v<Value, BondedLayers>) {
+    const auto* const layers = std::get_if<Value>(&value);
+    if (!layers) refuse_value(key, value, "must be a list of layers");
+    target = *layers;
   } else {
     const auto* const number = std::get_if<double>(&value);
     if (!number) refuse_value(key, value, "must be a number");
@@ -125,6 +133,12 @@ void assign_input(RollingScene& scene, std::string_view key, const InputValue& v
   if (!found) refuse_value(key, value, "unknown key");
 }
 
+void assign_layer_input(BondedLayer& layer, std::string_view key, const InputValue& value) {
+  visit_layer_inputs(layer, [&](const Quantity& quantity, auto& target) {
+    if (quantity.key == key) assign(target, key, value);
+  });
+}
+
 void set_input(RollingScene& scene, std::string_view key, const InputValue& value) {
   assign_input(scene, key, value);
   const std::vector<std::string_view> replaced = replaced_inputs(key, value);
@@ -137,6 +151,7 @@ void set_input(RollingScene& scene, std::string_view key, const InputValue& valu
 std::string text_of(const InputValue& value) {
   if (const auto* const name = std::get_if<std::string>(&value)) return '"' + *name + '"';
   if (const auto* const list = std::get_if<std::vector<double>>(&value)) return text_of_list(*list);
+  if (const auto* const layers = std::get_if<BondedLayers>(&value)) return text_of_layers(*layers);
   const double number = std::get<double>(value);
   if (std::isinf(number) && number > 0) return "\"infinite\"";
   std::array<char, 40> digits;

@@ -12,15 +12,16 @@
 
 namespace rollres {
 
-/// An input as a value: a number [SI], the name of a choice, or a list of numbers [SI].
-using InputValue = std::variant<double, std::string, std::vector<double>>;
+/// An input as a value: a number [SI], the name of a choice, a list of numbers [SI], or further layers.
+using InputValue = std::variant<double, std::string, std::vector<double>, BondedLayers>;
 
 /// What an input takes, beside its quantity.
 struct InputKind {
   Quantity quantity;
   std::span<const std::string_view> choices = {};  ///< names; empty for a number
   bool whole = false;                              ///< a count
-  bool list = false;                               ///< a list of numbers; empty if absent
+  bool list = false;                               ///< a list, of numbers or of layers; empty if absent
+  bool layers = false;                             ///< a list of layers
   bool optional = false;                           ///< may be absent
   InputValue default_value = 0.0;                  ///< of no meaning if `optional` or `list`
 
@@ -49,6 +50,9 @@ void assign_input(RollingScene& scene, std::string_view key, const InputValue& v
 
 /// The same, and clears what the input takes the place of.
 void set_input(RollingScene& scene, std::string_view key, const InputValue& value);
+
+/// Gives an input of a further layer its value.
+void assign_layer_input(BondedLayer& layer, std::string_view key, const InputValue& value);
 
 /// A value as text, numbers as short as they can be read back.
 std::string text_of(const InputValue& value);

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "db/layer_list.hpp"
 #include "studies/readable_number.hpp"
 
 namespace rollres {
@@ -39,6 +40,8 @@ std::string value_text(const Value& value, std::string_view unit) {
     return std::to_string(value);
   else if constexpr (std::is_same_v<Value, std::vector<double>>)
     return list_text(value, unit);
+  else if constexpr (std::is_same_v<Value, BondedLayers>)
+    return value.empty() ? "" : text_of_layers(value);
   else
     return "";  // texts stand at the top
 }
