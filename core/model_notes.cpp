@@ -1,6 +1,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/contact_surface.hpp"
 #include "core/evidence.hpp"
 #include "core/material.hpp"
 
@@ -31,12 +32,13 @@ double inertia(const RollingScene& scene, const RollingSolution& solution) {
 
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
   std::vector<std::string> warnings;
-  const double strain = solution.approach / scene.layer_thickness;
+  const double strain = solution.approach / total_thickness(scene);
   if (strain > 0.1) warnings.push_back(text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
   const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
   if (slope > 0.3) warnings.push_back(text("slope at the contact's edge ", slope, " is not small"));
   const double mach = inertia(scene, solution);
-  if (mach > 0.01) warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
+  if (mach > 0.01 && !inertia_included(scene))
+    warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10) warnings.push_back(text("only ", across, " nodes along the contact: take a smaller spacing"));
   for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
@@ -56,7 +58,11 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
 }
 
 std::string model_of(const RollingScene& scene, const RollingSolution& solution) {
-  std::string model = text("inertia left out: ρV²/|G| = ", inertia(scene, solution));
+  std::string model = surface_in_words(scene) + "; " +
+                      text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
+                           inertia(scene, solution));
+  if (is_composite(scene) && !scene.period && expansion_error(scene) > 0)
+    model += text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   if (scene.material == MaterialModel::zener && (scene.stiffening == 0 || scene.creep_time == 0))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";

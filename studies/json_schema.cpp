@@ -46,7 +46,7 @@ Json axis(const InputKind& kind) {
 }
 
 Json axes() {
-  Json schema = inputs(axis, any_input);
+  Json schema = inputs(axis, no_list);
   Json together = schema;
   together["minProperties"] = 2;
   schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}}, {"zip"});

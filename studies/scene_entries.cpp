@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "studies/layer_entries.hpp"
 #include "studies/units.hpp"
 
 namespace rollres {
@@ -32,8 +33,7 @@ std::string wanted_unit(const Quantity& quantity, Indenter indenter) {
   return text;
 }
 
-double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
-  const Quantity& quantity = kind.quantity;
+double number(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
   const std::string_view unit = quantity.unit_for(indenter);
   auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
   if (entry.value.is_number()) return entry.value.get<double>();
@@ -45,7 +45,7 @@ double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter)
     fail(unit == "1" ? "must be a number without quotes"
                      : "must be a number without quotes, or have " + wanted_unit(quantity, indenter));
   try {
-    return si_value(text, unit);
+    return is_temperature(quantity) ? kelvin(text) : si_value(text, unit);
   } catch (const std::invalid_argument& error) {
     const bool per_body = !quantity.unit_2d.empty();
     fail(error.what() + (per_body ? " for a " + std::string(name_of(indenter)) : std::string()));
@@ -53,16 +53,30 @@ double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter)
   return std::nan("");
 }
 
+/// A list whose values are as a number of the same quantity is.
+std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
+  if (!entry.value.is_array() || entry.value.empty())
+    refuse(entry.place, entry.key, entry.value, "must be a list of numbers: [1, 2]");
+  std::vector<double> values;
+  for (const Json& item : entry.value) {
+    const SceneEntry single{entry.key + "[" + std::to_string(values.size()) + "]", item, entry.place};
+    values.push_back(number(single, quantity, indenter));
+    if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.range.rule());
+  }
+  return values;
+}
+
 void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
   auto given = [&](std::string_view key) {
     return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
   };
-  const std::string material = "material \"" + std::string(name_of(scene.material)) + '"';
   for (const InputKind& kind : input_kinds()) {
-    const std::string needed_by = kind.needed_by();
-    if ((needed_by == "every scene" || needed_by == material) && !given(kind.quantity.key))
-      throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + needed_by +
-                                  " needs it (" + std::string(kind.quantity.unit_for(scene.indenter)) + ")");
+    const bool needed = kind.needed_by_all() || kind.needed_by(scene.material);
+    if (!needed || given(kind.quantity.key)) continue;
+    const std::string who =
+        kind.needed_by_all() ? "every scene" : "material \"" + std::string(name_of(scene.material)) + '"';
+    throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who + " needs it (" +
+                                std::string(kind.quantity.unit_for(scene.indenter)) + ")");
   }
 }
 
@@ -97,7 +111,10 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
     if (equals == std::string::npos || equals == 0)
       throw std::invalid_argument(place + ": " + word + ": must be KEY=VALUE");
     SceneEntry entry{word.substr(0, equals), word.substr(equals + 1), place};
-    if (const auto value = plain_number(word.substr(equals + 1))) {
+    if (word[equals + 1] == '[') {
+      entry.value = Json::parse(word.begin() + static_cast<std::ptrdiff_t>(equals) + 1, word.end(), nullptr, false);
+      if (!entry.value.is_array()) refuse(place, entry.key, word.substr(equals + 1), "must be a list: [1, 2]");
+    } else if (const auto value = plain_number(word.substr(equals + 1))) {
       constexpr double exact = 1e15;  // whole numbers are shown without a decimal point
       if (*value == std::floor(*value) && std::abs(*value) < exact)
         entry.value = static_cast<long long>(*value);
@@ -127,18 +144,24 @@ std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::v
 InputValue input_value(const SceneEntry& entry, Indenter indenter) {
   const InputKind* const kind = find_input(entry.key);
   if (!kind) refuse(entry.place, entry.key, entry.value, "unknown key");
+  return input_value(entry, *kind, indenter);
+}
+
+InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
+  if (kind.layers) return layers_of(entry);
   auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
-  if (!kind->choices.empty()) {
-    const std::string rule = "must be one of " + joined(kind->choices);
+  if (!kind.choices.empty()) {
+    const std::string rule = "must be one of " + joined(kind.choices);
     if (!entry.value.is_string()) fail(rule);
     const auto& name = entry.value.get_ref<const std::string&>();
-    if (find_name(kind->choices, name) < 0) fail(unknown(rule, kind->choices, name));
+    if (find_name(kind.choices, name) < 0) fail(unknown(rule, kind.choices, name));
     return name;
   }
-  const double value = number(entry, *kind, indenter);
-  const bool whole = !kind->whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
+  if (kind.list) return numbers(entry, kind.quantity, indenter);
+  const double value = number(entry, kind.quantity, indenter);
+  const bool whole = !kind.whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
   if (!whole) fail("must be a whole number");
-  if (!kind->quantity.range.contains(value)) fail(kind->quantity.range.rule());
+  if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
   return value;
 }
 

@@ -37,6 +37,9 @@ std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::v
 /// @throws std::invalid_argument naming place, key, value and rule
 InputValue input_value(const SceneEntry& entry, Indenter indenter);
 
+/// The same for an input of this kind, whatever the entry's key.
+InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter indenter);
+
 /// The body that the entries give: the units of other inputs depend on it.
 Indenter indenter_of(const std::vector<SceneEntry>& entries);
 

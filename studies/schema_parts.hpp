@@ -36,6 +36,7 @@ Json input_reference(const InputKind& kind);
 
 bool any_input(const InputKind& kind);
 bool real_input(const InputKind& kind);
+bool no_list(const InputKind& kind);
 
 /// An object whose properties are the inputs with these values.
 template <class ValueOf>

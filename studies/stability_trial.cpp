@@ -7,6 +7,8 @@
 #include <sstream>
 #include <type_traits>
 
+#include "core/number_list.hpp"
+#include "db/layer_list.hpp"
 #include "studies/solution_json.hpp"
 #include "studies/strict_json.hpp"
 
@@ -147,6 +149,10 @@ Table trials_table(const std::vector<Trial>& trials) {
         row.push_back(value ? Cell(*value) : Cell());
       else if constexpr (std::is_integral_v<Value>)
         row.push_back(count(value));
+      else if constexpr (std::is_same_v<Value, std::vector<double>>)
+        row.push_back(value.empty() ? Cell() : Cell(text_of_list(value)));
+      else if constexpr (std::is_same_v<Value, BondedLayers>)
+        row.push_back(value.empty() ? Cell() : Cell(text_of_layers(value)));
       else
         row.push_back(number(value));
     });

@@ -1,4 +1,4 @@
-#include "fitting/nonnegative_least_squares.hpp"
+#include "core/nonnegative_least_squares.hpp"
 
 #include <algorithm>
 #include <limits>
