@@ -1,8 +1,11 @@
 #include "core/influence.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
 
+#include "core/lumped_spectrum.hpp"
 #include "core/material.hpp"
 #include "core/passage_kernel.hpp"
 #include "core/periodic_kernel.hpp"
@@ -35,8 +38,10 @@ InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& gri
   if (scene.period)
     return periodic_table(material, scene.speed, layer_of(scene), *scene.period, scene.series_terms, grid.spacing_x,
                           grid.spacing_y, reach_x, reach_y);
+  const double largest =
+      std::max(reach_x * grid.spacing_x, std::isinf(scene.layer_thickness) ? 0 : scene.layer_thickness);
   return shared_passage_kernel(scene.indenter, layer_of(scene), grid.spacing_x, grid.spacing_y, reach_x, reach_y)
-      ->table(material, scene.speed, reach_x, reach_y);
+      ->table(lumped_for(material, scene.speed, grid.spacing_x, largest), scene.speed, reach_x, reach_y);
 }
 
 }  // namespace rollres

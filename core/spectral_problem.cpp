@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lumped_spectrum.hpp"
+
 namespace rollres {
 
 namespace {
@@ -26,7 +28,9 @@ CreepSpectrum tidied(CreepSpectrum creep, double shortest) {
 
 SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double half_width)
     : scene(given), radius(given.radius), thickness(given.layer_thickness) {
-  const CreepSpectrum creep = tidied(material, 1e-9 * half_width / scene.speed);
+  const double largest = std::isinf(thickness) ? half_width : std::max(half_width, thickness);
+  const CreepSpectrum creep =
+      tidied(lumped_for(material, scene.speed, 1e-3 * half_width, 1e2 * largest), 1e-9 * half_width / scene.speed);
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
   glassy = relaxation.instantaneous;
   glassy_compliance = rubbery_compliance = creep.instantaneous;

@@ -15,7 +15,7 @@ namespace rollres {
 /// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/relaxation.hpp).
 struct SpectralProblem {
   /// @param creep the layer's material; the scene's own is not looked at
-  /// @param half_width a rough one: memories below 1e-9 of it count as elastic [m]
+  /// @param half_width a rough one: memories below 1e-6 of it are joined, and those below 1e-9 are elastic [m]
   SpectralProblem(const RollingScene& scene, const CreepSpectrum& creep, double half_width);
 
   double profile(double x) const;  // height of the body's lower surface above its lowest point [m]

@@ -40,6 +40,7 @@ struct Session {
 int run_program(std::vector<std::string> words, Session session);
 
 void add_solve(CLI::App& program, Session& session);
+void add_material(CLI::App& program, Session& session);
 void add_gradient(CLI::App& program, Session& session);
 void add_sensitivity(CLI::App& program, Session& session);
 void add_plan(CLI::App& program, Session& session);

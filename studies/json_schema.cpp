@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/solution.hpp"
+#include "studies/master_curve_file.hpp"
 #include "studies/sampling.hpp"
 #include "studies/scene_entries.hpp"
 #include "studies/study_keys.hpp"
@@ -71,11 +72,18 @@ Json input(const InputKind& kind) {
   return schema;
 }
 
-Json ignored_texts() {
+/// Keys of a scene that are no inputs.
+Json scene_texts() {
   Json texts = Json::object();
   for (const FileKey& key : study_keys)
     if (find_name(ignored_keys, key.key) >= 0)
       texts[std::string(key.key)] = {{"type", "string"}, {"description", key.meaning}};
+  texts[std::string(master_curve_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
+       "storage_modulus [Pa], loss_modulus [Pa]"}};
   return texts;
 }
 
@@ -87,14 +95,23 @@ Json joint_rules() {
       for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
         if (kind.quantity.key < other) rules.push_back({{"not", {{"required", {kind.quantity.key, other}}}}});
   const InputKind& material = *find_input("material");
-  for (const std::string_view name : material.choices) {
-    Json needed = Json::array();
+  const auto one_of = [](std::initializer_list<Json> ways) { return Json{{"anyOf", Json(ways)}}; };
+  for (std::size_t i = 0; i < material.choices.size(); ++i) {
+    const std::string name(material.choices[i]);
+    const auto model = static_cast<MaterialModel>(i);
+    Json needed = Json::array(), wanted = Json::array();
     for (const InputKind& kind : input_kinds())
-      if (kind.needed_by() == "material \"" + std::string(name) + '"') needed.push_back(kind.quantity.key);
-    if (needed.empty()) continue;
+      if (kind.needed_by(model)) needed.push_back(kind.quantity.key);
+    if (model == MaterialModel::master_curve)
+      wanted.push_back(one_of({{{"required", needed}}, {{"required", Json{std::string(master_curve_key)}}}}));
+    else if (!needed.empty())
+      wanted.push_back({{"required", needed}});
+    if (needs_static_modulus(model))
+      wanted.push_back(
+          one_of({{{"required", Json{"static_shear_modulus"}}}, {{"required", Json{"static_young_modulus"}}}}));
     Json chosen{{"properties", {{"material", {{"const", name}}}}}};
-    if (material.default_value != InputValue(std::string(name))) chosen["required"] = {"material"};
-    rules.push_back({{"if", chosen}, {"then", {{"required", needed}}}});
+    if (material.default_value != InputValue(name)) chosen["required"] = {"material"};
+    rules.push_back({{"if", chosen}, {"then", {{"allOf", wanted}}}});
   }
   return rules;
 }
@@ -197,12 +214,12 @@ std::string printed(const Json& schema) { return schema.dump(2) + '\n'; }
 std::string scene_schema() {
   Json schema{{"$schema", draft}, {"title", "scene of rollres"}};
   schema.update(inputs(input, any_input));
-  Json properties = ignored_texts();
+  Json properties = scene_texts();
   properties.update(schema["properties"]);
   schema["properties"] = properties;
   schema["required"] = Json::array();
   for (const InputKind& kind : input_kinds())
-    if (kind.needed_by() == "every scene") schema["required"].push_back(kind.quantity.key);
+    if (kind.needed_by_all()) schema["required"].push_back(kind.quantity.key);
   schema["allOf"] = joint_rules();
   schema["definitions"] = common_definitions();
   return printed(schema);
@@ -211,7 +228,7 @@ std::string scene_schema() {
 std::string study_schema() {
   Json inline_scene = inputs(input_reference, any_input);
   const Json set = inline_scene;
-  inline_scene["properties"].update(ignored_texts());
+  inline_scene["properties"].update(scene_texts());
   const Json name{{"type", "string"}, {"minLength", 1}};
   Json schema{{"$schema", draft}, {"title", "study of rollres"}};
   schema.update(object_of(study_keys,
