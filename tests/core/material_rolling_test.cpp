@@ -74,7 +74,7 @@ TEST_CASE("energy is kept, and the route named, with every material", "[core][ma
   RollingScene cylinder = paper_cylinder();
   cylinder.spacing.reset();
   for (const MaterialInputs& layer : {wide_prony(), fractional(), filled_rubber()})
-    for (const RollingScene& scene : {cylinder, small_sphere()}) {
+    for (const RollingScene& scene : {cylinder, paper_sphere()}) {
       const RollingSolution solution = solve(with_material(scene, layer));
       CAPTURE(name_of(layer.material), name_of(scene.indenter), solution.model);
       REQUIRE(solution.status == Status::converged);
@@ -100,11 +100,12 @@ TEST_CASE("at small speeds R_r/P is V τ'/R, whatever the material", "[core][mat
   for (const MaterialInputs& layer : {wide_prony(), filled_rubber()}) {
     RollingScene scene = with_material(frictionless(paper_cylinder()), layer);
     scene.spacing.reset();
+    scene.load = 1e3;  // (a/R)^2 = 0.005: the limit is that of a parabola
     scene.speed = 1e-8;
     const RollingSolution solution = solve(scene);
     CAPTURE(name_of(layer.material));
     CHECK(solution.rolling_resistance_coefficient ==
-          Approx(scene.speed * slow_loss_time(creep_spectrum(layer)) / scene.radius).epsilon(0.01));
+          Approx(scene.speed * slow_loss_time(creep_spectrum(layer)) / scene.radius).epsilon(5e-3));
   }
 }
 
