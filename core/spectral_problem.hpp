@@ -25,6 +25,7 @@ struct SpectralProblem {
   RollingScene scene;
   double radius, thickness;
   double glassy, rubbery;                                     // G_inf, G0 [Pa]
+  double left_out;                                            // loss of the memories that count as elastic [1]
   double rubbery_compliance;                                  // J_inf + sum C [1/Pa]
   double glassy_compliance;                                   // J_inf [1/Pa]
   std::vector<double> creep_length, creep_compliance;         // T_m, C_m
