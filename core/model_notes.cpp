@@ -28,6 +28,14 @@ double inertia(const RollingScene& scene, const RollingSolution& solution) {
          std::abs(complex_modulus(scene, scene.speed / half_length(solution)));
 }
 
+/// How much of the compliance that relaxes belongs to memories below a length [m].
+double unresolved_share(const CreepSpectrum& creep, double speed, double length) {
+  double below = 0;
+  for (const CreepSpectrum::Term& term : creep.terms)
+    if (speed * term.time < length) below += term.compliance;
+  return creep.terms.empty() ? 0 : below / (creep.at_rest() - creep.instantaneous);
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
@@ -41,16 +49,24 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
     warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10) warnings.push_back(text("only ", across, " nodes along the contact: take a smaller spacing"));
-  for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
-    const double memory = scene.speed * term.time / (1 + scene.stiffening);
-    if (memory < solution.spacing)
-      warnings.push_back(text("unresolved Vτ: the relaxation length Vτ/(1+f) = ", memory, " m is below the spacing ",
-                              solution.spacing, " m"));
+  const CreepSpectrum creep = creep_spectrum(scene);
+  if (scene.material == MaterialModel::zener) {
+    for (const CreepSpectrum::Term& term : creep.terms) {
+      const double memory = scene.speed * term.time / (1 + scene.stiffening);
+      if (memory < solution.spacing)
+        warnings.push_back(text("unresolved Vτ: the relaxation length Vτ/(1+f) = ", memory, " m is below the spacing ",
+                                solution.spacing, " m"));
+    }
+  } else if (const double share = unresolved_share(creep, scene.speed, solution.spacing); share > 0.1) {
+    // Of many memories some are always short: what counts is how much of the compliance is theirs.
+    warnings.push_back(text("unresolved Vτ: memories below the spacing ", solution.spacing, " m hold ", 100 * share,
+                            " % of the compliance that relaxes"));
   }
+  for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
   if (scene.spacing && solution.method == Method::spectral)
     warnings.push_back(text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
   if (scene.period)
-    for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
+    for (const CreepSpectrum::Term& term : creep.terms) {
       const double left = std::exp(-*scene.period / (scene.speed * term.time));
       if (left > 1e-4) warnings.push_back(text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left));
     }
@@ -66,6 +82,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   if (scene.material == MaterialModel::zener && (scene.stiffening == 0 || scene.creep_time == 0))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
+  if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
   if (solution.method == Method::spectral) model += "; continuous edges of contact, no grid";
   if (solution.method != Method::spectral && !scene.spacing && scene.indenter == Indenter::sphere &&
       solution.method != Method::active_set)

@@ -169,7 +169,7 @@ class SpectralContact {
         if (evidence.wrong_zone > plainly_wrong) return false;
         if (error <= tolerance_) {
           if (violation < largest_violation) {
-            evidence.solution.error_estimate = error;
+            evidence.solution.error_estimate = error + problem_.left_out;
             best_ = std::move(evidence);
             return true;
           }
