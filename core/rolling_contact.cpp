@@ -9,6 +9,7 @@
 #include "core/active_set.hpp"
 #include "core/evidence.hpp"
 #include "core/grid_choice.hpp"
+#include "core/grid_error.hpp"
 #include "core/nested_newton.hpp"
 #include "core/spectral_contact.hpp"
 
@@ -63,7 +64,9 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
       const InfluenceOperator all_components(scene, *level.table, level.problem->grid, true);
       solution = summarise(*level.problem, all_components, level.outcome.unknowns, level.outcome.zone);
     }
-    solution.error_estimate = nested.error_estimate();
+    GridError error = level.error;
+    take_slow_rolling(scene, error, solution);
+    solution.error_estimate = nested.error_estimate(error, solution.rolling_resistance);
     if (scene.tolerance && !(solution.error_estimate <= *scene.tolerance)) {
       std::ostringstream text;
       text << "the tolerance " << *scene.tolerance << " was not reached with " << solution.contact_nodes
