@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "core/material.hpp"
 
@@ -82,6 +84,22 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
 constexpr double negligible_friction = 0.01;
 constexpr double largest_second = 0.5;  // second term of equation (2) over the first, beyond which it is not used
 
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+/// Warns where a memory shorter than a cell may cost more than a hundredth of the rolling resistance.
+void warn_of_memory(const GridError& error, RollingSolution& solution) {
+  const double lost = (1 - error.slow_share) * error.unresolved / std::abs(solution.rolling_resistance);
+  if (lost > 0.01)
+    solution.warnings.push_back("unresolved memory: the memory length Vτ = " + number(error.memory_length) +
+                                " m is short against the spacing " + number(solution.spacing) + " m, and may cost " +
+                                number(lost) + " of the rolling resistance");
+}
+
 }  // namespace
 
 double GridError::estimate(double resistance, double last_change) const {
@@ -134,6 +152,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
 void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolution& solution) {
   const double friction = std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed));
   if (friction > 0) error.slow_share *= std::clamp(2 - friction / negligible_friction, 0.0, 1.0);
+  warn_of_memory(error, solution);
   if (error.slow_share <= 0) return;
   const SurfaceFields& fields = solution.fields;
   const SurfaceGrid& grid = fields.grid;
@@ -163,6 +182,9 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolut
   } else {
     solution.driving_force += change;
   }
+  if (error.slow_share > 0.01)
+    solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +
+                      number(error.slow_share) + ", as Vτ/spacing = " + number(error.memory_length / solution.spacing);
 }
 
 }  // namespace rollres

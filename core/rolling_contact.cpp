@@ -230,7 +230,7 @@ RollingSolution RollingSolver::solve(const RollingScene& scene) {
       solution = answer_from(outcome, scene);
     }
     solution.method = method == Method::newton_dense ? method : Method::newton;
-    solution.model = note;
+    solution.model += note;
     // Without a spacing nothing starts from it.
     if (solution.status == Status::converged)
       last_ = scene.spacing ? std::make_unique<Last>(Last{scene, std::move(outcome)}) : nullptr;
