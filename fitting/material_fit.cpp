@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fitting/nonnegative_least_squares.hpp"
+#include "core/nonnegative_least_squares.hpp"
 
 namespace rollres {
 

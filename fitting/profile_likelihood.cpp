@@ -1,11 +1,11 @@
 #include "fitting/profile_likelihood.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "core/dense_algebra.hpp"
 #include "fitting/quick_profile.hpp"
 #include "fitting/secant_slopes.hpp"
 
@@ -179,7 +179,7 @@ class Side {
         if (j != index())
           others(i, k++) = root / quick_.data[static_cast<std::size_t>(i)].deviation * slopes.derivatives(i, j);
     }
-    const Eigen::VectorXd moved = others.colPivHouseholderQr().solve(-weighted);
+    const Eigen::VectorXd moved = least_squares(others, -weighted);
     for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
       if (j != index()) step.scaled[j] = moved[k++];
     step.fall = weighted.squaredNorm() - (weighted + others * moved).squaredNorm();

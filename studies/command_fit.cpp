@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <stdexcept>
 
 #include "fitting/statistics.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/fit_curves.hpp"
 #include "studies/fit_file.hpp"
@@ -158,8 +158,8 @@ void fit_moduli(const FitWords& words, Session& session) {
 
 }  // namespace
 
-void add_fit(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_fit(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("fit", "Fit a scene, or a material, to measured values, with intervals and a judgement");
   const auto words = std::make_shared<FitWords>();
   command->add_option("fit", words->fit, "Fit file (JSON): scene or material, data (CSV), parameters")
@@ -174,10 +174,10 @@ void add_fit(CLI::App& program, Session& session) {
   command
       ->add_option("--coverage", words->coverage,
                    "Draw the data N times around the fit, fit them, and count the intervals that hold it")
-      ->check(CLI::Range(1, 1'000'000))
+      ->between(1, 1'000'000)
       ->option_text("N");
   command->add_option("--seed", words->seed, "Of the draws; default 1");
-  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->check(CLI::Range(1, 1024));
+  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->between(1, 1024);
   command->add_flag("--no-profiles", words->no_profiles, "Leave out the intervals by profile likelihood");
   command->add_flag("--json", words->json, "Print one JSON object");
   command->footer(

@@ -42,7 +42,7 @@ GivenParameter given_parameter(const std::string& key, const Json& value, const 
   const std::string place = fit_place + ": parameters";
   const InputKind* const kind = find_input(key);
   if (!kind) refuse(place, key, value, unknown("unknown key", input_keys(), key));
-  if (!kind->choices.empty() || kind->whole) refuse(place, key, value, "must be an input that is a real number");
+  if (!kind->real()) refuse(place, key, value, "must be an input that is a real number");
   GivenParameter given{.key = key, .place = place + ": " + key, .set = ""};
   if (value.is_number() || value.is_string()) {
     given.start = value;
@@ -152,6 +152,7 @@ SceneEntry entry_of(const MeasuredTable& table, const MeasuredColumn& column, st
 
 void refuse_unknown_columns(const MeasuredTable& table, const std::string& output) {
   std::vector<std::string_view> known = input_keys();
+  std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
   for (const std::string_view name : {std::string_view(output), std::string_view("sigma"), std::string_view("note")})
     known.push_back(name);
   for (const MeasuredColumn& column : table.columns)

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "studies/layer_entries.hpp"
+#include "studies/master_curve_file.hpp"
+
 namespace rollres::json_schema {
 
 namespace {
@@ -51,10 +54,30 @@ Json input_definitions() {
   return definitions;
 }
 
+namespace {
+
+/// One of a scene's further layers.
+Json further_layer() {
+  Json properties = Json::object(), needed = Json::array();
+  for (const InputKind& kind : layer_kinds()) {
+    properties[std::string(kind.quantity.key)] = input(kind);
+    if (kind.needed_by_all()) needed.push_back(kind.quantity.key);
+  }
+  return {{"type", "object"}, {"properties", properties}, {"required", needed}, {"additionalProperties", false}};
+}
+
+}  // namespace
+
 Json input(const InputKind& kind) {
+  if (kind.layers) {
+    Json layers = list_of(further_layer());
+    layers["description"] = described(kind.quantity);
+    return layers;
+  }
   Json schema = kind.choices.empty() ? number(kind) : names(kind.choices);
+  if (kind.list) schema = list_of(schema);
   schema["description"] = described(kind.quantity);
-  if (kind.optional || !kind.needed_by().empty()) return schema;
+  if (kind.optional || kind.list || !kind.needed_by().empty()) return schema;
   if (const auto* const name = std::get_if<std::string>(&kind.default_value))
     schema["default"] = *name;
   else
@@ -65,7 +88,8 @@ Json input(const InputKind& kind) {
 Json input_reference(const InputKind& kind) { return reference(std::string(kind.quantity.key)); }
 
 bool any_input(const InputKind&) { return true; }
-bool real_input(const InputKind& kind) { return kind.choices.empty() && !kind.whole; }
+bool real_input(const InputKind& kind) { return kind.real(); }
+bool no_list(const InputKind& kind) { return !kind.list; }
 
 Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& forms,
                const std::vector<std::string_view>& required) {
@@ -103,9 +127,20 @@ Json ignored_texts() {
   return texts;
 }
 
+Json scene_texts() {
+  Json texts = ignored_texts();
+  texts[std::string(master_curve_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
+       "storage_modulus [Pa], loss_modulus [Pa]"}};
+  return texts;
+}
+
 Json scene_or_file() {
   Json scene = inputs(input_reference, any_input);
-  scene["properties"].update(ignored_texts());
+  scene["properties"].update(scene_texts());
   return {{"anyOf", {name(), scene}}};
 }
 

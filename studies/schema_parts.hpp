@@ -36,6 +36,7 @@ Json input_reference(const InputKind& kind);
 
 bool any_input(const InputKind& kind);
 bool real_input(const InputKind& kind);
+bool no_list(const InputKind& kind);
 
 /// An object whose properties are the inputs with these values.
 template <class ValueOf>
@@ -62,6 +63,9 @@ Json input_number();
 
 /// Keys of every file that are ignored.
 Json ignored_texts();
+
+/// The same, and the name of a file with a master curve: the keys of a scene that are no inputs.
+Json scene_texts();
 
 /// A file's scene: its name, or an object with inputs, which may be few.
 Json scene_or_file();

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/material.hpp"
-#include "fitting/nonnegative_least_squares.hpp"
+#include "core/nonnegative_least_squares.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 
@@ -36,7 +36,7 @@ std::vector<MeasuredModulus> measured_moduli(const Material& material, double no
 
 TEST_CASE("a fractional Zener solid of order 1 and a Prony series of one term are Zener solids", "[core][material]") {
   const RollingScene scene = plain_scene();
-  const double g0 = scene.static_shear_modulus, f = scene.stiffening, tau = scene.creep_time;
+  const double g0 = *scene.static_shear_modulus, f = scene.stiffening, tau = scene.creep_time;
   for (const double omega : {-3.0, 0.01, 1.0, 30.0, 1e4}) {
     const auto zener = complex_modulus(scene, omega);
     CHECK(std::abs(complex_modulus(FractionalZener{g0, f, tau, 1}, omega) - zener) < 1e-14 * std::abs(zener));
