@@ -26,7 +26,7 @@ constexpr int most_nodes_2d = 20000, most_nodes_3d = 250000;
 double tied_cells(const RollingScene& scene) {
   constexpr double by_default = 19.532;
   if (!scene.tolerance) return by_default;
-  constexpr double tolerance_by_default = 1.5e-3, order = 1.7;  // as estimated for random scenes
+  constexpr double tolerance_by_default = 2.2e-3, order = 1.7;  // as estimated for random scenes
   return by_default * std::pow(tolerance_by_default / std::min(*scene.tolerance, 0.02), 1 / order);
 }
 
