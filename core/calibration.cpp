@@ -140,15 +140,16 @@ ValueTable thinned(const ValueTable& table, std::size_t size) {
   return few;
 }
 
-/// Bounds of |f'''|, |f''''|, |f^(5)|. A fourth or fifth difference that noise hides is taken to be no larger than f
+/// Bounds of |f''|, |f'''|, |f''''|, |f^(5)|. A fourth or fifth difference that noise hides is taken to be no larger than f
 /// and its lower derivatives: the scaled variable has that meaning.
-std::array<double, 3> derivative_bounds(const ValueTable& table, double centre, double noise) {
-  std::array<double, 3> bounds{};
+std::array<double, 4> derivative_bounds(const ValueTable& table, double centre, double noise) {
+  std::array<double, 4> bounds{};
   double usual = std::max(std::abs(centre), derivative_size(table, 1, noise).size);
+  bounds[0] = derivative_size(table, 2, noise).size + derivative_size(table, 2, noise).doubt;
   for (std::size_t order = 3; order <= 5; ++order) {
     DerivativeSize found = derivative_size(table, order, noise);
     if (found.hidden()) found = derivative_size(thinned(table, order + 1), order, noise);
-    double& bound = bounds[order - 3];
+    double& bound = bounds[order - 2];
     bound = found.size + found.doubt;
     if (found.hidden() && order > 3) bound = std::min(bound, usual);
     usual = std::max(usual, bound);

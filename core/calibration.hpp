@@ -14,8 +14,9 @@ namespace rollres {
 /// What is known of the objective along one input.
 struct InputCalibration {
   double noise = RollingSolution::absent;  ///< standard deviation [unit of the output]; NaN: unknown
-  /// Bounds of |f'''|, |f''''| and |f^(5)| in the scaled variable [unit of the output].
-  std::array<double, 3> derivatives{RollingSolution::absent, RollingSolution::absent, RollingSolution::absent};
+  /// Bounds of |f''|, |f'''|, |f''''| and |f^(5)| in the scaled variable [unit of the output].
+  std::array<double, 4> derivatives{RollingSolution::absent, RollingSolution::absent, RollingSolution::absent,
+                                    RollingSolution::absent};
   int evaluations = 0;
   std::vector<FailedPoint> failures = {};
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Displacements of the surface of an elastic layer of unit shear modulus under a force spread uniformly over one cell:
-/// the half-space's part in closed form plus the layer's correction from tables.
+/// Displacements of an elastic surface under a force spread uniformly over one cell: the half-space's part in closed
+/// form plus the layer's correction from tables.
 ///
 /// Sphere (cells ax by ay): Boussinesq's and Cerruti's solutions integrated over the cell (Love 1929; Kalker 1990),
 /// and four radial functions of r/H, Hankel transforms of the symbols' difference to the half-space.
@@ -12,14 +12,12 @@
 #include <memory>
 #include <vector>
 
-#include "core/layer_compliance.hpp"
-#include "core/layer_tables.hpp"
-#include "core/quantity.hpp"
+#include "core/surface_shape.hpp"
 
 namespace rollres {
 
-/// Displacement per unit force for unit shear modulus, in this order: ww, uu, vv, uv, uw, vw [1/m; cylinder: 1].
-/// A cylinder uses ww, uu and uw only.
+/// Displacement per unit force, times the modulus where the shape is that of unit modulus, in this order: ww, uu, vv,
+/// uv, uw, vw [1/m; cylinder: 1]. A cylinder uses ww, uu and uw only.
 using Coefficients = Eigen::Array<double, 6, 1>;
 namespace coefficient {
 enum : Eigen::Index { ww, uu, vv, uv, uw, vw };
@@ -31,26 +29,29 @@ inline const Coefficients mirror_y{{1, 1, 1, -1, 1, -1}};
 class ElasticKernel {
  public:
   /// @param cell_x, cell_y size of the loaded cell [m] (cell_y is not used for a cylinder)
-  ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y);
+  ElasticKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y);
+  /// Of a layer of unit shear modulus.
+  ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y)
+      : ElasticKernel(indenter, surface_shape(indenter, layer), cell_x, cell_y) {}
 
   /// At a distance (x, y) from the centre of the cell [m].
   Coefficients operator()(double x, double y) const;
 
-  /// Distance beyond which the layer does not move: 30 H (e^{-0.74 r/H}); infinite for a half-space.
-  double reach() const;
-
   Indenter indenter() const { return indenter_; }
-  const Layer& layer() const { return layer_; }
+  const SurfaceShape& shape() const { return shape_; }
 
  private:
   Coefficients sphere(double x, double y) const;
   Coefficients cylinder(double x) const;
+  Eigen::Array4d radial_limit(double distance) const;
+  Eigen::Array3d line_antiderivative(double x) const;
 
   Indenter indenter_;
-  Layer layer_;
+  SurfaceShape shape_;
+  LayerSymbols beyond_;  // base less deep: what the correction tends to
   double cell_x_, cell_y_;
-  std::shared_ptr<const RadialTable> radial_table_;                // of a sphere over a layer
-  std::shared_ptr<const LineTable> line_table_;                    // of a cylinder
+  Eigen::Array4d radial_tail_ = Eigen::Array4d::Zero();  // what the correction has left at the end of its table
+  Eigen::Array3d line_tail_ = Eigen::Array3d::Zero();
   std::vector<double> nodes_x_, weights_x_, nodes_y_, weights_y_;  // average of the correction over the cell
 };
 

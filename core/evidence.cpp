@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact_surface.hpp"
+
 namespace rollres {
 
 namespace {
@@ -87,7 +89,7 @@ class Assessment {
     s_.contact_area = s_.contact_nodes * grid.cell_area();
     s_.spacing = grid.spacing_x;
     half_length_ = std::max(0.5 * (leading - trailing + grid.spacing_x), grid.spacing_x);
-    const bool undefined = !problem_.sphere && std::isinf(problem_.scene.layer_thickness);
+    const bool undefined = !problem_.sphere && std::isinf(total_thickness(problem_.scene));
     s_.approach = undefined ? RollingSolution::absent : unknowns_.approach;
   }
 

@@ -4,6 +4,8 @@
 
 #include <complex>
 
+#include "core/material.hpp"
+
 namespace rollres {
 
 /// G*(omega) = G0 (1 + f) (1 + z) / (1 + f + z), z = (i omega tau)^order; order 1 is the Zener solid.
@@ -17,5 +19,13 @@ struct FractionalZener {
 
 /// G*(omega) [Pa], omega [rad/s] of either sign.
 std::complex<double> complex_modulus(const FractionalZener& solid, double omega);
+
+/// Its spectrum of creep. 1/G* = [1 + f / (1 + z)] / (G0 (1 + f)) has the continuous spectrum of Cole and Cole,
+///   1/(1 + z) = int L(s) / (1 + i omega tau e^s) ds,
+///   L(s) = sin(pi order) / (2 pi (cosh(order s) + cos(pi order))),
+/// taken at equal steps of a variable that is fine where L is narrow: 1/G* is met to 1e-7 of 1/G0 within 12 decades of
+/// 1/tau either way, for any order; G'(0) and G'(infinity) are exact. Order 1 is the Zener solid itself.
+/// @see Cole and Cole (1941), J. Chem. Phys. 9, 341; Trefethen and Weideman (2014), SIAM Review 56, 385
+CreepSpectrum creep_spectrum(const FractionalZener& solid);
 
 }  // namespace rollres

@@ -16,14 +16,17 @@ namespace {
 constexpr double smallest_step = 1e-7, largest_step = 0.1;
 constexpr double deviations = 3;  // of the noise that an error estimate covers
 
-/// Offsets in units of the step.
+/// Offsets in units of the step; none: there is no such formula.
 std::vector<double> offsets_of(Scheme scheme, int order) {
   switch (scheme) {
     case Scheme::central:
+      if (order == 1) return {};
       return order == 2 ? std::vector<double>{-1, 1} : std::vector<double>{-2, -1, 1, 2};
     case Scheme::forward:
+      if (order == 1) return {0, 1};
       return order == 2 ? std::vector<double>{0, 1, 2} : std::vector<double>{0, 1, 2, 3, 4};
     case Scheme::backward:
+      if (order == 1) return {0, -1};
       return order == 2 ? std::vector<double>{0, -1, -2} : std::vector<double>{0, -1, -2, -3, -4};
     case Scheme::none:
       break;
@@ -38,25 +41,29 @@ struct FormulaError {
 /// What a formula errs by, over the noise and over the derivatives of a function.
 struct FormulaSize {
   double norm = 0;                  // |w|
-  std::array<double, 3> moments{};  // |sum_j w_j o_j^k| / k!, k = 3, 4, 5
+  std::array<double, 4> moments{};  // |sum_j w_j o_j^k| / k!, k = 2 to 5
 
   FormulaSize(const std::vector<double>& weights, const std::vector<double>& offsets) {
     for (std::size_t j = 0; j < weights.size(); ++j) {
-      const double o = offsets[j], term = weights[j] * o * o * o;
+      const double o = offsets[j], term = weights[j] * o * o;
       norm += weights[j] * weights[j];
-      moments[0] += term / 6;
-      moments[1] += term * o / 24;
-      moments[2] += term * o * o / 120;
+      moments[0] += term / 2;
+      moments[1] += term * o / 6;
+      moments[2] += term * o * o / 24;
+      moments[3] += term * o * o * o / 120;
     }
     norm = std::sqrt(norm);
     for (double& moment : moments) moment = std::abs(moment);
+    if (offsets.size() > 2) moments[0] = 0;  // but for rounding
   }
 
   /// Of the formula with all offsets multiplied by `step` [output / scaled variable].
   FormulaError error(double step, const InputCalibration& known) const {
     const auto& bounds = known.derivatives;
-    return {step * step * (moments[0] * bounds[0] + step * (moments[1] * bounds[1] + step * moments[2] * bounds[2])),
-            known.noise * norm / step};
+    double truncation = 0;
+    for (std::size_t k = moments.size(); k-- > 0;)
+      truncation = step * (truncation + (moments[k] > 0 ? moments[k] * bounds[k] : 0));
+    return {truncation, known.noise * norm / step};
   }
 };
 
@@ -84,6 +91,7 @@ std::vector<Formula> formulas(const SampledLine& line, int order, const InputCal
   std::vector<Formula> found;
   for (const Scheme scheme : {Scheme::central, Scheme::forward, Scheme::backward}) {
     const std::vector<double> units = offsets_of(scheme, order);
+    if (units.empty()) continue;
     const auto [lowest, highest] = std::minmax_element(units.begin(), units.end());
     double room = limit;
     if (*lowest < 0) room = std::min(room, line.room_below() / -*lowest);
@@ -151,7 +159,8 @@ int Gradient::evaluations() const {
 Gradient gradient(const Objective& objective, std::span<const double> point, const Calibration& calibration,
                   const GradientOptions& options) {
   require_inside(objective, point);
-  require(options.order == 2 || options.order == 4, "order", options.order, "must be 2 or 4");
+  require(options.order == 1 || options.order == 2 || options.order == 4, "order", options.order,
+          "must be 1, 2 or 4");
   Gradient answer{{point.begin(), point.end()}, calibration.centre, {}};
   answer.inputs.resize(point.size());
   if (answer.point != calibration.point || !answer.centre.found()) answer.centre = value_at(objective, point);

@@ -5,10 +5,10 @@
 ///     const Objective f = objective(scene, {{"load"}, {"speed"}}, "rolling_resistance", solve);
 ///     const std::vector<double> x = base_point(f);
 ///     const Calibration calibration = calibrate(f, x);      // once: 8 or 14 evaluations for each input
-///     const Gradient there = gradient(f, x, calibration);   // often: 2 or 4 evaluations for each input
+///     const Gradient there = gradient(f, x, calibration);   // often: 1, 2 or 4 evaluations for each input
 ///
 /// A formula with weights w_j at the scaled offsets o_j errs by the noise, of deviation sigma |w|, and by truncation,
-/// at most sum_k |sum_j w_j o_j^k| |f^(k)| / k!. The calibration holds sigma and bounds of f''', f'''' and f^(5);
+/// at most sum_k |sum_j w_j o_j^k| |f^(k)| / k!. The calibration holds sigma and bounds of f'' to f^(5);
 /// scheme and step are those with the smallest sum. For two central points that is h = (3 sigma / |f'''|)^(1/3), the
 /// counterpart of the forward difference of Moré and Wild (2012, ACM Trans. Math. Softw. 38, 19).
 
@@ -29,7 +29,7 @@ struct ChoiceNames<Scheme> {
 };
 
 struct GradientOptions {
-  int order = 4;  ///< of the truncation error in the step: 2 (two evaluations for each input) or 4 (four)
+  int order = 4;  ///< of the truncation error in the step: 1 (one evaluation for each input), 2 (two) or 4 (four)
   int jobs = 1;   ///< threads, each with an input of its own; 0: one for each core
 };
 
@@ -59,7 +59,7 @@ struct Gradient {
 /// The gradient at a point, which may be another than that of the calibration. No point outside the bounds is ever
 /// evaluated; near a bound, and beside points without a value, the formula is one-sided or its step smaller. The centre
 /// is evaluated once, or not at all if it is that of the calibration.
-/// @throws std::invalid_argument if the point is outside the bounds, or the order is not 2 or 4
+/// @throws std::invalid_argument if the point is outside the bounds, or the order is not 1, 2 or 4
 Gradient gradient(const Objective& objective, std::span<const double> point, const Calibration& calibration,
                   const GradientOptions& options = {});
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/composite_estimate.hpp"
+#include "core/contact_surface.hpp"
 #include "core/material.hpp"
 
 namespace rollres {
@@ -17,10 +19,12 @@ ContactEstimate elastic_contact(const RollingScene& scene, double modulus) {
 }  // namespace
 
 ContactEstimate estimate_contact(const RollingScene& scene) {
-  ContactEstimate estimate = elastic_contact(scene, scene.static_shear_modulus);
+  if (is_composite(scene)) return composite_estimate(scene);
+  const CreepSpectrum creep = creep_spectrum(scene);
+  ContactEstimate estimate = elastic_contact(scene, 1 / creep.at_rest());
   // The modulus depends on the half-width through the frequency: a few passes settle it.
   for (int pass = 0; pass < 4; ++pass)
-    estimate = elastic_contact(scene, std::abs(complex_modulus(scene, scene.speed / estimate.half_width)));
+    estimate = elastic_contact(scene, 1 / std::abs(creep(scene.speed / estimate.half_width)));
   return estimate;
 }
 

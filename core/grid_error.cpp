@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "core/contact_surface.hpp"
 #include "core/material.hpp"
 
 namespace rollres {
@@ -127,7 +128,8 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   const double modulus = 2 / (moments.rest * (1 - scene.poisson_ratio));
   const double second = scene.speed * scene.speed * (moments.second - 0.5 * moments.first * moments.first) * M_PI /
                         (4 * modulus) * sums.edge_slopes / limit;
-  error.slow_loss = limit * (1 - std::min(second, largest_second));
+  const bool composite = is_composite(scene);  // which has no moments of one material
+  if (!composite) error.slow_loss = limit * (1 - std::min(second, largest_second));
 
   constexpr double of_grid = 0.7;
   const double spacing = problem.grid.spacing_x;
@@ -138,7 +140,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
     error.unresolved += scene.speed * term.compliance * term.time / moments.rest * sums.pressure / scene.radius * lost /
                         (1 + over * over) / (1 + cells * (3 + 4 * cells));
   }
-  if (second >= largest_second || scene.adhesion_threshold > 0) return error;
+  if (composite || second >= largest_second || scene.adhesion_threshold > 0) return error;
   // Measured against exact solutions: the slopes at the edges are known to a tenth (less over a thin layer), and change
   // with the memory; the rest is what friction adds at steep edges.
   const double softening = 1 - creep.instantaneous / moments.rest;

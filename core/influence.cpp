@@ -1,8 +1,12 @@
 #include "core/influence.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
 
+#include "core/contact_surface.hpp"
+#include "core/lumped_spectrum.hpp"
 #include "core/material.hpp"
 #include "core/passage_kernel.hpp"
 #include "core/periodic_kernel.hpp"
@@ -31,12 +35,20 @@ double InfluenceTable::operator()(Direction displacement, Direction force, int c
 InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid) {
   const bool sphere = scene.indenter == Indenter::sphere;
   const int reach_x = grid.columns, reach_y = sphere ? grid.rows : 0;
+  if (scene.period) {
+    const SteadySurface surface(scene);
+    const auto symbols = [&surface](double along) -> SymbolsAcross {
+      return
+          [&surface, along, moduli = surface.moduli(along)](double across) { return surface(moduli, along, across); };
+    };
+    return periodic_table(symbols, *scene.period, scene.series_terms, grid.spacing_x, grid.spacing_y, reach_x, reach_y);
+  }
+  if (is_composite(scene)) return composite_table(scene, grid, reach_x, reach_y);
   const CreepSpectrum material = creep_spectrum(scene);
-  if (scene.period)
-    return periodic_table(material, scene.speed, layer_of(scene), *scene.period, scene.series_terms, grid.spacing_x,
-                          grid.spacing_y, reach_x, reach_y);
+  const double largest =
+      std::max(reach_x * grid.spacing_x, std::isinf(scene.layer_thickness) ? 0 : scene.layer_thickness);
   return shared_passage_kernel(scene.indenter, layer_of(scene), grid.spacing_x, grid.spacing_y, reach_x, reach_y)
-      ->table(material, scene.speed, reach_x, reach_y);
+      ->table(lumped_for(material, scene.speed, grid.spacing_x, largest), scene.speed, reach_x, reach_y);
 }
 
 }  // namespace rollres

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <complex>
 
+#include "core/contact_surface.hpp"
 #include "core/influence_terms.hpp"
-#include "core/layer_compliance.hpp"
-#include "core/material.hpp"
 
 namespace rollres {
 
@@ -19,13 +18,14 @@ constexpr double slip_shift = 0.005;
 /// Floor of the normal symbol, which vanishes at k = 0 for an incompressible layer, relative to its largest value.
 constexpr double normal_floor = 1e-3;
 
-/// Symbols of displacements at the nodes from tractions uniform over cells, unit shear modulus [m].
+/// Symbols of displacements at the nodes from tractions uniform over cells [m/Pa].
 struct CellSymbols {
-  double ww = 0, uu = 0, uv = 0, vv = 0;
+  complex ww = 0, uu = 0, uv = 0, vv = 0;
 };
 
 /// Sum over the aliases that matter: the nearest ones, for wavelengths of a few cells.
-CellSymbols cell_symbols(double kx, double ky, const Layer& layer, double cell_x, double cell_y) {
+CellSymbols cell_symbols(const SteadySurface& surface, const SteadySurface::Moduli& moduli, double kx, double ky,
+                         double cell_x, double cell_y) {
   const auto factor = [](double k, double cell) {
     const double z = 0.5 * k * cell;
     return z == 0 ? 1 : std::sin(z) / z;
@@ -37,7 +37,7 @@ CellSymbols cell_symbols(double kx, double ky, const Layer& layer, double cell_x
       const double x = kx + (m == 0 ? 0 : m * 2 * M_PI / cell_x), y = ky + (n == 0 ? 0 : n * 2 * M_PI / cell_y);
       const double k = std::sqrt(x * x + y * y), lx = x / k, ly = y / k;
       const double average = factor(x, cell_x) * factor(y, cell_y);
-      const LayerSymbols c = layer_symbols(k, layer);
+      const SurfaceCompliance c = surface(moduli, x, y);
       sum.ww += average * c.normal;
       sum.uu += average * (lx * lx * c.longitudinal + ly * ly * c.transverse);
       sum.uv += average * lx * ly * (c.longitudinal - c.transverse);
@@ -101,24 +101,25 @@ void IterativeInfluence<Real>::prepare_inverses(const RollingScene& scene, bool 
   const std::size_t size = padded_.quarter_size(), rows = padded_.quarter_rows();
   const double step_x = 2 * M_PI / (padded_.columns * grid_.spacing_x);
   const double step_y = sphere_ ? 2 * M_PI / (padded_.rows * grid_.spacing_y) : 0;
-  const CreepSpectrum material = creep_spectrum(scene);
-  // Symbols of the layer at rest first, whose largest values the floor and the shift refer to.
+  // All symbols first, whose largest values the floor and the shift refer to.
   std::vector<CellSymbols> symbols(size);
-  std::vector<complex> compliance, difference;  // by kx
+  std::vector<complex> difference;  // by kx
   double largest_ww = 0, largest_xx = 0;
+  const SteadySurface surface(scene);
+  SteadySurface::Moduli moduli;
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t column = i / rows, row = i % rows;
     // A line's symbol at k = 0: the next; a surface's likewise.
     const double kx = static_cast<double>(column == 0 && !sphere_ ? 1 : column) * step_x;
     const double ky = sphere_ ? static_cast<double>(row == 0 && column == 0 ? 1 : row) * step_y : 0;
     if (row == 0) {
-      compliance.push_back(material(-kx * scene.speed));
+      moduli = surface.moduli(kx);
       // Minus the forward difference over a cell, as a symbol.
       difference.push_back((1.0 - std::polar(1.0, kx * grid_.spacing_x)) / grid_.spacing_x);
     }
-    symbols[i] = cell_symbols(kx, ky, layer_of(scene), grid_.spacing_x, sphere_ ? grid_.spacing_y : 0);
-    largest_ww = std::max(largest_ww, std::abs(compliance[column]) * symbols[i].ww);
-    largest_xx = std::max(largest_xx, std::abs(difference[column] * compliance[column]) * symbols[i].uu);
+    symbols[i] = cell_symbols(surface, moduli, kx, ky, grid_.spacing_x, sphere_ ? grid_.spacing_y : 0);
+    largest_ww = std::max(largest_ww, std::abs(symbols[i].ww));
+    largest_xx = std::max(largest_xx, std::abs(difference[column] * symbols[i].uu));
   }
   const double floor = std::pow(normal_floor * largest_ww, 2), shift = slip_shift * largest_xx;
   resize<Real>(size, {&inverse_ww_});
@@ -126,10 +127,10 @@ void IterativeInfluence<Real>::prepare_inverses(const RollingScene& scene, bool 
   if (friction && sphere_) resize<Real>(size, {&inverse_xy_, &inverse_yy_});
   for (std::size_t i = 0; i < size; ++i) {
     const CellSymbols& c = symbols[i];
-    const complex ww = compliance[i / rows] * c.ww;
+    const complex ww = c.ww;
     store(inverse_ww_, i, normalise * std::conj(ww) / std::max(std::norm(ww), floor));
     if (!friction) continue;
-    const complex slip = difference[i / rows] * compliance[i / rows];
+    const complex slip = difference[i / rows];
     if (!sphere_) {
       store(inverse_xx_, i, normalise / (slip * c.uu + shift));
       continue;

@@ -34,6 +34,8 @@ struct LayerSymbols {
   double longitudinal = 0;  ///< c_ll
   double cross = 0;         ///< c_x
   double transverse = 0;    ///< c_tt
+
+  bool operator==(const LayerSymbols&) const = default;
 };
 
 /// Symbols of the layer. At k = 0: H (1 - 2 nu)/(2 - 2 nu), H, 0, H.

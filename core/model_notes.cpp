@@ -2,6 +2,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/contact_surface.hpp"
 #include "core/evidence.hpp"
 #include "core/material.hpp"
 
@@ -27,21 +28,22 @@ double inertia(const RollingScene& scene, const RollingSolution& solution) {
   return scene.layer_density * scene.speed * scene.speed /
          std::abs(complex_modulus(scene, scene.speed / half_length(solution)));
 }
-
 }  // namespace
 
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
   std::vector<std::string> warnings;
-  const double strain = solution.approach / scene.layer_thickness;
+  const double strain = solution.approach / total_thickness(scene);
   if (strain > 0.1) warnings.push_back(text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
   const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
   if (slope > 0.3)
     warnings.push_back(text("slope at the contact's edge, and contact over radius, ", slope,
                             " is not small: displacements are taken as small"));
   const double mach = inertia(scene, solution);
-  if (mach > 0.01) warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
+  if (mach > 0.01 && !inertia_included(scene))
+    warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10) warnings.push_back(text("only ", across, " nodes along the contact: take a smaller spacing"));
+  for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
   if (scene.spacing && solution.method == Method::spectral)
     warnings.push_back(text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
   if (scene.period)
@@ -53,7 +55,11 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
 }
 
 std::string model_of(const RollingScene& scene, const RollingSolution& solution) {
-  std::string model = text("inertia left out: ρV²/|G| = ", inertia(scene, solution));
+  std::string model = surface_in_words(scene) + "; " +
+                      text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
+                           inertia(scene, solution));
+  if (is_composite(scene) && !scene.period && expansion_error(scene) > 0)
+    model += text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
   const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum creep = creep_spectrum(scene);
@@ -61,6 +67,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
       std::all_of(creep.terms.begin(), creep.terms.end(), [](const auto& term) { return term.compliance == 0; });
   if (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
+  if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
   if (spectral) model += "; continuous edges of contact, no grid";
   if (!spectral && !scene.spacing && sphere && solution.method != Method::active_set)
     model += "; grid tied to the contact";
@@ -73,8 +80,8 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   else
     model += text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
                   " along the contact, for a tolerance of ", *scene.tolerance);
-  if (std::isfinite(scene.layer_thickness))
-    model += text("; layer kept: half-length of the contact over H = ", half_length(solution) / scene.layer_thickness,
+  if (std::isfinite(total_thickness(scene)))
+    model += text("; layer kept: half-length of the contact over H = ", half_length(solution) / total_thickness(scene),
                   ", a half-space would cost as much");
   else if (!sphere && scene.friction_coefficient == 0)
     model += "; closed form of the half-space not used: no faster";

@@ -1,9 +1,8 @@
 #include "core/newton_system.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 
+#include "core/dense_algebra.hpp"
 #include "core/iterative_influence.hpp"
 #include "core/krylov.hpp"
 
@@ -116,7 +115,7 @@ class KrylovRows {
       border_response_.col(b) = precondition_laws(rows_(unit, still));
       schur.col(b) = -rows_.border_rows(border_response_.col(b));
     }
-    border_schur_ = schur.completeOrthogonalDecomposition().pseudoInverse();
+    border_schur_ = pseudo_inverse(schur.template cast<double>()).template cast<Real>();
   }
 
   LawRows<Real> rows_;
@@ -197,7 +196,7 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
   for (Vector* field : {&response.w, &response.slip_x, &response.slip_y}) field->setZero();
   for (Eigen::Index b = components * n; b < size; ++b) matrix.col(b) = rows(Vector::Unit(size, b), response);
   LinearStep result;
-  const Vector x = Eigen::PartialPivLU<Eigen::MatrixXd>(matrix).solve(pack(residuals, rows));
+  const Vector x = SquareSystem(matrix).solve(pack(residuals, rows));
   result.solved = x.allFinite();
   if (result.solved) result.step = unpack(x, rows);
   return result;

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/material.hpp"
+
 namespace rollres {
 
 namespace {
@@ -30,7 +32,7 @@ constexpr bool is_real = std::is_same_v<Value, double> || std::is_same_v<Value, 
 /// What an input that is zero is compared with.
 double natural_size(const RollingScene& scene, const Quantity& quantity) {
   const std::string_view unit = quantity.unit_for(scene.indenter);
-  if (unit == "Pa") return scene.static_shear_modulus;
+  if (unit == "Pa") return static_modulus(scene);
   if (unit == "s") return scene.radius / scene.speed;
   if (quantity.key == "driving_torque" && scene.load) return *scene.load * scene.radius;
   return 1;

@@ -7,15 +7,15 @@
 
 namespace rollres {
 
-PassageKernel::PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows)
+PassageKernel::PassageKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y, int columns,
+                             int rows)
     : columns_(columns), rows_(rows), cell_x_(cell_x) {
-  const ElasticKernel kernel(indenter, layer, cell_x, cell_y);
-  const double thickness = layer.thickness;
+  const ElasticKernel kernel(indenter, shape, cell_x, cell_y);
 
   // Displacements bend at the edge of the loaded cell, in the middle of a cell of nodes: two halves near it, and
-  // panels no longer than the layer is thick.
+  // panels no longer than the surface's finest scale.
   const double half = 0.5 * cell_x;
-  const int parts = std::max(1, static_cast<int>(std::ceil(half / thickness)));
+  const int parts = std::max(1, static_cast<int>(std::ceil(half / shape.length)));
   const auto split = [&](MemoryRule& rule, double start, double length, int count, int order) {
     for (int part = 0; part < count; ++part) rule.add_panel(start + part * length / count, length / count, order);
   };
@@ -29,11 +29,13 @@ PassageKernel::PassageKernel(Indenter indenter, const Layer& layer, double cell_
   split(cell_rules_[distant], 0, cell_x, 2 * parts - 1, parts > 1 ? 10 : 3);
 
   const double start = columns * cell_x;
-  const double end = std::isinf(thickness) ? start * std::ldexp(1.0, 40) : kernel.reach();
+  const double end = shape.rigid_base()
+                         ? shape.reach()
+                         : std::ldexp(std::isinf(shape.extent) ? start : std::max(start, shape.extent), 40);
   for (double s = 0, length = 0.5 * start; end - start - s > 1e-9 * end; length *= 1.5) {
     // Over a layer the response falls by e^{-0.74 s/H}: the farther, the less it takes.
-    const double kept = std::min({length, end - start - s, 2.5 * thickness});
-    const bool faint = start + s > 8 * thickness;
+    const double kept = std::min({length, end - start - s, 2.5 * shape.grain(start + s)});
+    const bool faint = shape.rigid_base() && start + s > 8.0 / 30 * shape.extent;
     split(tail_rule_, s, kept, 1, faint ? 8 : 12);
     s += kept;
   }
@@ -65,6 +67,12 @@ PassageKernel::CellRule PassageKernel::rule_of(int column, int row) const {
 
 InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed, int reach_x, int reach_y) const {
   InfluenceTable table(reach_x, reach_y);
+  add_to(table, material, speed);
+  return table;
+}
+
+void PassageKernel::add_to(InfluenceTable& table, const CreepSpectrum& material, double speed) const {
+  const int reach_x = table.reach_x(), reach_y = table.reach_y();
   const Coefficients& mirror = coefficient::mirror_x;
   const auto node = [&](int column, int row) -> Coefficients {
     const Coefficients& value = nodes_[static_cast<std::size_t>(row * (columns_ + 1) + std::abs(column))];
@@ -114,7 +122,6 @@ InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed,
       }
     }
   }
-  return table;
 }
 
 namespace {

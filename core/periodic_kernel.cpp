@@ -24,6 +24,17 @@ int wrapped(int n, int size) { return ((n % size) + size) % size; }
 
 InfluenceTable periodic_table(const CreepSpectrum& material, double speed, const Layer& layer, double period, int terms,
                               double cell_x, double cell_y, int reach_x, int reach_y) {
+  const auto symbols = [&](double along) -> SymbolsAcross {
+    return [&layer, along, compliance = material(-along * speed)](double across) -> SurfaceCompliance {
+      const LayerSymbols c = layer_symbols(std::hypot(along, across), layer);
+      return {compliance * c.normal, compliance * c.longitudinal, compliance * c.cross, compliance * c.transverse};
+    };
+  };
+  return periodic_table(symbols, period, terms, cell_x, cell_y, reach_x, reach_y);
+}
+
+InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int terms, double cell_x, double cell_y,
+                              int reach_x, int reach_y) {
   using complex = std::complex<double>;
   const bool sphere = reach_y > 0;
   const int columns = std::max(static_cast<int>(std::lround(period / cell_x)), 2 * reach_x + 1);
@@ -42,12 +53,14 @@ InfluenceTable periodic_table(const CreepSpectrum& material, double speed, const
     const int column = wrapped(n, columns);
     if (column >= half) continue;
     const double kx = n * step_x;
-    const complex scale = material(-kx * speed) * cell_factor(kx, cell_x) / area;
+    const double scale = cell_factor(kx, cell_x) / area;
+    const SymbolsAcross across = symbols(kx);
     for (int m = -terms_y; m <= terms_y; ++m) {
       const double ky = m * step_y, k = std::hypot(kx, ky);
-      const LayerSymbols c = layer_symbols(k, layer);
+      const SurfaceCompliance c = across(ky);
       const double lx = k > 0 ? kx / k : 0, ly = k > 0 ? ky / k : 0;
-      const complex factor = scale * cell_factor(ky, cell_y), i_factor = complex(0, 1) * factor;
+      const double factor = scale * cell_factor(ky, cell_y);
+      const complex i_factor(0, factor);
       const auto at = static_cast<std::size_t>(wrapped(m, rows) * half + column);
       using namespace coefficient;
       spectra[ww][at] += factor * c.normal;

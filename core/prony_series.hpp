@@ -5,6 +5,8 @@
 #include <complex>
 #include <vector>
 
+#include "core/material.hpp"
+
 namespace rollres {
 
 /// G*(omega) = static_modulus + sum_j modulus_j i omega time_j / (1 + i omega time_j).
@@ -19,5 +21,13 @@ struct PronySeries {
 
 /// G*(omega) [Pa], omega [rad/s] of either sign.
 std::complex<double> complex_modulus(const PronySeries& series, double omega);
+
+/// The series with its terms in order, equal times as one and moduli that are zero left out.
+PronySeries ordered(PronySeries series);
+
+/// The spectrum of creep that belongs to it, exactly: as many terms, one just above each relaxation time. The inverse
+/// of relaxation_spectrum.
+/// @param series with times ascending and all different
+CreepSpectrum creep_spectrum(const PronySeries& series);
 
 }  // namespace rollres

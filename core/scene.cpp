@@ -4,6 +4,8 @@
 #include <sstream>
 #include <type_traits>
 
+#include "core/contact_surface.hpp"
+
 namespace rollres {
 
 std::vector<std::string_view> input_keys() {
@@ -13,8 +15,20 @@ std::vector<std::string_view> input_keys() {
   return keys;
 }
 
+namespace {
+
+/// To three digits.
+std::string text_of_number(double number) {
+  std::ostringstream text;
+  text.precision(3);
+  text << number;
+  return text.str();
+}
+
+}  // namespace
+
 bool spectral_applies(const RollingScene& scene) {
-  return scene.indenter == Indenter::cylinder && !scene.period && scene.poisson_ratio == 0.5;
+  return scene.indenter == Indenter::cylinder && !scene.period && scene.poisson_ratio == 0.5 && !is_composite(scene);
 }
 
 Method resolved_method(const RollingScene& scene) {
@@ -33,15 +47,42 @@ std::vector<std::string> check(const RollingScene& scene) {
     broken.push_back(std::string(key) + " is missing: " + rule);
   };
 
-  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+  const auto check_range = [&](const std::string& owner, const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
+    const std::string key = owner + std::string(quantity.key);
     if constexpr (std::is_arithmetic_v<Value>) {
-      if (!quantity.range.contains(value)) complain(quantity.key, value, quantity.range.rule());
+      if (!quantity.range.contains(value)) complain(key, value, quantity.range.rule());
     } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (value && !quantity.range.contains(*value)) complain(quantity.key, *value, quantity.range.rule());
+      if (value && !quantity.range.contains(*value)) complain(key, *value, quantity.range.rule());
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      for (std::size_t i = 0; i < value.size(); ++i)
+        if (!quantity.range.contains(value[i]))
+          complain(key + "[" + std::to_string(i) + "]", value[i], quantity.range.rule());
     }
-  });
+  };
+  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) { check_range("", quantity, value); });
+  for (std::string& line : check_material(scene)) broken.push_back(std::move(line));
+  const auto check_layers = [&](const std::string& list, const BondedLayers& layers) {
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const std::string owner = list + "[" + std::to_string(i) + "].";
+      visit_layer_inputs(layers[i],
+                         [&](const Quantity& quantity, const auto& value) { check_range(owner, quantity, value); });
+      for (const std::string& line : check_material(layers[i])) broken.push_back(owner + line);
+    }
+  };
+  check_layers("lower_layers", scene.lower_layers);
+  check_layers("coating_layers", scene.coating_layers);
+  const bool in_range = broken.empty();
 
+  double above = scene.layer_thickness;
+  for (const BondedLayer& layer : scene.lower_layers) {
+    if (std::isinf(above))
+      complain("layer_thickness", "\"infinite\"", "only the last of the lower layers may be infinite");
+    above = layer.layer_thickness;
+  }
+  double coating = 0;
+  for (const BondedLayer& layer : scene.coating_layers) coating += layer.layer_thickness;
+  if (coating >= scene.radius) complain("coating_layers", coating, "must be thinner than the radius, together");
   if (scene.load && scene.approach) complain("approach", *scene.approach, "give load or approach, not both");
   if (!scene.load && !scene.approach) missing("load", "give load or approach");
   if (scene.spacing && scene.tolerance) complain("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
@@ -55,16 +96,26 @@ std::vector<std::string> check(const RollingScene& scene) {
   if (rotation && !scene.rotation_ratio) missing("rotation_ratio", "drive \"rotation\" needs it");
   if (!rotation && scene.rotation_ratio)
     complain("rotation_ratio", *scene.rotation_ratio, "only with drive \"rotation\"");
-  if (scene.approach && std::isinf(scene.layer_thickness) && scene.indenter == Indenter::cylinder)
+  if (scene.approach && std::isinf(total_thickness(scene)) && scene.indenter == Indenter::cylinder)
     complain("approach", *scene.approach, "has no meaning for a cylinder on a half-space; give load");
   if (scene.method == Method::spectral) {
     if (scene.indenter == Indenter::sphere) complain("method", name_of(scene.method), "only for a cylinder");
     if (scene.period) complain("period", *scene.period, "not with method \"spectral\"");
     if (scene.poisson_ratio != 0.5)
       complain("poisson_ratio", scene.poisson_ratio, "must be 0.5 with method \"spectral\"");
+    if (in_range && is_composite(scene))
+      complain("method", name_of(scene.method), "only for one layer of one material, without inertia");
   }
-  if (scene.period && std::isinf(scene.layer_thickness))
+  if (scene.period && std::isinf(total_thickness(scene)))
     complain("period", *scene.period, "needs a layer of finite thickness");
+  if (scene.inertia == Inertia::on) {
+    if (scene.indenter == Indenter::sphere && !scene.period)
+      complain("inertia", name_of(scene.inertia), "for a sphere only with a period");
+    if (const double number = in_range ? rayleigh_number(scene) : 0; number >= 1)
+      complain("speed", scene.speed,
+               "with inertia must be below that of Rayleigh waves on the layer at rest, " +
+                   text_of_number(scene.speed / std::sqrt(number)) + " m/s");
+  }
   return broken;
 }
 

@@ -9,15 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/bonded_layer.hpp"
 #include "core/quantity.hpp"
 
 namespace rollres {
-
-enum class MaterialModel { zener, elastic };
-template <>
-struct ChoiceNames<MaterialModel> {
-  static constexpr std::array<std::string_view, 2> names{"zener", "elastic"};
-};
 
 /// What drives the body.
 enum class Drive {
@@ -67,16 +62,25 @@ struct ChoiceNames<SlipRule> {
   static constexpr std::array<std::string_view, 2> names{"projected", "printed"};
 };
 
-struct RollingScene {
+/// Whether the layers' inertia is part of the model.
+enum class Inertia {
+  automatic,  ///< where it matters to a given tolerance, of a cylinder or in a periodic train
+  off,
+  on
+};
+template <>
+struct ChoiceNames<Inertia> {
+  static constexpr std::array<std::string_view, 3> names{"automatic", "off", "on"};
+};
+
+struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
   double radius = 0;            // R [m]
   double layer_thickness = 0;   // H [m]; infinity for a half-space
   double layer_density = 1000;  // rho [kg/m3]
-  double poisson_ratio = 0.5;   // nu [1]
-  MaterialModel material = MaterialModel::zener;
-  double static_shear_modulus = 0;  // G0 = G'(0) [Pa]
-  double stiffening = 0;            // f = G'(infinity)/G'(0) - 1 [1]
-  double creep_time = 0;            // tau [s]
+  BondedLayers lower_layers;    // bonded under the first, from above; under the last a rigid base
+  BondedLayers coating_layers;  // bonded on the body, from its surface inwards to a rigid core
+  Inertia inertia = Inertia::automatic;
   double speed = 0;                 // V [m/s]
   std::optional<double> load;       // P [N/m] or [N]; this or
   std::optional<double> approach;   // d [m]
@@ -96,27 +100,21 @@ struct RollingScene {
   SlipRule slip_rule = SlipRule::projected;         // active_set in 3D
 };
 
-/// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double> or an
-/// enumeration with ChoiceNames. Works on const and non-const scenes.
+/// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double>, an
+/// enumeration with ChoiceNames or, for lists, std::vector<double> or BondedLayers. Works on const and non-const
+/// scenes.
 template <class Scene, class Visitor>
 void visit_inputs(Scene& scene, Visitor&& visitor) {
   using Q = Quantity;
   visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
   visitor(Q{"radius", "R", "m", "radius of the body", positive}, scene.radius);
-  visitor(Q{"layer_thickness",
-            "H",
-            "m",
-            "thickness of the layer; \"infinite\" for a half-space",
-            {.lowest = 0.0, .lowest_excluded = true, .infinity_allowed = true}},
-          scene.layer_thickness);
-  visitor(Q{"layer_density", "ρ", "kg/m3", "density of the layer, for the warning about inertia", not_negative},
-          scene.layer_density);
-  visitor(Q{"poisson_ratio", "ν", "1", "Poisson's ratio of the layer", {.lowest = 0.0, .highest = 0.5}},
-          scene.poisson_ratio);
-  visitor(Q{"material", "", "", "model of the layer's material"}, scene.material);
-  visitor(Q{"static_shear_modulus", "G0", "Pa", "shear modulus at rest, G'(0)", positive}, scene.static_shear_modulus);
-  visitor(Q{"stiffening", "f", "1", "G'(∞)/G'(0) - 1", not_negative}, scene.stiffening);
-  visitor(Q{"creep_time", "τ", "s", "creep (retardation) time", not_negative}, scene.creep_time);
+  visit_layer_inputs(scene, visitor);
+  visitor(Q{"lower_layers", "", "", "layers bonded under the first, from above, each an object; a rigid base below"},
+          scene.lower_layers);
+  visitor(Q{"coating_layers", "", "", "layers bonded on the body, from its surface inwards, each an object"},
+          scene.coating_layers);
+  visitor(Q{"inertia", "", "", "whether the layers' inertia counts; automatic: where a tolerance asks for it"},
+          scene.inertia);
   visitor(Q{"speed", "V", "m/s", "speed of the body along +x", positive}, scene.speed);
   visitor(Q{"load", "P", "N", "vertical load, downwards", positive, "N/m"}, scene.load);
   visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface, in place of a load", positive},

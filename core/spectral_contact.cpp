@@ -173,7 +173,7 @@ class SpectralContact {
         if (evidence.wrong_zone > plainly_wrong) return false;
         if (error <= tolerance_) {
           if (violation < largest_violation) {
-            evidence.solution.error_estimate = cautious(error, violation);
+            evidence.solution.error_estimate = cautious(error, violation) + problem_.left_out;
             best_ = std::move(evidence);
             return true;
           }

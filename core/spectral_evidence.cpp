@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/surface_panels.hpp"
+#include "core/surface_window.hpp"
 
 namespace rollres {
 
@@ -182,7 +183,8 @@ class SpectralAssessment {
     grid.spacing_x = half_ / intervals_per_half_length;
     grid.spacing_y = 1;
     grid.rows = 1;
-    const double behind = state_.edges.contact.from - 0.5 * half_, ahead = state_.edges.contact.to + 0.5 * half_;
+    const double behind = state_.edges.contact.from - spectral_field_margin * half_;
+    const double ahead = std::min(state_.edges.contact.to + spectral_field_margin * half_, panels_.front().to);
     grid.first_column = static_cast<int>(std::ceil(behind / grid.spacing_x));
     grid.columns = static_cast<int>(std::floor(ahead / grid.spacing_x)) - grid.first_column + 1;
     const auto columns = static_cast<std::size_t>(grid.columns);
@@ -192,13 +194,14 @@ class SpectralAssessment {
     // u from the far end of the panels ahead, where the layer is at rest.
     double u = 0;
     const double approach = std::isnan(state_.approach) ? 0 : state_.approach;
+    const double rounding = 1e-9 * half_;  // the window may end where the panels do
     int column = grid.columns - 1;
     for (const SurfacePanel& panel : panels_) {
       const Eigen::ArrayXd moved = u + panel.integrated(panel.slope_u), sliding = slip(panel);
       u = moved(moved.size() - 1);
-      for (; column >= 0 && grid.x(column) >= panel.from; --column) {
+      for (; column >= 0 && grid.x(column) >= panel.from - rounding; --column) {
         const double x = grid.x(column);
-        if (x > panel.to) continue;
+        if (x > panel.to + rounding) continue;
         const auto i = static_cast<std::size_t>(column);
         fields.u[i] = panel.at(moved, x);
         fields.w[i] = problem_.profile(x) - approach - panel.at(panel.gap, x);

@@ -1,8 +1,9 @@
 #include "core/spectral_search.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "core/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -93,7 +94,7 @@ bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state
     beside(k) += difference;
     slopes.col(k) = (evaluate(beside, orders).residuals - state.residuals) / difference;
   }
-  inverse_ = slopes.partialPivLu().inverse();
+  inverse_ = SquareSystem(slopes).inverse();
   return inverse_.allFinite();
 }
 

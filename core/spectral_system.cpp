@@ -1,11 +1,11 @@
 #include "core/spectral_system.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <functional>
 #include <optional>
 
 #include "core/chebyshev_rule.hpp"
+#include "core/dense_algebra.hpp"
 #include "core/sliding_base.hpp"
 #include "core/spectral_memory.hpp"
 #include "core/spectral_sources.hpp"
@@ -60,7 +60,7 @@ class System {
       remember_stick(z);
     }
     if (!zones_.empty()) drive();
-    solution_ = matrix_.partialPivLu().solve(right_);
+    solution_ = SquareSystem(matrix_).solve(right_);
     return state();
   }
 

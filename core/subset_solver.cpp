@@ -17,7 +17,7 @@ void SubsetSolver::factorise(const std::vector<int>& set) {
   Eigen::MatrixXd matrix(n, n);
   for (Eigen::Index j = 0; j < n; ++j)
     for (Eigen::Index i = 0; i < n; ++i) matrix(i, j) = element_(base_[i], base_[j]);
-  decomposition_.compute(matrix);
+  decomposition_.factorise(matrix);
   ++decompositions_;
   columns_.resize(n, 0);
   rows_.resize(0, n);
@@ -73,7 +73,7 @@ void SubsetSolver::prepare(const std::vector<int>& set) {
   Eigen::MatrixXd schur = -(rows_(active_, Eigen::all) * columns_(Eigen::all, active_));
   for (std::size_t i = 0; i < added_.size(); ++i)
     for (std::size_t j = 0; j < added_.size(); ++j) schur(i, j) += element_(added_[i], added_[j]);
-  schur_.compute(schur);
+  schur_.factorise(schur);
 }
 
 Eigen::VectorXd SubsetSolver::solve(const std::vector<int>& set, const Eigen::VectorXd& rhs) {

@@ -11,9 +11,10 @@
 /// 2 n^3 / 3 for a new decomposition, which is made when the change is larger than a fraction of B.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <functional>
 #include <vector>
+
+#include "core/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -42,7 +43,7 @@ class SubsetSolver {
   int decompositions_ = 0, solutions_ = 0;
 
   std::vector<int> base_, place_;  // B, and the place of each index in it (-1: not there)
-  Eigen::PartialPivLU<Eigen::MatrixXd> decomposition_;
+  SquareSystem decomposition_;
 
   /// One bordered index: its column of M(B,B)^-1 [M(B,A) E_D] and its row of [M(A,B); E_D^T].
   Eigen::MatrixXd columns_, rows_;
@@ -50,7 +51,7 @@ class SubsetSolver {
   int borders_ = 0;
 
   std::vector<int> set_, added_, removed_, active_;  // the set that is prepared
-  Eigen::PartialPivLU<Eigen::MatrixXd> schur_;
+  SquareSystem schur_;
 };
 
 }  // namespace rollres

@@ -1,8 +1,9 @@
 #include "core/surface_panels.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "core/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -34,7 +35,7 @@ struct PanelRule {
                                    : n * std::sin(n * angle) / std::sin(angle);
       }
     }
-    const MatrixXd to_series = values.inverse();
+    const MatrixXd to_series = SquareSystem(values).inverse();
     derivative = slopes * to_series;
     integral = integrals * to_series;
     place = (M_PI / 2 * s).sin();
@@ -152,7 +153,7 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
       system.row(0).setZero();
       system(0, 0) = 1;
       right.row(0) = memory.row(m);
-      const MatrixXd y = system.partialPivLu().solve(right);
+      const MatrixXd y = SquareSystem(system).solve(right);
       slopes += problem.creep_compliance[static_cast<std::size_t>(m)] * y;
       memory.row(m) = y.row(PanelRule::last).array();
     }

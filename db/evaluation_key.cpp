@@ -11,9 +11,24 @@ namespace {
 
 std::string canonical(double value) { return twelve_digits(value); }
 std::string canonical(const std::optional<double>& value) { return value ? canonical(*value) : ""; }
+std::string canonical(const std::vector<double>& list) {
+  std::string text;
+  for (const double value : list) text += (text.empty() ? "" : " ") + canonical(value);
+  return text;
+}
+std::string canonical(const BondedLayers& layers);
 std::string canonical(int value) { return std::to_string(value); }
 template <class Choice>
 requires std::is_enum_v<Choice> std::string canonical(Choice choice) { return std::string(name_of(choice)); }
+
+std::string canonical(const BondedLayers& layers) {
+  std::string text;
+  for (const BondedLayer& layer : layers) {
+    visit_layer_inputs(layer, [&](const Quantity&, const auto& value) { text += canonical(value) + ","; });
+    text += ";";
+  }
+  return text;
+}
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/number_list.hpp"
+#include "db/layer_list.hpp"
 #include "db/schema.hpp"
 
 namespace rollres {
@@ -26,6 +28,19 @@ void bind_value(SQLite::Statement& statement, int index, const std::optional<dou
   else
     statement.bind(index);
 }
+/// A list is text, and NULL if it is empty.
+void bind_value(SQLite::Statement& statement, int index, const std::vector<double>& list) {
+  if (list.empty())
+    statement.bind(index);
+  else
+    statement.bind(index, text_of_list(list));
+}
+void bind_value(SQLite::Statement& statement, int index, const BondedLayers& layers) {
+  if (layers.empty())
+    statement.bind(index);
+  else
+    statement.bind(index, text_of_layers(layers));
+}
 void bind_value(SQLite::Statement& statement, int index, int value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const Lines& lines) {
@@ -45,6 +60,19 @@ void bind_value(SQLite::Statement& statement, int index, Choice choice) {
 
 void read_value(const SQLite::Column& column, double& value) { value = column.getDouble(); }
 void read_value(const SQLite::Column& column, std::optional<double>& value) { value = column.getDouble(); }
+void read_value(const SQLite::Column& column, std::vector<double>& list) {
+  const std::string text = column.getString();
+  const auto numbers = list_in(text);
+  if (!numbers) throw std::runtime_error(std::string(column.getName()) + " = " + text + ": is no list of numbers");
+  list = *numbers;
+}
+void read_value(const SQLite::Column& column, BondedLayers& layers) {
+  try {
+    layers = layers_in(column.getString());
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(std::string(column.getName()) + " = " + error.what());
+  }
+}
 void read_value(const SQLite::Column& column, int& value) { value = column.getInt(); }
 void read_value(const SQLite::Column& column, std::string& value) { value = column.getString(); }
 void read_value(const SQLite::Column& column, Lines& lines) {

@@ -52,7 +52,7 @@ bool has_closed_form_start(std::string_view key) { return find(key) != nullptr; 
 double closed_form_placeholder(std::string_view key) { return find(key)->usual; }
 
 double estimated_resistance(const RollingScene& scene) {
-  double half_width = contact(scene, scene.static_shear_modulus).first, coefficient = 0;
+  double half_width = contact(scene, static_modulus(scene)).first, coefficient = 0;
   std::complex<double> modulus;
   constexpr int enough = 8;
   for (int i = 0; i < enough; ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -41,6 +42,8 @@ Coverage coverage(const FitProblem& problem, const FitPoint& truth, double scatt
   Coverage answer{.seed = options.seed, .profiles = options.profiles};
   for (std::size_t j = 0; j < problem.size(); ++j) answer.parameters.push_back({problem.parameters[j].name, truth[j]});
   const Eigen::VectorXd scaled_truth = scaled_point(problem, truth);
+  std::optional<KnownSlopes> known;
+  if (const Slopes slopes = problem.differentiate(truth, exact); slopes.found()) known = {truth, exact, slopes};
   std::vector<double> squares(problem.size(), 0);
   std::mutex mutex;
   for_each_piece(static_cast<std::size_t>(options.draws), options.jobs, [&](std::size_t draw) {
@@ -50,7 +53,7 @@ Coverage coverage(const FitProblem& problem, const FitPoint& truth, double scatt
     Normal normal(options.seed, draw);
     for (std::size_t i = 0; i < drawn.data.size(); ++i)
       drawn.data[i].value = exact.values[static_cast<Eigen::Index>(i)] + scatter * drawn.data[i].deviation * normal();
-    const FitReport report = fit(drawn, {.profiles = options.profiles, .stop = options.stop});
+    const FitReport report = fit(drawn, {.profiles = options.profiles, .known = known, .stop = options.stop});
     const std::lock_guard lock(mutex);
     ++answer.draws;
     if (report.interrupted) {

@@ -1,6 +1,9 @@
 #include "fitting/descent.hpp"
 
 #include <ceres/ceres.h>
+#if __has_include(<glog/logging.h>)
+#include <glog/logging.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -122,13 +125,21 @@ void bound(ceres::Problem& problem, double* block, const Variable& variable) {
   problem.SetParameterUpperBound(block, 0, std::min(variable.scaled(variable.highest), *block + reach));
 }
 
+/// Ceres writes to standard error where it steps back from a failed prediction: nothing that a user can use.
+void silence_ceres() {
+#if __has_include(<glog/logging.h>)
+  constexpr int fatal = 3;
+  FLAGS_minloglevel = fatal;
+#endif
+}
+
 ceres::Solver::Options solver_options(const DescentOptions& wanted) {
   ceres::Solver::Options options;
   options.max_num_iterations = wanted.most_iterations;
   options.function_tolerance = wanted.tolerance;
   options.parameter_tolerance = 1e-10;
   options.gradient_tolerance = 0;
-  options.initial_trust_region_radius = 100;  // scaled variables: the first step is nearly Gauss and Newton's
+  options.initial_trust_region_radius = wanted.radius;
   options.min_trust_region_radius = 1e-14;
   options.linear_solver_type = ceres::DENSE_QR;
   options.line_search_interpolation_type = ceres::BISECTION;  // within bounds: the others want slopes
@@ -139,6 +150,7 @@ ceres::Solver::Options solver_options(const DescentOptions& wanted) {
 }  // namespace
 
 Descent descend(const FitProblem& problem, const FitPoint& start, const DescentOptions& options) {
+  silence_ceres();
   Position position(problem, start);
   ceres::Problem::Options ownership;
   ownership.evaluation_callback = &position;

@@ -14,6 +14,7 @@ namespace rollres {
 struct DescentOptions {
   int most_iterations = 60;
   double tolerance = 1e-7;                  ///< least relative change of the misfit that is worth another step
+  double radius = 100;                      ///< of the first step, over the scale of each slope: large near the end
   std::vector<std::size_t> held = {};       ///< parameters that keep their values
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: give up
 };

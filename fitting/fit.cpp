@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "fitting/latin_hypercube.hpp"
@@ -13,16 +14,44 @@ namespace rollres {
 
 namespace {
 
-/// A descent that will be gone on with: by slopes that cost half as much, and no farther than they are worth. Where
-/// those do not exist, by the problem's own.
+/// Rows that a descent from afar can do with: few, spread over the table without a period that it could share.
+std::vector<std::size_t> few_rows(const FitProblem& problem) {
+  const std::size_t all = problem.data.size(), wanted = std::max<std::size_t>(8, 2 * problem.size() + 2);
+  if (!problem.predict_rows || 2 * wanted > all) return {};
+  constexpr double golden = 0.6180339887498949;
+  std::set<std::size_t> rows{0, all - 1};
+  for (double turns = 0.5; rows.size() < wanted; turns += golden)
+    rows.insert(static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(all)));
+  return {rows.begin(), rows.end()};
+}
+
+constexpr double near_the_end = 1e6;  // radius of a descent from close by: Gauss and Newton's steps
+
+/// A descent that will be gone on with: first by a few rows; by slopes that cost half as much, evaluated only where
+/// secants are not good enough; and no farther than they are worth. Where rough slopes do not exist, by the problem's
+/// own.
 Descent rough_descent(const FitProblem& problem, const FitPoint& start, const FitOptions& options) {
-  constexpr double step = 0.02, tolerance = 1e-2;
-  FitProblem roughly = problem;
-  roughly.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
-    Slopes slopes = rough_differences(problem, point, prediction, step);
+  constexpr double tolerance = 1e-3, trusted_miss = 0.5;
+  const auto roughly = [&problem](const FitPoint& point, const Prediction& prediction) {
+    Slopes slopes = rough_differences(problem, point, prediction);
     return slopes.found() ? slopes : problem.differentiate(point, prediction);
   };
-  return descend(roughly, start, {.tolerance = tolerance, .stop = options.stop});
+  FitPoint begin = start;
+  int iterations = 0;
+  double radius = DescentOptions{}.radius;
+  if (const std::vector<std::size_t> rows = few_rows(problem); !rows.empty() && !options.known) {
+    const FitProblem quick = with_secants(part_of(problem, rows), {.trusted_miss = trusted_miss});
+    const Descent few = descend(quick, start, {.tolerance = 1e-2, .stop = options.stop});
+    if (few.found()) begin = few.end;
+    iterations = few.iterations;
+  }
+  const FitProblem quick =
+      with_secants(problem, {.known = options.known, .trusted_miss = trusted_miss, .evaluate = roughly});
+  if (options.known || iterations > 0) radius = near_the_end;
+  Descent answer = descend(quick, begin, {.tolerance = tolerance, .radius = radius, .stop = options.stop});
+  answer.start = start;
+  answer.iterations += iterations;
+  return answer;
 }
 
 /// The other starts: the best quarter of the points of a Latin hypercube.
@@ -66,18 +95,25 @@ Descent& best_of(std::vector<Descent>& descents) {
   });
 }
 
-/// A robust loss needs a scale: without known deviations, that of the bulk of the residuals of plain least squares
-/// (1.4826 times their median size).
+/// A robust loss needs a scale: without known deviations, that of the bulk of the residuals (1.4826 times their median
+/// size), first of plain least squares, which an outlier drags along, then of robust fits.
 FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options) {
   if (problem.loss == Loss::none || problem.deviations_known) return problem;
-  FitProblem plain = problem;
-  plain.loss = Loss::none;
-  const Descent descent = descend(plain, start_point(problem), {.stop = options.stop});
-  if (!descent.found()) return problem;
-  Eigen::VectorXd sizes = residuals(problem, descent.prediction).cwiseAbs();
-  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+  constexpr int rounds = 4;
   FitProblem scaled = problem;
-  scaled.loss_scale *= std::max(1.4826 * sizes[sizes.size() / 2], std::numeric_limits<double>::min());
+  scaled.loss = Loss::none;
+  FitPoint start = start_point(problem);
+  for (int round = 0; round < rounds; ++round) {
+    const Descent descent = rough_descent(scaled, start, options);
+    if (!descent.found()) break;
+    Eigen::VectorXd sizes = residuals(problem, descent.prediction).cwiseAbs();
+    std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+    scaled.loss = problem.loss;
+    scaled.loss_scale =
+        problem.loss_scale * std::max(1.4826 * sizes[sizes.size() / 2], std::numeric_limits<double>::min());
+    start = descent.end;
+  }
+  scaled.loss = problem.loss;
   return scaled;
 }
 
@@ -113,9 +149,11 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
     if (options.stop && options.stop->load()) break;
     const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
     const KnownSlopes known{best.end, best.prediction, report.slopes};
-    const Descent further =
-        descend(last ? problem : with_secants(problem, known), best.end,
-                {.most_iterations = last ? 60 : 8, .held = pressed_on_bounds(report), .stop = options.stop});
+    const Descent further = descend(last ? problem : with_secants(problem, {.known = known}), best.end,
+                                    {.most_iterations = last ? 60 : 8,
+                                     .radius = near_the_end,
+                                     .held = pressed_on_bounds(report),
+                                     .stop = options.stop});
     if (!further.found() || !(further.misfit < best.misfit)) {
       round = std::max(round, most_rounds - 2);
       continue;

@@ -9,6 +9,7 @@
 
 #include "fitting/fit_problem.hpp"
 #include "fitting/fit_report.hpp"
+#include "fitting/secant_slopes.hpp"
 
 namespace rollres {
 
@@ -19,6 +20,8 @@ struct FitOptions {
   double reach = 10;       ///< largest factor between the given start and the others
   std::uint64_t seed = 1;  ///< of the hypercube
   bool profiles = true;    ///< intervals by profile likelihood
+  /// Slopes at or near the start that are known already: for many fits to much the same data.
+  std::optional<KnownSlopes> known = {};
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: return what is known so far
 };
 

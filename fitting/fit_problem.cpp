@@ -34,6 +34,18 @@ double usual_loss_scale(Loss loss) {
   return 1;
 }
 
+FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows) {
+  FitProblem part = problem;
+  part.data.clear();
+  for (const std::size_t row : rows) part.data.push_back(problem.data[row]);
+  part.predict = [predict = problem.predict_rows, rows](const FitPoint& point) { return predict(point, rows); };
+  part.predict_rows = {};
+  part.differentiate = [plain = part](const FitPoint& point, const Prediction& prediction) {
+    return rough_differences(plain, point, prediction);
+  };
+  return part;
+}
+
 FitPoint start_point(const FitProblem& problem) {
   FitPoint point;
   for (const FitParameter& parameter : problem.parameters) point.push_back(parameter.start);
@@ -84,7 +96,8 @@ double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals) {
   return sum;
 }
 
-Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction, double step) {
+Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction) {
+  constexpr double step = 0.02;
   const Eigen::Index rows = prediction.values.size(), columns = std::ssize(point);
   Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns), Eigen::VectorXd::Zero(rows),
                 Eigen::VectorXd::Constant(columns, step)};

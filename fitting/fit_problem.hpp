@@ -67,11 +67,17 @@ struct FitProblem {
   Loss loss = Loss::none;
   double loss_scale = 1;  ///< c [1]
   std::function<Prediction(const FitPoint&)> predict;
+  /// The predictions of some of the data only, where that costs less; may be empty.
+  std::function<Prediction(const FitPoint&, const std::vector<std::size_t>& rows)> predict_rows = {};
   std::function<Slopes(const FitPoint&, const Prediction&)> differentiate;
+  std::string noise_remedy = {};  ///< in words: what to do if the noise of the model is too large for the data
   std::shared_ptr<EvaluationLog> log = std::make_shared<EvaluationLog>();  ///< of what the model evaluated
 
   std::size_t size() const { return parameters.size(); }
 };
+
+/// The problem with some of its data, and rough slopes. @param rows  of the data; predict_rows must be there
+FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows);
 
 FitPoint start_point(const FitProblem& problem);
 Eigen::VectorXd scaled_point(const FitProblem& problem, const FitPoint& point);
@@ -92,7 +98,7 @@ double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals);
 
 /// Derivatives to a few per cent from one more prediction for each parameter, a scaled step away: enough to begin a
 /// descent with. Steps stay inside the bounds; errors and noise are left at 0.
-Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction, double step);
+Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction);
 
 /// Derivatives by differences with one step for all parameters: for models that cost little, and steps that are
 /// forced. Central with four points, or one-sided with five near a bound: no point outside the bounds is evaluated.

@@ -24,6 +24,15 @@ double noise_over_scatter(const FitReport& report) {
   return noisy / std::sqrt(report.errors.scale);
 }
 
+/// That the noise of the model is no smaller than the scatter of the data, and what to do; empty if it is.
+std::string noise_in_words(const FitReport& report, const FitProblem& problem) {
+  if (!report.slopes.found()) return "";
+  const double noisy = noise_over_scatter(report);
+  if (!(noisy > 0.5)) return "";
+  return "the noise of the model, " + percent(report.noise) + " of its values, is " + rounded(noisy) +
+         " times the scatter of the data" + (problem.noise_remedy.empty() ? "" : "; " + problem.noise_remedy);
+}
+
 /// Why this is no least misfit; empty if it is one.
 std::string not_converged(const FitReport& report) {
   if (!report.slopes.found()) return report.slopes.reason;
@@ -99,8 +108,9 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
     warn("only " + std::to_string(report.agreeing) + " of " + std::to_string(report.starts) +
          " starts led to this misfit");
   const double scatter = std::sqrt(report.errors.scale);
-  if (const double noisy = noise_over_scatter(report); noisy > 0.5)
-    warn("the noise of the model is " + percent(noisy) + " of the scatter of the data");
+  if (const std::string noise = noise_in_words(report, problem); !noise.empty()) warn(noise);
+  if (report.relative_rms > 0.2)
+    warn("the fit misses the data by " + percent(report.relative_rms) + " (rms): the model does not describe them");
   const FittedValue& worst = report.values[report.largest_residual];
   if (std::abs(worst.residual) > 4 * scatter)
     warn((worst.measured.place.empty() ? "a measurement" : worst.measured.place) + " is " +
@@ -117,6 +127,8 @@ void judge(FitReport& report, const FitProblem& problem) {
   if (known) add_warnings(report, problem);
   report.status = FitStatus::not_converged;
   report.reason = not_converged(report);
+  if (const std::string noise = noise_in_words(report, problem); !report.reason.empty() && !noise.empty())
+    report.reason += "; " + noise;
   if (known && !report.moved) {
     report.reason +=
         (report.reason.empty() ? "" : "; ") +

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fitting/nonnegative_least_squares.hpp"
+#include "core/nonnegative_least_squares.hpp"
 
 namespace rollres {
 
@@ -113,6 +113,9 @@ MaterialFit fit_zener(const std::vector<MeasuredModulus>& data, const MaterialFi
   const FitPoint found = answer.report.point();
   answer.zener = zener_at(found, fractional);
   answer.shift = shift_at(options.shift, found);
+  answer.modulus_at = [fractional, shift = options.shift](const FitPoint& point, double omega, double temperature) {
+    return complex_modulus(zener_at(point, fractional), omega * shift_factor(shift_at(shift, point), temperature));
+  };
   return answer;
 }
 
@@ -194,33 +197,73 @@ std::string term_name(const PronySeries::Term& term) {
   return text;
 }
 
+/// The fit of the moduli of these terms.
+MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const PronySeries& series,
+                       const MaterialFitOptions& options, bool profiles) {
+  constexpr double off = 1.1;
+  std::vector<FitParameter> parameters;
+  if (series.static_modulus > 0) parameters.push_back(parameter(static_modulus, off * series.static_modulus));
+  for (const PronySeries::Term& term : series.terms)
+    parameters.push_back(parameter(relaxation_modulus, off * term.modulus, term_name(term)));
+  const FitProblem problem = problem_of(data, parameters, options, [series](const FitPoint& point, double omega) {
+    return complex_modulus(series_at(series, point), omega);
+  });
+  FitOptions wanted = options.options;
+  wanted.profiles &= profiles;
+  MaterialFit answer{fit(problem, wanted), {}, {}, {}, options.form};
+  const FitPoint found = answer.report.point();
+  answer.prony = series_at(series, found);
+  answer.shift = shift_at(options.shift, found);
+  answer.modulus_at = [series, shift = options.shift](const FitPoint& point, double omega, double temperature) {
+    return complex_modulus(series_at(series, point), omega * shift_factor(shift_at(shift, point), temperature));
+  };
+  return answer;
+}
+
+/// The term that the data bind least, if they do not tell it from 0: where it is G0, the slowest. A last one stays.
+std::optional<std::size_t> loose_term(const FitReport& report, const PronySeries& series) {
+  const std::size_t first = series.static_modulus > 0 ? 1 : 0;
+  if (series.terms.size() < 2 || !report.slopes.found()) return std::nullopt;
+  std::optional<std::size_t> loose;
+  double largest = 0.5;
+  for (std::size_t j = 0; j < first + series.terms.size(); ++j) {
+    const FittedParameter& fitted = report.parameters[j];
+    const bool open = !fitted.profile.points.empty() && fitted.profile.interval.low == IntervalEnd::open;
+    const double doubt = std::isfinite(fitted.relative_error) ? fitted.relative_error + (open ? 1 : 0) : 1e300;
+    if (!(doubt > largest)) continue;
+    largest = doubt;
+    loose = j < first ? series.terms.size() - 1 : j - first;
+  }
+  return loose;
+}
+
 MaterialFit fit_prony(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
   MaterialFitOptions wanted = options;
   const std::vector<FitParameter> shift = shift_parameters(options.shift);
   FitPoint constants;
   for (const FitParameter& constant : shift) constants.push_back(constant.start);
   wanted.shift = shift_at(options.shift, constants);
-  std::optional<MaterialFit> answer;
+  const bool automatic = options.terms == 0;
   // Which moduli are 0 depends on the shift: once more with the shift that was found.
   const int rounds = shift.empty() ? 1 : 2;
-  for (int round = 0; round < rounds; ++round) {
-    const PronySeries linear =
-        (options.terms > 0 ? linear_series(data, wanted.shift, options.terms) : automatic_series(data, wanted.shift))
-            .series;
-    constexpr double off = 1.1;
-    std::vector<FitParameter> parameters;
-    if (linear.static_modulus > 0) parameters.push_back(parameter(static_modulus, off * linear.static_modulus));
-    for (const PronySeries::Term& term : linear.terms)
-      parameters.push_back(parameter(relaxation_modulus, off * term.modulus, term_name(term)));
-    const FitProblem problem = problem_of(data, parameters, wanted, [linear](const FitPoint& point, double omega) {
-      return complex_modulus(series_at(linear, point), omega);
-    });
-    answer = MaterialFit{fit(problem, options.options), {}, {}, {}, options.form};
-    const FitPoint found = answer->report.point();
-    answer->prony = series_at(linear, found);
-    answer->shift = wanted.shift = shift_at(wanted.shift, found);
+  for (int round = 1;; ++round) {
+    const bool last = round == rounds;
+    PronySeries series =
+        (automatic ? automatic_series(data, wanted.shift) : linear_series(data, wanted.shift, options.terms)).series;
+    MaterialFit answer = fit_series(data, series, wanted, last && !automatic);
+    while (automatic) {
+      std::optional<std::size_t> loose = loose_term(answer.report, series);
+      if (!loose && last && options.options.profiles) {
+        answer = fit_series(data, series, wanted, true);
+        loose = loose_term(answer.report, series);
+      }
+      if (!loose) break;
+      series.terms.erase(series.terms.begin() + static_cast<std::ptrdiff_t>(*loose));
+      answer = fit_series(data, series, wanted, false);
+    }
+    if (last) return answer;
+    wanted.shift = answer.shift;
   }
-  return *answer;
 }
 
 }  // namespace
@@ -228,6 +271,29 @@ MaterialFit fit_prony(const std::vector<MeasuredModulus>& data, const MaterialFi
 std::complex<double> MaterialFit::modulus(double angular_frequency, double temperature) const {
   const double reduced = angular_frequency * shift_factor(shift, temperature);
   return form == MaterialForm::prony ? complex_modulus(prony, reduced) : complex_modulus(zener, reduced);
+}
+
+std::complex<double> MaterialFit::modulus_error(double angular_frequency, double temperature) const {
+  const Eigen::Index size = std::ssize(report.parameters);
+  const FitPoint point = report.point();
+  Eigen::VectorXd storage(size), loss(size);
+  constexpr double step = 1e-4;
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const Variable& variable = report.parameters[k].parameter.variable;
+    FitPoint below = point, above = point;
+    below[k] = variable.value(variable.scaled(point[k]) - step);
+    above[k] = variable.value(variable.scaled(point[k]) + step);
+    const std::complex<double> slope =
+        (modulus_at(above, angular_frequency, temperature) - modulus_at(below, angular_frequency, temperature)) /
+        variable.scaled_step(below[k], above[k]);
+    storage[j] = slope.real();
+    loss[j] = slope.imag();
+  }
+  const auto deviation = [&](const Eigen::VectorXd& slopes) {
+    return std::sqrt(slopes.dot(report.errors.covariance * slopes));
+  };
+  return {deviation(storage), deviation(loss)};
 }
 
 MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {

@@ -3,6 +3,7 @@
 /// Fits materials to measured storage and loss moduli, at several temperatures with the shift fitted at the same time.
 
 #include <complex>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ struct ChoiceNames<MaterialForm> {
 
 struct MaterialFitOptions {
   MaterialForm form = MaterialForm::prony;
-  int terms = 0;                ///< of a Prony series; 0: as many as the data ask for (AICc), at most 20
+  int terms = 0;                ///< of a Prony series; 0: as many as the data ask for, at most 20
   TemperatureShift shift = {};  ///< its law, its reference, and where its constants start
   bool deviations_known = false;
   FitOptions options = {};
@@ -45,11 +46,17 @@ struct MaterialFit {
   TemperatureShift shift;
   /// G*(omega) [Pa] at a temperature [K].
   std::complex<double> modulus(double angular_frequency, double temperature) const;
+  /// Standard errors of its parts by the errors of the parameters; NaN if those are not known [Pa].
+  std::complex<double> modulus_error(double angular_frequency, double temperature) const;
   MaterialForm form;
+  /// G* of other parameters.
+  std::function<std::complex<double>(const FitPoint&, double angular_frequency, double temperature)> modulus_at = {};
 };
 
 /// A Prony series has relaxation times in even steps of their logarithm over the (shifted) frequencies; moduli that
-/// non-negative least squares leave at 0 are left out. Its descent starts 10 % off that solution.
+/// non-negative least squares leave at 0 are left out. Its descent starts 10 % off that solution. As many terms as the
+/// data ask for: those of the least corrected information criterion, less the ones that the data then do not tell from
+/// 0.
 /// @throws std::invalid_argument if the data are too few
 MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options);
 

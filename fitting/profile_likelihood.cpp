@@ -1,11 +1,12 @@
 #include "fitting/profile_likelihood.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "core/dense_algebra.hpp"
+#include "fitting/quick_profile.hpp"
 #include "fitting/secant_slopes.hpp"
 
 namespace rollres {
@@ -19,12 +20,13 @@ class Side {
        std::size_t parameter, double direction, double threshold, const std::atomic<bool>* stop)
       : problem_(problem),
         fit_(fit),
+        slopes_(slopes),
         errors_(errors),
         parameter_(parameter),
         direction_(direction),
         threshold_(threshold),
         stop_(stop),
-        quick_(with_secants(problem, KnownSlopes{fit.end, fit.prediction, slopes})),
+        quick_(with_secants(problem, {.known = KnownSlopes{fit.end, fit.prediction, slopes}})),
         origin_(scaled_point(problem, fit.end)) {}
 
   struct End {
@@ -33,7 +35,7 @@ class Side {
   };
 
   /// Finds the end; the points on the way are in `points`.
-  End find() {
+  End find(const std::optional<Bend>& other_side) {
     const Variable& variable = problem_.parameters[parameter_].variable;
     const double bound = direction_ < 0 ? variable.lowest : variable.highest;
     constexpr double farthest = 6.9;  // a factor of 1000
@@ -42,6 +44,12 @@ class Side {
     const double physical = direction_ < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
     const IntervalEnd at_limit = to_bound <= farthest && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
     if (limit <= 0) return {bound, at_limit};
+    const ProfileSide side{problem_, fit_, slopes_, errors_, parameter_, direction_, threshold_};
+    if (const auto quick = quick_end(side, limit, other_side)) {
+      bend = quick->bend;
+      points.push_back(quick->point);
+      return {value_at(quick->distance), IntervalEnd::closed};
+    }
 
     const double target = std::sqrt(threshold_), deviation = errors_.deviations[index()];
     double inside = 0, inside_root = 0, outside = 0, outside_root = 0;  // roots of the rise: nearly straight lines
@@ -76,6 +84,7 @@ class Side {
 
   std::vector<ProfilePoint> points;
   FitPoint better;
+  std::optional<Bend> bend;
 
  private:
   Eigen::Index index() const { return static_cast<Eigen::Index>(parameter_); }
@@ -170,7 +179,7 @@ class Side {
         if (j != index())
           others(i, k++) = root / quick_.data[static_cast<std::size_t>(i)].deviation * slopes.derivatives(i, j);
     }
-    const Eigen::VectorXd moved = others.colPivHouseholderQr().solve(-weighted);
+    const Eigen::VectorXd moved = least_squares(others, -weighted);
     for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
       if (j != index()) step.scaled[j] = moved[k++];
     step.fall = weighted.squaredNorm() - (weighted + others * moved).squaredNorm();
@@ -179,6 +188,7 @@ class Side {
 
   const FitProblem& problem_;
   const Descent& fit_;
+  const Slopes& slopes_;
   const FitErrors& errors_;
   std::size_t parameter_;
   double direction_, threshold_;
@@ -194,9 +204,11 @@ Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slo
                 std::size_t parameter, double threshold, const std::atomic<bool>* stop) {
   Profile answer;
   answer.points.push_back({fit.end[parameter], 0});
+  std::optional<Bend> bend;
   for (const double direction : {-1.0, 1.0}) {
     Side side(problem, fit, slopes, errors, parameter, direction, threshold, stop);
-    const Side::End end = side.find();
+    const Side::End end = side.find(bend);
+    bend = side.bend;
     (direction < 0 ? answer.interval.lowest : answer.interval.highest) = end.value;
     (direction < 0 ? answer.interval.low : answer.interval.high) = end.kind;
     answer.points.insert(answer.points.end(), side.points.begin(), side.points.end());

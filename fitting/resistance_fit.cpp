@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
+#include <numeric>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -41,13 +43,16 @@ struct Row {
 /// What calibrations on some rows say of every row: all over the size of the output.
 struct RelativeCalibration {
   double noise = RollingSolution::absent;
-  std::array<double, 3> derivatives{RollingSolution::absent, RollingSolution::absent, RollingSolution::absent};
+  std::array<double, 4> derivatives{RollingSolution::absent, RollingSolution::absent, RollingSolution::absent,
+                                    RollingSolution::absent};
 
   void include(const InputCalibration& known, double output) {
     const auto raise = [&](double& bound, double value) {
       if (std::isfinite(value) && !(bound >= value / std::abs(output))) bound = value / std::abs(output);
     };
-    raise(noise, known.noise);
+    // Other rows may be noisier; one-sided differences bear that much.
+    constexpr double least_noise = 1e-9;
+    raise(noise, std::max(known.noise, least_noise * std::abs(output)));
     for (std::size_t k = 0; k < derivatives.size(); ++k) raise(derivatives[k], known.derivatives[k]);
   }
   bool known() const { return std::isfinite(noise); }
@@ -61,20 +66,28 @@ struct RelativeCalibration {
 
 class Model {
  public:
-  Model(std::vector<Row> rows, std::size_t inputs, int jobs)
-      : rows_(std::move(rows)), calibrations_(inputs), jobs_(jobs) {}
+  /// @param on_grid  becomes true with the first answer from a grid
+  Model(std::vector<Row> rows, std::size_t inputs, std::shared_ptr<std::atomic<bool>> on_grid, int jobs)
+      : rows_(std::move(rows)), calibrations_(inputs), on_grid_(std::move(on_grid)), jobs_(jobs) {}
 
-  Prediction predict(const FitPoint& point) const {
-    Prediction prediction{Eigen::VectorXd(std::ssize(rows_))};
-    std::vector<std::string> reasons(rows_.size());
-    for_each_piece(rows_.size(), jobs_, [&](std::size_t i) {
-      const ObjectiveValue answer = value_at(rows_[i].objective, rows_[i].own(point));
+  Prediction predict(const FitPoint& point, const std::vector<std::size_t>& rows) const {
+    Prediction prediction{Eigen::VectorXd(std::ssize(rows))};
+    std::vector<std::string> reasons(rows.size());
+    for_each_piece(rows.size(), jobs_, [&](std::size_t i) {
+      const Row& row = rows_[rows[i]];
+      const ObjectiveValue answer = value_at(row.objective, row.own(point));
       prediction.values[static_cast<Eigen::Index>(i)] = answer.value;
-      if (!answer.found()) reasons[i] = rows_[i].place + ": " + answer.reason;
+      if (!answer.found()) reasons[i] = row.place + ": " + answer.reason;
     });
     for (std::string& reason : reasons)
       if (prediction.reason.empty()) prediction.reason = std::move(reason);
     return prediction;
+  }
+
+  Prediction predict(const FitPoint& point) const {
+    std::vector<std::size_t> all(rows_.size());
+    std::iota(all.begin(), all.end(), 0);
+    return predict(point, all);
   }
 
   Slopes differentiate(const FitPoint& point, const Prediction& prediction) {
@@ -83,13 +96,14 @@ class Model {
                   Eigen::MatrixXd::Zero(std::ssize(rows_), std::ssize(calibrations_)), noise_of(prediction),
                   Eigen::VectorXd::Zero(std::ssize(calibrations_))};
     std::vector<std::string> reasons(rows_.size());
+    const int order = largest_noise() < smooth && !*on_grid_ ? 1 : 2;
     std::mutex mutex;
     for_each_piece(rows_.size(), jobs_, [&](std::size_t i) {
       const auto row = static_cast<Eigen::Index>(i);
       const double centre = prediction.values[row];
       Calibration calibration{rows_[i].own(point), {centre, Status::converged}, {}};
       for (const std::size_t column : rows_[i].columns) calibration.inputs.push_back(calibrations_[column].of(centre));
-      const Gradient found = gradient(rows_[i].objective, calibration.point, calibration, {.order = 2, .jobs = 1});
+      const Gradient found = gradient(rows_[i].objective, calibration.point, calibration, {.order = order, .jobs = 1});
       for (std::size_t k = 0; k < found.inputs.size(); ++k) {
         const InputGradient& input = found.inputs[k];
         const auto column = static_cast<Eigen::Index>(rows_[i].columns[k]);
@@ -111,16 +125,45 @@ class Model {
     return slopes;
   }
 
-  /// Measures noise and curvature where that is not done yet.
+  /// Measures noise and curvature where that is not done yet: on a middle row, and where that is not smooth, on the
+  /// slowest and the fastest as well.
   void calibrate_at(const FitPoint& point) {
     const std::lock_guard one_at_a_time(calibrating_);
-    struct Piece {
-      std::size_t column, row;
-    };
-    std::vector<Piece> pieces;
+    std::vector<std::size_t> unknown;
     for (std::size_t column = 0; column < calibrations_.size(); ++column)
-      if (!calibrations_[column].known())
-        for (const std::size_t row : examples(column)) pieces.push_back({column, row});
+      if (!calibrations_[column].known()) unknown.push_back(column);
+    if (unknown.empty()) return;
+    std::vector<Piece> middle, others;
+    for (const std::size_t column : unknown) {
+      const std::vector<std::size_t> rows = examples(column);
+      for (const std::size_t row : rows) (row == rows.front() ? middle : others).push_back({column, row});
+    }
+    calibrate_pieces(middle, point);
+    const bool smooth_there = std::all_of(unknown.begin(), unknown.end(),
+                                          [&](std::size_t column) { return calibrations_[column].noise < smooth; });
+    if (!smooth_there || *on_grid_) calibrate_pieces(others, point);
+  }
+
+  Eigen::VectorXd noise_of(const Prediction& prediction) const {
+    return largest_noise() * prediction.values.cwiseAbs();
+  }
+
+ private:
+  /// Relative noise below which differences to one side, and a calibration on one row, are good enough.
+  static constexpr double smooth = 1e-7;
+
+  struct Piece {
+    std::size_t column, row;
+  };
+
+  double largest_noise() const {
+    double relative = 0;
+    for (const RelativeCalibration& calibration : calibrations_)
+      if (calibration.known()) relative = std::max(relative, calibration.noise);
+    return relative;
+  }
+
+  void calibrate_pieces(const std::vector<Piece>& pieces, const FitPoint& point) {
     std::mutex mutex;
     for_each_piece(pieces.size(), jobs_, [&](std::size_t i) {
       const auto [column, row] = pieces[i];
@@ -135,15 +178,7 @@ class Model {
     });
   }
 
-  Eigen::VectorXd noise_of(const Prediction& prediction) const {
-    double relative = 0;
-    for (const RelativeCalibration& calibration : calibrations_)
-      if (calibration.known()) relative = std::max(relative, calibration.noise);
-    return relative * prediction.values.cwiseAbs();
-  }
-
- private:
-  /// The slowest, a middle and the fastest of the rows that an input concerns.
+  /// A middle, the slowest and the fastest of the rows that an input concerns.
   std::vector<std::size_t> examples(std::size_t column) const {
     std::vector<std::size_t> concerned;
     for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -152,26 +187,52 @@ class Model {
     std::stable_sort(concerned.begin(), concerned.end(), [&](std::size_t a, std::size_t b) {
       return rows_[a].objective.base.speed < rows_[b].objective.base.speed;
     });
-    if (concerned.size() <= 3) return concerned;
-    return {concerned.front(), concerned[concerned.size() / 2], concerned.back()};
+    if (concerned.empty()) return {};
+    std::vector<std::size_t> found{concerned[concerned.size() / 2]};
+    for (const std::size_t row : {concerned.front(), concerned.back()})
+      if (std::find(found.begin(), found.end(), row) == found.end()) found.push_back(row);
+    return found;
   }
 
   std::vector<Row> rows_;
   std::vector<RelativeCalibration> calibrations_;
+  std::shared_ptr<std::atomic<bool>> on_grid_;
   std::mutex calibrating_;
   int jobs_;
 };
 
 /// Evaluates, and enters it in the log.
-Evaluate logging(const Evaluate& evaluate, const std::shared_ptr<EvaluationLog>& log, const std::string& place) {
-  return [evaluate, log, place](const RollingScene& scene) {
+Evaluate logging(const Evaluate& evaluate, const std::shared_ptr<EvaluationLog>& log, const std::string& place,
+                 const std::shared_ptr<std::atomic<bool>>& on_grid) {
+  return [evaluate, log, place, on_grid](const RollingScene& scene) {
     RollingSolution solution = evaluate(scene);
+    if (solution.status == Status::converged && rollres::on_grid(solution.method)) *on_grid = true;
     if (solution.status == Status::converged)
       log->answered();
     else
       log->failed(place, solution.reason.empty() ? std::string(name_of(solution.status)) : solution.reason);
     return solution;
   };
+}
+
+/// What helps where nodes that enter and leave the contact make a scene's answers jump.
+std::string noise_remedy(const std::vector<MeasuredScene>& scenes) {
+  const auto fixed = std::find_if(scenes.begin(), scenes.end(), [](const MeasuredScene& row) {
+    return on_grid(resolved_method(row.scene)) && (row.scene.spacing || row.scene.indenter == Indenter::cylinder);
+  });
+  if (fixed == scenes.end()) return "";
+  const RollingScene& scene = fixed->scene;
+  RollingScene smooth = scene;
+  smooth.spacing.reset();
+  if (smooth.method == Method::newton) smooth.method = Method::automatic;
+  const std::string jumps = "answers on a fixed grid jump where nodes enter and leave the contact";
+  if (scene.indenter == Indenter::cylinder && on_grid(resolved_method(smooth)))
+    return jumps + ": take a smaller spacing";
+  std::string keys;
+  if (scene.spacing) keys = "spacing";
+  if (scene.indenter == Indenter::cylinder && scene.method != Method::automatic)
+    keys += keys.empty() ? "method" : " and method";
+  return jumps + ": leave out " + keys + " for smooth ones";
 }
 
 }  // namespace
@@ -199,9 +260,10 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
   FitProblem problem;
   problem.parameters = parameters;
   const Quantity output = real_output(options.output);
+  const auto grid_seen = std::make_shared<std::atomic<bool>>(false);
   std::vector<Row> rows;
   for (const MeasuredScene& measured : scenes) {
-    Row row{{measured.scene, {}, output, logging(evaluate, problem.log, measured.measured.place)},
+    Row row{{measured.scene, {}, output, logging(evaluate, problem.log, measured.measured.place, grid_seen)},
             {},
             measured.measured.place};
     for (std::size_t j = 0; j < inputs.size(); ++j)
@@ -212,8 +274,12 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     rows.push_back(std::move(row));
     problem.data.push_back(measured.measured);
   }
-  const auto model = std::make_shared<Model>(std::move(rows), inputs.size(), options.jobs);
+  const auto model = std::make_shared<Model>(std::move(rows), inputs.size(), grid_seen, options.jobs);
   problem.predict = [model](const FitPoint& point) { return model->predict(point); };
+  problem.predict_rows = [model](const FitPoint& point, const std::vector<std::size_t>& some) {
+    return model->predict(point, some);
+  };
+  problem.noise_remedy = noise_remedy(scenes);
   if (!options.step) {
     problem.differentiate = [model](const FitPoint& point, const Prediction& prediction) {
       return model->differentiate(point, prediction);

@@ -13,7 +13,7 @@ namespace rollres {
 namespace {
 
 // Sizes in pixels of the SVG; the PNG has twice as many.
-constexpr double picture_width = 560, plot_height = 345, title_height = 36, legend_row_height = 23, font_size = 17;
+constexpr double picture_width = 560, title_height = 36, legend_row_height = 23, font_size = 17;
 
 /// A file in the script's own folder: never read as a pipe or a home folder.
 std::string here(const std::filesystem::path& file) { return gnuplot::quoted("./" + file.filename().string()); }
@@ -109,18 +109,22 @@ void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& 
 }
 
 void write_pictures(std::ostream& script, const ChartFiles& files, const std::string& title,
-                    std::vector<std::string> plots, const std::vector<LegendEntry>& entries) {
+                    std::vector<std::string> plots, const std::vector<LegendEntry>& entries,
+                    const PictureShape& shape) {
   const LegendGrid grid(entries);
-  const double height = std::round(plot_height + title_height + grid.height());
+  const double height = std::round(shape.height + title_height + grid.height());
   const auto from_top = [&](double pixels) { return short_number(1 - pixels / height, 4); };
   script << "set label " << fitted(title, gnuplot::plain(title) + kept_blanks, 46) << " at screen 0.5, screen "
          << from_top(title_height / 2) << " center\n"
-         << "set tmargin at screen " << from_top(title_height + grid.height() + 10)
-         << "\nset rmargin at screen 0.955\nset key Left reverse samplen 2.2\n";
+         << "set tmargin at screen " << from_top(title_height + grid.height() + shape.gap) << "\nset rmargin at screen "
+         << short_number(shape.right / picture_width, 3) << "\n";
+  if (shape.left > 0) script << "set lmargin at screen " << short_number(shape.left / picture_width, 4) << "\n";
+  if (shape.bottom > 0) script << "set bmargin at screen " << short_number(shape.bottom / height, 4) << "\n";
+  script << "set key Left reverse samplen 2.2\n";
   for (std::size_t i = 0; i < entries.size(); ++i)
     plots.push_back("keyentry with " + entries[i].sample + " title " + gnuplot::quoted(entries[i].markup) + " at " +
                     short_number(grid.x(i) / picture_width, 4) + "," + short_number(1 - grid.y(i) / height, 4));
-  std::string plot = "plot ";
+  std::string plot = shape.surface ? "splot " : "plot ";
   for (std::size_t i = 0; i < plots.size(); ++i) plot += (i == 0 ? "" : ", \\\n     ") + plots[i];
 
   script << "\nset terminal svg size " << picture_width << "," << height

@@ -31,8 +31,17 @@ struct LegendEntry {
 void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
                 const ChartAxis& y, const Span& y_span);
 
+/// Sizes of a picture in pixels of its SVG, which is 560 wide.
+struct PictureShape {
+  double height = 345;                       ///< of all that stands below title and legend
+  double left = 0, right = 535, bottom = 0;  ///< of the plot, from the left and the lower edge; 0: as the numbers need
+  double gap = 10;                           ///< above the plot
+  bool surface = false;                      ///< the plots are of gnuplot's splot
+};
+
 /// The tail of a script: title, legend and the two pictures of all `plots` ("data index 0 using 1:2 with lines").
 void write_pictures(std::ostream& script, const ChartFiles& files, const std::string& title,
-                    std::vector<std::string> plots, const std::vector<LegendEntry>& entries);
+                    std::vector<std::string> plots, const std::vector<LegendEntry>& entries,
+                    const PictureShape& shape = {});
 
 }  // namespace rollres

@@ -8,14 +8,6 @@ namespace rollres {
 
 namespace {
 
-/// A step of 1, 2 or 5 times a power of ten that divides a length into four to eight parts.
-double even_step(double length) {
-  const double power = std::pow(10.0, std::floor(std::log10(length / 4)));
-  for (const int step : {5, 2})
-    if (length / (step * power) >= 4) return step * power;
-  return power;
-}
-
 /// A rectangle of the plot, in fractions of its sides.
 struct Box {
   double x, y, half_width, half_height;
@@ -46,6 +38,13 @@ struct Box {
 };
 
 }  // namespace
+
+double even_step(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / 4)));
+  for (const int step : {5, 2})
+    if (length / (step * power) >= 4) return step * power;
+  return power;
+}
 
 Layout lay_out(const ChartRequest& request) {
   Layout layout;

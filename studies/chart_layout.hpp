@@ -45,6 +45,9 @@ struct Layout {
 /// negative and the smallest is at most half the largest.
 Layout lay_out(const ChartRequest& request);
 
+/// A step of 1, 2 or 5 times a power of ten that divides a length into four to ten parts.
+double even_step(double length);
+
 /// Numbers for a logarithmic axis so short that powers of ten alone would leave it with hardly a number; else empty.
 std::vector<double> ticks(const Span& span);
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -7,6 +6,7 @@
 #include <stdexcept>
 
 #include "studies/accuracy_table.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/paper_scenes.hpp"
 #include "studies/progress.hpp"
@@ -208,8 +208,8 @@ void accuracy(const AccuracyWords& words, Session& session) {
 
 }  // namespace
 
-void add_accuracy(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_accuracy(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("accuracy", "Chart error against time, method by method, over a range of spacings");
   const auto words = std::make_shared<AccuracyWords>();
   AccuracyOptions& options = words->options;
@@ -218,49 +218,49 @@ void add_accuracy(CLI::App& program, Session& session) {
                       "these two");
   command->add_option("--out", words->out, "directory for accuracy.csv and the charts")->required()->option_text("DIR");
   command->add_option("--methods", words->methods, "methods, separated by commas; left out: all")->delimiter(',');
-  CLI::Option* const spacings =
+  CommandOption* const spacings =
       command->add_option("--spacings", words->spacings, "spacings, with a unit or in m, separated by commas")
           ->delimiter(',');
   command
       ->add_option("--levels", options.levels,
                    "how many spacings, each 1/sqrt(2) of the last, from 8 nodes along the contact; left out: to 500 "
                    "nodes along a cylinder's, 130 along a sphere's")
-      ->check(CLI::Range(1, 100))
+      ->between(1, 100)
       ->excludes(spacings);
   command->add_option("--repeats", options.repeats, "solutions of which the median time is taken; default 5")
-      ->check(CLI::Range(1, 1000));
+      ->between(1, 1000);
   command
       ->add_option("--seconds-limit", options.seconds_limit,
                    "what would take longer is skipped, what takes longer is stopped; default 30")
-      ->check(CLI::PositiveNumber);
+      ->positive();
   command
       ->add_option("--set", words->overrides, "replace an input of all scenes, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
-      ->allow_extra_args(false);
-  command->add_option("--format", words->format, "text or markdown")->check(CLI::IsMember({"text", "markdown"}));
+      ->one_value_each();
+  command->add_option("--format", words->format, "text or markdown")->one_of({"text", "markdown"});
   command->add_flag("--json", words->json, "print one JSON object");
-  CLI::Option* const random =
+  CommandOption* const random =
       command
           ->add_option("--random", words->random,
                        "instead: how often, on so many random scenes of each indenter, the error is below its estimate "
                        "and a tolerance is met; into DIR/random_accuracy.csv")
-          ->check(CLI::Range(1, 1'000'000))
+          ->between(1, 1'000'000)
           ->option_text("N");
   command->add_option("--seed", words->plan.seed, "of the random scenes; default: 1")->needs(random)->option_text("S");
   command->add_option("--tolerances", words->plan.tolerances, "of the random scenes' solutions; default: 1e-2,1e-3")
       ->delimiter(',')
-      ->check(CLI::Range(1e-9, 0.5))
+      ->positive()
       ->needs(random);
   command->add_option("--indenter", words->indenter, "of the random scenes: cylinder, sphere or both (the default)")
-      ->check(CLI::IsMember({"cylinder", "sphere", "both"}))
+      ->one_of({"cylinder", "sphere", "both"})
       ->needs(random)
       ->option_text("INDENTER");
   command->add_option("--jobs", words->plan.jobs, "processes for the random scenes; default: one for each core")
-      ->check(CLI::Range(1, 1024))
+      ->between(1, 1024)
       ->needs(random)
       ->option_text("N");
   command->add_option("--time-limit", words->plan.time_limit, "for one random scene, in seconds; default: 600")
-      ->check(CLI::PositiveNumber)
+      ->positive()
       ->needs(random)
       ->option_text("SECONDS");
   command->footer(

@@ -1,9 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <ostream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
+#include "studies/file_name.hpp"
 #include "studies/read_filter.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/study_chart.hpp"
@@ -21,20 +22,6 @@ struct ChartWords {
 
 AxisScale scale_named(const std::string& name) {
   return static_cast<AxisScale>(find_name(ChoiceNames<AxisScale>::names, name));
-}
-
-/// A name that file systems take: "/" and the like become "_".
-std::string file_name(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(),
-      [](unsigned char letter) {
-        return letter <= 0x20 || letter == 0x7f ||
-               std::string_view("/\\:*?\"<>|").find(static_cast<char>(letter)) != std::string_view::npos;
-      },
-      '_');
-  constexpr std::size_t longest = 120;  // file systems take 255 bytes, suffix included
-  name.resize(std::min(name.size(), longest));
-  return name;
 }
 
 /// Beside the database: the study's name, and what is shown if that was asked for.
@@ -93,8 +80,8 @@ void chart(const ChartWords& words, Session& session) {
 
 }  // namespace
 
-void add_chart(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("chart", "Draw a stored study as SVG and PNG, through gnuplot");
+void add_chart(Command& program, Session& session) {
+  Command* command = program.add_subcommand("chart", "Draw a stored study as SVG and PNG, through gnuplot");
   const auto words = std::make_shared<ChartWords>();
   StudyChartWishes& wishes = words->wishes;
   command->add_option("--db", words->database, "database")->required();
@@ -106,11 +93,11 @@ void add_chart(CLI::App& program, Session& session) {
   command->add_option("--y", wishes.y, "output along y; left out: as the study file says, or rolling_resistance");
   command->add_option("--family", wishes.family, "axis with one curve for each value; left out: the other axes");
   command->add_option("--where", words->filters, "show only points with KEY=VALUE, as in query; may be repeated")
-      ->allow_extra_args(false);
-  const auto scales = CLI::IsMember({"auto", "linear", "logarithmic"});
+      ->one_value_each();
+  const std::vector<std::string_view> scales{"auto", "linear", "logarithmic"};
   command->add_option("--x-scale", words->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
-      ->check(scales);
-  command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->check(scales);
+      ->one_of(scales);
+  command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->one_of(scales);
   command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database");
   command->footer(
       "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"

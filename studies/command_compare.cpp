@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 #include <ostream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/comparison.hpp"
 #include "studies/readable_number.hpp"
@@ -121,8 +121,8 @@ void compare(const CompareWords& words, Session& session) {
 
 }  // namespace
 
-void add_compare(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("compare", "Compare two stored studies point by point");
+void add_compare(Command& program, Session& session) {
+  Command* command = program.add_subcommand("compare", "Compare two stored studies point by point");
   const auto words = std::make_shared<CompareWords>();
   command->add_option("studies", words->studies, "names of two studies, or of one that both databases hold")
       ->required()
@@ -136,15 +136,11 @@ void add_compare(CLI::App& program, Session& session) {
       "inputs that may differ in matching points, separated by commas; those that are one value in each "
       "study, but not the same, are found by themselves");
   command
-      ->add_option_function<double>(
-          "--within", [words](const double& limit) { words->within = limit; },
-          "exit status 1 if a relative difference is larger, or a point has an answer in one study only")
-      ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option_function<std::size_t>(
-          "--limit", [words](const std::size_t& limit) { words->limit = limit; }, "print this many, the largest first")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--format", words->format, "table, csv or json")->check(CLI::IsMember({"table", "csv", "json"}));
+      ->add_option("--within", words->within,
+                   "exit status 1 if a relative difference is larger, or a point has an answer in one study only")
+      ->not_negative();
+  command->add_option("--limit", words->limit, "print this many, the largest first")->not_negative();
+  command->add_option("--format", words->format, "table, csv or json")->one_of({"table", "csv", "json"});
   command->footer(
       "Exit status 1: nothing matches, or not within.\n"
       "Example: rollres compare spectral newton --db results.db --outputs rolling_resistance,approach --within 1e-3");

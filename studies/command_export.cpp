@@ -1,7 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <ostream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/export_study.hpp"
 #include "studies/merge_output.hpp"
@@ -30,8 +30,8 @@ void import_one(const ExportWords& words, Session& session) {
 
 }  // namespace
 
-void add_export(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("export", "Write a study with its results and provenance into a folder");
+void add_export(Command& program, Session& session) {
+  Command* command = program.add_subcommand("export", "Write a study with its results and provenance into a folder");
   const auto words = std::make_shared<ExportWords>();
   command->add_option("--study", words->study, "name of the study; may be left out if the database holds one");
   command->add_option("--db", words->database, "database")->required();
@@ -42,8 +42,8 @@ void add_export(CLI::App& program, Session& session) {
   command->callback([words, &session] { export_one(*words, session); });
 }
 
-void add_import(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("import", "Bring an exported study into a database");
+void add_import(Command& program, Session& session) {
+  Command* command = program.add_subcommand("import", "Bring an exported study into a database");
   const auto words = std::make_shared<ExportWords>();
   command->add_option("folder", words->folder, "folder that rollres export wrote")->required();
   command->add_option("--db", words->database, "database; created if it is missing")->required();

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -6,6 +5,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "fitting/statistics.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/fit_curves.hpp"
 #include "studies/fit_file.hpp"
@@ -37,7 +38,8 @@ FitContext context_of(const FitFile& file) {
                      .data_digest = file.data_digest,
                      .indenter = file.indenter(),
                      .output_unit = real_output(file.output).unit_for(file.indenter()),
-                     .data_warnings = file.warnings};
+                     .data_warnings = file.warnings,
+                     .notes = file.notes};
   for (const FixedInput& fixed : file.fixed)
     context.fixed.push_back(
         {fixed.key, std::string(find_input(fixed.key)->quantity.unit_for(file.indenter())), fixed.value});
@@ -106,6 +108,7 @@ FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
     reduced.push_back(row.angular_frequency * shift_factor(found.shift, row.temperature));
   const auto [lowest, highest] = std::minmax_element(reduced.begin(), reduced.end());
   constexpr int pieces = 120;
+  const double quantile = two_sided_quantile(confidence, found.report.deviations_known ? 0 : found.report.degrees);
   for (std::size_t part = 0; part < 2; ++part) {
     FitCurve& curve = curves.curves[part];
     for (std::size_t i = 0; i < reduced.size(); ++i) {
@@ -116,8 +119,10 @@ FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
       const double omega = *lowest * std::pow(*highest / *lowest, static_cast<double>(i) / pieces);
       const std::complex<double> modulus = found.modulus(omega, found.shift.reference);
       curve.x.push_back(omega);
+      const std::complex<double> error = found.modulus_error(omega, found.shift.reference);
+      const double half_band = quantile * (part == 0 ? error.real() : error.imag());
       curve.value.push_back(part == 0 ? modulus.real() : modulus.imag());
-      curve.band.push_back(0);
+      curve.band.push_back(std::isfinite(half_band) ? half_band : 0);
     }
   }
   return curves;
@@ -153,8 +158,8 @@ void fit_moduli(const FitWords& words, Session& session) {
 
 }  // namespace
 
-void add_fit(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_fit(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("fit", "Fit a scene, or a material, to measured values, with intervals and a judgement");
   const auto words = std::make_shared<FitWords>();
   command->add_option("fit", words->fit, "Fit file (JSON): scene or material, data (CSV), parameters")
@@ -169,10 +174,10 @@ void add_fit(CLI::App& program, Session& session) {
   command
       ->add_option("--coverage", words->coverage,
                    "Draw the data N times around the fit, fit them, and count the intervals that hold it")
-      ->check(CLI::Range(1, 1'000'000))
+      ->between(1, 1'000'000)
       ->option_text("N");
   command->add_option("--seed", words->seed, "Of the draws; default 1");
-  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->check(CLI::Range(1, 1024));
+  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->between(1, 1024);
   command->add_flag("--no-profiles", words->no_profiles, "Leave out the intervals by profile likelihood");
   command->add_flag("--json", words->json, "Print one JSON object");
   command->footer(

@@ -1,7 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <ostream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/gradient_report.hpp"
 #include "studies/refusing_at.hpp"
@@ -37,8 +37,8 @@ void run_gradient(const GradientWords& words, Session& session) {
 
 }  // namespace
 
-void add_gradient(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_gradient(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("gradient", "Differentiate one output of a scene by some of its inputs");
   const auto words = std::make_shared<GradientWords>();
   command->add_option("scene", words->scene, "Scene file (JSON)")->required()->option_text("SCENE");
@@ -49,10 +49,10 @@ void add_gradient(CLI::App& program, Session& session) {
   command->add_option("--output", words->output, "Output; default rolling_resistance")->option_text("KEY");
   command->add_option("--set", words->overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
-      ->allow_extra_args(false);
+      ->one_value_each();
   command->add_option("--order", words->options.order, "2 or 4 (default): order of the differences")
-      ->check(CLI::IsMember({2, 4}));
-  command->add_option("--jobs", words->options.jobs, "Threads; default: one for each core")->check(CLI::Range(1, 1024));
+      ->one_of({"2", "4"});
+  command->add_option("--jobs", words->options.jobs, "Threads; default: one for each core")->between(1, 1024);
   command->add_flag("--json", words->json, "Print one JSON object");
   command->footer(
       "Derivatives are by finite differences whose steps suit the noise of the output, which is measured first (8 or "

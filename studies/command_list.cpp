@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <ostream>
 
 #include "db/result_store.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
@@ -53,8 +53,8 @@ void list(const ListWords& words, Session& session) {
 
 }  // namespace
 
-void add_list(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("list", "List the studies of a database and how far they are");
+void add_list(Command& program, Session& session) {
+  Command* command = program.add_subcommand("list", "List the studies of a database and how far they are");
   const auto words = std::make_shared<ListWords>();
   command->add_option("--db", words->database, "database")->required();
   command->add_flag("--json", words->json, "print one JSON object");

@@ -1,9 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <ostream>
 
 #include "db/merge.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/merge_output.hpp"
 
@@ -26,8 +26,8 @@ void merge_all(const MergeWords& words, Session& session) {
 
 }  // namespace
 
-void add_merge(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("merge", "Bring the results of several databases together in one");
+void add_merge(Command& program, Session& session) {
+  Command* command = program.add_subcommand("merge", "Bring the results of several databases together in one");
   const auto words = std::make_shared<MergeWords>();
   command->add_option("sources", words->sources, "databases; they are only read")->required();
   command->add_option("--db", words->database, "database that takes them; created if it is missing")->required();

@@ -1,9 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/design_file.hpp"
 #include "studies/optimise_report.hpp"
@@ -152,8 +152,8 @@ void run_optimise(const OptimiseWords& words, Session& session) {
 
 }  // namespace
 
-void add_optimise(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_optimise(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("optimise", "Find the best values of some inputs, under constraints, or a Pareto front");
   const auto words = std::make_shared<OptimiseWords>();
   command->add_option("study", words->study, "study file with variables and minimise or maximise")->required();
@@ -161,12 +161,11 @@ void add_optimise(CLI::App& program, Session& session) {
   command
       ->add_option("--algorithm", words->algorithm,
                    "bobyqa, cobyla, nelder_mead, subplex, direct_l, crs2, slsqp, mma, ccsaq or lbfgs")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(ChoiceNames<Algorithm>::names.begin(), ChoiceNames<Algorithm>::names.end())));
+      ->one_of(ChoiceNames<Algorithm>::names);
   command->add_option("--max-evaluations", words->evaluations, "most scenes that a search may ask for")
-      ->check(CLI::Range(1, 100'000'000))
+      ->between(1, 100'000'000)
       ->option_text("N");
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->check(CLI::Range(1, 1024));
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--out", words->out, "draw the course of the search, or the front, as NAME.svg and NAME.png")
       ->option_text("NAME");
   command->add_flag("--json", words->json, "print the outcome as one JSON object");

@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <memory>
 #include <ostream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/plan_table.hpp"
 #include "studies/readable_number.hpp"
@@ -121,16 +121,15 @@ void plan(const PlanWords& words, Session& session) {
 
 }  // namespace
 
-void add_plan(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("plan", "Print the points of a study without solving any");
+void add_plan(Command& program, Session& session) {
+  Command* command = program.add_subcommand("plan", "Print the points of a study without solving any");
   const auto words = std::make_shared<PlanWords>();
   command->add_option("study", words->study, "study file")->required();
   command->add_option("--db", words->database, "database: tells which points are stored there, and their status");
-  command->add_option("--limit", words->limit, "print no more than this many points")
-      ->check(CLI::Range(0, most_points));
-  CLI::Option* const format =
+  command->add_option("--limit", words->limit, "print no more than this many points")->between(0, most_points);
+  CommandOption* const format =
       command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line): the points alone")
-          ->check(CLI::IsMember(table_formats));
+          ->one_of(table_formats);
   command->add_flag("--json", words->json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);
   command->footer(

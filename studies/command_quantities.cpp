@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <ostream>
 #include <type_traits>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/scene_inputs.hpp"
@@ -19,13 +19,14 @@ struct Row {
   std::string key, symbol, unit_2d, unit_3d, range, default_value, meaning;
 };
 
-std::string range_text(const Quantity& quantity, std::span<const std::string_view> choices) {
+std::string range_text(const Quantity& quantity, std::span<const std::string_view> choices, bool list = false) {
   std::string text;
   for (const std::string_view name : choices) text += (text.empty() ? "" : ", ") + std::string(name);
   if (!choices.empty()) return text;
   text = quantity.range.rule();
   constexpr std::string_view verb = "must be ";
-  return text.starts_with(verb) ? text.substr(verb.size()) : text;
+  if (text.starts_with(verb)) text.erase(0, verb.size());
+  return list ? "list, each " + text : text;
 }
 
 Row row_of(const Quantity& quantity) {
@@ -41,7 +42,8 @@ Row row_of(const Quantity& quantity) {
 std::string default_text(const InputKind& kind) {
   if (kind.optional) {
     std::string text;
-    for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0)) text += "or " + std::string(other);
+    for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
+      text += (text.empty() ? "or " : ", ") + std::string(other);
     return text;
   }
   const std::string needed_by = kind.needed_by();
@@ -55,7 +57,7 @@ std::vector<Row> input_rows() {
   std::vector<Row> rows;
   for (const InputKind& kind : input_kinds()) {
     rows.push_back(row_of(kind.quantity));
-    rows.back().range = range_text(kind.quantity, kind.choices);
+    rows.back().range = kind.layers ? "list of layers" : range_text(kind.quantity, kind.choices, kind.list);
     rows.back().default_value = default_text(kind);
   }
   return rows;
@@ -109,8 +111,8 @@ Json json_rows(const std::vector<Row>& rows, bool inputs) {
 
 }  // namespace
 
-void add_quantities(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_quantities(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("quantities", "List every key: symbol, unit, values, default and meaning");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print one JSON object");

@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 
 #include "db/query.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/read_filter.hpp"
 #include "studies/split.hpp"
@@ -89,8 +89,8 @@ void query(const QueryWords& words, Session& session) {
 
 }  // namespace
 
-void add_query(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("query", "Find stored evaluations by any input or output");
+void add_query(Command& program, Session& session) {
+  Command* command = program.add_subcommand("query", "Find stored evaluations by any input or output");
   const auto words = std::make_shared<QueryWords>();
   command->add_option("filters", words->filters,
                       "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study or a "
@@ -98,18 +98,17 @@ void add_query(CLI::App& program, Session& session) {
   command->add_option("--db", words->database, "database")->required();
   command->add_option("--columns", words->columns, "columns to print, separated by commas");
   command->add_option("--sort", words->sort, "columns to sort by, separated by commas; --sort=-KEY: largest first");
-  command->add_option_function<std::int64_t>(
-      "--limit", [words](const std::int64_t& limit) { words->limit = limit; }, "print no more than this many rows");
+  command->add_option("--limit", words->limit, "print no more than this many rows");
   command->add_option("--aggregate", words->aggregates,
                       "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
                       "(of a sample), sum or count and a column; sorted by as min_approach, count");
   command->add_option("--by", words->by, "columns, separated by commas: one row for each combination of their values");
-  CLI::Option* const sql = command->add_option(
+  CommandOption* const sql = command->add_option(
       "--sql", words->sql,
       "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
       "resistance, evaluation, study, study_point, fields, provenance");
   command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line)")
-      ->check(CLI::IsMember(table_formats));
+      ->one_of(table_formats);
   command->footer(
       "Exit status 1: nothing matches.\n"
       "Examples: rollres query --db results.db 'speed>0.1' 'load=20 kN/m' status=converged "
@@ -117,7 +116,7 @@ void add_query(CLI::App& program, Session& session) {
       "          rollres query --db results.db study=tyres --aggregate 'max rolling_resistance, mean approach, count' "
       "--by load");
   command->callback([words, sql, &session] {
-    words->with_sql = sql->count() > 0;
+    words->with_sql = sql->given();
     query(*words, session);
   });
 }

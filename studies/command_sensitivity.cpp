@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -7,6 +6,7 @@
 #include <ostream>
 
 #include "studies/bar_chart.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/design_scale.hpp"
 #include "studies/global_sensitivity.hpp"
@@ -201,8 +201,8 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
 
 }  // namespace
 
-void add_sensitivity(CLI::App& program, Session& session) {
-  CLI::App* const command =
+void add_sensitivity(Command& program, Session& session) {
+  Command* const command =
       program.add_subcommand("sensitivity", "Which inputs a result depends on: elasticities, or indices over ranges");
   const auto words = std::make_shared<SensitivityWords>();
   command->add_option("file", words->file, "scene file; with --indices also a study file")
@@ -212,20 +212,20 @@ void add_sensitivity(CLI::App& program, Session& session) {
       ->option_text("KEY");
   command->add_option("--set", words->overrides, "replace an input of the scene, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
-      ->allow_extra_args(false);
+      ->one_value_each();
   auto* const indices = command->add_option("--indices", words->indices, "sobol or morris: over ranges of the inputs")
-                            ->check(CLI::IsMember({"sobol", "morris"}));
-  const auto with_indices = [&](CLI::Option* option) { return option->needs(indices); };
+                            ->one_of({"sobol", "morris"});
+  const auto with_indices = [&](CommandOption* option) { return option->needs(indices); };
   with_indices(command->add_option("--range", words->ranges, "range of an input of a scene; may be repeated"))
       ->option_text("KEY=FROM:TO[:logarithmic]")
-      ->allow_extra_args(false);
+      ->one_value_each();
   with_indices(command->add_option("--samples", words->samples,
                                    "rows (sobol, default 256; a power of two) or trajectories (morris, default 20)"))
-      ->check(CLI::Range(2, 10'000'000))
+      ->between(2, 10'000'000)
       ->option_text("N");
   with_indices(command->add_option("--seed", words->seed, "of the sample; default 0"))->option_text("S");
   with_indices(command->add_option("--db", words->database, "database; every evaluation is stored and recalled"));
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->check(CLI::Range(1, 1024));
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--out", words->out, "draw bars with their errors as NAME.svg and NAME.png")->option_text("NAME");
   command->add_flag("--json", words->json, "print one JSON object");
   command->footer(

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <memory>
@@ -6,6 +5,7 @@
 
 #include "db/result_store.hpp"
 #include "db/schema.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/fields_file.hpp"
 #include "studies/readable_number.hpp"
@@ -129,18 +129,18 @@ void show(const ShowWords& words, Session& session) {
 
 }  // namespace
 
-void add_show(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("show", "Show the results of a study, or one evaluation in full");
+void add_show(Command& program, Session& session) {
+  Command* command = program.add_subcommand("show", "Show the results of a study, or one evaluation in full");
   const auto words = std::make_shared<ShowWords>();
   command->add_option("what", words->what, "name of a study, or number (id) of an evaluation")->required();
   command->add_option("--db", words->database, "database")->required();
   command->add_flag("--json", words->json, "print one JSON object");
-  CLI::Option* const fields =
+  CommandOption* const fields =
       command->add_option("--fields", words->fields, "write an evaluation's stored fields to DIR/fields.csv and .vti")
           ->option_text("DIR");
   command->footer("Example: rollres show --db results.db 'speed and load'");
   command->callback([words, fields, &session] {
-    words->with_fields = fields->count() > 0;
+    words->with_fields = fields->given();
     show(*words, session);
   });
 }

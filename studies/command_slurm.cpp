@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <ostream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
 #include "studies/shards.hpp"
@@ -56,18 +56,18 @@ void slurm(const SlurmWords& words, Session& session) {
 
 }  // namespace
 
-void add_slurm(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("slurm", "Write the scripts that run a study as a Slurm job array");
+void add_slurm(Command& program, Session& session) {
+  Command* command = program.add_subcommand("slurm", "Write the scripts that run a study as a Slurm job array");
   const auto words = std::make_shared<SlurmWords>();
   command->add_option("study", words->study, "study file")->required();
   command->add_option("--tasks", words->job.tasks, "number of shards, each a task of the array")
       ->required()
-      ->check(CLI::Range(1, most_shards));
+      ->between(1, most_shards);
   command->add_option("--db", words->database, "database that takes the results in the end")->required();
   command->add_option("--out", words->folder, "folder, seen by all nodes, for scripts, shards and logs")->required();
   command->add_option("--throttle", words->job.throttle, "tasks that run at a time; default: no limit")
-      ->check(CLI::Range(1, most_shards));
-  command->add_option("--cores", words->job.cores, "cores for each task; default: 1")->check(CLI::Range(1, 1024));
+      ->between(1, most_shards);
+  command->add_option("--cores", words->job.cores, "cores for each task; default: 1")->between(1, 1024);
   command->add_option("--time", words->job.time,
                       "time limit of a task, as sbatch takes it; a minute before it what is "
                       "solved is brought back");

@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/fields_file.hpp"
 #include "studies/scene_file.hpp"
@@ -41,21 +41,21 @@ void run_solve(const SolveOptions& options, bool with_fields, Session& session) 
 
 }  // namespace
 
-void add_solve(CLI::App& program, Session& session) {
-  CLI::App* const command = program.add_subcommand("solve", "Solve one scene and print its rolling resistance");
+void add_solve(Command& program, Session& session) {
+  Command* const command = program.add_subcommand("solve", "Solve one scene and print its rolling resistance");
   const auto options = std::make_shared<SolveOptions>();
   command->add_option("scene", options->scene, "Scene file (JSON)")->required()->option_text("SCENE");
   command->add_option("--set", options->overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
-      ->allow_extra_args(false);
+      ->one_value_each();
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_flag("--explain", options->explain,
                     "Print what was decided, left out and kept, one to a line, with the number it rests on");
-  CLI::Option* const fields =
+  CommandOption* const fields =
       command->add_option("--fields", options->fields, "Write the surface's fields to DIR/fields.csv and .vti")
           ->option_text("DIR");
   command->footer("Example: rollres solve studies/examples/paper_cylinder.json --set speed=\"36 km/h\" --fields out");
-  command->callback([options, fields, &session] { run_solve(*options, fields->count() > 0, session); });
+  command->callback([options, fields, &session] { run_solve(*options, fields->given(), session); });
 }
 
 }  // namespace rollres

@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <ostream>
 #include <sstream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
 #include "studies/readable_number.hpp"
@@ -187,28 +187,28 @@ void stability(const StabilityWords& words, Session& session) {
 
 }  // namespace
 
-void add_stability(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("stability", "Try the methods on random scenes: which fails where");
+void add_stability(Command& program, Session& session) {
+  Command* command = program.add_subcommand("stability", "Try the methods on random scenes: which fails where");
   const auto words = std::make_shared<StabilityWords>();
   command->add_option("--out", words->out, "folder for the table, the maps and the scenes that failed")
       ->required()
       ->option_text("DIR");
   command->add_option("--scenes", words->scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
-      ->check(CLI::Range(1, 100'000'000))
+      ->between(1, 100'000'000)
       ->option_text("N");
   command->add_option("--seed", words->seed, "of the random scenes; default: 1")->option_text("S");
   command->add_option("--methods", words->methods, "the methods to try, with commas between; default: all")
       ->delimiter(',')
-      ->allow_extra_args(false)
+      ->one_value_each()
       ->option_text("METHODS");
   command->add_option("--indenter", words->indenter, "cylinder, sphere or both (the default)")
-      ->check(CLI::IsMember({"cylinder", "sphere", "both"}))
+      ->one_of({"cylinder", "sphere", "both"})
       ->option_text("INDENTER");
   command->add_option("--jobs", words->jobs, "processes; default: one for each core")
-      ->check(CLI::Range(1, 1024))
+      ->between(1, 1024)
       ->option_text("N");
   command->add_option("--time-limit", words->time_limit, "for one scene, in seconds; default: 600")
-      ->check(CLI::PositiveNumber)
+      ->positive()
       ->option_text("SECONDS");
   command->add_flag("--json", words->json, "print the outcome as one JSON object");
   command->footer(

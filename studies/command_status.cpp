@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -6,6 +5,7 @@
 #include <stdexcept>
 
 #include "db/result_store.hpp"
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
 #include "studies/shards.hpp"
@@ -102,16 +102,16 @@ void status(const StatusWords& words, Session& session) {
 
 }  // namespace
 
-void add_status(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("status", "Tell what of a study is stored, and what is missing");
+void add_status(Command& program, Session& session) {
+  Command* command = program.add_subcommand("status", "Tell what of a study is stored, and what is missing");
   const auto words = std::make_shared<StatusWords>();
   command->add_option("study", words->study, "study file; left out: every study of the database");
   command->add_option("--db", words->databases,
                       "database; several are taken together; none: the whole study is missing");
-  CLI::Option* const shards =
+  CommandOption* const shards =
       command->add_option("--shards", words->shards, "number of shards: tell which have something missing")
-          ->check(CLI::Range(1, most_shards));
-  CLI::Option* const array =
+          ->between(1, most_shards);
+  CommandOption* const array =
       command->add_flag("--array", words->array, "print only these shards, as Slurm's --array takes them")
           ->needs(shards);
   command->add_flag("--json", words->json, "print one JSON object")->excludes(array);

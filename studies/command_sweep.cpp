@@ -1,7 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <ostream>
 
+#include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/progress.hpp"
 #include "studies/standalone_study.hpp"
@@ -88,19 +88,19 @@ void sweep(const SweepWords& words, Session& session) {
 
 }  // namespace
 
-void add_sweep(CLI::App& program, Session& session) {
-  CLI::App* command = program.add_subcommand("sweep", "Solve all points of a study and store each as it comes");
+void add_sweep(Command& program, Session& session) {
+  Command* command = program.add_subcommand("sweep", "Solve all points of a study and store each as it comes");
   const auto words = std::make_shared<SweepWords>();
   command->add_option("study", words->study, "study file")->required();
   command->add_option("--db", words->database, "database; created if it is missing")->required();
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->check(CLI::Range(1, 1024));
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--shard", words->shard,
                       "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together");
   command
       ->add_option("--retry", words->retry,
                    "solve again what is stored: failed (every point without an answer), not_converged, or all; the new "
                    "answer takes the place of the old one")
-      ->check(CLI::IsMember({"failed", "not_converged", "all"}));
+      ->one_of({"failed", "not_converged", "all"});
   command->add_flag("--fields", words->fields,
                     "store the fields on the surface too, for show --fields; solves points again that have none");
   command->add_flag("--json", words->json, "print the outcome as one JSON object");

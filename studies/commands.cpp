@@ -1,10 +1,11 @@
 #include "studies/commands.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
 #include <ostream>
 #include <stdexcept>
+
+#include "studies/command_line.hpp"
 
 #ifndef ROLLRES_VERSION
 #define ROLLRES_VERSION "0.1.0"
@@ -14,13 +15,13 @@ namespace rollres {
 
 namespace {
 
-using AddCommand = void (*)(CLI::App&, Session&);
+using AddCommand = void (*)(Command&, Session&);
 
 /// Every command, in the order of the help text.
 constexpr AddCommand commands[] = {
-    add_solve,  add_gradient, add_sensitivity, add_plan,     add_sweep,     add_optimise, add_fit,
-    add_status, add_list,     add_show,        add_query,    add_compare,   add_chart,    add_merge,
-    add_slurm,  add_export,   add_import,      add_accuracy, add_stability, add_schema,   add_quantities,
+    add_solve, add_figures, add_material, add_gradient, add_sensitivity, add_plan,    add_sweep,      add_optimise,
+    add_fit,   add_status,  add_list,     add_show,     add_query,       add_compare, add_chart,      add_merge,
+    add_slurm, add_export,  add_import,   add_accuracy, add_stability,   add_schema,  add_quantities,
 };
 
 /// A message as one line: what is not printable becomes a space.
@@ -35,10 +36,10 @@ int complain(Session& session, const std::string& message, int status) {
   return status;
 }
 
-void refuse_unknown_command(const CLI::App& program, const std::vector<std::string>& words) {
+void refuse_unknown_command(const Command& program, const std::vector<std::string>& words) {
   if (words.empty() || words.front().empty() || words.front().front() == '-') return;
   std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  for (const auto& command : program.subcommands()) names.push_back(command->name());
   const std::vector<std::string_view> known(names.begin(), names.end());
   if (find_name(known, words.front()) >= 0) return;
   const std::string nearest = nearest_name(known, words.front());
@@ -50,22 +51,14 @@ void refuse_unknown_command(const CLI::App& program, const std::vector<std::stri
 
 int run_program(std::vector<std::string> words, Session session) {
   try {
-    CLI::App program("Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.", "rollres");
-    program.set_version_flag("--version", "rollres " ROLLRES_VERSION);
-    program.set_help_flag("-h,--help", "Print this help");
-    program.require_subcommand(1);
+    Command program("rollres", "Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.",
+                    "rollres " ROLLRES_VERSION);
     program.footer(
         "Example: rollres solve studies/examples/paper_cylinder.json\n"
         "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
     for (const AddCommand add : commands) add(program, session);
-    try {
-      refuse_unknown_command(program, words);
-      std::reverse(words.begin(), words.end());  // as CLI11 wants them
-      program.parse(words);
-    } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() != 0) return complain(session, error.what(), ExitStatus::wrong_input);
-      program.exit(error, session.out, session.err);  // help or version
-    }
+    refuse_unknown_command(program, words);
+    program.parse(std::move(words), session.out, session.err);
     session.out.flush();
     if (!session.out) return complain(session, "standard output: cannot be written", ExitStatus::failure);
     return session.status;

@@ -13,11 +13,9 @@
 
 #include "core/rolling_contact.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace rollres {
+
+class Command;
 
 /// Exit status of the program.
 struct ExitStatus {
@@ -39,26 +37,28 @@ struct Session {
 /// never throws.
 int run_program(std::vector<std::string> words, Session session);
 
-void add_solve(CLI::App& program, Session& session);
-void add_gradient(CLI::App& program, Session& session);
-void add_sensitivity(CLI::App& program, Session& session);
-void add_plan(CLI::App& program, Session& session);
-void add_sweep(CLI::App& program, Session& session);
-void add_optimise(CLI::App& program, Session& session);
-void add_fit(CLI::App& program, Session& session);
-void add_merge(CLI::App& program, Session& session);
-void add_status(CLI::App& program, Session& session);
-void add_slurm(CLI::App& program, Session& session);
-void add_export(CLI::App& program, Session& session);
-void add_import(CLI::App& program, Session& session);
-void add_list(CLI::App& program, Session& session);
-void add_show(CLI::App& program, Session& session);
-void add_query(CLI::App& program, Session& session);
-void add_compare(CLI::App& program, Session& session);
-void add_chart(CLI::App& program, Session& session);
-void add_accuracy(CLI::App& program, Session& session);
-void add_stability(CLI::App& program, Session& session);
-void add_schema(CLI::App& program, Session& session);
-void add_quantities(CLI::App& program, Session& session);
+void add_solve(Command& program, Session& session);
+void add_figures(Command& program, Session& session);
+void add_material(Command& program, Session& session);
+void add_gradient(Command& program, Session& session);
+void add_sensitivity(Command& program, Session& session);
+void add_plan(Command& program, Session& session);
+void add_sweep(Command& program, Session& session);
+void add_optimise(Command& program, Session& session);
+void add_fit(Command& program, Session& session);
+void add_merge(Command& program, Session& session);
+void add_status(Command& program, Session& session);
+void add_slurm(Command& program, Session& session);
+void add_export(Command& program, Session& session);
+void add_import(Command& program, Session& session);
+void add_list(Command& program, Session& session);
+void add_show(Command& program, Session& session);
+void add_query(Command& program, Session& session);
+void add_compare(Command& program, Session& session);
+void add_chart(Command& program, Session& session);
+void add_accuracy(Command& program, Session& session);
+void add_stability(Command& program, Session& session);
+void add_schema(Command& program, Session& session);
+void add_quantities(Command& program, Session& session);
 
 }  // namespace rollres

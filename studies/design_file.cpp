@@ -34,7 +34,7 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
   if (!object.is_object()) refuse(variables_place, key, object, "must be an object with from and to");
   refuse_unknown_keys(object, variable_keys, place);
   const InputKind& kind = *find_input(key);
-  if (!kind.choices.empty() || kind.whole)
+  if (!kind.real())
     refuse(variables_place, key, object, "must be an input that is a real number");
 
   const Indenter indenter = indenter_of(scene);

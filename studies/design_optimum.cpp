@@ -1,9 +1,9 @@
 #include "studies/design_optimum.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "core/dense_algebra.hpp"
 #include "studies/readable_number.hpp"
 
 namespace rollres {
@@ -45,7 +45,7 @@ std::vector<double> non_negative_least_squares(const std::vector<std::vector<dou
     if (next < 0) break;
     free.push_back(next);
     while (!free.empty()) {
-      const Eigen::VectorXd wanted = a(Eigen::all, free).colPivHouseholderQr().solve(b);
+      const Eigen::VectorXd wanted = least_squares(a(Eigen::all, free), b);
       double part = 1;
       for (std::size_t k = 0; k < free.size(); ++k)
         if (const double from = x[free[k]], to = wanted[static_cast<Eigen::Index>(k)]; to <= 0)

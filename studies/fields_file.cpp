@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/surface_window.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/write_file.hpp"
 
@@ -79,13 +80,20 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields) {
     for (const double value : column.values) text += shortest(value) + '\n';
     close();
   }
-  auto component = [&](const std::vector<double>& values, std::size_t node) {
+  const auto component = [&](const std::vector<double>& values, std::size_t node) {
     return node < values.size() && std::isfinite(values[node]) ? values[node] : 0.0;
   };
-  open("Float64", "displacement", 3);
-  for (std::size_t node = 0; node < static_cast<std::size_t>(grid.size()); ++node)
-    text += triple(component(fields.u, node), component(fields.v, node), component(fields.w, node)) + '\n';
-  close();
+  const auto vectors = [&](const char* name, const std::vector<double>& x, const std::vector<double>& y,
+                           const std::vector<double>& z, double factor_z) {
+    open("Float64", name, 3);
+    for (std::size_t node = 0; node < static_cast<std::size_t>(grid.size()); ++node)
+      text += triple(component(x, node), component(y, node), factor_z * component(z, node) + 0.0) + '\n';
+    close();
+  };
+  vectors("displacement", fields.u, fields.v, fields.w, 1);
+  vectors("traction", fields.shear_x, fields.shear_y, fields.pressure, -1);
+  const SurfaceVelocity velocity = surface_velocity(scene, fields);
+  vectors("velocity", velocity.x, velocity.y, {}, 1);
   open("Int8", "zone", 1);
   for (const Zone zone : fields.zone) text += std::to_string(static_cast<int>(zone)) + '\n';
   close();

@@ -15,8 +15,9 @@ namespace rollres {
 /// zone (free, stick, slip). For a cylinder without what belongs to y. Unknown numbers are empty.
 std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields);
 
-/// The same as VTK XML image data, as ParaView opens it: each column under its name, zone as 0, 1, 2, and the vector
-/// "displacement" to warp by. A column with unknown numbers is left out.
+/// The same as VTK XML image data, as ParaView opens it: each column under its name, zone as 0, 1, 2, and the vectors
+/// "displacement" [m] to warp by, "traction" on the layer [Pa] and "velocity" of its surface in the horizontal [m/s]
+/// (surface_window.hpp). A column with unknown numbers is left out; in a vector they are zero.
 std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields);
 
 /// Writes fields.csv and fields.vti into a directory, which is created if need be.

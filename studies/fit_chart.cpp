@@ -203,7 +203,7 @@ std::filesystem::path draw_profile(const FitReport& report, std::size_t paramete
     return std::copysign(std::sqrt(std::max(point.rise, 0.0)), point.value - fitted.value);
   };
   for (std::size_t k = 0; k + 1 < known.size(); ++k)
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i <= 20; ++i) {
       const double part = i / 20.0, from = variable.scaled(known[k].value), to = variable.scaled(known[k + 1].value);
       const double rise = root(known[k]) + part * (root(known[k + 1]) - root(known[k]));
       picture.add(variable.value(from + part * (to - from)), {rise * rise});

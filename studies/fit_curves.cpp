@@ -25,7 +25,7 @@ double input_number(const RollingScene& scene, std::string_view key) {
   return number;
 }
 
-bool is_number(const std::string& key) { return find_input(key)->choices.empty(); }
+bool is_number(const std::string& key) { return find_input(key)->choices.empty() && !find_input(key)->list; }
 
 std::string horizontal(const FitFile& file) {
   const auto& varying = file.varying;

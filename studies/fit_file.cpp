@@ -8,6 +8,7 @@
 #include "db/digest.hpp"
 #include "db/result_store.hpp"
 #include "fitting/closed_form_start.hpp"
+#include "studies/fit_keys.hpp"
 #include "studies/measured_table.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/scene_entries.hpp"
@@ -41,15 +42,14 @@ GivenParameter given_parameter(const std::string& key, const Json& value, const 
   const std::string place = fit_place + ": parameters";
   const InputKind* const kind = find_input(key);
   if (!kind) refuse(place, key, value, unknown("unknown key", input_keys(), key));
-  if (!kind->choices.empty() || kind->whole) refuse(place, key, value, "must be an input that is a real number");
+  if (!kind->real()) refuse(place, key, value, "must be an input that is a real number");
   GivenParameter given{.key = key, .place = place + ": " + key, .set = ""};
   if (value.is_number() || value.is_string()) {
     given.start = value;
     return given;
   }
   if (!value.is_object()) refuse(place, key, value, parameter_rule);
-  constexpr std::string_view known[] = {"start", "lowest", "highest", "scale", "fixed", "data"};
-  refuse_unknown_keys(value, known, given.place);
+  refuse_unknown_keys(value, fit_parameter_keys, given.place);
   const auto take = [&](const char* name, std::optional<Json>& target) {
     if (const auto found = value.find(name); found != value.end()) target = *found;
   };
@@ -80,8 +80,7 @@ GivenSet given_set(const Json& value, const std::filesystem::path& fit_file, con
     return {.name = std::filesystem::path(file).stem().string(), .file = beside(file), .place = place};
   }
   if (!value.is_object()) refuse(fit_place, "data", value, "must be the name of a CSV file, an object or a list");
-  constexpr std::string_view known[] = {"file", "name", "set", "sigma", "comment"};
-  refuse_unknown_keys(value, known, place);
+  refuse_unknown_keys(value, data_set_keys, place);
   const std::string file = needed_text(value, "file", place, "must be the name of a CSV file");
   GivenSet given{.name = std::filesystem::path(file).stem().string(), .file = beside(file), .place = place};
   if (value.contains("name")) given.name = needed_text(value, "name", place, "must be a name");
@@ -153,6 +152,7 @@ SceneEntry entry_of(const MeasuredTable& table, const MeasuredColumn& column, st
 
 void refuse_unknown_columns(const MeasuredTable& table, const std::string& output) {
   std::vector<std::string_view> known = input_keys();
+  std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
   for (const std::string_view name : {std::string_view(output), std::string_view("sigma"), std::string_view("note")})
     known.push_back(name);
   for (const MeasuredColumn& column : table.columns)
@@ -162,8 +162,22 @@ void refuse_unknown_columns(const MeasuredTable& table, const std::string& outpu
   if (!table.find(output)) throw std::invalid_argument(table.file + ": has no column " + output);
 }
 
-/// Reads the rows of one data set into the fit.
-void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>& base, std::string& all_text) {
+bool gives(const std::vector<SceneEntry>& entries, std::string_view key) {
+  return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
+}
+
+/// Whether the scene has smooth answers without its spacing.
+bool smooth_without_spacing(const RollingScene& scene) {
+  if (!scene.spacing) return false;
+  if (scene.indenter == Indenter::sphere) return scene.method == Method::automatic || scene.method == Method::newton;
+  RollingScene free = scene;
+  free.spacing.reset();
+  return resolved_method(free) == Method::spectral;
+}
+
+/// Reads the rows of one data set into the fit. @param keep_spacing  the fit's own set has one
+void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>& base, bool keep_spacing,
+               std::string& all_text) {
   const MeasuredTable table = read_measured_table(set.file);
   all_text += table.text + '\n';
   refuse_unknown_columns(table, fit.output);
@@ -177,7 +191,15 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
       if (column.name != fit.output && column.name != "sigma" && column.name != "note")
         own.push_back(entry_of(table, column, row));
     const std::string place = table.place(row);
-    const RollingScene scene = scene_from(overridden(common, own), place);
+    RollingScene scene = scene_from(overridden(common, own), place);
+    if (!keep_spacing && !gives(set.set, "spacing") && !gives(own, "spacing") && smooth_without_spacing(scene)) {
+      if (fit.notes.empty())
+        fit.notes.push_back("spacing = " + readable(*scene.spacing, "m") +
+                            " of the scene left out, for answers without a grid's jumps: " +
+                            (scene.indenter == Indenter::sphere ? "the grid is tied to the contact"
+                                                                : "the edges of contact are continuous"));
+      scene.spacing.reset();
+    }
     if (!fit.scenes.empty() && scene.indenter != fit.indenter())
       throw std::invalid_argument(place + ": indenter: must be the same in all rows");
     const std::string_view unit = real_output(fit.output).unit_for(scene.indenter);
@@ -274,9 +296,7 @@ std::vector<SceneEntry> started(std::vector<SceneEntry> entries, const std::vect
 FitFile read_fit(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
-  constexpr std::string_view known[] = {"fit",        "scene",   "set",    "data", "parameters", "output", "loss",
-                                        "loss_scale", "weights", "starts", "seed", "step",       "comment"};
-  refuse_unknown_keys(object, known, place);
+  refuse_unknown_keys(object, fit_keys, place);
   FitFile fit;
   fit.name = needed_text(object, "fit", place, "must be the name of the fit");
   fit.source = place;
@@ -304,7 +324,8 @@ FitFile read_fit(const std::filesystem::path& file) {
   const auto base = started(overridden(scene_entries_of(object, file, place), set_entries(object, place)), given);
   std::string all_text;
   const std::vector<GivenSet> sets = given_sets(object, file, place);
-  for (const GivenSet& set : sets) read_rows(fit, set, base, all_text);
+  const bool keep_spacing = gives(set_entries(object, place), "spacing");
+  for (const GivenSet& set : sets) read_rows(fit, set, base, keep_spacing, all_text);
   fit.data_digest = digest(all_text);
   warn_of_repeated_rows(fit);
 

@@ -14,6 +14,9 @@
 /// is one deviation for all its rows. Where no row has a sigma, all residuals weigh the same, or with "weights":
 /// "relative" those relative to the measured value.
 ///
+/// A fixed grid's answers jump where nodes enter and leave the contact. Where the scene allows smooth ones (continuous
+/// edges, or a grid tied to a sphere's contact), its own spacing is left out; one in a `set` or a column is kept.
+///
 /// A parameter is a start, or an object with start, lowest, highest, scale ("logarithmic" or "linear"), fixed, and
 /// data: the set that it belongs to. Without a start, material parameters start from closed forms
 /// (closed_form_start.hpp), the others from the scene. Other keys: loss ("none", "huber", "cauchy"), loss_scale, starts
@@ -52,6 +55,7 @@ struct FitFile {
   std::optional<double> step = {};
   FitOptions options;
   std::vector<std::string> warnings = {};  ///< rows given twice, a negative output
+  std::vector<std::string> notes = {};     ///< a spacing of the scene that was left out
 
   Indenter indenter() const { return scenes.front().scene.indenter; }
 };

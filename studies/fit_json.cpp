@@ -74,6 +74,7 @@ Json json_of(const FitReport& report, const FitContext& context) {
               {"status", record.status},
               {"reason", record.reason},
               {"warnings", warnings},
+              {"model", context.notes},
               {"data_digest", record.data_digest},
               {"values", report.values.size()},
               {"deviations", report.deviations_known ? "absolute" : "scaled by the reduced chi squared"},

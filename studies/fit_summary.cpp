@@ -97,6 +97,7 @@ std::string fit_summary(const FitReport& report, const FitContext& context) {
   if (!report.reason.empty()) text << "reason   " << report.reason << '\n';
   for (const auto* const warnings : {&report.warnings, &context.data_warnings})
     for (const std::string& warning : *warnings) text << "warning  " << warning << '\n';
+  for (const std::string& note : context.notes) text << "model    " << note << '\n';
   for (const EvaluationLog::Failure& failure : report.failure_reasons)
     text << "failed   " << failure.count << " x " << failure.reason << " (first " << failure.first_place << ")\n";
   text << '\n';
@@ -106,9 +107,15 @@ std::string fit_summary(const FitReport& report, const FitContext& context) {
   write_statistics(text, report, context);
   const std::vector<FitCorrelationRecord> pairs = correlations_of(report);
   if (pairs.empty()) return text.str();
-  text << "\ncorrelations above 0.1\n";
-  for (const FitCorrelationRecord& pair : pairs)
-    text << "  " << padded(pair.first + ", " + pair.second, 44) << short_number(pair.correlation, 4) << '\n';
+  constexpr std::size_t most_shown = 12;
+  text << "\ncorrelations above 0.1"
+       << (pairs.size() > most_shown ? ", the " + std::to_string(most_shown) + " strongest of " +
+                                           std::to_string(pairs.size()) + " (--json has all)"
+                                     : "")
+       << '\n';
+  for (std::size_t i = 0; i < std::min(most_shown, pairs.size()); ++i)
+    text << "  " << padded(pairs[i].first + ", " + pairs[i].second, 44) << short_number(pairs[i].correlation, 4)
+         << '\n';
   return text.str();
 }
 

@@ -22,6 +22,7 @@ struct FitContext {
   };
   std::vector<Fixed> fixed = {};
   std::vector<std::string> data_warnings = {};
+  std::vector<std::string> notes = {};  ///< what the fit made of the scene
   std::size_t solved = 0, recalled = 0;
   double seconds = 0;
 };

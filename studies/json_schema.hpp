@@ -1,7 +1,7 @@
 #pragma once
 
-/// JSON schemas (draft-07) of scene and study files, for editors: made from the list of inputs and from the keys of a
-/// study, so that they hold what the readers accept. What joins several keys with their values, such as a unit that
+/// JSON schemas (draft-07) of the files that the program reads, for editors: made from the list of inputs and from the
+/// keys of each file, so that they hold what the readers accept. What joins several keys with their values, such as a unit that
 /// fits the quantity, is left to the readers.
 
 #include <string>
@@ -13,5 +13,11 @@ std::string scene_schema();
 
 /// The schema of a study file.
 std::string study_schema();
+
+/// The schema of a fit's file, of a scene or of a material.
+std::string fit_schema();
+
+/// The schema of an optimisation's file.
+std::string optimisation_schema();
 
 }  // namespace rollres

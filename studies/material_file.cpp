@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "db/digest.hpp"
+#include "studies/fit_keys.hpp"
 #include "studies/measured_table.hpp"
 #include "studies/strict_json.hpp"
 #include "studies/units.hpp"
@@ -85,9 +86,7 @@ bool is_material_fit(const std::filesystem::path& file) { return read_object(fil
 MaterialFile read_material_fit(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
-  constexpr std::string_view known[] = {"fit",   "material", "data",   "terms", "shift",  "reference_temperature",
-                                        "sigma", "modulus",  "starts", "seed",  "comment"};
-  refuse_unknown_keys(object, known, place);
+  refuse_unknown_keys(object, material_fit_keys, place);
   MaterialFile fit;
   fit.name = needed_text(object, "fit", place, "must be the name of the fit");
   fit.definition = object.dump(2);

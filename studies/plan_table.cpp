@@ -4,6 +4,9 @@
 #include <optional>
 #include <type_traits>
 
+#include "core/number_list.hpp"
+#include "db/layer_list.hpp"
+
 namespace rollres {
 
 namespace {
@@ -11,8 +14,12 @@ namespace {
 Cell cell_of(double value) { return value; }
 Cell cell_of(int value) { return std::int64_t{value}; }
 Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+Cell cell_of(const std::vector<double>& list) { return list.empty() ? Cell() : Cell(text_of_list(list)); }
+Cell cell_of(const BondedLayers& layers) { return layers.empty() ? Cell() : Cell(text_of_layers(layers)); }
 template <class Choice>
 requires std::is_enum_v<Choice> Cell cell_of(Choice choice) { return std::string(name_of(choice)); }
+
+}  // namespace
 
 Cell input_of(const RollingScene& scene, std::string_view key) {
   Cell cell;
@@ -21,8 +28,6 @@ Cell input_of(const RollingScene& scene, std::string_view key) {
   });
   return cell;
 }
-
-}  // namespace
 
 std::vector<Cell> stored_status(ResultStore& store, const StudyPlan& plan) {
   std::vector<Cell> status;

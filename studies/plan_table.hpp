@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "db/query.hpp"
@@ -11,6 +12,9 @@
 #include "studies/study.hpp"
 
 namespace rollres {
+
+/// An input of a scene as a cell; absent if it is not given.
+Cell input_of(const RollingScene& scene, std::string_view key);
 
 /// How many points of a study a database has.
 struct StoredPoints {

@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "studies/layer_entries.hpp"
+#include "studies/master_curve_file.hpp"
 #include "studies/units.hpp"
 
 namespace rollres {
@@ -22,6 +24,7 @@ void refuse_unknown_key(const SceneEntry& entry) {
   if (find_input(entry.key)) return;
   std::vector<std::string_view> known = input_keys();
   known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
+  known.push_back(master_curve_key);
   refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
 }
 
@@ -32,8 +35,7 @@ std::string wanted_unit(const Quantity& quantity, Indenter indenter) {
   return text;
 }
 
-double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
-  const Quantity& quantity = kind.quantity;
+double number(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
   const std::string_view unit = quantity.unit_for(indenter);
   auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
   if (entry.value.is_number()) return entry.value.get<double>();
@@ -45,7 +47,7 @@ double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter)
     fail(unit == "1" ? "must be a number without quotes"
                      : "must be a number without quotes, or have " + wanted_unit(quantity, indenter));
   try {
-    return si_value(text, unit);
+    return is_temperature(quantity) ? kelvin(text) : si_value(text, unit);
   } catch (const std::invalid_argument& error) {
     const bool per_body = !quantity.unit_2d.empty();
     fail(error.what() + (per_body ? " for a " + std::string(name_of(indenter)) : std::string()));
@@ -53,16 +55,30 @@ double number(const SceneEntry& entry, const InputKind& kind, Indenter indenter)
   return std::nan("");
 }
 
+/// A list whose values are as a number of the same quantity is.
+std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
+  if (!entry.value.is_array() || entry.value.empty())
+    refuse(entry.place, entry.key, entry.value, "must be a list of numbers: [1, 2]");
+  std::vector<double> values;
+  for (const Json& item : entry.value) {
+    const SceneEntry single{entry.key + "[" + std::to_string(values.size()) + "]", item, entry.place};
+    values.push_back(number(single, quantity, indenter));
+    if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.range.rule());
+  }
+  return values;
+}
+
 void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
   auto given = [&](std::string_view key) {
     return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
   };
-  const std::string material = "material \"" + std::string(name_of(scene.material)) + '"';
   for (const InputKind& kind : input_kinds()) {
-    const std::string needed_by = kind.needed_by();
-    if ((needed_by == "every scene" || needed_by == material) && !given(kind.quantity.key))
-      throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + needed_by +
-                                  " needs it (" + std::string(kind.quantity.unit_for(scene.indenter)) + ")");
+    const bool needed = kind.needed_by_all() || kind.needed_by(scene.material);
+    if (!needed || given(kind.quantity.key)) continue;
+    const std::string who =
+        kind.needed_by_all() ? "every scene" : "material \"" + std::string(name_of(scene.material)) + '"';
+    throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who + " needs it (" +
+                                std::string(kind.quantity.unit_for(scene.indenter)) + ")");
   }
 }
 
@@ -75,9 +91,11 @@ Indenter indenter_of(const std::vector<SceneEntry>& entries) {
   return scene.indenter;
 }
 
-std::vector<SceneEntry> scene_entries(const Json& object, const std::string& place) {
+std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,
+                                      const std::string& place) {
   std::vector<SceneEntry> entries;
-  for (const auto& [key, value] : object.items()) {
+  const Json complete = with_master_curve(object, folder, place);
+  for (const auto& [key, value] : complete.items()) {
     if (find_name(ignored_keys, key) >= 0) {
       if (!value.is_string()) refuse(place, key, value, "must be a text");
       continue;
@@ -97,17 +115,29 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
     if (equals == std::string::npos || equals == 0)
       throw std::invalid_argument(place + ": " + word + ": must be KEY=VALUE");
     SceneEntry entry{word.substr(0, equals), word.substr(equals + 1), place};
-    if (const auto value = plain_number(word.substr(equals + 1))) {
+    if (word[equals + 1] == '[') {
+      entry.value = Json::parse(word.begin() + static_cast<std::ptrdiff_t>(equals) + 1, word.end(), nullptr, false);
+      if (!entry.value.is_array()) refuse(place, entry.key, word.substr(equals + 1), "must be a list: [1, 2]");
+    } else if (const auto value = plain_number(word.substr(equals + 1))) {
       constexpr double exact = 1e15;  // whole numbers are shown without a decimal point
       if (*value == std::floor(*value) && std::abs(*value) < exact)
         entry.value = static_cast<long long>(*value);
       else
         entry.value = *value;
     }
-    refuse_unknown_key(entry);
-    for (const SceneEntry& earlier : entries)
-      if (earlier.key == entry.key) refuse(place, entry.key, entry.value, "key given twice");
-    entries.push_back(std::move(entry));
+    std::vector<SceneEntry> meant{entry};
+    if (entry.key == master_curve_key) {
+      meant.clear();
+      const Json lists = with_master_curve(Json{{entry.key, word.substr(equals + 1)}}, {}, place);
+      for (const auto& [key, value] : lists.items()) meant.push_back({key, value, place});
+    } else {
+      refuse_unknown_key(entry);
+    }
+    for (SceneEntry& one : meant) {
+      for (const SceneEntry& earlier : entries)
+        if (earlier.key == one.key) refuse(place, one.key, one.value, "key given twice");
+      entries.push_back(std::move(one));
+    }
   }
   return entries;
 }
@@ -127,18 +157,24 @@ std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::v
 InputValue input_value(const SceneEntry& entry, Indenter indenter) {
   const InputKind* const kind = find_input(entry.key);
   if (!kind) refuse(entry.place, entry.key, entry.value, "unknown key");
+  return input_value(entry, *kind, indenter);
+}
+
+InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
+  if (kind.layers) return layers_of(entry);
   auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
-  if (!kind->choices.empty()) {
-    const std::string rule = "must be one of " + joined(kind->choices);
+  if (!kind.choices.empty()) {
+    const std::string rule = "must be one of " + joined(kind.choices);
     if (!entry.value.is_string()) fail(rule);
     const auto& name = entry.value.get_ref<const std::string&>();
-    if (find_name(kind->choices, name) < 0) fail(unknown(rule, kind->choices, name));
+    if (find_name(kind.choices, name) < 0) fail(unknown(rule, kind.choices, name));
     return name;
   }
-  const double value = number(entry, *kind, indenter);
-  const bool whole = !kind->whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
+  if (kind.list) return numbers(entry, kind.quantity, indenter);
+  const double value = number(entry, kind.quantity, indenter);
+  const bool whole = !kind.whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
   if (!whole) fail("must be a whole number");
-  if (!kind->quantity.range.contains(value)) fail(kind->quantity.range.rule());
+  if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
   return value;
 }
 

@@ -8,6 +8,9 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/number_list.hpp"
+#include "db/layer_list.hpp"
+
 namespace rollres {
 
 namespace {
@@ -20,6 +23,12 @@ InputKind kind_of(const Quantity& quantity, const Value& value) {
     kind.default_value = std::string(name_of(value));
   } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
     kind.optional = true;
+  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+    kind.list = true;
+    kind.default_value = value;
+  } else if constexpr (std::is_same_v<Value, BondedLayers>) {
+    kind.list = kind.layers = true;
+    kind.default_value = value;
   } else {
     kind.whole = std::is_integral_v<Value>;
     kind.default_value = static_cast<double>(value);
@@ -38,6 +47,14 @@ void assign(Value& target, std::string_view key, const InputValue& value) {
     const int found = name ? find_name(ChoiceNames<Value>::names, *name) : -1;
     if (found < 0) refuse_value(key, value, "unknown name");
     target = static_cast<Value>(found);
+  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+    const auto* const list = std::get_if<Value>(&value);
+    if (!list) refuse_value(key, value, "must be a list of numbers");
+    target = *list;
+  } else if constexpr (std::is_same_v<Value, BondedLayers>) {
+    const auto* const layers = std::get_if<Value>(&value);
+    if (!layers) refuse_value(key, value, "must be a list of layers");
+    target = *layers;
   } else {
     const auto* const number = std::get_if<double>(&value);
     if (!number) refuse_value(key, value, "must be a number");
@@ -53,11 +70,22 @@ void assign(Value& target, std::string_view key, const InputValue& value) {
 
 }  // namespace
 
+bool InputKind::needed_by_all() const {
+  const auto* const number = std::get_if<double>(&default_value);
+  return !optional && number && !quantity.range.contains(*number);
+}
+
+bool InputKind::needed_by(MaterialModel material) const {
+  return find_name(needed_inputs(material), quantity.key) >= 0;
+}
+
 std::string InputKind::needed_by() const {
-  if (optional || !choices.empty()) return {};
-  if (!quantity.range.contains(std::get<double>(default_value))) return "every scene";
-  if (quantity.key == "stiffening" || quantity.key == "creep_time") return "material \"zener\"";
-  return {};
+  if (needed_by_all()) return "every scene";
+  std::string names;
+  for (std::size_t i = 0; i < ChoiceNames<MaterialModel>::names.size(); ++i)
+    if (needed_by(static_cast<MaterialModel>(i)))
+      names += (names.empty() ? "material " : " or ") + std::string(ChoiceNames<MaterialModel>::names[i]);
+  return names;
 }
 
 const std::vector<InputKind>& input_kinds() {
@@ -82,6 +110,10 @@ std::vector<std::string_view> replaced_inputs(std::string_view key, const InputV
   if (key == "approach") return {"load"};
   if (key == "spacing") return {"tolerance"};
   if (key == "tolerance") return {"spacing"};
+  if (key == "static_shear_modulus") return {"static_young_modulus"};
+  if (key == "static_young_modulus") return {"static_shear_modulus"};
+  if (key == "activation_energy") return {"wlf_c1", "wlf_c2"};
+  if (key == "wlf_c1" || key == "wlf_c2") return {"activation_energy"};
   std::vector<std::string_view> keys;
   if (key == "drive") {
     const auto* const drive = std::get_if<std::string>(&value);
@@ -101,6 +133,12 @@ void assign_input(RollingScene& scene, std::string_view key, const InputValue& v
   if (!found) refuse_value(key, value, "unknown key");
 }
 
+void assign_layer_input(BondedLayer& layer, std::string_view key, const InputValue& value) {
+  visit_layer_inputs(layer, [&](const Quantity& quantity, auto& target) {
+    if (quantity.key == key) assign(target, key, value);
+  });
+}
+
 void set_input(RollingScene& scene, std::string_view key, const InputValue& value) {
   assign_input(scene, key, value);
   const std::vector<std::string_view> replaced = replaced_inputs(key, value);
@@ -112,6 +150,8 @@ void set_input(RollingScene& scene, std::string_view key, const InputValue& valu
 
 std::string text_of(const InputValue& value) {
   if (const auto* const name = std::get_if<std::string>(&value)) return '"' + *name + '"';
+  if (const auto* const list = std::get_if<std::vector<double>>(&value)) return text_of_list(*list);
+  if (const auto* const layers = std::get_if<BondedLayers>(&value)) return text_of_layers(*layers);
   const double number = std::get<double>(value);
   if (std::isinf(number) && number > 0) return "\"infinite\"";
   std::array<char, 40> digits;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "db/layer_list.hpp"
 #include "studies/strict_json.hpp"
 
 namespace rollres {
@@ -26,6 +27,10 @@ Json inputs_json(const RollingScene& scene) {
     const std::string key(quantity.key);
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>) {
       if (value) object[key] = json_of(*value);
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
+      if (!value.empty()) object[key] = value;
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>) {
+      if (!value.empty()) object[key] = Json::parse(text_of_layers(value));
     } else if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
       object[key] = std::isinf(value) ? Json("infinite") : json_of(value);
     } else {

@@ -53,10 +53,10 @@ std::uint64_t mixed(std::uint64_t bits) {
 double load_for(const RollingScene& scene, double half_width) {
   const auto excess = [&](double log_load) {
     const ContactEstimate found = elastic_contact_from_load(scene.indenter, scene.radius, scene.layer_thickness,
-                                                            scene.static_shear_modulus, std::exp(log_load));
+                                                            *scene.static_shear_modulus, std::exp(log_load));
     return std::log(found.half_width / half_width);
   };
-  double low = std::log(scene.static_shear_modulus * half_width * half_width / scene.radius *
+  double low = std::log(*scene.static_shear_modulus * half_width * half_width / scene.radius *
                         (scene.indenter == Indenter::sphere ? half_width : 1));
   double high = low;
   while (excess(low) > 0) low -= 1;

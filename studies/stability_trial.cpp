@@ -7,6 +7,8 @@
 #include <sstream>
 #include <type_traits>
 
+#include "core/number_list.hpp"
+#include "db/layer_list.hpp"
 #include "studies/solution_json.hpp"
 #include "studies/strict_json.hpp"
 
@@ -138,6 +140,10 @@ std::vector<Cell> input_cells(const RollingScene& scene) {
       cells.push_back(value ? Cell(*value) : Cell());
     else if constexpr (std::is_integral_v<Value>)
       cells.emplace_back(static_cast<std::int64_t>(value));
+    else if constexpr (std::is_same_v<Value, std::vector<double>>)
+      cells.push_back(value.empty() ? Cell() : Cell(text_of_list(value)));
+    else if constexpr (std::is_same_v<Value, BondedLayers>)
+      cells.push_back(value.empty() ? Cell() : Cell(text_of_layers(value)));
     else
       cells.push_back(std::isnan(value) ? Cell() : Cell(value));
   });

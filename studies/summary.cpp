@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "db/layer_list.hpp"
 #include "studies/readable_number.hpp"
 
 namespace rollres {
@@ -15,6 +16,17 @@ namespace {
 struct Line {
   std::string key, symbol, value;
 };
+
+/// Short lists in full, of longer ones the ends.
+std::string list_text(const std::vector<double>& values, std::string_view unit) {
+  constexpr std::size_t most = 6;
+  std::string text;
+  if (values.size() > most)
+    return std::to_string(values.size()) + " values, " + readable(values.front(), unit) + " ... " +
+           readable(values.back(), unit);
+  for (const double value : values) text += (text.empty() ? "" : ", ") + readable(value, unit);
+  return text;
+}
 
 template <class Value>
 std::string value_text(const Value& value, std::string_view unit) {
@@ -26,6 +38,10 @@ std::string value_text(const Value& value, std::string_view unit) {
     return std::isnan(value) ? "" : readable(value, unit);
   else if constexpr (std::is_integral_v<Value>)
     return std::to_string(value);
+  else if constexpr (std::is_same_v<Value, std::vector<double>>)
+    return list_text(value, unit);
+  else if constexpr (std::is_same_v<Value, BondedLayers>)
+    return value.empty() ? "" : text_of_layers(value);
   else
     return "";  // texts stand at the top
 }

@@ -24,7 +24,7 @@ void write_json(std::ostream& out, const Table& table);
 /// The objects of write_json, each on a line of its own (JSON lines).
 void write_json_lines(std::ostream& out, const Table& table);
 
-inline constexpr std::array table_formats{"table", "csv", "json", "jsonl"};
+inline constexpr std::array<std::string_view, 4> table_formats{"table", "csv", "json", "jsonl"};
 
 /// One of the above, by its name; of an empty table nothing as "table".
 void write_table(std::ostream& out, const Table& table, std::string_view format);

@@ -93,7 +93,7 @@ std::optional<double> plain_number(std::string_view text) {
 }
 
 std::string unit_in_words(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> measures{{{"m", "length"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> measures{{{"m", "length"},
                                                                                     {"m2", "area"},
                                                                                     {"m/s", "speed"},
                                                                                     {"s", "time"},
@@ -105,28 +105,54 @@ std::string unit_in_words(std::string_view unit) {
                                                                                     {"W/m", "power per length"},
                                                                                     {"kg/m3", "density"},
                                                                                     {"rad/s", "rotational speed"},
-                                                                                    {"K", "temperature"}}};
+                                                                                    {"K", "temperature"},
+                                                                                    {"Hz", "frequency"},
+                                                                                    {"J/mol", "molar energy"}}};
   for (const auto& [known, measure] : measures)
     if (known == unit) return "a unit of " + std::string(measure) + " (" + std::string(unit) + ")";
   return "a unit that converts to " + std::string(unit);
 }
 
-double si_value(std::string_view text, std::string_view unit) {
+namespace {
+
+/// A number with a unit, taken apart.
+struct NumberWithUnit {
+  double number;
+  Converter to_si;
+};
+
+NumberWithUnit number_with_unit(std::string_view text, std::string_view unit, const std::string& rule) {
   const Leading leading = leading_number(text);
   if (std::isnan(leading.number)) throw std::invalid_argument("must be a finite number, or one with a unit");
-  const std::string rule =
-      unit == "1" ? std::string("must be a number without a unit") : "must have " + unit_in_words(unit);
   // A second number ("5 10 mm") or a sum ("5 +3 mm") would be read by the library as part of the unit.
   if (leading.rest.empty() || std::string_view("+-.0123456789").find(leading.rest.front()) != std::string_view::npos)
     throw std::invalid_argument(rule);
-  const Converter to_si = converter(std::string(leading.rest), std::string(unit));
+  Converter to_si = converter(std::string(leading.rest), std::string(unit));
   if (!to_si) throw std::invalid_argument(rule);
+  return {leading.number, std::move(to_si)};
+}
+
+double finite(double value) {
+  if (!std::isfinite(value)) throw std::invalid_argument("must be a finite number");
+  return value;
+}
+
+}  // namespace
+
+double si_value(std::string_view text, std::string_view unit) {
+  const std::string rule =
+      unit == "1" ? std::string("must be a number without a unit") : "must have " + unit_in_words(unit);
+  const auto [number, to_si] = number_with_unit(text, unit, rule);
   // Scales with an origin (degC, "m since 3") or a logarithm have no place here.
   const double one = cv_convert_double(to_si.get(), 1.0);
   if (cv_convert_double(to_si.get(), 0.0) != 0.0 || !std::isfinite(one) || one <= 0) throw std::invalid_argument(rule);
-  const double value = cv_convert_double(to_si.get(), leading.number);
-  if (!std::isfinite(value)) throw std::invalid_argument("must be a finite number");
+  const double value = finite(cv_convert_double(to_si.get(), number));
   return one == 1.0 ? value : with_15_digits(value);
+}
+
+double kelvin(std::string_view text) {
+  const auto [number, to_si] = number_with_unit(text, "K", "must have a unit of temperature (K or degC)");
+  return with_15_digits(finite(cv_convert_double(to_si.get(), number)));
 }
 
 }  // namespace rollres

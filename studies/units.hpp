@@ -20,6 +20,10 @@ std::optional<double> plain_number(std::string_view text);
 /// @throws std::runtime_error if the database of units is not installed
 double si_value(std::string_view text, std::string_view unit);
 
+/// A temperature on a scale with any origin in K: "20 degC", "-4 °F", "293.15 K"; 15 significant digits.
+/// @throws as si_value
+double kelvin(std::string_view text);
+
 /// A unit with what it measures: "a unit of speed (m/s)".
 std::string unit_in_words(std::string_view unit);
 

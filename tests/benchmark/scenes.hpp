@@ -33,7 +33,7 @@ inline RollingScene elastic_sphere(double nodes_per_radius) {
   scene.friction_coefficient = 0.25;
   scene.drive = Drive::torque;
   scene.driving_torque = 0.5 * scene.friction_coefficient * *scene.load * scene.radius;
-  scene.spacing = std::cbrt(3 * *scene.load * scene.radius / (16 * scene.static_shear_modulus)) / nodes_per_radius;
+  scene.spacing = std::cbrt(3 * *scene.load * scene.radius / (16 * *scene.static_shear_modulus)) / nodes_per_radius;
   return scene;
 }
 

@@ -104,7 +104,7 @@ TEST_CASE("the estimate of a contact on a compressible layer is within a fifth",
         RollingScene scene = elastic_scene(indenter, {thickness, nu});
         scene.load = indenter == Indenter::sphere ? 5.0 : 500.0;
         const ContactEstimate estimate =
-            elastic_contact_from_load(indenter, 1, {thickness, nu}, scene.static_shear_modulus, *scene.load);
+            elastic_contact_from_load(indenter, 1, {thickness, nu}, *scene.static_shear_modulus, *scene.load);
         scene.spacing = estimate.half_width / 20;
         const RollingSolution s = solve(scene);
         INFO(name_of(indenter) << ", nu = " << nu << ", H = " << thickness << ", a = " << estimate.half_width);

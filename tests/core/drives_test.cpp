@@ -202,7 +202,7 @@ TEST_CASE("only ratios matter: lengths, stresses and times scale away", "[core][
     scaled.radius *= length;
     scaled.layer_thickness *= length;
     *scaled.spacing *= length;
-    scaled.static_shear_modulus *= stress;
+    *scaled.static_shear_modulus *= stress;
     scaled.creep_time *= time;
     scaled.speed *= length / time;
     const double force = stress * (scene.indenter == Indenter::sphere ? length * length : length);

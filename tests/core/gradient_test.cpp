@@ -43,7 +43,7 @@ InputGradient slope_of(const Objective& f, int order = 4) {
 }
 
 double hunter(const RollingScene& scene) {
-  return hunter_line(scene.radius, *scene.load, scene.static_shear_modulus, scene.stiffening, scene.creep_time,
+  return hunter_line(scene.radius, *scene.load, *scene.static_shear_modulus, scene.stiffening, scene.creep_time,
                      scene.speed)
       .rolling_resistance;
 }

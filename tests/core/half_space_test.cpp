@@ -44,7 +44,7 @@ double pressure_error(const RollingSolution& s, const Closed& closed, double cen
 RollingScene hunter_scene(double ratio, double stiffening) {
   RollingScene scene = on_half_space(Indenter::cylinder);
   const double half_width = 0.01;
-  scene.load = M_PI * scene.static_shear_modulus * half_width * half_width / scene.radius;
+  scene.load = M_PI * *scene.static_shear_modulus * half_width * half_width / scene.radius;
   scene.stiffening = stiffening;
   scene.creep_time = ratio * half_width / scene.speed;
   scene.spacing = half_width / 100;
@@ -52,7 +52,7 @@ RollingScene hunter_scene(double ratio, double stiffening) {
 }
 
 HunterLine closed_form(const RollingScene& s) {
-  return hunter_line(s.radius, *s.load, s.static_shear_modulus, s.stiffening, s.creep_time, s.speed);
+  return hunter_line(s.radius, *s.load, *s.static_shear_modulus, s.stiffening, s.creep_time, s.speed);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_CASE("a cylinder on a Zener half-space has Hunter's resistance at any speed
     for (const double creep : {1e-6, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e6}) {
       RollingScene scene = half_space_scene(creep, stiffening);
       const HunterLine exact =
-          hunter_line(scene.radius, *scene.load, scene.static_shear_modulus, stiffening, creep, 1e-5);
+          hunter_line(scene.radius, *scene.load, *scene.static_shear_modulus, stiffening, creep, 1e-5);
       const RollingSolution solution = spectral(scene);
       CAPTURE(stiffening, creep);
       // Where R_r/P is 1e-6 of the slopes, rounding takes digits.

@@ -44,7 +44,7 @@ LimitError fast_error(RollingScene scene, double speed) {
   REQUIRE(s.status == Status::converged);
   RollingScene glassy = scene;
   glassy.material = MaterialModel::elastic;
-  glassy.static_shear_modulus *= 1 + scene.stiffening;
+  *glassy.static_shear_modulus *= 1 + scene.stiffening;
   const RollingSolution elastic = solve(glassy);
   double moment = 0, sum = 0;
   const SurfaceGrid& grid = elastic.fields.grid;

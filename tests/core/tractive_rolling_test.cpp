@@ -23,7 +23,7 @@ RollingScene carter_scene(double used_friction, int nodes_in_half, double fricti
   scene.layer_thickness = infinite;
   scene.static_shear_modulus = 1e6;
   scene.speed = 1;
-  scene.load = M_PI * scene.static_shear_modulus * a * a / scene.radius;
+  scene.load = M_PI * *scene.static_shear_modulus * a * a / scene.radius;
   scene.friction_coefficient = friction;
   scene.drive = Drive::torque;
   scene.driving_torque = used_friction * scene.friction_coefficient * *scene.load * scene.radius;
@@ -32,7 +32,7 @@ RollingScene carter_scene(double used_friction, int nodes_in_half, double fricti
 }
 
 CarterLine carter(const RollingScene& s) {
-  return carter_line(s.radius, *s.load, s.static_shear_modulus, s.friction_coefficient, *s.driving_torque);
+  return carter_line(s.radius, *s.load, *s.static_shear_modulus, s.friction_coefficient, *s.driving_torque);
 }
 
 int sticking(const RollingSolution& s) { return s.contact_nodes - s.slip_nodes; }
@@ -104,7 +104,7 @@ TEST_CASE("a cylinder on an elastic layer of thirty contact lengths creeps as Ca
   const double step = 0.01;
   double integral = 0;  // trapezoidal: the integrand is even and falls off like e^{-2h}
   for (double h = step; h < 20; h += step) integral += step * h * layer_symbols(h, 1).cross;
-  const double stretch = *deep.load * integral / (deep.static_shear_modulus * M_PI * layered.layer_thickness);
+  const double stretch = *deep.load * integral / (*deep.static_shear_modulus * M_PI * layered.layer_thickness);
   // The mean of driven and braked creepage holds terms of the order (a/R)^2 as well, the same on the half-space.
   const auto mean = [&](const RollingScene& scene) {
     return 0.5 * (solve(scene).rotation_ratio + solve(braked(scene)).rotation_ratio);
@@ -136,7 +136,7 @@ TEST_CASE("a sphere's traction at small creepage is Kalker's C11", "[core][tract
     CHECK(s.law_violation < 1e-8);
     return -s.driving_force;  // of the layer on the body
   };
-  const double kalker = kalker_force(a, scene.static_shear_modulus, 2 * creepage);
+  const double kalker = kalker_force(a, *scene.static_shear_modulus, 2 * creepage);
   const auto error = [&](int nodes) { return (force(1 + creepage, nodes) - force(1 - creepage, nodes)) / kalker - 1; };
   const double coarse = error(10), fine = error(20);
   // First order in the spacing, as the stencil and the whole cells in contact: 0.4 of a cell in the half-width.

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/material.hpp"
-#include "fitting/nonnegative_least_squares.hpp"
+#include "core/nonnegative_least_squares.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 
@@ -36,7 +36,7 @@ std::vector<MeasuredModulus> measured_moduli(const Material& material, double no
 
 TEST_CASE("a fractional Zener solid of order 1 and a Prony series of one term are Zener solids", "[core][material]") {
   const RollingScene scene = plain_scene();
-  const double g0 = scene.static_shear_modulus, f = scene.stiffening, tau = scene.creep_time;
+  const double g0 = *scene.static_shear_modulus, f = scene.stiffening, tau = scene.creep_time;
   for (const double omega : {-3.0, 0.01, 1.0, 30.0, 1e4}) {
     const auto zener = complex_modulus(scene, omega);
     CHECK(std::abs(complex_modulus(FractionalZener{g0, f, tau, 1}, omega) - zener) < 1e-14 * std::abs(zener));
@@ -96,6 +96,19 @@ TEST_CASE("a Prony series with a number of terms of its own follows a fractional
     CHECK(std::abs(found.modulus(omega, 293.15) - exact) < 0.05 * std::abs(exact));
   }
   CHECK(fit_material(data, {.terms = 5, .options = {.profiles = false}}).prony.terms.size() <= 5);
+}
+
+TEST_CASE("an automatic Prony series has only terms that the data bind, and a true band", "[fitting][material_fit]") {
+  auto data = measured_moduli(FractionalZener{1e6, 300, 2, 0.5}, 0.02);
+  const MaterialFit found = fit_material(data, {.deviations_known = true});
+  INFO(name_of(found.report.status) << ": " << found.report.reason);
+  CHECK(found.report.status >= FitStatus::usable_with_warnings);
+  for (const FittedParameter& fitted : found.report.parameters) CHECK(!fitted.profile.interval.open());
+  for (const std::size_t i : {0, 7, 24}) {
+    const auto error = found.modulus_error(data[i].angular_frequency, data[i].temperature);
+    CHECK(error.real() == Approx(found.report.values[2 * i].band).epsilon(1e-3));
+    CHECK(error.imag() == Approx(found.report.values[2 * i + 1].band).epsilon(1e-3));
+  }
 }
 
 TEST_CASE("a Zener solid's moduli at two temperatures give it back with Arrhenius' energy", "[fitting][material_fit]") {

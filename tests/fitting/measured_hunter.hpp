@@ -14,7 +14,7 @@
 /// Hunter's closed form in place of a solver.
 inline rollres::RollingSolution hunter_resistance(const rollres::RollingScene& scene) {
   rollres::RollingSolution solution;
-  solution.rolling_resistance = rollres::hunter_line(scene.radius, *scene.load, scene.static_shear_modulus,
+  solution.rolling_resistance = rollres::hunter_line(scene.radius, *scene.load, *scene.static_shear_modulus,
                                                      scene.stiffening, scene.creep_time, scene.speed)
                                     .rolling_resistance;
   solution.status = rollres::Status::converged;

@@ -67,8 +67,11 @@ TEST_CASE("errors, correlations and intervals agree with lmfit on the same resid
     CHECK(report.errors.correlations(0, 1) == Approx(0.9976098).epsilon(1e-3));
     CHECK(report.errors.correlations(0, 2) == Approx(-0.9924298).epsilon(1e-3));
     CHECK(report.errors.correlations(1, 2) == Approx(-0.9913880).epsilon(1e-3));
-    CHECK(report.parameters[0].profile.interval.lowest == Approx(705484.6).epsilon(0.01));
-    CHECK(report.parameters[0].profile.interval.highest == Approx(1340496.2).epsilon(0.01));
+    const double lowest[] = {705484.63, 1.3731040, 0.089393894}, highest[] = {1340496.2, 2.8589335, 0.11703329};
+    for (std::size_t j = 0; j < 3; ++j) {
+      CHECK(report.parameters[j].profile.interval.lowest == Approx(lowest[j]).epsilon(0.01));
+      CHECK(report.parameters[j].profile.interval.highest == Approx(highest[j]).epsilon(0.01));
+    }
   }
   SECTION("unknown ones are scaled by the reduced chi squared") {
     const FitReport report = fit(problem);
@@ -110,11 +113,15 @@ TEST_CASE("speeds on one flank of the peak do not identify the material", "[fitt
   // Far below the peak the resistance is P V tau f/(1 + f)/R, whatever G0 is.
   const auto scenes = measured(quick_resistance, spread_speeds(1e-4, 1e-3, 8), {1e4}, 0.02);
   const FitReport report = fit(known(resistance_problem(scenes, zener_inputs(), quick_resistance)));
-  CHECK(name_of(report.status) == "NOT IDENTIFIED");
   INFO(report.reason);
-  CHECK(std::any_of(report.parameters.begin(), report.parameters.end(), [](const FittedParameter& fitted) {
-    return fitted.profile.interval.open() && fitted.flag.find("not bounded") != std::string::npos;
-  }));
+  CHECK(name_of(report.status) == "NOT IDENTIFIED");
+  CHECK_THAT(report.reason, Catch::Contains("stiffening and creep_time are not separable by these data") ||
+                                Catch::Contains("creep_time and stiffening are not separable by these data") ||
+                                Catch::Contains("static_shear_modulus"));
+  for (const std::size_t j : {0, 1}) {  // G0 has no effect; f tends to infinity as tau f/(1 + f) is kept
+    CHECK(report.parameters[j].profile.interval.open());
+    CHECK_THAT(report.parameters[j].flag, Catch::Contains("not bounded"));
+  }
 }
 
 TEST_CASE("a step far below the model's noise is never called a success", "[fitting][resistance_fit]") {
@@ -190,19 +197,44 @@ TEST_CASE("scenes without an answer are stepped back from and recorded", "[fitti
   CHECK_THAT(none.reason, Catch::Contains("row 1"));
 }
 
-TEST_CASE("robust losses keep an outlier from moving the fit", "[fitting][resistance_fit]") {
+TEST_CASE("an outlier moves a robust fit by no more than its bounded influence", "[fitting][resistance_fit]") {
+  // A residual pulls with at most c (Huber) or c/2 (Cauchy, at c), and so moves the parameters by at most that times
+  // sqrt(a^T C a) standard errors: a its row of the whitened slopes, C the covariance of the fit without it.
   auto scenes = measured(quick_resistance, spread_speeds(0.003, 3, 10), {1e4, 3e4}, 0.01, 5, 0.01);
-  scenes[4].measured.value *= 1.6;
-  FitProblem problem = known(resistance_problem(scenes, zener_inputs(), quick_resistance));
-  const double plain = error_of(fit(problem, {.profiles = false}), 2, 0.1);
-  for (const Loss loss : {Loss::huber, Loss::cauchy})
+  constexpr std::size_t outlier = 4;
+  const auto all = [&](const FitReport& report) {
+    return Eigen::Vector3d(report.parameters[0].value, report.parameters[1].value, report.parameters[2].value);
+  };
+  for (const Loss loss : {Loss::none, Loss::huber, Loss::cauchy})
     for (const bool deviations : {true, false}) {
-      problem.loss = loss;
-      problem.loss_scale = usual_loss_scale(loss);
-      problem.deviations_known = deviations;
-      const FitReport report = fit(problem, {.profiles = false});
-      CHECK(error_of(report, 2, 0.1) < 0.5 * plain);
-      CHECK(report.largest_residual == 4);
+      const auto fitted = [&](const std::vector<MeasuredScene>& rows) {
+        FitProblem problem = resistance_problem(rows, zener_inputs(), quick_resistance);
+        problem.loss = loss;
+        problem.loss_scale = usual_loss_scale(loss);
+        problem.deviations_known = deviations;
+        return fit(problem, {.profiles = false});
+      };
+      auto others = scenes, spoilt = scenes;
+      others.erase(others.begin() + outlier);
+      spoilt[outlier].measured.value *= 1.6;
+      const FitReport without = fitted(others), with = fitted(spoilt);
+      CHECK(with.largest_residual == outlier);
+      const Eigen::Matrix3d covariance = without.errors.covariance / without.errors.scale;
+      const Eigen::Vector3d row = with.slopes.derivatives.row(outlier).transpose() / spoilt[outlier].measured.deviation;
+      const Eigen::Vector3d moved =
+          (all(with).array() / all(without).array())
+              .log()
+              .matrix()
+              .cwiseProduct(Eigen::Vector3d(1, all(without)[1] / without.parameters[1].parameter.variable.size, 1));
+      const double distance = std::sqrt(moved.dot(covariance.inverse() * moved));
+      const double pull = usual_loss_scale(loss) / (loss == Loss::cauchy ? 2 : 1);
+      const double bound = pull * std::sqrt(row.dot(covariance * row));
+      CAPTURE(loss, deviations, distance, bound);
+      // The weights of the other residuals follow, and the scale of 20 residuals is known to a fifth or so.
+      if (loss == Loss::none)
+        CHECK(distance > 4 * bound);  // the pull of 60 deviations is not bounded
+      else
+        CHECK(distance < 1.5 * bound);
     }
 }
 

@@ -1,3 +1,4 @@
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -155,6 +156,31 @@ TEST_CASE("rollres fit refuses a wrong file naming key and rule", "[studies][fit
   CHECK_THAT(refused({{"step", 1}}), Catch::Contains("step = 1"));
 }
 
+TEST_CASE("noise of the model above the scatter of the data is told in words, with what to do", "[studies][fit]") {
+  const FitFiles files;
+  json fit = FitFiles::definition();
+  fit["set"] = {{"spacing", "1 mm"}, {"method", "newton"}};
+  files.directory.write("table.csv", files.table);
+  const std::string file = files.directory.write("fit.json", fit.dump()).string();
+  const Evaluate jumping = [](const RollingScene& scene) {
+    RollingSolution solution = quick_resistance(scene);
+    solution.rolling_resistance *= 1 + 0.05 * std::sin(1e12 * solution.rolling_resistance);
+    return solution;
+  };
+  const ProgramRun run = run_rollres({"fit", file, "--db", files.database(), "--no-profiles"}, jumping);
+  CHECK_THAT(run.out, Catch::Contains("the noise of the model") && Catch::Contains("times the scatter of the data") &&
+                          Catch::Contains("leave out spacing and method"));
+}
+
+TEST_CASE("a fit leaves out the scene's own spacing where there are smooth answers", "[studies][fit]") {
+  const FitFiles files;
+  json fit = FitFiles::definition();
+  fit["scene"]["spacing"] = "1 mm";
+  CHECK_THAT(files.run(fit, {"--no-profiles"}).out, Catch::Contains("model    spacing = 1 mm of the scene left out"));
+  fit["set"] = {{"spacing", "1 mm"}};  // insisted on
+  CHECK_THAT(files.run(fit, {"--no-profiles"}).out, !Catch::Contains("left out"));
+}
+
 TEST_CASE("a forced step below the noise ends with exit status 1 and the reason", "[studies][fit]") {
   const FitFiles files;
   json fit = FitFiles::definition();
@@ -179,6 +205,24 @@ TEST_CASE("rollres fit draws data, residuals, profiles and the ellipse", "[studi
   for (const char* name :
        {"data", "residuals", "profile_creep_time", "profile_stiffening", "profile_static_shear_modulus", "ellipse"})
     CHECK(std::filesystem::file_size(folder / ("half space_" + std::string(name) + ".svg")) > 1000);
+}
+
+TEST_CASE("the example of moduli at three temperatures gives its WLF constants back", "[studies][fit]") {
+  const TemporaryDirectory directory;
+  const std::string file = (source_directory() / "studies/examples/fit_temperatures.json").string();
+  const ProgramRun run = run_rollres({"fit", file, "--db", (directory / "m.db").string(), "--json"}, quick_resistance);
+  CHECK(run.status == 0);
+  const json answer = json::parse(run.out);
+  const std::map<std::string, double> truth{{"static_shear_modulus", 1e6},
+                                            {"stiffening", 200},
+                                            {"creep_time", 20},
+                                            {"order", 0.6},
+                                            {"wlf_c1", 8.86},
+                                            {"wlf_c2", 101.6}};
+  for (const json& fitted : answer["parameters"]) {
+    const double distance = fitted["value"].get<double>() - truth.at(fitted["name"]);
+    CHECK(std::abs(distance) < 3 * fitted["standard_error"].get<double>());
+  }
 }
 
 TEST_CASE("the example of measured moduli is fitted", "[studies][fit]") {

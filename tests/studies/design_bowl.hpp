@@ -11,7 +11,7 @@ struct Bowl {
   static double x(const rollres::RollingScene& scene) {
     return std::log(scene.layer_thickness / 1e-3) / std::log(20.0);
   }
-  static double y(const rollres::RollingScene& scene) { return std::log10(scene.static_shear_modulus / 1e6); }
+  static double y(const rollres::RollingScene& scene) { return std::log10(*scene.static_shear_modulus / 1e6); }
   static double log_resistance(double x, double y) {
     return (x - 0.3) * (x - 0.3) + 0.5 * (y - 0.6) * (y - 0.6) + 0.4 * (x - 0.3) * (y - 0.6);
   }

@@ -1,9 +1,10 @@
-#include "fitting/nonnegative_least_squares.hpp"
+#include "core/nonnegative_least_squares.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 #include <vector>
+
+#include "core/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -20,7 +21,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
     if (steepest < 0) break;
     free.push_back(steepest);
     while (!free.empty()) {
-      const Eigen::VectorXd wanted = a(Eigen::all, free).colPivHouseholderQr().solve(b);
+      const Eigen::VectorXd wanted = least_squares(a(Eigen::all, free), b);
       double part = 1;  // of the way from x to what is wanted, so far as nothing turns negative
       for (std::size_t k = 0; k < free.size(); ++k)
         if (const auto i = static_cast<Eigen::Index>(k); wanted[i] <= 0)

@@ -1,0 +1,71 @@
+#include "core/composite_estimate.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "core/bracketed_root.hpp"
+#include "core/contact_surface.hpp"
+#include "core/quadrature.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr std::array<double, 13> borders{1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.6, 1.5, 3, 5, 8, 12, 20, 40};
+
+class HertzPressure {
+ public:
+  explicit HertzPressure(const RollingScene& scene)
+      : sphere_(scene.indenter == Indenter::sphere), radius_(scene.radius), surface_(scene) {}
+
+  ContactEstimate at(double half_width) const {
+    const double a = half_width;
+    double area = 0, slope = 0;  // A, A'
+    for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
+      const double from = borders[panel], to = borders[panel + 1];
+      const QuadratureRule& rule = gauss_rule(to > 3 ? 10 : 6);
+      for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+        const double z = from + (to - from) * rule.nodes[q], k = z / a, weight = rule.weights[q] * (to - from) / a;
+        const double c = std::abs(surface_(surface_.moduli(k), k, 0).normal);
+        // phi^2 and its derivative by a
+        double phi, change;
+        if (sphere_) {
+          const double sine = std::sin(z), cosine = std::cos(z);
+          phi = z < 0.05 ? 1 - z * z / 10 : 3 * (sine - z * cosine) / (z * z * z);
+          change = z < 0.05 ? -z / 5 : -3 * ((3 - z * z) * sine - 3 * z * cosine) / (z * z * z * z);
+        } else {
+          phi = 2 * ::j1(z) / z;
+          change = -2 * ::jn(2, z) / z;
+        }
+        const double measure = weight * c * (sphere_ ? k / (2 * M_PI) : 1 / M_PI);
+        area += measure * phi * phi;
+        slope += measure * 2 * phi * change * k;
+      }
+    }
+    const double load = -(sphere_ ? 0.8 : 0.5) * a / (radius_ * slope);
+    return {a, load * area + a * a / ((sphere_ ? 5 : 8) * radius_), load};
+  }
+
+ private:
+  bool sphere_;
+  double radius_;
+  SteadySurface surface_;
+};
+
+}  // namespace
+
+ContactEstimate composite_estimate(const RollingScene& scene) {
+  const HertzPressure pressure(scene);
+  const auto excess = [&](double log_half_width) {
+    const ContactEstimate found = pressure.at(std::exp(log_half_width));
+    return scene.load ? std::log(found.load / *scene.load) : std::log(found.approach / *scene.approach);
+  };
+  double low = std::log(0.1 * scene.radius), high = low;
+  while (excess(low) > 0) low -= 1;
+  while (excess(high) < 0) high += 1;
+  ContactEstimate estimate = pressure.at(std::exp(bracketed_root(excess, low, high, 1e-3)));
+  if (std::isinf(total_thickness(scene)) && scene.indenter == Indenter::cylinder) estimate.approach = NAN;
+  return estimate;
+}
+
+}  // namespace rollres

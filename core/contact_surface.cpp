@@ -1,0 +1,250 @@
+#include "core/contact_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+#include "core/medium_shapes.hpp"
+#include "core/passage_kernel.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Wavenumber times thickness that stands for 0.
+constexpr double long_wave = 1e-4;
+/// Share of the tolerance that inertia may take: its effect on the resistance is about rho V^2/G.
+constexpr double inertia_share = 0.1;
+
+/// Speed of Rayleigh waves over that of shear waves, squared (Viktorov 1967): 0.912 for nu = 1/2.
+double rayleigh_square(double poisson_ratio) {
+  return std::pow((0.87 + 1.12 * poisson_ratio) / (1 + poisson_ratio), 2);
+}
+
+double rayleigh_number(const LayeredMedium& medium, double speed) {
+  double largest = 0;
+  for (const MediumLayer& layer : medium)
+    largest = std::max(largest,
+                       layer.density * speed * speed * layer.material.at_rest() / rayleigh_square(layer.poisson_ratio));
+  return largest;
+}
+
+MediumLayer medium_layer(const MaterialInputs& material, double thickness, double density) {
+  return {thickness, material.poisson_ratio, density, creep_spectrum(material)};
+}
+
+/// All layers under (or on) the body with their densities.
+LayeredMedium all_under(const RollingScene& scene) {
+  LayeredMedium medium{medium_layer(scene, scene.layer_thickness, scene.layer_density)};
+  for (const BondedLayer& layer : scene.lower_layers)
+    medium.push_back(medium_layer(layer, layer.layer_thickness, layer.layer_density));
+  return medium;
+}
+
+LayeredMedium all_on(const RollingScene& scene) {
+  LayeredMedium medium;
+  for (const BondedLayer& layer : scene.coating_layers)
+    medium.push_back(medium_layer(layer, layer.layer_thickness, layer.layer_density));
+  return medium;
+}
+
+LayeredMedium without_inertia(LayeredMedium medium) {
+  for (MediumLayer& layer : medium) layer.density = 0;
+  return medium;
+}
+
+/// What was made for a medium, kept for the next scene with the same: a small cache shared by all threads.
+template <class Key, class Value, std::size_t capacity>
+class RecentlyMade {
+ public:
+  template <class Make>
+  std::shared_ptr<const Value> operator()(const Key& key, const Make& make) {
+    {
+      const std::lock_guard lock(mutex_);
+      const auto found =
+          std::find_if(kept_.begin(), kept_.end(), [&](const auto& entry) { return entry.first == key; });
+      if (found != kept_.end()) {
+        kept_.splice(kept_.begin(), kept_, found);
+        return found->second;
+      }
+    }
+    auto made = std::make_shared<const Value>(make());
+    const std::lock_guard lock(mutex_);
+    kept_.emplace_front(key, made);
+    if (kept_.size() > capacity) kept_.pop_back();
+    return made;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::list<std::pair<Key, std::shared_ptr<const Value>>> kept_;
+};
+
+struct ShapesKey {
+  Indenter indenter;
+  LayeredMedium medium;
+  double wave_speed;  // 0 without inertia, whatever the speed
+  bool operator==(const ShapesKey&) const = default;
+};
+
+struct MediumResponse {
+  double error;
+  std::vector<TimedShape> shapes;
+};
+
+ShapesKey shapes_key(const RollingScene& scene, const LayeredMedium& medium) {
+  return {scene.indenter, medium, inertia_included(scene) ? scene.speed : 0};
+}
+
+std::shared_ptr<const MediumResponse> response_of(const ShapesKey& key) {
+  static RecentlyMade<ShapesKey, MediumResponse, 16> cache;
+  return cache(key, [&] {
+    const MediumExpansion expansion(key.medium, key.wave_speed);
+    return MediumResponse{expansion.error(), medium_shapes(key.indenter, key.medium, expansion)};
+  });
+}
+
+struct KernelsKey {
+  ShapesKey shapes;
+  double cell_x, cell_y;
+  int columns, rows;
+  bool operator==(const KernelsKey&) const = default;
+};
+
+struct TimedKernel {
+  double time;
+  PassageKernel kernel;
+};
+
+std::shared_ptr<const std::vector<TimedKernel>> kernels_of(const KernelsKey& key) {
+  static RecentlyMade<KernelsKey, std::vector<TimedKernel>, 8> cache;
+  return cache(key, [&] {
+    std::vector<TimedKernel> kernels;
+    for (const TimedShape& term : response_of(key.shapes)->shapes)
+      kernels.push_back(
+          {term.time, PassageKernel(key.shapes.indenter, term.shape, key.cell_x, key.cell_y, key.columns, key.rows)});
+    return kernels;
+  });
+}
+
+}  // namespace
+
+double rayleigh_number(const RollingScene& scene) {
+  return std::max(rayleigh_number(all_under(scene), scene.speed), rayleigh_number(all_on(scene), scene.speed));
+}
+
+bool inertia_included(const RollingScene& scene) {
+  if (scene.inertia != Inertia::automatic) return scene.inertia == Inertia::on;
+  if (!scene.tolerance || !(scene.indenter == Indenter::cylinder || scene.period)) return false;
+  const double number = rayleigh_number(scene);
+  return number > inertia_share * *scene.tolerance && number < 1;
+}
+
+bool is_composite(const RollingScene& scene) {
+  return !scene.lower_layers.empty() || !scene.coating_layers.empty() || inertia_included(scene);
+}
+
+LayeredMedium foundation_of(const RollingScene& scene) {
+  return inertia_included(scene) ? all_under(scene) : without_inertia(all_under(scene));
+}
+
+LayeredMedium coating_of(const RollingScene& scene) {
+  return inertia_included(scene) ? all_on(scene) : without_inertia(all_on(scene));
+}
+
+double total_thickness(const RollingScene& scene) {
+  double sum = scene.layer_thickness;
+  for (const BondedLayer& layer : scene.lower_layers) sum += layer.layer_thickness;
+  for (const BondedLayer& layer : scene.coating_layers) sum += layer.layer_thickness;
+  return sum;
+}
+
+std::string surface_in_words(const RollingScene& scene) {
+  const bool half_space =
+      std::isinf(scene.lower_layers.empty() ? scene.layer_thickness : scene.lower_layers.back().layer_thickness);
+  const std::size_t layers = 1 + scene.lower_layers.size() - (half_space ? 1 : 0);
+  std::string text = layers == 0   ? ""
+                     : layers == 1 ? "one layer bonded to "
+                                   : std::to_string(layers) + " layers bonded to each other and to ";
+  text += half_space ? "a half-space" : "a rigid base";
+  const std::size_t coats = scene.coating_layers.size();
+  if (coats == 0) return text + ", rigid body";
+  return text + ", rigid body with " + (coats == 1 ? "a coating" : std::to_string(coats) + " coatings");
+}
+
+SteadySurface::SteadySurface(const RollingScene& scene)
+    : composite_(is_composite(scene)),
+      layer_(layer_of(scene)),
+      speed_(scene.speed),
+      thickness_(total_thickness(scene)),
+      material_(creep_spectrum(scene)) {
+  if (!composite_) return;
+  foundation_ = foundation_of(scene);
+  coating_ = coating_of(scene);
+}
+
+SteadySurface::Moduli SteadySurface::moduli(double along) const {
+  const double omega = -along * speed_;
+  if (!composite_) return {material_(omega), {}, {}};
+  return {1, moduli_at(foundation_, omega), moduli_at(coating_, omega)};
+}
+
+SurfaceCompliance SteadySurface::operator()(const Moduli& moduli, double along, double across) const {
+  double k = std::hypot(along, across);
+  if (!composite_) {
+    const LayerSymbols c = layer_symbols(k, layer_);
+    const std::complex<double>& j = moduli.compliance;
+    return {j * c.normal, j * c.longitudinal, j * c.cross, j * c.transverse};
+  }
+  const double wave_speed = k > 0 ? speed_ * along / k : 0;
+  if (k == 0) k = long_wave / thickness_;  // the limit, to all digits that matter
+  SurfaceCompliance sum = surface_compliance(foundation_, moduli.foundation, k, wave_speed);
+  if (coating_.empty()) return sum;
+  const SurfaceCompliance body = surface_compliance(coating_, moduli.coating, k, wave_speed);
+  return {sum.normal + body.normal, sum.longitudinal + body.longitudinal, sum.cross - body.cross,
+          sum.transverse + body.transverse};
+}
+
+InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
+  if (inertia_included(scene) && scene.indenter == Indenter::sphere)
+    throw std::invalid_argument("inertia = on: for a sphere only with a period");
+  const auto table_of = [&](const LayeredMedium& medium) {
+    InfluenceTable table(reach_x, reach_y);
+    const auto kernels = kernels_of({shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y});
+    for (const auto& [time, kernel] : *kernels) {
+      CreepSpectrum memory;
+      if (time == 0)
+        memory.instantaneous = 1;
+      else
+        memory.terms.push_back({1, time});
+      kernel.add_to(table, memory, scene.speed);
+    }
+    return table;
+  };
+  InfluenceTable sum = table_of(foundation_of(scene));
+  const LayeredMedium coating = coating_of(scene);
+  if (coating.empty()) return sum;
+  const InfluenceTable body = table_of(coating);
+  const auto add = [](std::vector<double>& to, const std::vector<double>& from, double sign) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] += sign * from[i];
+  };
+  add(sum.ww, body.ww, 1);
+  add(sum.uu, body.uu, 1);
+  add(sum.vv, body.vv, 1);
+  add(sum.uv, body.uv, 1);
+  add(sum.uw, body.uw, -1);
+  add(sum.vw, body.vw, -1);
+  return sum;
+}
+
+double expansion_error(const RollingScene& scene) {
+  double error = response_of(shapes_key(scene, foundation_of(scene)))->error;
+  if (const LayeredMedium coating = coating_of(scene); !coating.empty())
+    error = std::max(error, response_of(shapes_key(scene, coating))->error);
+  return error;
+}
+
+}  // namespace rollres

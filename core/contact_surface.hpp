@@ -1,0 +1,69 @@
+#pragma once
+
+/// Everything that yields in a contact, as one response of the surface: the layers under the body and those on it.
+///
+/// Tractions on a coating are opposite to those on the foundation, and so are their normals: compliances add, but for
+/// the cross terms, which subtract (Johnson 1985, section 5.1, for two half-spaces). A coating is taken as flat, bonded
+/// to the rigid core of the body, and to have recovered when it comes round again.
+
+#include <string>
+
+#include "core/influence.hpp"
+#include "core/layered_medium.hpp"
+#include "core/scene.hpp"
+
+namespace rollres {
+
+/// What rho V^2/G must stay below for steady motion: 1 at the speed of Rayleigh waves on a half-space of the layer at
+/// rest, for the layer of the scene that is nearest to it [1].
+double rayleigh_number(const RollingScene& scene);
+
+/// Whether the layers' inertia is part of the scene's model: asked for, or by itself where it would change the
+/// resistance by more than the tolerance and the model has it (a cylinder, or a periodic train).
+bool inertia_included(const RollingScene& scene);
+
+/// Whether the surface is more than one layer of one material without inertia.
+bool is_composite(const RollingScene& scene);
+
+/// The layers under the body and those on it, from the contact away; densities are 0 where inertia is left out. The
+/// latter may be none.
+LayeredMedium foundation_of(const RollingScene& scene);
+LayeredMedium coating_of(const RollingScene& scene);
+
+/// Thickness of all layers under and on the body [m]; infinite over a half-space.
+double total_thickness(const RollingScene& scene);
+
+/// What bounds the surface, top and bottom, in words: "2 bonded layers on a rigid base, coated rigid body".
+std::string surface_in_words(const RollingScene& scene);
+
+/// Compliance of the surface in steady motion, wavenumber by wavenumber.
+class SteadySurface {
+ public:
+  explicit SteadySurface(const RollingScene& scene);
+
+  /// Moduli for one wavenumber along the motion.
+  struct Moduli {
+    std::complex<double> compliance;  ///< 1/G* where the surface is one layer
+    std::vector<std::complex<double>> foundation, coating;
+  };
+  Moduli moduli(double along) const;
+
+  /// For wavenumbers (along, across) [1/m], not both 0 over a half-space [m/Pa].
+  SurfaceCompliance operator()(const Moduli& moduli, double along, double across) const;
+
+ private:
+  bool composite_;
+  Layer layer_;
+  double speed_, thickness_;
+  CreepSpectrum material_;
+  LayeredMedium foundation_, coating_;
+};
+
+/// Influence coefficients of a composite surface for a single passage.
+/// @throws std::invalid_argument for a sphere with inertia, which only a periodic train has
+InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y);
+
+/// Largest relative error of the expansion in retardation times that such coefficients contain (medium_expansion.hpp).
+double expansion_error(const RollingScene& scene);
+
+}  // namespace rollres

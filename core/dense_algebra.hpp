@@ -1,0 +1,31 @@
+#pragma once
+
+/// Dense decompositions of Eigen, each compiled here once: they are the costliest of its templates.
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace rollres {
+
+/// A x = b with a square A, by LU decomposition with row pivots. A singular A gives numbers that are not finite.
+class SquareSystem {
+ public:
+  SquareSystem() = default;
+  explicit SquareSystem(const Eigen::MatrixXd& matrix) { factorise(matrix); }
+
+  void factorise(const Eigen::MatrixXd& matrix);
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides) const;
+  Eigen::MatrixXd inverse() const;
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> decomposition_;
+};
+
+/// The x of least |a x - b|, by QR decomposition with column pivots.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// The inverse of Moore and Penrose, by complete orthogonal decomposition.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);
+
+}  // namespace rollres

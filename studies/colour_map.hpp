@@ -1,0 +1,31 @@
+#pragma once
+
+/// Perceptually uniform colours for the values of a field, as lines of a gnuplot script.
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rollres {
+
+/// Even levels of a field, and the colours of the bands between them.
+struct ColourBands {
+  std::vector<double> levels;  ///< rising, the lowest and the highest enclose the field
+  bool diverging = false;      ///< zero is in the middle
+
+  /// About ten to twenty bands for values from `lowest` to `highest`; symmetric about zero where both signs matter.
+  ColourBands(double lowest, double highest);
+
+  double step() const { return levels[1] - levels[0]; }
+  /// A value inside the band above or below a level.
+  double inside(double level, bool above) const { return level + (above ? 0.5 : -0.5) * step(); }
+};
+
+/// Sets palette, colour range and colour bar. One sign: viridis (van der Walt and Smith 2015), from dark to light with
+/// the magnitude falling; both signs: blue to red through grey (Moreland 2009), safe for colour-blind readers.
+/// @param label in gnuplot's markup
+void write_colours(std::ostream& script, const ColourBands& bands, const std::string& label);
+
+}  // namespace rollres

@@ -1,0 +1,89 @@
+#pragma once
+
+/// The words of a command line: what the files command_NAME.cpp declare. CLI11 parses them; it stays behind this
+/// header, because each source that includes it takes seconds to compile.
+
+#include <functional>
+#include <initializer_list>
+#include <iosfwd>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace rollres {
+
+/// An option or a positional word of a command. Its functions return the option, so that they can be chained.
+class CommandOption {
+ public:
+  explicit CommandOption(CLI::Option& option) : option_(&option) {}
+
+  CommandOption* required();
+  /// What the value must be; the help text and the refusal name it. Both ends of `between` are included.
+  CommandOption* between(int lowest, int highest);
+  CommandOption* positive();
+  CommandOption* not_negative();
+  CommandOption* one_of(std::span<const std::string_view> names);
+  CommandOption* one_of(std::initializer_list<std::string_view> names);
+  /// The word that the help text shows for the value.
+  CommandOption* option_text(const std::string& word);
+  /// Takes a list apart at this letter.
+  CommandOption* delimiter(char letter);
+  /// Takes one value each time it is given, no more.
+  CommandOption* one_value_each();
+  CommandOption* expected(int fewest, int most);
+  CommandOption* excludes(const CommandOption* other);
+  CommandOption* needs(const CommandOption* other);
+
+  /// Whether the command line names it; to be asked in the command's callback.
+  bool given() const;
+
+ private:
+  CLI::Option* option_;
+};
+
+/// The program, or one of its commands.
+class Command {
+ public:
+  /// The program itself; `version` is what --version prints.
+  Command(const std::string& name, const std::string& meaning, const std::string& version);
+  ~Command();
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  Command* add_subcommand(const std::string& name, const std::string& meaning);
+
+  /// @param name "--name", or "name" for a positional word
+  /// @param value takes what is given, as its type demands; must outlive the parsing. command_line.cpp lists the types.
+  template <class T>
+  CommandOption* add_option(const std::string& name, T& value, const std::string& meaning);
+  CommandOption* add_flag(const std::string& name, bool& value, const std::string& meaning);
+
+  /// What the help text ends with.
+  void footer(const std::string& text);
+  /// What the command does once its words are read.
+  void callback(std::function<void()> act);
+
+  std::string name() const;
+  const std::vector<std::unique_ptr<Command>>& subcommands() const { return subcommands_; }
+
+  /// Reads the words and calls the command's callback; prints the help text or the version if they ask for it.
+  /// @throws std::invalid_argument for words that do not fit
+  void parse(std::vector<std::string> words, std::ostream& out, std::ostream& err);
+
+ private:
+  explicit Command(CLI::App& app);
+
+  std::unique_ptr<CLI::App> program_;  // of the program itself, which holds those of its commands
+  CLI::App* app_;
+  std::vector<std::unique_ptr<Command>> subcommands_;
+  std::vector<std::unique_ptr<CommandOption>> options_;
+};
+
+}  // namespace rollres

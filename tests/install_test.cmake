@@ -1,0 +1,22 @@
+# An outside program, built on the installed library, has the answer of the installed program.
+# cmake -D BUILD=tree -D FOLDER=scratch -D CXX=compiler [-D FLAGS=...] -P install_test.cmake; BUILD must be built.
+
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\nended with ${status}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${FOLDER})
+set(prefix "${FOLDER}/a prefix")
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${prefix}/bin/rollres solve ${prefix}/share/rollres/examples/paper_cylinder.json --json)
+string(JSON resistance GET "${output}" rolling_resistance)
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/outside_program -B ${FOLDER}/outside -D CMAKE_PREFIX_PATH=${prefix}
+    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${FOLDER}/outside)
+run(${FOLDER}/outside/outside_program ${resistance})
+file(REMOVE_RECURSE ${FOLDER})
