@@ -29,12 +29,13 @@ RollingScene frictionless(Indenter indenter, double thickness, double stiffening
 RollingScene line_on_half_space(double stiffening, double memory) {
   RollingScene scene = frictionless(Indenter::cylinder, INFINITY, stiffening, memory);
   scene.radius = 50;
-  scene.load = M_PI * scene.static_shear_modulus * 25e-6 / scene.radius;
+  scene.layer_density = 0;  // Hunter leaves inertia out
+  scene.load = M_PI * *scene.static_shear_modulus * 25e-6 / scene.radius;
   return scene;
 }
 
 double hunter(const RollingScene& scene) {
-  return hunter_line(scene.radius, *scene.load, scene.static_shear_modulus, scene.stiffening, scene.creep_time,
+  return hunter_line(scene.radius, *scene.load, *scene.static_shear_modulus, scene.stiffening, scene.creep_time,
                      scene.speed)
       .rolling_resistance;
 }
@@ -48,7 +49,7 @@ double slow_limit(const RollingScene& scene) {
 /// Of the limit V -> infinity: int p (d - x^2/2R) / (V tau") over the glassy elastic contact.
 double fast_limit(RollingScene scene) {
   const double relaxation = scene.speed * scene.creep_time / scene.stiffening;
-  scene.static_shear_modulus *= 1 + scene.stiffening;
+  *scene.static_shear_modulus *= 1 + scene.stiffening;
   scene.stiffening = 0;
   const RollingSolution elastic = solve(scene);
   const SurfaceGrid& grid = elastic.fields.grid;
