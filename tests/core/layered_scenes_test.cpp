@@ -87,8 +87,7 @@ TEST_CASE("a layer on a half-space of its own material is that half-space", "[co
     half_space.layer_thickness = infinite;
     RollingScene layered = on_one_layer(indenter);
     layered.lower_layers = {like_first(layered, infinite)};
-    // A single material's memories that the grid does not resolve are mended (grid_error.hpp), which is 2e-8 here.
-    CHECK(converged(layered).rolling_resistance == Approx(converged(half_space).rolling_resistance).epsilon(1e-6));
+    CHECK(converged(layered).rolling_resistance == Approx(converged(half_space).rolling_resistance).epsilon(1e-8));
   }
 }
 
