@@ -37,6 +37,19 @@ ColourBands::ColourBands(double lowest, double highest) {
   for (int i = first; i <= last; ++i) levels.push_back(i * width);
 }
 
+ColourBands ColourBands::between(double lowest, double highest) {
+  constexpr double near_zero = 0.4;  // of the largest magnitude
+  ColourBands bands(lowest, highest);
+  if (lowest == highest || (lowest < 0 && highest > 0)) return bands;
+  if (std::min(std::abs(lowest), std::abs(highest)) < near_zero * std::max(std::abs(lowest), std::abs(highest)))
+    return bands;
+  const double width = even_step(highest - lowest);
+  bands.levels.clear();
+  for (double i = std::floor(lowest / width); i < std::ceil(highest / width) + 0.5; ++i)
+    bands.levels.push_back(i * width);
+  return bands;
+}
+
 void write_colours(std::ostream& script, const ColourBands& bands, const std::string& label) {
   const auto& colours = bands.diverging ? blue_to_red : viridis;
   script << "set palette defined (";

@@ -18,6 +18,9 @@ struct ColourBands {
   /// About ten to twenty bands for values from `lowest` to `highest`; symmetric about zero where both signs matter.
   ColourBands(double lowest, double highest);
 
+  /// About five to ten bands; zero is among them only where the values come near it.
+  static ColourBands between(double lowest, double highest);
+
   double step() const { return levels[1] - levels[0]; }
   /// A value inside the band above or below a level.
   double inside(double level, bool above) const { return level + (above ? 0.5 : -0.5) * step(); }
