@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/contact_estimate.hpp"
+#include "core/grid_error.hpp"
 #include "core/newton_contact.hpp"
 
 namespace rollres {
@@ -15,6 +16,7 @@ struct ContactLevel {
   std::unique_ptr<InfluenceOperator> influence;
   NewtonOutcome outcome;
   double rolling_resistance = 0;
+  GridError error;
 };
 
 /// A level without a solution yet, on a half grid.

@@ -20,10 +20,11 @@ ContactEstimate elastic_contact(const RollingScene& scene, double modulus) {
 
 ContactEstimate estimate_contact(const RollingScene& scene) {
   if (is_composite(scene)) return composite_estimate(scene);
-  ContactEstimate estimate = elastic_contact(scene, static_modulus(scene));
+  const CreepSpectrum creep = creep_spectrum(scene);
+  ContactEstimate estimate = elastic_contact(scene, 1 / creep.at_rest());
   // The modulus depends on the half-width through the frequency: a few passes settle it.
   for (int pass = 0; pass < 4; ++pass)
-    estimate = elastic_contact(scene, std::abs(complex_modulus(scene, scene.speed / estimate.half_width)));
+    estimate = elastic_contact(scene, 1 / std::abs(creep(scene.speed / estimate.half_width)));
   return estimate;
 }
 

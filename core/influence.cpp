@@ -1,9 +1,12 @@
 #include "core/influence.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/contact_surface.hpp"
+#include "core/lumped_spectrum.hpp"
 #include "core/material.hpp"
 #include "core/passage_kernel.hpp"
 #include "core/periodic_kernel.hpp"
@@ -42,8 +45,10 @@ InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& gri
   }
   if (is_composite(scene)) return composite_table(scene, grid, reach_x, reach_y);
   const CreepSpectrum material = creep_spectrum(scene);
+  const double largest =
+      std::max(reach_x * grid.spacing_x, std::isinf(scene.layer_thickness) ? 0 : scene.layer_thickness);
   return shared_passage_kernel(scene.indenter, layer_of(scene), grid.spacing_x, grid.spacing_y, reach_x, reach_y)
-      ->table(material, scene.speed, reach_x, reach_y);
+      ->table(lumped_for(material, scene.speed, grid.spacing_x, largest), scene.speed, reach_x, reach_y);
 }
 
 }  // namespace rollres

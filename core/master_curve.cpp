@@ -8,7 +8,6 @@
 #include <numbers>
 #include <numeric>
 #include <sstream>
-#include <stdexcept>
 
 #include "core/nonnegative_least_squares.hpp"
 
@@ -22,8 +21,8 @@ using Eigen::VectorXd;
 
 constexpr double times_per_decade = 2;   // ripples of G" below 0.1 %
 constexpr double decades_beyond = 0.75;  // of the measured band, at either end
-/// Misfit that a smoother spectrum may add, relative to the least one and absolute.
-constexpr double added_misfit = 1.1, negligible_misfit = 5e-3;
+/// Misfit that a smoother spectrum may add, relative to the least one and absolute: what a measurement is good for.
+constexpr double added_misfit = 1.1, negligible_misfit = 2.5e-2;
 /// Smallest share of the lowest storage modulus that stays at rest where nothing says it.
 constexpr double least_rest = 0.1;
 /// A row is an outlier beyond so many times the usual misfit, and this one.
@@ -77,8 +76,8 @@ class SpectrumProblem {
     const int count = std::max(3, static_cast<int>(std::ceil(decades * times_per_decade)) + 1);
     for (int j = 0; j < count; ++j)
       times_.push_back(std::pow(10.0, -decades_beyond + decades * j / (count - 1)) / highest);
-    // Moduli in parts of |G*| where they act, so that bends count alike over all decades.
-    for (const double time : times_) scale_.push_back(magnitude(1 / time, order));
+    // Moduli in parts of the loss modulus where they act, so that bends count alike over all decades.
+    for (const double time : times_) scale_.push_back(loss_between(1 / time, order));
     rest_ = curve.static_modulus;
     if (rest_ == 0) rest_ = least_rest * *std::min_element(curve.storage.begin(), curve.storage.end());
     reduce();
@@ -91,8 +90,7 @@ class SpectrumProblem {
     VectorXd b = VectorXd::Zero(a.rows());
     a.topRows(triangle_.rows()) = triangle_;
     b.head(triangle_.rows()) = wanted_;
-    for (Index i = 0; i < bends; ++i)
-      a.row(triangle_.rows() + i).segment(i, 3) = smoothness * Eigen::RowVector3d(1, -2, 1);
+    for (Index i = 0; i < bends; ++i) a.block(triangle_.rows() + i, i, 1, 3) << smoothness, -2 * smoothness, smoothness;
     const VectorXd moduli = nonnegative_least_squares(a, b);
     PronySeries series{rest_, {}};
     if (curve_.static_modulus == 0) series.static_modulus += rest_ * moduli(terms);
@@ -118,15 +116,19 @@ class SpectrumProblem {
  private:
   double omega(std::size_t row) const { return 2 * std::numbers::pi * curve_.frequencies[row]; }
 
-  /// |G*|, interpolated between the rows in logarithms.
-  double magnitude(double at, const std::vector<std::size_t>& order) const {
-    const auto of = [&](std::size_t row) { return std::hypot(curve_.storage[row], curve_.loss[row]); };
+  double size(std::size_t row) const { return std::hypot(curve_.storage[row], curve_.loss[row]); }
+
+  /// The loss modulus of a row, or a small part of |G*| where there is next to none.
+  double loss(std::size_t row) const { return std::max(curve_.loss[row], 1e-3 * size(row)); }
+
+  /// The same between the rows, interpolated in logarithms.
+  double loss_between(double at, const std::vector<std::size_t>& order) const {
     std::size_t above = 0;
     while (above < order.size() && omega(order[above]) < at) ++above;
-    if (above == 0) return of(order.front());
-    if (above == order.size()) return of(order.back());
+    if (above == 0) return loss(order.front());
+    if (above == order.size()) return loss(order.back());
     const std::size_t a = order[above - 1], b = order[above];
-    return of(a) * std::pow(of(b) / of(a), std::log(at / omega(a)) / std::log(omega(b) / omega(a)));
+    return loss(a) * std::pow(loss(b) / loss(a), std::log(at / omega(a)) / std::log(omega(b) / omega(a)));
   }
 
   /// The rows of the table as a triangle with the same least squares: its size is that of the spectrum.
@@ -136,17 +138,17 @@ class SpectrumProblem {
     MatrixXd a(2 * rows, terms + (unknown_rest ? 1 : 0) + 1);
     for (Index i = 0; i < rows; ++i) {
       const auto row = static_cast<std::size_t>(i);
-      const double size = std::hypot(curve_.storage[row], curve_.loss[row]);
-      // The loss is the smaller of the two, and matters as much: it is met to about the same share of itself.
-      const double loss_size = std::sqrt(size * std::max(curve_.loss[row], 1e-3 * size));
+      // The loss is the smaller of the two and matters as much: between |G*| and itself is what it is compared with.
+      const double storage_size = size(row), loss_size = std::sqrt(size(row) * loss(row));
       for (Index j = 0; j < terms; ++j) {
         const auto k = static_cast<std::size_t>(j);
         const std::complex<double> part = complex_modulus(PronySeries{0, {{scale_[k], times_[k]}}}, omega(row));
-        a(2 * i, j) = part.real() / size;
+        a(2 * i, j) = part.real() / storage_size;
         a(2 * i + 1, j) = part.imag() / loss_size;
       }
-      if (unknown_rest) a.col(terms).segment(2 * i, 2) << rest_ / size, 0;
-      a.col(a.cols() - 1).segment(2 * i, 2) << (curve_.storage[row] - rest_) / size, curve_.loss[row] / loss_size;
+      if (unknown_rest) a.col(terms).segment(2 * i, 2) << rest_ / storage_size, 0;
+      a.col(a.cols() - 1).segment(2 * i, 2) << (curve_.storage[row] - rest_) / storage_size,
+          curve_.loss[row] / loss_size;
     }
     if (a.rows() > a.cols()) {
       const Eigen::HouseholderQR<MatrixXd> qr(a);
@@ -185,8 +187,6 @@ std::string MasterCurveFit::in_words() const {
 
 MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const std::vector<std::size_t> order = rows_in_order(curve);
-  if (order.size() < 2 || curve.frequencies[order.front()] == curve.frequencies[order.back()])
-    throw std::invalid_argument("frequencies: must have at least two different values");
   MasterCurveFit fit{.series = {}, .remarks = remarks_on_rows(curve, order)};
   const SpectrumProblem problem(curve, order);
   fit.series = smoothest_series(problem);

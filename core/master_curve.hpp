@@ -18,9 +18,9 @@ namespace rollres {
 
 /// Rows in any order; all lists of the same length.
 struct MasterCurve {
-  std::vector<double> frequencies;        ///< [Hz], > 0
-  std::vector<double> storage, loss;      ///< G' > 0, G" >= 0 [Pa]
-  double static_modulus = 0;              ///< G'(0) [Pa] where it is known; 0: found by the fit
+  std::vector<double> frequencies;    ///< [Hz], > 0
+  std::vector<double> storage, loss;  ///< G' > 0, G" >= 0 [Pa]
+  double static_modulus = 0;          ///< G'(0) [Pa] where it is known; 0: found by the fit
 
   bool operator==(const MasterCurve&) const = default;
 };
@@ -36,7 +36,7 @@ struct MasterCurveFit {
   std::string in_words() const;
 };
 
-/// @throws std::invalid_argument if there are fewer than two different frequencies
+/// @param curve with at least two different frequencies
 MasterCurveFit fit_master_curve(const MasterCurve& curve);
 
 /// The same, from a small cache shared by all threads: a sweep asks for one curve at every point.

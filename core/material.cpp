@@ -1,26 +1,59 @@
 #include "core/material.hpp"
 
-#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <utility>
 
-#include "core/temperature_shift.hpp"
+#include "core/fractional_zener.hpp"
+#include "core/master_curve.hpp"
+#include "core/material_scale.hpp"
+#include "core/prony_series.hpp"
 
 namespace rollres {
 
 namespace {
 
-double modulus_at_rest(const MaterialInputs& layer) {
-  if (layer.static_shear_modulus) return *layer.static_shear_modulus;
-  return *layer.static_young_modulus / (2 * (1 + layer.poisson_ratio));
+std::vector<double> all_as_shear(const MaterialInputs& layer, std::vector<double> listed) {
+  for (double& modulus : listed) modulus = as_shear(layer, modulus);
+  return listed;
 }
 
-CreepSpectrum zener_spectrum(double modulus, double stiffening, double creep_time) {
-  if (stiffening == 0 || creep_time == 0) return {.instantaneous = 1 / modulus, .terms = {}};
-  const double glassy = 1 / (modulus * (1 + stiffening));
-  return {.instantaneous = glassy, .terms = {{stiffening * glassy, creep_time}}};
+PronySeries prony_series(const MaterialInputs& layer) {
+  PronySeries series{given_static_modulus(layer), {}};
+  for (std::size_t j = 0; j < layer.relaxation_times.size(); ++j)
+    series.terms.push_back({as_shear(layer, layer.relaxation_moduli[j]), layer.relaxation_times[j]});
+  return ordered(std::move(series));
+}
+
+std::shared_ptr<const MasterCurveFit> fit_of(const MaterialInputs& layer) {
+  const bool at_rest = layer.static_shear_modulus || layer.static_young_modulus;
+  return shared_master_curve_fit({layer.frequencies, all_as_shear(layer, layer.storage_moduli),
+                                  all_as_shear(layer, layer.loss_moduli), at_rest ? given_static_modulus(layer) : 0});
 }
 
 CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
-  return zener_spectrum(modulus_at_rest(layer), layer.stiffening, layer.creep_time);
+  switch (layer.material) {
+    case MaterialModel::zener:
+      return creep_spectrum(FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time});
+    case MaterialModel::fractional_zener:
+      return creep_spectrum(
+          FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time, layer.fractional_order});
+    case MaterialModel::prony:
+      return creep_spectrum(prony_series(layer));
+    case MaterialModel::master_curve:
+      return creep_spectrum(fit_of(layer)->series);
+    case MaterialModel::elastic:
+      break;
+  }
+  return {.instantaneous = 1 / given_static_modulus(layer), .terms = {}};
+}
+
+template <class... Parts>
+std::string text(const Parts&... parts) {
+  std::ostringstream line;
+  line.precision(5);
+  (line << ... << parts);
+  return line.str();
 }
 
 }  // namespace
@@ -38,8 +71,9 @@ double CreepSpectrum::at_rest() const {
 }
 
 CreepSpectrum creep_spectrum(const MaterialInputs& layer) {
-  if (layer.material == MaterialModel::elastic) return {.instantaneous = 1 / modulus_at_rest(layer), .terms = {}};
   CreepSpectrum spectrum = spectrum_at_reference(layer);
+  if (const double shift = time_shift(layer); shift != 1)
+    for (CreepSpectrum::Term& term : spectrum.terms) term.time *= shift;
   return spectrum;
 }
 
@@ -48,11 +82,35 @@ std::complex<double> complex_modulus(const MaterialInputs& layer, double omega) 
 }
 
 double static_modulus(const MaterialInputs& layer) {
-  return needs_static_modulus(layer.material) ? modulus_at_rest(layer) : 1 / creep_spectrum(layer).at_rest();
+  const bool given = layer.static_shear_modulus || layer.static_young_modulus;
+  return given ? given_static_modulus(layer) : 1 / creep_spectrum(layer).at_rest();
 }
 
-std::string material_route(const MaterialInputs&) { return {}; }
+std::string material_route(const MaterialInputs& layer) {
+  std::string route;
+  if (layer.material == MaterialModel::prony)
+    route = text("Prony series of ", prony_series(layer).terms.size(), " terms, exact");
+  if (layer.material == MaterialModel::master_curve) route = fit_of(layer)->in_words();
+  if (layer.material == MaterialModel::fractional_zener)
+    route = layer.fractional_order == 1
+                ? "fractional Zener solid of order 1: a Zener solid"
+                : text("fractional Zener solid as ", creep_spectrum(layer).terms.size(), " exponentials, 1/G* to 1e-7");
+  if (layer.temperature && layer.material != MaterialModel::elastic)
+    route += text(route.empty() ? "" : "; ", "times at ", *layer.temperature, " K: ", time_shift(layer),
+                  " of those at ", *layer.reference_temperature, " K (", layer.wlf_c1 ? "WLF" : "Arrhenius", ")");
+  return route;
+}
 
-std::vector<std::string> material_warnings(const MaterialInputs&) { return {}; }
+std::vector<std::string> material_warnings(const MaterialInputs& layer) {
+  std::vector<std::string> warnings;
+  if (layer.material == MaterialModel::master_curve) warnings = fit_of(layer)->remarks;
+  if (layer.temperature && layer.wlf_c1) {
+    const double above = *layer.temperature - *layer.reference_temperature;
+    if (above < -0.8 * *layer.wlf_c2)
+      warnings.push_back(text("temperature = ", *layer.temperature, " K: is close to where WLF has no meaning (",
+                              *layer.reference_temperature - *layer.wlf_c2, " K)"));
+  }
+  return warnings;
+}
 
 }  // namespace rollres

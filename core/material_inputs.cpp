@@ -1,6 +1,8 @@
 #include "core/material_inputs.hpp"
 
+#include <algorithm>
 #include <sstream>
+#include <type_traits>
 
 namespace rollres {
 
@@ -36,6 +38,13 @@ void check_lists(const MaterialInputs& layer, Lines& lines) {
       }
     }
   });
+}
+
+void check_frequencies(const MaterialInputs& layer, Lines& lines) {
+  const auto& all = layer.frequencies;
+  if (layer.material == MaterialModel::master_curve && !all.empty() &&
+      std::all_of(all.begin(), all.end(), [&](double frequency) { return frequency == all.front(); }))
+    lines.push_back("frequencies: must have at least two different values");
 }
 
 void check_modulus(const MaterialInputs& layer, Lines& lines) {
@@ -86,6 +95,7 @@ std::vector<std::string> check_material(const MaterialInputs& layer) {
   Lines lines;
   check_modulus(layer, lines);
   check_lists(layer, lines);
+  check_frequencies(layer, lines);
   check_temperature(layer, lines);
   return lines;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -27,7 +28,6 @@ double inertia(const RollingScene& scene, const RollingSolution& solution) {
   return scene.layer_density * scene.speed * scene.speed /
          std::abs(complex_modulus(scene, scene.speed / half_length(solution)));
 }
-
 }  // namespace
 
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
@@ -35,18 +35,15 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   const double strain = solution.approach / total_thickness(scene);
   if (strain > 0.1) warnings.push_back(text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
   const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
-  if (slope > 0.3) warnings.push_back(text("slope at the contact's edge ", slope, " is not small"));
+  if (slope > 0.3)
+    warnings.push_back(text("slope at the contact's edge, and contact over radius, ", slope,
+                            " is not small: displacements are taken as small"));
   const double mach = inertia(scene, solution);
   if (mach > 0.01 && !inertia_included(scene))
     warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10) warnings.push_back(text("only ", across, " nodes along the contact: take a smaller spacing"));
-  for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
-    const double memory = scene.speed * term.time / (1 + scene.stiffening);
-    if (memory < solution.spacing)
-      warnings.push_back(text("unresolved Vτ: the relaxation length Vτ/(1+f) = ", memory, " m is below the spacing ",
-                              solution.spacing, " m"));
-  }
+  for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
   if (scene.spacing && solution.method == Method::spectral)
     warnings.push_back(text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
   if (scene.period)
@@ -63,14 +60,35 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
                            inertia(scene, solution));
   if (is_composite(scene) && !scene.period && expansion_error(scene) > 0)
     model += text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
+  const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
-  if (scene.material == MaterialModel::zener && (scene.stiffening == 0 || scene.creep_time == 0))
+  const CreepSpectrum creep = creep_spectrum(scene);
+  const bool elastic =
+      std::all_of(creep.terms.begin(), creep.terms.end(), [](const auto& term) { return term.compliance == 0; });
+  if (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
-  if (solution.method == Method::spectral) model += "; continuous edges of contact, no grid";
-  if (solution.method != Method::spectral && !scene.spacing && scene.indenter == Indenter::sphere &&
-      solution.method != Method::active_set)
+  if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
+  if (spectral) model += "; continuous edges of contact, no grid";
+  if (!spectral && !scene.spacing && sphere && solution.method != Method::active_set)
     model += "; grid tied to the contact";
   model += scene.period ? text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
+  if (!scene.tolerance) return model;
+
+  // What a tolerance leaves to choose, and why nothing more is left out.
+  if (spectral)
+    model += text("; ", solution.contact_nodes, " coefficients of the pressure for a tolerance of ", *scene.tolerance);
+  else
+    model += text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
+                  " along the contact, for a tolerance of ", *scene.tolerance);
+  if (std::isfinite(total_thickness(scene)))
+    model += text("; layer kept: half-length of the contact over H = ", half_length(solution) / total_thickness(scene),
+                  ", a half-space would cost as much");
+  else if (!sphere && scene.friction_coefficient == 0)
+    model += "; closed form of the half-space not used: no faster";
+  if (scene.friction_coefficient > 0)
+    model += text("; friction and its coupling with the pressure kept: friction takes ",
+                  std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed)),
+                  " of R_r, and which drive it can bear is not known without it");
   return model;
 }
 

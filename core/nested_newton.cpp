@@ -51,6 +51,12 @@ void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double bor
   nested.friction_borne = borne;
 }
 
+/// What is asked of a level that is solved.
+void measure(ContactLevel& level) {
+  level.rolling_resistance = resistance(level);
+  level.error = grid_error(*level.problem, level.outcome.unknowns.pressure, level.outcome.zone, level.outcome.gap);
+}
+
 /// The smallest grid that holds two of the same spacing: a window may grow, but never moves away from what it held.
 SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
   SurfaceGrid both = a;
@@ -95,11 +101,13 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
   return level;
 }
 
-double NestedOutcome::error_estimate() const {
+double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = std::abs(coarser_resistance - finest.rolling_resistance);
   const double before = 0.5 * std::abs(coarsest_resistance - coarser_resistance);
-  return share_left * (before > last ? before : last) / std::abs(finest.rolling_resistance);
+  return error.estimate(resistance, share_left * (before > last ? before : last)) / std::abs(resistance);
 }
+
+double NestedOutcome::error_estimate() const { return error_estimate(finest.error, finest.rolling_resistance); }
 
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer) {
@@ -114,7 +122,7 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     const ContactLevel& level = nested.finest;
     if (level.outcome.reached_border) break;
     const bool solved = level.outcome.converged;
-    if (solved) nested.finest.rolling_resistance = resistance(level);
+    if (solved) measure(nested.finest);
     if (!solved && !sliding_checked) {
       sliding_checked = true;
       // No steady state on a coarse grid: most likely none on the finest; it alone decides.
@@ -171,7 +179,7 @@ NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene
     ContactLevel next = make_level(scene, grids.around(level, coarsening));
     next.outcome = newton_contact(*next.problem, *next.table, *next.influence, start(next.problem->grid), options);
     next.outcome.converged = next.outcome.converged && !next.outcome.reached_border;
-    if (next.outcome.converged) next.rolling_resistance = resistance(next);
+    if (next.outcome.converged) measure(next);
     return next;
   };
   NestedOutcome nested;

@@ -9,6 +9,7 @@
 #include "core/active_set.hpp"
 #include "core/evidence.hpp"
 #include "core/grid_choice.hpp"
+#include "core/grid_error.hpp"
 #include "core/nested_newton.hpp"
 #include "core/spectral_contact.hpp"
 
@@ -63,7 +64,9 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
       const InfluenceOperator all_components(scene, *level.table, level.problem->grid, true);
       solution = summarise(*level.problem, all_components, level.outcome.unknowns, level.outcome.zone);
     }
-    solution.error_estimate = nested.error_estimate();
+    GridError error = level.error;
+    take_slow_rolling(scene, error, solution);
+    solution.error_estimate = nested.error_estimate(error, solution.rolling_resistance);
     if (scene.tolerance && !(solution.error_estimate <= *scene.tolerance)) {
       std::ostringstream text;
       text << "the tolerance " << *scene.tolerance << " was not reached with " << solution.contact_nodes
@@ -99,20 +102,23 @@ ContactUnknowns upper_half(const ContactState& state, const SurfaceGrid& half, b
   return unknowns;
 }
 
+/// An answer of the paper's method on one grid.
+struct PaperAnswer {
+  RollingSolution solution;
+  GridError error;
+};
+
 /// The paper's method on one grid, which grows until the contact keeps clear of its border.
-RollingSolution solve_paper(const RollingScene& scene) {
+PaperAnswer solve_paper(const RollingScene& scene, double spacing) {
   const bool sphere = scene.indenter == Indenter::sphere;
-  const double spacing = scene.spacing.value_or(default_spacing(scene));
   double half_width = std::min(1.3 * estimate_contact(scene).half_width + 2 * spacing, widest_window(scene));
   for (;; half_width = std::min(1.4 * half_width, widest_window(scene))) {
     const SurfaceGrid half = window(scene.indenter, spacing, half_width);
     const InfluenceTable table = influence_table(scene, mirrored(half, sphere));
     const ContactState state = solve_active_set(scene, table, mirrored(half, sphere));
     if (state.reached_border && half_width < widest_window(scene)) continue;
-    RollingSolution solution;
-    solution.status = state.status;
-    solution.reason = state.reason;
-    solution.friction_needed = state.friction_needed;
+    PaperAnswer answer;
+    RollingSolution& solution = answer.solution;
     if (state.status == Status::converged) {
       double asymmetry = 0;
       const ContactUnknowns unknowns = upper_half(state, half, sphere, asymmetry);
@@ -121,12 +127,31 @@ RollingSolution solve_paper(const RollingScene& scene) {
       const InfluenceOperator influence(scene, table, half, true);
       solution = summarise(problem, influence, unknowns, zone);
       solution.law_violation = std::max(solution.law_violation, asymmetry);
-      solution.status = state.status;
+      const Vector moved = Eigen::Map<const Vector>(solution.fields.w.data(), mirrored(half, sphere).size());
+      answer.error = grid_error(problem, unknowns.pressure, zone,
+                                problem.profile.array() - unknowns.approach - moved.tail(half.size()).array());
     }
+    solution.status = state.status;
+    solution.reason = state.reason;
+    solution.friction_needed = state.friction_needed;
     solution.iterations = state.iterations;
     solution.method = Method::active_set;
-    return solution;
+    return answer;
   }
+}
+
+/// The paper's method, and its error by a second solution at twice the spacing.
+RollingSolution solve_paper(const RollingScene& scene) {
+  const double spacing = scene.spacing.value_or(default_spacing(scene));
+  auto [solution, error] = solve_paper(scene, spacing);
+  if (solution.status != Status::converged) return solution;
+  const RollingSolution coarser = solve_paper(scene, 2 * spacing).solution;
+  const double change = coarser.status == Status::converged
+                            ? std::abs(coarser.rolling_resistance - solution.rolling_resistance)
+                            : RollingSolution::absent;
+  take_slow_rolling(scene, error, solution);
+  solution.error_estimate = error.estimate(solution.rolling_resistance, change) / std::abs(solution.rolling_resistance);
+  return solution;
 }
 
 void require_valid(const RollingScene& scene) {
@@ -205,7 +230,7 @@ RollingSolution RollingSolver::solve(const RollingScene& scene) {
       solution = answer_from(outcome, scene);
     }
     solution.method = method == Method::newton_dense ? method : Method::newton;
-    solution.model = note;
+    solution.model += note;
     // Without a spacing nothing starts from it.
     if (solution.status == Status::converged)
       last_ = scene.spacing ? std::make_unique<Last>(Last{scene, std::move(outcome)}) : nullptr;

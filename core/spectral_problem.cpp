@@ -3,21 +3,41 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lumped_spectrum.hpp"
+
 namespace rollres {
 
 namespace {
 
-/// Ascending, with terms of nearly the same time joined and those too short to matter made elastic.
-CreepSpectrum tidied(CreepSpectrum creep, double shortest) {
+/// Memories below this part of the half-width count as elastic, whatever they lose.
+constexpr double shortest_memory = 1e-9;
+/// What memories that count as elastic may lose, relative to all; where a tolerance allows it, a part of that.
+constexpr double negligible_loss = 1e-7, part_of_tolerance = 0.1;
+
+struct TidySpectrum {
+  CreepSpectrum creep;
+  double left_out = 0;
+};
+
+/// Ascending, with terms of nearly the same time joined and those too short to matter made elastic: beside a glassy
+/// modulus many times the rubbery one they leave boundary layers that no number of coefficients resolves.
+TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible) {
   std::sort(creep.terms.begin(), creep.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
-  CreepSpectrum tidy{.instantaneous = creep.instantaneous, .terms = {}};
+  // To first order in its time a term loses compliance * time, and none more than compliance * half_time.
+  double all = 0, short_loss = 0;
+  for (const CreepSpectrum::Term& term : creep.terms) all += term.compliance * std::min(term.time, half_time);
+  TidySpectrum tidy{.creep = {.instantaneous = creep.instantaneous, .terms = {}}};
+  std::vector<CreepSpectrum::Term>& terms = tidy.creep.terms;
   for (const CreepSpectrum::Term& term : creep.terms) {
-    if (term.time < shortest)
-      tidy.instantaneous += term.compliance;
-    else if (!tidy.terms.empty() && term.time < (1 + 1e-9) * tidy.terms.back().time)
-      tidy.terms.back().compliance += term.compliance;
-    else if (term.compliance > 0)
-      tidy.terms.push_back(term);
+    short_loss += term.compliance * term.time;
+    if (term.time < shortest_memory * half_time || short_loss <= negligible * all) {
+      tidy.creep.instantaneous += term.compliance;
+      tidy.left_out = std::min(short_loss / all, negligible);
+    } else if (!terms.empty() && term.time < (1 + 1e-9) * terms.back().time) {
+      terms.back().compliance += term.compliance;
+    } else if (term.compliance > 0) {
+      terms.push_back(term);
+    }
   }
   return tidy;
 }
@@ -26,7 +46,12 @@ CreepSpectrum tidied(CreepSpectrum creep, double shortest) {
 
 SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double half_width)
     : scene(given), radius(given.radius), thickness(given.layer_thickness) {
-  const CreepSpectrum creep = tidied(material, 1e-9 * half_width / scene.speed);
+  const double largest = std::isinf(thickness) ? half_width : std::max(half_width, thickness);
+  const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
+  const TidySpectrum tidy =
+      tidied(lumped_for(material, scene.speed, 1e-3 * half_width, 1e2 * largest), half_width / scene.speed, negligible);
+  const CreepSpectrum& creep = tidy.creep;
+  left_out = tidy.left_out;
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
   glassy = relaxation.instantaneous;
   glassy_compliance = rubbery_compliance = creep.instantaneous;

@@ -15,7 +15,7 @@ namespace rollres {
 /// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/relaxation.hpp).
 struct SpectralProblem {
   /// @param creep the layer's material; the scene's own is not looked at
-  /// @param half_width a rough one: memories below 1e-9 of it count as elastic [m]
+  /// @param half_width a rough one: memories below 1e-6 of it are joined, and those below 1e-9 are elastic [m]
   SpectralProblem(const RollingScene& scene, const CreepSpectrum& creep, double half_width);
 
   double profile(double x) const;  // height of the body's lower surface above its lowest point [m]
@@ -25,6 +25,7 @@ struct SpectralProblem {
   RollingScene scene;
   double radius, thickness;
   double glassy, rubbery;                                     // G_inf, G0 [Pa]
+  double left_out;                                            // loss of the memories that count as elastic [1]
   double rubbery_compliance;                                  // J_inf + sum C [1/Pa]
   double glassy_compliance;                                   // J_inf [1/Pa]
   std::vector<double> creep_length, creep_compliance;         // T_m, C_m

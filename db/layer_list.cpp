@@ -44,7 +44,8 @@ void read(const Json& json, Value& value) {
 
 std::string text_of_layers(const BondedLayers& layers) {
   std::vector<Json> defaults;
-  visit_layer_inputs(BondedLayer{}, [&](const Quantity&, const auto& value) { defaults.push_back(json_of(value)); });
+  const BondedLayer plain;
+  visit_layer_inputs(plain, [&](const Quantity&, const auto& value) { defaults.push_back(json_of(value)); });
   Json list = Json::array();
   for (const BondedLayer& layer : layers) {
     Json object = Json::object();

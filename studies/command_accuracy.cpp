@@ -10,7 +10,9 @@
 #include "studies/commands.hpp"
 #include "studies/paper_scenes.hpp"
 #include "studies/progress.hpp"
+#include "studies/random_accuracy.hpp"
 #include "studies/scene_file.hpp"
+#include "studies/stop_signal.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
 #include "studies/write_file.hpp"
@@ -24,6 +26,9 @@ struct AccuracyWords {
   std::string out, format = "text";
   bool json = false;
   AccuracyOptions options;
+  std::size_t random = 0;
+  std::string indenter = "both";
+  RandomAccuracyPlan plan;
 };
 
 struct NamedScene {
@@ -98,6 +103,47 @@ void warn_of_busy_machine(const std::vector<AccuracyReport>& reports, std::ostre
   if (wall > disturbed * processor)
     err << "the machine was busy: the solutions took " << duration_in_words(wall) << " but only "
         << duration_in_words(processor) << " of a processor; times are too long\n";
+}
+
+/// Whether errors are what they are said to be, on random scenes.
+void random_accuracy(const AccuracyWords& words, Session& session) {
+  make_directory(words.out);
+  RandomAccuracyPlan plan = words.plan;
+  if (words.indenter != "sphere") plan.cylinders = words.random;
+  if (words.indenter != "cylinder") plan.spheres = words.random;
+  const std::size_t width = terminal_width(session.err);
+  if (width > 0)
+    plan.report = [&](const SweepProgress& progress) {
+      session.err << '\r' << progress_line(progress, width) << "\x1b[K" << std::flush;
+    };
+  RandomAccuracyReport report;
+  {
+    const StopSignal signal;
+    plan.stop = &signal.requested();
+    session.out.flush();  // a child process inherits what is not written yet
+    report = measure_random_accuracy(plan, session.evaluate);
+  }
+  if (width > 0) session.err << "\r\x1b[K" << std::flush;
+  const std::filesystem::path file = std::filesystem::path(words.out) / "random_accuracy.csv";
+  std::ostringstream csv;
+  write_csv(csv, judged_table(report.solutions));
+  write_file(file, csv.str());
+  const Table table = random_accuracy_table(counts_of(report.solutions));
+  if (words.json) {
+    session.out << text_of(Json{{"seed", plan.seed},
+                                {"interrupted", report.interrupted},
+                                {"results", json_of(table)},
+                                {"files", {file.string()}}},
+                           2)
+                << '\n';
+  } else {
+    write_aligned(session.out, table);
+    session.out << file.string() << '\n';
+  }
+  if (report.interrupted) {
+    session.err << "interrupted: only part of the scenes was solved\n";
+    session.status = ExitStatus::no_answer;
+  }
 }
 
 void accuracy(const AccuracyWords& words, Session& session) {
@@ -193,11 +239,41 @@ void add_accuracy(Command& program, Session& session) {
       ->one_value_each();
   command->add_option("--format", words->format, "text or markdown")->one_of({"text", "markdown"});
   command->add_flag("--json", words->json, "print one JSON object");
+  CommandOption* const random =
+      command
+          ->add_option("--random", words->random,
+                       "instead: how often, on so many random scenes of each indenter, the error is below its estimate "
+                       "and a tolerance is met; into DIR/random_accuracy.csv")
+          ->between(1, 1'000'000)
+          ->option_text("N");
+  command->add_option("--seed", words->plan.seed, "of the random scenes; default: 1")->needs(random)->option_text("S");
+  command->add_option("--tolerances", words->plan.tolerances, "of the random scenes' solutions; default: 1e-2,1e-3")
+      ->delimiter(',')
+      ->positive()
+      ->needs(random);
+  command->add_option("--indenter", words->indenter, "of the random scenes: cylinder, sphere or both (the default)")
+      ->one_of({"cylinder", "sphere", "both"})
+      ->needs(random)
+      ->option_text("INDENTER");
+  command->add_option("--jobs", words->plan.jobs, "processes for the random scenes; default: one for each core")
+      ->between(1, 1024)
+      ->needs(random)
+      ->option_text("N");
+  command->add_option("--time-limit", words->plan.time_limit, "for one random scene, in seconds; default: 600")
+      ->positive()
+      ->needs(random)
+      ->option_text("SECONDS");
   command->footer(
       "Each solution is cold, in a process of its own on one core. Exit status 1: a method did not converge "
       "somewhere.\n"
-      "Example: rollres accuracy studies/examples/paper_sphere.json --out out --methods newton,active_set");
-  command->callback([words, &session] { accuracy(*words, session); });
+      "Example: rollres accuracy studies/examples/paper_sphere.json --out out --methods newton,active_set\n"
+      "Example: rollres accuracy --random 100 --seed 1 --out out");
+  command->callback([words, &session] {
+    if (words->random > 0)
+      random_accuracy(*words, session);
+    else
+      accuracy(*words, session);
+  });
 }
 
 }  // namespace rollres

@@ -54,6 +54,7 @@ CommandOption* Command::add_option(const std::string& name, T& value, const std:
 
 template CommandOption* Command::add_option(const std::string&, std::string&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::vector<double>&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::filesystem::path&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, int&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::uint64_t&, const std::string&);

@@ -17,7 +17,7 @@ namespace {
 struct SolveOptions {
   std::string scene;
   std::vector<std::string> overrides;
-  bool json = false;
+  bool json = false, explain = false;
   std::string fields;
 };
 
@@ -27,7 +27,9 @@ void run_solve(const SolveOptions& options, bool with_fields, Session& session) 
   if (with_fields) make_directory(options.fields);  // before the work, not after it
 
   const RollingSolution solution = session.evaluate(scene);
-  session.out << (options.json ? solution_json(scene, solution) + '\n' : summary(scene, solution)) << std::flush;
+  session.out << (options.json ? solution_json(scene, solution) + '\n' : summary(scene, solution));
+  if (options.explain && !options.json) session.out << explanation(scene, solution);
+  session.out << std::flush;
   if (solution.status != Status::converged) session.status = ExitStatus::no_answer;
   if (!with_fields) return;
   if (solution.fields.grid.size() == 0) {
@@ -47,6 +49,8 @@ void add_solve(Command& program, Session& session) {
       ->option_text("KEY=VALUE")
       ->one_value_each();
   command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_flag("--explain", options->explain,
+                    "Print what was decided, left out and kept, one to a line, with the number it rests on");
   CommandOption* const fields =
       command->add_option("--fields", options->fields, "Write the surface's fields to DIR/fields.csv and .vti")
           ->option_text("DIR");

@@ -39,6 +39,7 @@ int run_program(std::vector<std::string> words, Session session);
 
 void add_solve(Command& program, Session& session);
 void add_figures(Command& program, Session& session);
+void add_material(Command& program, Session& session);
 void add_gradient(Command& program, Session& session);
 void add_sensitivity(Command& program, Session& session);
 void add_plan(Command& program, Session& session);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/solution.hpp"
+#include "studies/master_curve_file.hpp"
 #include "studies/sampling.hpp"
 #include "studies/scene_entries.hpp"
 #include "studies/schema_parts.hpp"
@@ -23,14 +24,23 @@ Json joint_rules() {
       for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
         if (kind.quantity.key < other) rules.push_back({{"not", {{"required", {kind.quantity.key, other}}}}});
   const InputKind& material = *find_input("material");
-  for (const std::string_view name : material.choices) {
-    Json needed = Json::array();
+  const auto one_of = [](std::initializer_list<Json> ways) { return Json{{"anyOf", Json(ways)}}; };
+  for (std::size_t i = 0; i < material.choices.size(); ++i) {
+    const std::string name(material.choices[i]);
+    const auto model = static_cast<MaterialModel>(i);
+    Json needed = Json::array(), wanted = Json::array();
     for (const InputKind& kind : input_kinds())
-      if (kind.needed_by() == "material \"" + std::string(name) + '"') needed.push_back(kind.quantity.key);
-    if (needed.empty()) continue;
+      if (kind.needed_by(model)) needed.push_back(kind.quantity.key);
+    if (model == MaterialModel::master_curve)
+      wanted.push_back(one_of({{{"required", needed}}, {{"required", Json{std::string(master_curve_key)}}}}));
+    else if (!needed.empty())
+      wanted.push_back({{"required", needed}});
+    if (needs_static_modulus(model))
+      wanted.push_back(
+          one_of({{{"required", Json{"static_shear_modulus"}}}, {{"required", Json{"static_young_modulus"}}}}));
     Json chosen{{"properties", {{"material", {{"const", name}}}}}};
-    if (material.default_value != InputValue(std::string(name))) chosen["required"] = {"material"};
-    rules.push_back({{"if", chosen}, {"then", {{"required", needed}}}});
+    if (material.default_value != InputValue(name)) chosen["required"] = {"material"};
+    rules.push_back({{"if", chosen}, {"then", {{"allOf", wanted}}}});
   }
   return rules;
 }
@@ -90,12 +100,12 @@ Json chart() {
 std::string scene_schema() {
   Json schema{{"$schema", draft}, {"title", "scene of rollres"}};
   schema.update(inputs(input, any_input));
-  Json properties = ignored_texts();
+  Json properties = scene_texts();
   properties.update(schema["properties"]);
   schema["properties"] = properties;
   schema["required"] = Json::array();
   for (const InputKind& kind : input_kinds())
-    if (kind.needed_by() == "every scene") schema["required"].push_back(kind.quantity.key);
+    if (kind.needed_by_all()) schema["required"].push_back(kind.quantity.key);
   schema["allOf"] = joint_rules();
   schema["definitions"] = common_definitions();
   return printed(schema);

@@ -33,7 +33,8 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
 const std::vector<InputKind>& layer_kinds() {
   static const std::vector<InputKind> kinds = [] {
     std::vector<InputKind> list;
-    visit_layer_inputs(BondedLayer{}, [&](const Quantity& quantity, const auto&) {
+    const BondedLayer layer;
+    visit_layer_inputs(layer, [&](const Quantity& quantity, const auto&) {
       list.push_back(*find_input(quantity.key));  // as a scene's own layer
     });
     return list;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "studies/layer_entries.hpp"
+#include "studies/master_curve_file.hpp"
 #include "studies/units.hpp"
 
 namespace rollres {
@@ -23,6 +24,7 @@ void refuse_unknown_key(const SceneEntry& entry) {
   if (find_input(entry.key)) return;
   std::vector<std::string_view> known = input_keys();
   known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
+  known.push_back(master_curve_key);
   refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
 }
 
@@ -89,9 +91,11 @@ Indenter indenter_of(const std::vector<SceneEntry>& entries) {
   return scene.indenter;
 }
 
-std::vector<SceneEntry> scene_entries(const Json& object, const std::string& place) {
+std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,
+                                      const std::string& place) {
   std::vector<SceneEntry> entries;
-  for (const auto& [key, value] : object.items()) {
+  const Json complete = with_master_curve(object, folder, place);
+  for (const auto& [key, value] : complete.items()) {
     if (find_name(ignored_keys, key) >= 0) {
       if (!value.is_string()) refuse(place, key, value, "must be a text");
       continue;
@@ -121,10 +125,19 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
       else
         entry.value = *value;
     }
-    refuse_unknown_key(entry);
-    for (const SceneEntry& earlier : entries)
-      if (earlier.key == entry.key) refuse(place, entry.key, entry.value, "key given twice");
-    entries.push_back(std::move(entry));
+    std::vector<SceneEntry> meant{entry};
+    if (entry.key == master_curve_key) {
+      meant.clear();
+      const Json lists = with_master_curve(Json{{entry.key, word.substr(equals + 1)}}, {}, place);
+      for (const auto& [key, value] : lists.items()) meant.push_back({key, value, place});
+    } else {
+      refuse_unknown_key(entry);
+    }
+    for (SceneEntry& one : meant) {
+      for (const SceneEntry& earlier : entries)
+        if (earlier.key == one.key) refuse(place, one.key, one.value, "key given twice");
+      entries.push_back(std::move(one));
+    }
   }
   return entries;
 }

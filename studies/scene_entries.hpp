@@ -3,6 +3,7 @@
 /// Inputs as they were given, before units and rules. For sources only: it needs nlohmann_json.
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,11 +23,13 @@ struct SceneEntry {
 /// Keys of a scene file that are no inputs; their values are texts that the program ignores.
 inline constexpr std::array<std::string_view, 2> ignored_keys{"$schema", "comment"};
 
-/// The entries of a scene object without what is ignored, each checked by itself.
+/// The entries of a scene object without what is ignored, each checked by itself; of a master_curve_file its lists.
+/// @param folder that the name of such a file is relative to
 /// @throws std::invalid_argument for an unknown key or a wrong value
-std::vector<SceneEntry> scene_entries(const Json& object, const std::string& place);
+std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,
+                                      const std::string& place);
 
-/// The entries of a list of "KEY=VALUE".
+/// The entries of a list of "KEY=VALUE"; a master_curve_file is relative to the working directory.
 /// @throws std::invalid_argument for an unknown key, one given twice, or a word without "="
 std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place = "--set");
 

@@ -1,7 +1,8 @@
 #pragma once
 
 /// Scene files: one flat JSON object, its keys those of `visit_inputs`. A number is SI, or a text with a unit ("5 mm");
-/// layer_thickness may be "infinite"; texts under "comment" and "$schema" are ignored. Nothing else is accepted: every
+/// layer_thickness may be "infinite"; lists of them stand in [ ]; "master_curve_file" names a CSV file, relative to the
+/// scene's, in place of the lists that it holds (master_curve_file.hpp); texts under "comment" and "$schema" are ignored. Nothing else is accepted: every
 /// refusal is one line that names file, key, value and rule.
 
 #include <filesystem>

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "studies/layer_entries.hpp"
+#include "studies/master_curve_file.hpp"
 
 namespace rollres::json_schema {
 
@@ -126,9 +127,20 @@ Json ignored_texts() {
   return texts;
 }
 
+Json scene_texts() {
+  Json texts = ignored_texts();
+  texts[std::string(master_curve_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
+       "storage_modulus [Pa], loss_modulus [Pa]"}};
+  return texts;
+}
+
 Json scene_or_file() {
   Json scene = inputs(input_reference, any_input);
-  scene["properties"].update(ignored_texts());
+  scene["properties"].update(scene_texts());
   return {{"anyOf", {name(), scene}}};
 }
 

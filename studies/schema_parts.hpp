@@ -64,6 +64,9 @@ Json input_number();
 /// Keys of every file that are ignored.
 Json ignored_texts();
 
+/// The same, and the name of a file with a master curve: the keys of a scene that are no inputs.
+Json scene_texts();
+
 /// A file's scene: its name, or an object with inputs, which may be few.
 Json scene_or_file();
 

@@ -130,6 +130,26 @@ Trial judge(const Evaluate& evaluate, const RollingScene& scene, std::size_t num
   return trial;
 }
 
+std::vector<Cell> input_cells(const RollingScene& scene) {
+  std::vector<Cell> cells;
+  visit_inputs(scene, [&](const Quantity&, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_enum_v<Value>)
+      cells.emplace_back(std::string(name_of(value)));
+    else if constexpr (std::is_same_v<Value, std::optional<double>>)
+      cells.push_back(value ? Cell(*value) : Cell());
+    else if constexpr (std::is_integral_v<Value>)
+      cells.emplace_back(static_cast<std::int64_t>(value));
+    else if constexpr (std::is_same_v<Value, std::vector<double>>)
+      cells.push_back(value.empty() ? Cell() : Cell(text_of_list(value)));
+    else if constexpr (std::is_same_v<Value, BondedLayers>)
+      cells.push_back(value.empty() ? Cell() : Cell(text_of_layers(value)));
+    else
+      cells.push_back(std::isnan(value) ? Cell() : Cell(value));
+  });
+  return cells;
+}
+
 Table trials_table(const std::vector<Trial>& trials) {
   const auto number = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
   const auto count = [](int value) { return Cell(static_cast<std::int64_t>(value)); };
@@ -141,21 +161,7 @@ Table trials_table(const std::vector<Trial>& trials) {
   for (const Trial& trial : trials) {
     std::vector<Cell>& row = table.rows.emplace_back();
     row.emplace_back(static_cast<std::int64_t>(trial.number));
-    visit_inputs(trial.scene, [&](const Quantity&, const auto& value) {
-      using Value = std::decay_t<decltype(value)>;
-      if constexpr (std::is_enum_v<Value>)
-        row.emplace_back(std::string(name_of(value)));
-      else if constexpr (std::is_same_v<Value, std::optional<double>>)
-        row.push_back(value ? Cell(*value) : Cell());
-      else if constexpr (std::is_integral_v<Value>)
-        row.push_back(count(value));
-      else if constexpr (std::is_same_v<Value, std::vector<double>>)
-        row.push_back(value.empty() ? Cell() : Cell(text_of_list(value)));
-      else if constexpr (std::is_same_v<Value, BondedLayers>)
-        row.push_back(value.empty() ? Cell() : Cell(text_of_layers(value)));
-      else
-        row.push_back(number(value));
-    });
+    for (Cell& cell : input_cells(trial.scene)) row.push_back(std::move(cell));
     const TrialNumbers& n = trial.numbers;
     for (const Cell& cell :
          {Cell(std::string(name_of(n.outcome))), trial.reason.empty() ? Cell() : Cell(trial.reason),

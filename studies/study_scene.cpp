@@ -5,11 +5,11 @@ namespace rollres {
 std::vector<SceneEntry> scene_entries_of(const Json& object, const std::filesystem::path& file,
                                          const std::string& place) {
   const Json& scene = needed(object, "scene", place, "must be the name of a scene file, or a scene");
-  if (scene.is_object()) return scene_entries(scene, place + ": scene");
+  if (scene.is_object()) return scene_entries(scene, file.parent_path(), place + ": scene");
   if (!scene.is_string() || scene.get_ref<const std::string&>().empty())
     refuse(place, "scene", scene, "must be the name of a scene file, or a scene");
-  const std::string path = (file.parent_path() / scene.get<std::string>()).string();
-  return scene_entries(read_object(path), path);
+  const std::filesystem::path path = file.parent_path() / scene.get<std::string>();
+  return scene_entries(read_object(path.string()), path.parent_path(), path.string());
 }
 
 std::vector<SceneEntry> set_entries(const Json& object, const std::string& place) {

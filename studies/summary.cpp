@@ -94,4 +94,20 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   return text + "\nscene\n" + aligned(inputs) + "\nsolution\n" + aligned(outputs);
 }
 
+std::string explanation(const RollingScene& scene, const RollingSolution& solution) {
+  std::string text = "decisions\n  - method " + std::string(name_of(solution.method)) +
+                     (scene.method == solution.method ? ", as asked for" : ", chosen for the scene") + '\n';
+  for (std::size_t begin = 0; begin < solution.model.size();) {
+    const std::size_t end = std::min(solution.model.find("; ", begin), solution.model.size());
+    text += "  - " + solution.model.substr(begin, end - begin) + '\n';
+    begin = end + 2;
+  }
+  if (std::isfinite(solution.error_estimate)) {
+    text += "  - estimated error of R_r: " + short_number(solution.error_estimate, 2);
+    if (scene.tolerance) text += ", wanted " + short_number(*scene.tolerance, 2);
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace rollres

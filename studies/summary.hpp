@@ -11,4 +11,7 @@ namespace rollres {
 /// Absent numbers are left out.
 std::string summary(const RollingScene& scene, const RollingSolution& solution);
 
+/// What was decided, left out and kept, one to a line, and the estimated error: the words of `model`.
+std::string explanation(const RollingScene& scene, const RollingSolution& solution);
+
 }  // namespace rollres

@@ -93,7 +93,7 @@ std::optional<double> plain_number(std::string_view text) {
 }
 
 std::string unit_in_words(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> measures{{{"m", "length"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> measures{{{"m", "length"},
                                                                                     {"m2", "area"},
                                                                                     {"m/s", "speed"},
                                                                                     {"s", "time"},
@@ -105,7 +105,9 @@ std::string unit_in_words(std::string_view unit) {
                                                                                     {"W/m", "power per length"},
                                                                                     {"kg/m3", "density"},
                                                                                     {"rad/s", "rotational speed"},
-                                                                                    {"K", "temperature"}}};
+                                                                                    {"K", "temperature"},
+                                                                                    {"Hz", "frequency"},
+                                                                                    {"J/mol", "molar energy"}}};
   for (const auto& [known, measure] : measures)
     if (known == unit) return "a unit of " + std::string(measure) + " (" + std::string(unit) + ")";
   return "a unit that converts to " + std::string(unit);

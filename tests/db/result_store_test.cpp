@@ -24,6 +24,14 @@ struct Different {
   void operator()(const Quantity& quantity, std::string& value) {
     value = "text of " + std::string(quantity.key) + " μ";
   }
+  void operator()(const Quantity&, std::vector<double>& value) { value = {next += 1.0 / 3, 1e-300 / 7, 1e17 / 3}; }
+  void operator()(const Quantity&, BondedLayers& value) {
+    value.resize(2);
+    for (BondedLayer& layer : value) {
+      visit_layer_inputs(layer, *this);
+      layer.layer_thickness = &layer == &value.back() ? infinity : layer.layer_thickness;
+    }
+  }
   void operator()(const Quantity&, std::vector<std::string>& value) { value = {"first; 'quoted'", "second \"too\""}; }
   template <class Choice>
   requires std::is_enum_v<Choice>
@@ -48,6 +56,12 @@ struct Bits {
   }
   void operator()(const Quantity& quantity, const std::string& value) {
     all.push_back(std::string(quantity.key) + " " + value);
+  }
+  void operator()(const Quantity& quantity, const std::vector<double>& value) {
+    for (const double number : value) (*this)(quantity, number);
+  }
+  void operator()(const Quantity&, const BondedLayers& value) {
+    for (const BondedLayer& layer : value) visit_layer_inputs(layer, *this);
   }
   void operator()(const Quantity& quantity, const std::vector<std::string>& value) {
     for (const std::string& line : value) (*this)(quantity, line);

@@ -41,16 +41,16 @@ TEST_CASE("the schemas have every key that the readers accept", "[studies][schem
     CAPTURE(key);
     CHECK(scene["properties"].contains(key));
     CHECK(study["properties"]["set"]["properties"].contains(key));
-    CHECK(study["properties"]["axes"]["properties"].contains(key));
+    CHECK(study["properties"]["axes"]["properties"].contains(key) != kind.list);
   }
-  CHECK(scene["properties"].size() == input_kinds().size() + 2);  // $schema and comment
+  CHECK(scene["properties"].size() == input_kinds().size() + 3);  // $schema, comment and master_curve_file
   for (const FileKey& key : study_keys) CHECK(study["properties"].contains(std::string(key.key)));
   CHECK(study["properties"].size() == study_keys.size());
   const Json fit = Json::parse(fit_schema()), optimisation = Json::parse(optimisation_schema());
   for (const FileKey& key : fit_keys) CHECK(fit["else"]["properties"].contains(std::string(key.key)));
   for (const FileKey& key : material_fit_keys) CHECK(fit["then"]["properties"].contains(std::string(key.key)));
   for (const FileKey& key : design_keys) CHECK(optimisation["properties"].contains(std::string(key.key)));
-  CHECK(scene["required"] == Json{"radius", "layer_thickness", "static_shear_modulus", "speed"});
+  CHECK(scene["required"] == Json{"radius", "layer_thickness", "speed"});
 }
 
 TEST_CASE("the schemas accept every example and refuse what the readers refuse", "[studies][schema]") {
@@ -93,6 +93,12 @@ for scene in scenes:
     refused('scene', scene, lambda s: s.update(radius='infinite'))
     refused('scene', scene, lambda s: s.pop('radius'))
     refused('scene', scene, lambda s: s.pop('creep_time'))
+    refused('scene', scene, lambda s: s.pop('static_shear_modulus'))
+    refused('scene', scene, lambda s: s.update(static_young_modulus=1e6))
+    refused('scene', scene, lambda s: s.update(material='prony', relaxation_times=[1]))
+    refused('scene', scene, lambda s: s.update(material='prony', relaxation_times=[0], relaxation_moduli=[1]))
+    assert valid['scene']({**scene, 'material': 'prony', 'relaxation_times': ['1 ms', 1], 'relaxation_moduli': [1, 2]})
+    assert valid['scene']({**scene, 'material': 'master_curve', 'master_curve_file': 'rubber.csv'})
     assert valid['scene']({**scene, 'layer_thickness': 'infinite'})
     assert valid['scene']({**{k: v for k, v in scene.items() if k != 'creep_time'}, 'material': 'elastic'})
 for fit in fits:

@@ -87,7 +87,7 @@ const std::vector<Wrong> wrong_scenes{
     {scene_with(R"("rotation_ratio": 1)"), R"(: rotation_ratio = 1: only with drive "rotation")"},
     {scene_without("radius"), R"(: radius is missing: every scene needs it (m))"},
     {scene_without("layer_thickness"), R"(: layer_thickness is missing: every scene needs it (m))"},
-    {scene_without("static_shear_modulus"), R"(: static_shear_modulus is missing: every scene needs it (Pa))"},
+    {scene_without("static_shear_modulus"), R"(: static_shear_modulus is missing: give static_shear_modulus or static_young_modulus (Pa))"},
     {scene_without("speed"), R"(: speed is missing: every scene needs it (m/s))"},
     {scene_without("load"), R"(: load is missing: give load or approach)"},
     {scene_without("stiffening"), R"(: stiffening is missing: material "zener" needs it (1))"},

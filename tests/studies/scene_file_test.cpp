@@ -46,6 +46,7 @@ TEST_CASE("a scene written as JSON reads back as the same scene, whatever its in
   const auto valid = [](const InputKind& kind, int which) -> InputValue {
     if (!kind.choices.empty()) return std::string(which == 0 ? kind.choices.front() : kind.choices.back());
     const Range& range = kind.quantity.range;
+    if (kind.list) return which == 0 ? std::vector<double>{1.0 / 3} : std::vector<double>{0.1 + 0.2, 1e-300, 7};
     if (kind.whole) return std::ceil(std::isfinite(range.lowest) ? range.lowest + 1 + which : which);
     if (range.infinity_allowed && which == 1) return std::numeric_limits<double>::infinity();
     const double odd = which == 0 ? 1.0 / 3 : 0.1 + 0.2;  // 16 and 17 digits

@@ -67,13 +67,13 @@ TEST_CASE("random scenes keep the rules, cover their ranges and have every drive
       CHECK(scene.indenter == indenter);
       values["radius"].push_back(scene.radius);
       values["layer_thickness"].push_back(scene.layer_thickness);
-      values["static_shear_modulus"].push_back(scene.static_shear_modulus);
+      values["static_shear_modulus"].push_back(*scene.static_shear_modulus);
       values["stiffening"].push_back(scene.stiffening);
       values["creep_time"].push_back(scene.creep_time);
       values["speed"].push_back(scene.speed);
       values["friction_coefficient"].push_back(scene.friction_coefficient);
       const ContactEstimate rubbery = elastic_contact_from_load(indenter, scene.radius, scene.layer_thickness,
-                                                                scene.static_shear_modulus, *scene.load);
+                                                                *scene.static_shear_modulus, *scene.load);
       values["half-width"].push_back(rubbery.half_width / scene.radius);
       values["nodes"].push_back(2 * estimate_contact(scene).half_width / *scene.spacing);
       ++drives[kind_of_drive(scene)];

@@ -1,0 +1,205 @@
+/// Rolling on several bonded layers, with coated bodies and with inertia.
+
+#include <cmath>
+#include <limits>
+
+#include "core/contact_surface.hpp"
+#include "core/rolling_contact.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+
+using namespace rollres;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+RollingScene on_one_layer(Indenter indenter) {
+  RollingScene scene;
+  scene.indenter = indenter;
+  scene.radius = 0.025;
+  scene.layer_thickness = 0.01;
+  scene.static_shear_modulus = 1e6;
+  scene.stiffening = 9;
+  scene.creep_time = 0.01;
+  scene.speed = 0.5;
+  scene.load = indenter == Indenter::sphere ? 60 : 5000;
+  scene.friction_coefficient = 0.3;
+  scene.spacing = indenter == Indenter::sphere ? 0.5e-3 : 0.2e-3;
+  return scene;
+}
+
+BondedLayer like_first(const RollingScene& scene, double thickness) {
+  BondedLayer layer;
+  static_cast<MaterialInputs&>(layer) = scene;
+  layer.layer_thickness = thickness;
+  return layer;
+}
+
+BondedLayer zener_layer(double thickness, double modulus, double stiffening, double time) {
+  BondedLayer layer;
+  layer.layer_thickness = thickness;
+  layer.static_shear_modulus = modulus;
+  layer.stiffening = stiffening;
+  layer.creep_time = time;
+  return layer;
+}
+
+RollingSolution converged(const RollingScene& scene) {
+  const RollingSolution solution = solve(scene);
+  INFO(solution.reason);
+  REQUIRE(solution.status == Status::converged);
+  CHECK(solution.law_violation < 1e-9);
+  return solution;
+}
+
+}  // namespace
+
+TEST_CASE("two equal layers roll like one of their thickness", "[core][layered_scenes]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    CAPTURE(name_of(indenter));
+    const RollingScene one = on_one_layer(indenter);
+    RollingScene two = one;
+    two.layer_thickness = 0.003;
+    two.lower_layers = {like_first(one, 0.007)};
+    const RollingSolution expected = converged(one), got = converged(two);
+    CHECK(got.rolling_resistance == Approx(expected.rolling_resistance).epsilon(1e-8));
+    CHECK(got.approach == Approx(expected.approach).epsilon(1e-8));
+    CHECK(got.rotation_ratio == Approx(expected.rotation_ratio).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("a very thick lower layer is a half-space", "[core][layered_scenes]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    CAPTURE(name_of(indenter));
+    RollingScene scene = on_one_layer(indenter);
+    scene.lower_layers = {zener_layer(infinite, 4e6, 2, 1e-3)};
+    const double expected = converged(scene).rolling_resistance;
+    scene.lower_layers[0].layer_thickness = 5;
+    CHECK(converged(scene).rolling_resistance == Approx(expected).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a layer on a half-space of its own material is that half-space", "[core][layered_scenes]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    CAPTURE(name_of(indenter));
+    RollingScene half_space = on_one_layer(indenter);
+    half_space.layer_thickness = infinite;
+    RollingScene layered = on_one_layer(indenter);
+    layered.lower_layers = {like_first(layered, infinite)};
+    CHECK(converged(layered).rolling_resistance == Approx(converged(half_space).rolling_resistance).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("layers of different materials: a single passage is a train of bodies far apart", "[core][layered_scenes]") {
+  // The sum over wavenumbers uses the compliance itself, not its expansion in retardation times.
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.layer_thickness = 0.005;
+  scene.lower_layers = {zener_layer(0.005, 5e6, 2, 1e-3)};
+  scene.coating_layers = {zener_layer(0.002, 3e6, 1, 1e-2)};
+  const RollingSolution passage = converged(scene);
+  CHECK(passage.energy_residual < 1e-6);
+  scene.period = 0.5;
+  scene.series_terms = 20000;
+  CHECK(passage.rolling_resistance == Approx(converged(scene).rolling_resistance).epsilon(1e-5));
+}
+
+TEST_CASE("a hard floor under a coated body: the layer may as well lie on the floor", "[core][layered_scenes]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    CAPTURE(name_of(indenter));
+    RollingScene floor = on_one_layer(indenter);
+    floor.friction_coefficient = 0;
+    RollingScene coated = floor;
+    coated.material = MaterialModel::elastic;
+    coated.static_shear_modulus = 1e13;
+    coated.layer_thickness = 1e-3;
+    coated.coating_layers = {like_first(floor, floor.layer_thickness)};
+    CHECK(converged(coated).rolling_resistance == Approx(converged(floor).rolling_resistance).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("between equal layers on body and base friction does not act on the pressure", "[core][layered_scenes]") {
+  // Cross terms of the two surfaces cancel (Johnson 1985, section 5.1).
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.coating_layers = {like_first(scene, scene.layer_thickness)};
+  scene.drive = Drive::free;
+  const RollingSolution rough = converged(scene);
+  scene.friction_coefficient = 0;
+  const RollingSolution smooth = converged(scene);
+  CHECK(rough.contact_nodes == smooth.contact_nodes);
+  CHECK(rough.approach == Approx(smooth.approach).epsilon(2e-3));  // the body's slope brings shear into the load
+}
+
+TEST_CASE("inertia: a single passage is a train of bodies far apart, and vanishes with the speed",
+          "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.speed = 15;
+  scene.creep_time = 3e-4;
+  scene.inertia = Inertia::on;
+  const double with = converged(scene).rolling_resistance;
+  RollingScene train = scene;
+  train.period = 0.4;
+  train.series_terms = 20000;
+  CHECK(with == Approx(converged(train).rolling_resistance).epsilon(1e-5));
+  RollingScene without = scene;
+  without.inertia = Inertia::off;
+  CHECK(with / converged(without).rolling_resistance == Approx(1.08).margin(0.005));  // the train's as well
+
+  scene.speed = without.speed = 1e-3;  // rho V^2/G = 1e-9
+  scene.creep_time = without.creep_time = 1;
+  CHECK(converged(scene).rolling_resistance == Approx(converged(without).rolling_resistance).epsilon(1e-7));
+}
+
+TEST_CASE("inertia comes by itself where the tolerance asks for it", "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.speed = 5;
+  CHECK_FALSE(inertia_included(scene));  // a spacing, no tolerance
+  scene.spacing.reset();
+  scene.tolerance = 1e-2;
+  CHECK(rayleigh_number(scene) == Approx(1000 * 25 / 1e6 / 0.912).epsilon(0.01));
+  CHECK(inertia_included(scene));
+  scene.speed = 0.5;
+  CHECK_FALSE(inertia_included(scene));
+  scene.tolerance = 1e-4;
+  CHECK(inertia_included(scene));
+  scene.indenter = Indenter::sphere;
+  CHECK_FALSE(inertia_included(scene));
+}
+
+TEST_CASE("scenes of several layers that cannot be are refused", "[core][layered_scenes]") {
+  const auto first_rule = [](const RollingScene& scene) {
+    const auto broken = check(scene);
+    return broken.empty() ? "nothing" : broken.front();
+  };
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  CHECK(first_rule(scene) == "nothing");
+
+  RollingScene nothing_below = scene;
+  nothing_below.layer_thickness = infinite;
+  nothing_below.lower_layers = {like_first(scene, 0.01)};
+  CHECK(first_rule(nothing_below).find("only the last of the lower layers may be infinite") != std::string::npos);
+
+  RollingScene no_thickness = scene;
+  no_thickness.lower_layers = {like_first(scene, 0)};
+  CHECK(first_rule(no_thickness) == "lower_layers[0].layer_thickness = 0: must be > 0 (or \"infinite\")");
+
+  RollingScene thick_coat = scene;
+  thick_coat.coating_layers = {like_first(scene, 0.03)};
+  CHECK(first_rule(thick_coat).find("must be thinner than the radius") != std::string::npos);
+
+  RollingScene too_fast = scene;
+  too_fast.inertia = Inertia::on;
+  too_fast.speed = 31;
+  CHECK(first_rule(too_fast) ==
+        "speed = 31: with inertia must be below that of Rayleigh waves on the layer at rest, 30.2 m/s");
+
+  RollingScene sphere = on_one_layer(Indenter::sphere);
+  sphere.inertia = Inertia::on;
+  CHECK(first_rule(sphere) == "inertia = on: for a sphere only with a period");
+
+  RollingScene spectral = scene;
+  spectral.spacing.reset();
+  spectral.method = Method::spectral;
+  spectral.lower_layers = {like_first(scene, 0.01)};
+  CHECK(first_rule(spectral).find("only for one layer of one material") != std::string::npos);
+}
