@@ -66,7 +66,7 @@ std::size_t sequence(std::string_view text) {
 
 /// As part of a URL: what is not a plain letter or sign as %XX (RFC 3986).
 std::string percent_encoded(std::string_view text) {
-  constexpr std::string_view kept = "-_.~ !*'(),/:=;@$";
+  constexpr std::string_view kept = "-_.~!*,:;@$/";
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string encoded;
   for (const char letter : text) {
