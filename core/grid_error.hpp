@@ -23,6 +23,7 @@
 namespace rollres {
 
 struct GridError {
+  bool sphere = false;
   double edges = 0;          ///< Delta of equation (1) [N] (per metre for a cylinder)
   double slow_loss = 0;      ///< viscous resistance by equation (2) [N]
   double slow_error = 0;     ///< estimated error of that [N]

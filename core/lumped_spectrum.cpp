@@ -9,6 +9,7 @@ namespace {
 /// The terms of a group as one, its time such that the sum of compliance * time^power is kept.
 CreepSpectrum::Term joined(std::vector<CreepSpectrum::Term>::const_iterator begin,
                            std::vector<CreepSpectrum::Term>::const_iterator end, int power) {
+  if (end - begin == 1) return *begin;
   double compliance = 0, moment = 0;
   for (auto term = begin; term != end; ++term) {
     compliance += term->compliance;

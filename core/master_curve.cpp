@@ -21,8 +21,8 @@ using Eigen::VectorXd;
 
 constexpr double times_per_decade = 2;   // ripples of G" below 0.1 %
 constexpr double decades_beyond = 0.75;  // of the measured band, at either end
-/// Misfit that a smoother spectrum may add, relative to the least one and absolute: what a measurement is good for.
-constexpr double added_misfit = 1.1, negligible_misfit = 2.5e-2;
+/// Misfit that a smoother spectrum may add, relative to the least one and absolute.
+constexpr double added_misfit = 1.1, bearable_misfit = 0.05;
 /// Smallest share of the lowest storage modulus that stays at rest where nothing says it.
 constexpr double least_rest = 0.1;
 /// A row is an outlier beyond so many times the usual misfit, and this one.
@@ -165,17 +165,56 @@ class SpectrumProblem {
   VectorXd wanted_;
 };
 
-PronySeries smoothest_series(const SpectrumProblem& problem) {
-  constexpr double least = 1e-4, factor = 3;
-  constexpr int weights = 8;
-  PronySeries smoothest = problem.solve(least);
-  const double bound = added_misfit * problem.rms_misfit(smoothest) + negligible_misfit;
-  for (int i = 1; i < weights; ++i) {
-    PronySeries series = problem.solve(least * std::pow(factor, i));
-    if (problem.rms_misfit(series) > bound) break;
-    smoothest = std::move(series);
+/// How often a sequence of positive values turns from rising to falling or back, by more than a tenth.
+int turns(const std::vector<double>& values) {
+  constexpr double noticeable = 1.1;
+  int count = 0, direction = 0;                        // neither rises nor falls as yet
+  double low = values.front(), high = values.front();  // since the last turn
+  for (const double value : values) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+    const bool fell = direction >= 0 && value * noticeable < high, rose = direction <= 0 && value > noticeable * low;
+    if (!fell && !rose) continue;
+    if (direction != 0) ++count;
+    direction = fell ? -1 : 1;
+    low = high = value;
   }
-  return smoothest;
+  return count;
+}
+
+/// Turns of the loss tangent within the measured band beyond those of the table.
+int waves(const PronySeries& series, const MasterCurve& curve, const std::vector<std::size_t>& order) {
+  constexpr int points_per_decade = 10;
+  const double lowest = curve.frequencies[order.front()], highest = curve.frequencies[order.back()];
+  const int count = static_cast<int>(std::ceil(points_per_decade * std::log10(highest / lowest)));
+  std::vector<double> fitted, measured;
+  for (int i = 0; i <= count; ++i) {
+    const double frequency = lowest * std::pow(highest / lowest, static_cast<double>(i) / count);
+    const std::complex<double> modulus = complex_modulus(series, 2 * std::numbers::pi * frequency);
+    fitted.push_back(modulus.imag() / modulus.real());
+  }
+  for (const std::size_t row : order) measured.push_back(curve.loss[row] / curve.storage[row]);
+  return std::max(0, turns(fitted) - turns(measured));
+}
+
+struct SmoothSeries {
+  PronySeries series;
+  int waves;  // left, as fewer would cost too much misfit
+};
+
+SmoothSeries smooth_series(const SpectrumProblem& problem, const MasterCurve& curve,
+                           const std::vector<std::size_t>& order) {
+  constexpr double least = 1e-4, factor = 3;
+  constexpr int weights = 10;
+  PronySeries series = problem.solve(least);
+  const double bound = added_misfit * problem.rms_misfit(series) + bearable_misfit;
+  SmoothSeries smooth{series, waves(series, curve, order)};
+  for (int i = 1; i < weights && smooth.waves > 0; ++i) {
+    series = problem.solve(least * std::pow(factor, i));
+    if (problem.rms_misfit(series) > bound) break;
+    smooth = {series, waves(series, curve, order)};
+  }
+  return smooth;
 }
 
 }  // namespace
@@ -189,7 +228,8 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const std::vector<std::size_t> order = rows_in_order(curve);
   MasterCurveFit fit{.series = {}, .remarks = remarks_on_rows(curve, order)};
   const SpectrumProblem problem(curve, order);
-  fit.series = smoothest_series(problem);
+  const SmoothSeries smooth = smooth_series(problem, curve, order);
+  fit.series = smooth.series;
   fit.rms_misfit = problem.rms_misfit(fit.series);
   std::vector<double> misfits;
   for (std::size_t row = 0; row < order.size(); ++row) {
@@ -205,6 +245,10 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
     if (misfits[row] > std::max(outlier_ratio * usual, outlier_misfit))
       fit.remarks.push_back("master curve: " + row_name(curve, row) + " is an outlier: " +
                             text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
+  if (smooth.waves > 0)
+    fit.remarks.push_back(text("master curve: the fit has ", smooth.waves,
+                               " more turns of the loss tangent than the table: rows are ",
+                               "missing, or storage and loss do not belong to one linear material"));
   if (curve.static_modulus == 0 && fit.series.static_modulus <= problem.least_rest_modulus())
     fit.remarks.push_back(
         text("master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,

@@ -3,8 +3,10 @@
 /// A measured master curve as a Prony series: a non-negative fit, smooth where the table is silent.
 ///
 /// Relaxation times are laid evenly over the measured band and a little beyond. The moduli are the non-negative ones
-/// that minimise the relative misfit of G' and G" in all rows and, between the rows, the bends of the spectrum; of all
-/// weights of the latter the largest is taken that hardly adds to the misfit.
+/// that minimise the relative misfit of G' and G" in all rows and, with a weight, the bends of the spectrum. It is the
+/// least weight with which the loss tangent has no wave that the table does not show, as long as the misfit bears it:
+/// storage and loss that do not belong together, by the relations of Kramers and Kronig, show as a misfit and not as
+/// waves between the rows.
 /// @see Honerkamp and Weese (1989), Macromolecules 22, 4372, for the regularised spectrum; Baumgaertel and Winter
 ///      (1989), Rheologica Acta 28, 511, for discrete spectra and their density
 

@@ -83,7 +83,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (std::isfinite(total_thickness(scene)))
     model += text("; layer kept: half-length of the contact over H = ", half_length(solution) / total_thickness(scene),
                   ", a half-space would cost as much");
-  else if (!sphere && scene.friction_coefficient == 0)
+  else if (!sphere && scene.friction_coefficient == 0 && scene.material == MaterialModel::zener)
     model += "; closed form of the half-space not used: no faster";
   if (scene.friction_coefficient > 0)
     model += text("; friction and its coupling with the pressure kept: friction takes ",

@@ -33,6 +33,18 @@ std::string noise_in_words(const FitReport& report, const FitProblem& problem) {
          " times the scatter of the data" + (problem.noise_remedy.empty() ? "" : "; " + problem.noise_remedy);
 }
 
+/// How far the errors of the slopes let Gauss and Newton's step err, in standard errors: (A^T A)^-1 E^T r for slopes
+/// A + E and residuals r.
+double doubt_of_step(const FitReport& report, Eigen::Index parameter) {
+  double squares = 0, variance = 0;
+  for (const FittedValue& value : report.values) squares += value.residual * value.residual;
+  const double root = std::sqrt(squares / static_cast<double>(report.values.size()) / report.errors.scale);
+  for (Eigen::Index k = 0; k < report.errors.covariance.cols(); ++k)
+    if (const double covariance = report.errors.covariance(parameter, k); std::isfinite(covariance))
+      variance += std::pow(covariance * report.errors.slope_errors[k] * root, 2);
+  return std::sqrt(variance) / report.errors.deviations[parameter];
+}
+
 /// Why this is no least misfit; empty if it is one.
 std::string not_converged(const FitReport& report) {
   if (!report.slopes.found()) return report.slopes.reason;
@@ -48,7 +60,8 @@ std::string not_converged(const FitReport& report) {
     const FittedParameter& fitted = report.parameters[j];
     const double distance = std::abs(report.errors.step[static_cast<Eigen::Index>(j)]);
     // A noise e of residuals moves the misfit by about e, and its least place by the root of that.
-    const double enough = std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near);
+    const double enough = std::max(std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near),
+                                   std::min(doubt_of_step(report, static_cast<Eigen::Index>(j)), 1.0));
     if (distance > std::max(enough * fitted.relative_error, exactly))
       return fitted.parameter.name + " is thought to be " + rounded(distance / fitted.relative_error) +
              " standard errors away from the least misfit (the descent stopped: " + report.stopped + ")";
@@ -90,6 +103,10 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
     if (fitted.slope_doubt > doubtful_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
       warn("the slopes by " + fitted.parameter.name + " are known to " + percent(fitted.slope_doubt) + " only");
   }
+  for (std::size_t j = 0; j < report.parameters.size(); ++j)
+    if (const double doubt = doubt_of_step(report, static_cast<Eigen::Index>(j)); doubt > 5 * near)
+      warn("the noise of the model leaves " + report.parameters[j].parameter.name + " uncertain by another " +
+           rounded(doubt) + " standard errors");
   if (report.p_value < unlikely)
     warn("the misfit is larger than the deviations of the data explain: p = " + rounded(report.p_value));
   if (1 - report.p_value < unlikely)

@@ -24,7 +24,12 @@ Json joint_rules() {
       for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
         if (kind.quantity.key < other) rules.push_back({{"not", {{"required", {kind.quantity.key, other}}}}});
   const InputKind& material = *find_input("material");
-  const auto one_of = [](std::initializer_list<Json> ways) { return Json{{"anyOf", Json(ways)}}; };
+  // One of two sets of keys.
+  const auto either = [](const Json& one, const Json& other) {
+    Json ways = Json::array();
+    for (const Json& keys : {one, other}) ways.push_back({{"required", keys}});
+    return Json{{"anyOf", ways}};
+  };
   for (std::size_t i = 0; i < material.choices.size(); ++i) {
     const std::string name(material.choices[i]);
     const auto model = static_cast<MaterialModel>(i);
@@ -32,12 +37,11 @@ Json joint_rules() {
     for (const InputKind& kind : input_kinds())
       if (kind.needed_by(model)) needed.push_back(kind.quantity.key);
     if (model == MaterialModel::master_curve)
-      wanted.push_back(one_of({{{"required", needed}}, {{"required", Json{std::string(master_curve_key)}}}}));
+      wanted.push_back(either(needed, Json::array({master_curve_key})));
     else if (!needed.empty())
       wanted.push_back({{"required", needed}});
     if (needs_static_modulus(model))
-      wanted.push_back(
-          one_of({{{"required", Json{"static_shear_modulus"}}}, {{"required", Json{"static_young_modulus"}}}}));
+      wanted.push_back(either(Json::array({"static_shear_modulus"}), Json::array({"static_young_modulus"})));
     Json chosen{{"properties", {{"material", {{"const", name}}}}}};
     if (material.default_value != InputValue(name)) chosen["required"] = {"material"};
     rules.push_back({{"if", chosen}, {"then", {{"allOf", wanted}}}});

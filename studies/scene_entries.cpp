@@ -128,7 +128,9 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
     std::vector<SceneEntry> meant{entry};
     if (entry.key == master_curve_key) {
       meant.clear();
-      const Json lists = with_master_curve(Json{{entry.key, word.substr(equals + 1)}}, {}, place);
+      Json named = Json::object();
+      named[entry.key] = word.substr(equals + 1);
+      const Json lists = with_master_curve(named, {}, place);
       for (const auto& [key, value] : lists.items()) meant.push_back({key, value, place});
     } else {
       refuse_unknown_key(entry);

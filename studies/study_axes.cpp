@@ -166,11 +166,11 @@ Axis axis_of(const std::vector<GivenAxis>& all, const GivenAxis& given, Indenter
 void refuse_repeated_values(const std::vector<GivenAxis>& given, const std::vector<Axis>& axes) {
   for (const auto& group : groups_of(axes)) {
     if (!given[group.front()].positions.empty()) continue;
-    std::set<std::vector<InputValue>> seen;
+    std::set<std::vector<std::string>> seen;
     for (std::size_t i = 0; i < axes[group.front()].size(); ++i) {
-      std::vector<InputValue> values;
+      std::vector<std::string> values;
       for (const std::size_t axis : group)
-        values.push_back(axes[axis].texts.empty() ? InputValue(axes[axis].values[i]) : axes[axis].texts[i]);
+        values.push_back(axes[axis].texts.empty() ? text_of(axes[axis].values[i]) : axes[axis].texts[i]);
       if (seen.insert(values).second) continue;
       const SceneEntry& first = given[group.front()].values[i];
       refuse(first.place, first.key, first.value,

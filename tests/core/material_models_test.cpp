@@ -112,17 +112,17 @@ TEST_CASE("a master curve's fit says its misfit, and rows in any order are the s
   const MaterialInputs rubber = filled_rubber();
   MasterCurve curve{rubber.frequencies, rubber.storage_moduli, rubber.loss_moduli};
   const MasterCurveFit fit = fit_master_curve(curve);
-  CHECK(fit.rms_misfit < 0.03);
+  // Storage and loss do not quite belong together: closer, the loss would wave between the rows.
+  CHECK(fit.rms_misfit < 0.06);
   CHECK(fit.largest_misfit < 0.08);
+  CHECK(loss_peaks(creep_spectrum(fit.series)).size() <= 2);
   CHECK(fit.worst_frequency == 1.51e4);
   CHECK_THAT(fit.in_words(), Contains("Prony terms, misfit ") && Contains(" % at most (at 1.51e+04 Hz)"));
   for (auto* const column : {&curve.frequencies, &curve.storage, &curve.loss}) std::swap((*column)[2], (*column)[5]);
   const MasterCurveFit mixed = fit_master_curve(curve);
   CHECK(mixed.rms_misfit == Approx(fit.rms_misfit).epsilon(1e-6));
-  // The fifth row is not what the others, by the relations of Kramers and Kronig, leave room for.
-  REQUIRE(fit.remarks.size() == 1);
-  CHECK_THAT(fit.remarks.front(), Contains("row 5 (1.51e+04 Hz) is an outlier: 6.21 % from the fit"));
-  REQUIRE(mixed.remarks.size() == 3);
+  CHECK(fit.remarks.empty());
+  REQUIRE(mixed.remarks.size() == 2);
   CHECK(mixed.remarks.front() == "master curve: row 4 (2.09e+03 Hz) is out of the order of frequencies");
   CHECK(shared_master_curve_fit(curve) == shared_master_curve_fit(curve));
 }
