@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <iomanip>
 #include <memory>
 #include <ostream>
+#include <sstream>
 
 #include "db/provenance.hpp"
 #include "studies/command_line.hpp"
@@ -15,11 +18,19 @@ namespace rollres {
 
 namespace {
 
+/// "4.9e-05", "0".
+std::string in_powers(double value) {
+  if (value == 0) return "0";
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(1) << value;
+  return std::isnan(value) ? "-" : text.str();
+}
+
 Table table_of(const std::vector<VerificationRow>& rows) {
   Table table{{"check", "source", "expected", "got", "difference", "tolerance", "result"}, {}};
   for (const VerificationRow& row : rows)
     table.rows.push_back({row.quantity, row.source, readable(row.expected, row.unit), readable(row.got, row.unit),
-                          readable(row.difference(), ""), short_number(row.tolerance, 2),
+                          in_powers(row.difference()), in_powers(row.tolerance),
                           std::string(row.passed() ? "pass" : "FAIL")});
   return table;
 }

@@ -82,19 +82,19 @@ ChartAxis described(const QuantityColumn& column) {
 ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisScale wish, bool hint,
                      const std::string& option) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  bool positive = true;
+  bool all_positive = true;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const double value = rows.number(row, column);
     if (!std::isfinite(value)) continue;
-    positive = positive && value > 0;
+    all_positive = all_positive && value > 0;
     smallest = std::min(smallest, std::abs(value));
     largest = std::max(largest, std::abs(value));
   }
   constexpr double two_decades = 100 * (1 - 1e-9);
-  if (wish == AxisScale::logarithmic && !positive)
+  if (wish == AxisScale::logarithmic && !all_positive)
     throw std::invalid_argument(option + " = logarithmic: " + column.name + " has values that are not positive");
   const bool logarithmic = wish == AxisScale::logarithmic ||
-                           (wish == AxisScale::automatic && positive && (hint || largest >= two_decades * smallest));
+                           (wish == AxisScale::automatic && all_positive && (hint || largest >= two_decades * smallest));
   const std::string_view unit = unit_in(rows, column);
   return {logarithmic ? scaled_unit_logarithmic(unit, smallest, largest) : scaled_unit(unit, largest), logarithmic};
 }

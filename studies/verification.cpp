@@ -120,7 +120,7 @@ void check_paper_sphere(Checks& checks) {
   add_energy(checks, body, scene, s);
 }
 
-constexpr double shear_modulus = 1e6, unit_radius = 1;    // [Pa], [m]
+constexpr double shear_modulus = 1e11, unit_radius = 1;   // [Pa], [m]
 constexpr double line_width = 1e-5, sphere_width = 1e-3;  // a [m]: so small that a circle is a parabola
 
 RollingScene on_half_space(Indenter indenter) {
