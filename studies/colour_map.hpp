@@ -31,4 +31,10 @@ struct ColourBands {
 /// @param label in gnuplot's markup
 void write_colours(std::ostream& script, const ColourBands& bands, const std::string& label);
 
+/// Levels 1, 2, 5, 10, ... (over many decades 1, 3, 10, ... or 1, 10, ...) that enclose positive values.
+std::vector<double> logarithmic_levels(double lowest, double highest);
+
+/// The same for bands between any levels, the first band having the colour 0.5, the next 1.5, ...
+void write_numbered_colours(std::ostream& script, const std::vector<double>& levels, const std::string& label);
+
 }  // namespace rollres

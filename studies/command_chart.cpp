@@ -18,7 +18,7 @@ namespace {
 struct ChartWords {
   std::string database, out;
   std::vector<std::string> filters;
-  std::string x_scale = "auto", y_scale = "auto";
+  std::string x_scale = "auto", y_scale = "auto", map_scale = "auto";
   std::string map, optimum;
   StudyChartWishes wishes;
 };
@@ -39,7 +39,7 @@ std::filesystem::path usual_name(const ChartWords& words, const std::string& stu
 }
 
 void print_peaks(std::ostream& out, const ChartRequest& request) {
-  if (!request.lines) return;
+  if (!request.lines || !request.mark_peaks) return;
   for (const ChartCurve& curve : request.curves)
     if (const auto place = peak(curve)) {
       const ChartPoint& top = curve.points[*place];
@@ -71,6 +71,7 @@ void draw_map(const ChartWords& words, ResultStore& store, Session& session) {
   for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
   wishes.x_scale = scale_named(words.x_scale);
   wishes.y_scale = scale_named(words.y_scale);
+  wishes.value_scale = scale_named(words.map_scale);
   const StoredMap map = stored_map(store, wishes);
   const ChartFiles files =
       draw_map(map.request, words.out.empty() ? usual_name(words, map.study) : std::filesystem::path(words.out));
@@ -147,6 +148,8 @@ void add_chart(Command& program, Session& session) {
   command->add_option("--x-scale", words->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
       ->one_of(scales);
   command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->one_of(scales);
+  command->add_option("--map-scale", words->map_scale, "of the colours of a map: auto, linear or logarithmic")
+      ->one_of(scales);
   command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database");
   command->footer(
       "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"

@@ -58,21 +58,25 @@ class MapDrawing {
 
   void paint() {
     const auto [lowest, highest] = extremes();
-    const ColourBands bands = ColourBands::between(lowest, highest);
+    const bool logarithmic = request_.value.logarithmic && lowest > 0;
     const std::string unit = request_.value.unit.empty() ? "" : "  [" + gnuplot::plain(request_.value.unit) + "]";
-    const std::string symbol =
-        request_.value.symbol.empty() ? gnuplot::plain(request_.value.name) : gnuplot::symbol(request_.value.symbol);
-    write_colours(script_, bands, symbol + unit);
-    PlaneField field = filled(request_.field);
-    for (double& x : field.x) x = x_.along(x);
-    for (double& y : field.y) y = y_.along(y);
-    const std::vector<ContourLoop> loops = contour_loops(field, bands.levels, -std::numeric_limits<double>::infinity());
-    for (ContourLoop loop : loops) {
-      for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
-      const std::string block = data_.add("level " + short_number(loop.level), columns(), closed(loop));
-      plots_.push_back(block + " using 1:2 with filledcurves closed fillcolor palette cb " +
-                       short_number(bands.inside(loop.level, loop.higher_inside)) + " notitle");
-      plots_.push_back(block + " using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
+    const std::string label =
+        (request_.value.symbol.empty() ? gnuplot::plain(request_.value.name) : gnuplot::symbol(request_.value.symbol)) +
+        unit;
+    PlaneField field = request_.field;
+    if (logarithmic) {
+      std::vector<double> levels = logarithmic_levels(lowest, highest);
+      write_numbered_colours(script_, levels, label);
+      for (double& level : levels) level = std::log10(level);
+      for (double& value : field.values) value = std::log10(value);
+      paint(field, levels, [&](double level, bool above) {
+        const auto place = std::lower_bound(levels.begin(), levels.end(), level) - levels.begin();
+        return static_cast<double>(place) + (above ? 0.5 : -0.5);
+      });
+    } else {
+      const ColourBands bands = ColourBands::between(lowest, highest);
+      write_colours(script_, bands, label);
+      paint(field, bands.levels, [&](double level, bool above) { return bands.inside(level, above); });
     }
   }
 
@@ -87,7 +91,8 @@ class MapDrawing {
         const double right = field.x[std::min(column + 1, field.x.size() - 1)],
                      top = field.y[std::min(row + 1, field.y.size() - 1)];
         plots_.push_back(
-            data_.add("blank", columns(), std::vector<DataRow>{{left, low}, {right, low}, {right, top}, {left, top}, {left, low}}) +
+            data_.add("blank", columns(),
+                      std::vector<DataRow>{{left, low}, {right, low}, {right, top}, {left, top}, {left, low}}) +
             " using 1:2 with filledcurves closed lc rgb 'white' notitle");
       }
     mark(MapNode::unanswered, "points pt 2 ps 0.7 lw 1.5 lc rgb '#444444'", "no answer");
@@ -106,7 +111,8 @@ class MapDrawing {
       legend_.push_back({halo, "designs looked at", 17});
     }
     if (!request_.optimum || !inside(*request_.optimum)) return;
-    const std::string block = data_.add("optimum", columns(), std::vector<DataRow>{{request_.optimum->x, request_.optimum->y}});
+    const std::string block =
+        data_.add("optimum", columns(), std::vector<DataRow>{{request_.optimum->x, request_.optimum->y}});
     plots_.push_back(block + " using 1:2 with points pt 9 ps 2.1 lc rgb 'white' notitle");
     const std::string star = "points pt 9 ps 1.4 lc rgb '#D55E00'";
     plots_.push_back(block + " using 1:2 with " + star + " notitle");
@@ -120,8 +126,8 @@ class MapDrawing {
     const double x = field.x[*place % field.x.size()], y = field.y[*place / field.x.size()];
     const std::string value = short_number(field.values[*place], 3);
     const std::string ring = "points pt 6 ps 1.3 lw 2 lc rgb ";
-    plots_.push_back(data_.add("peak", columns() + ": " + value, std::vector<DataRow>{{x, y}}) + " using 1:2 with " + ring +
-                     "'black' notitle");
+    plots_.push_back(data_.add("peak", columns() + ": " + value, std::vector<DataRow>{{x, y}}) + " using 1:2 with " +
+                     ring + "'black' notitle");
     const std::string says = "peak " + value + (request_.value.unit.empty() ? "" : " " + request_.value.unit);
     legend_.push_back({ring + "'black'", gnuplot::plain(says), width(says)});
   }
@@ -136,6 +142,21 @@ class MapDrawing {
   }
 
  private:
+  /// @param colour  of the band above or below a level, on the palette
+  template <class Colour>
+  void paint(const PlaneField& values, const std::vector<double>& levels, const Colour& colour) {
+    PlaneField field = filled(values);
+    for (double& x : field.x) x = x_.along(x);
+    for (double& y : field.y) y = y_.along(y);
+    for (ContourLoop loop : contour_loops(field, levels, -std::numeric_limits<double>::infinity())) {
+      for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
+      const std::string block = data_.add("level " + short_number(loop.level), columns(), closed(loop));
+      plots_.push_back(block + " using 1:2 with filledcurves closed fillcolor palette cb " +
+                       short_number(colour(loop.level, loop.higher_inside)) + " notitle");
+      plots_.push_back(block + " using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
+    }
+  }
+
   static std::string named(const ChartAxis& axis) {
     return axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]");
   }

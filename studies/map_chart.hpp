@@ -1,7 +1,7 @@
 #pragma once
 
 /// A contour map of one number over two others, drawn by gnuplot as every picture of this program (chart.hpp): bands of
-/// perceptually uniform colours, linear in the number, over axes that may be logarithmic.
+/// perceptually uniform colours; axes and values may be logarithmic.
 ///
 /// Around a node without an answer the map is blank, and the node bears a cross, or a hollow mark if it has a value
 /// that is not converged.

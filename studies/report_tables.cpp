@@ -3,12 +3,12 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <regex>
 
 #include "studies/html.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/report_sections.hpp"
 #include "studies/scene_inputs.hpp"
-#include "studies/split.hpp"
 #include "studies/stored_optimum.hpp"
 #include "studies/study_provenance.hpp"
 
@@ -54,10 +54,50 @@ std::vector<std::pair<std::string, std::size_t>> counted(const std::vector<std::
   return list;
 }
 
+/// Texts that differ only in their numbers become one, with the ranges of these.
+std::vector<std::string> with_ranges(const std::vector<std::string>& texts) {
+  static const std::regex number(R"([0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
+  struct Range {
+    std::string least, greatest;
+  };
+  std::map<std::string, std::vector<Range>> kinds;
+  std::vector<std::string> patterns;
+  for (const std::string& text : texts) {
+    const std::string pattern = patterns.emplace_back(std::regex_replace(text, number, "\x01"));
+    std::vector<Range>& ranges = kinds[pattern];
+    std::size_t place = 0;
+    for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found, ++place) {
+      const std::string value = found->str();
+      if (place == ranges.size()) ranges.push_back({value, value});
+      if (std::stod(value) < std::stod(ranges[place].least)) ranges[place].least = value;
+      if (std::stod(value) > std::stod(ranges[place].greatest)) ranges[place].greatest = value;
+    }
+  }
+  for (std::string& pattern : patterns) {
+    std::string text;
+    std::size_t place = 0;
+    for (const char letter : pattern) {
+      if (letter != '\x01') {
+        text += letter;
+        continue;
+      }
+      const auto& [least, greatest] = kinds[pattern][place++];
+      text += least == greatest ? least : least + " to " + greatest;
+    }
+    pattern = text;
+  }
+  return patterns;
+}
+
 std::string count_table(const std::string& what, const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 20;
   std::vector<TableRow> rows;
-  for (const auto& [text, count] : counted(texts)) rows.push_back({{text.empty() ? "-" : text, std::to_string(count)}});
-  return html::table({{what}, {"points", true}}, rows);
+  const auto kinds = counted(with_ranges(texts));
+  for (const auto& [text, count] : kinds)
+    if (rows.size() < most) rows.push_back({{text.empty() ? "-" : text, std::to_string(count)}});
+  return html::table({{what}, {"points", true}}, rows) +
+         (kinds.size() > most ? html::paragraph(std::to_string(kinds.size() - most) + " further ones are not listed.")
+                              : "");
 }
 
 std::string to_the_second(const std::string& time) {
@@ -223,18 +263,8 @@ std::string model_section(const ReportSource& source) {
       lines.erase(0, end + 1);
     }
   }
-  constexpr std::size_t most = 12;
-  std::string section =
-      html::heading("Model") + count_table("method", methods) + count_table("what was left out and why", models);
-  if (warnings.empty()) return section + html::paragraph("No warnings.");
-  const auto kinds = counted(warnings);
-  std::vector<TableRow> rows;
-  for (const auto& [text, count] : kinds)
-    if (rows.size() < most) rows.push_back({{text, std::to_string(count)}});
-  section += html::table({{"warning"}, {"points", true}}, rows);
-  if (kinds.size() > most)
-    section += html::paragraph(std::to_string(kinds.size() - most) + " further warnings are not listed.");
-  return section;
+  return html::heading("Model") + count_table("method", methods) + count_table("what was left out and why", models) +
+         (warnings.empty() ? html::paragraph("No warnings.") : count_table("warning", warnings));
 }
 
 std::string result_section(const ReportSource& source, std::size_t most_rows) {

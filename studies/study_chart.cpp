@@ -136,7 +136,9 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
       choose(study, rows, definition, definition.chart(wishes.chart, file + ": " + study.name), wishes);
   const ColumnScale x_scale =
       scale_of(rows, *x, wishes.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
-  const ColumnScale y_scale = scale_of(rows, *y, wishes.y_scale, false, "y-scale");
+  if (wishes.shares && wishes.y_scale == AxisScale::logarithmic)
+    throw std::invalid_argument("y-scale = logarithmic: shares that are stacked need a linear one");
+  const ColumnScale y_scale = scale_of(rows, *y, wishes.shares ? AxisScale::linear : wishes.y_scale, false, "y-scale");
 
   StoredChart chart;
   chart.study = study.name;

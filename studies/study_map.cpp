@@ -92,7 +92,7 @@ StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
     return scale_of(rows, column, wish, definition.logarithmic.contains(std::string(column.quantity.key)), option);
   };
   const ColumnScale x = scale(*axes.x, wishes.x_scale, "x-scale"), y = scale(*axes.y, wishes.y_scale, "y-scale"),
-                    v = scale_of(rows, value, AxisScale::linear, false, "map");
+                    v = scale_of(rows, value, wishes.value_scale, false, "map-scale");
 
   StoredMap map{study.name,
                 {.title = study.name,

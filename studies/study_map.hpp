@@ -18,7 +18,7 @@ struct StudyMapWishes {
   std::string value = "rolling_resistance";
   std::string x = {}, y = {};
   std::vector<Filter> filters = {};  ///< rows to show
-  AxisScale x_scale = AxisScale::automatic, y_scale = AxisScale::automatic;
+  AxisScale x_scale = AxisScale::automatic, y_scale = AxisScale::automatic, value_scale = AxisScale::automatic;
   std::string optimum = {};  ///< an optimisation in the same database whose designs and optimum are drawn into the map
 };
 
