@@ -246,9 +246,9 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
       fit.remarks.push_back("master curve: " + row_name(curve, row) + " is an outlier: " +
                             text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
   if (smooth.waves > 0)
-    fit.remarks.push_back(text("master curve: the fit has ", smooth.waves,
-                               " more turns of the loss tangent than the table: rows are ",
-                               "missing, or storage and loss do not belong to one linear material"));
+    fit.remarks.push_back(text("master curve: the loss tangent of the fit turns more often than the table's (by ",
+                               smooth.waves,
+                               "): rows are missing, or storage and loss do not belong to one linear material"));
   if (curve.static_modulus == 0 && fit.series.static_modulus <= problem.least_rest_modulus())
     fit.remarks.push_back(
         text("master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,

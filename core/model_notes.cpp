@@ -65,7 +65,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   const CreepSpectrum creep = creep_spectrum(scene);
   const bool elastic =
       std::all_of(creep.terms.begin(), creep.terms.end(), [](const auto& term) { return term.compliance == 0; });
-  if (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0))
+  if (!is_composite(scene) && (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0)))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
   if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
   if (spectral) model += "; continuous edges of contact, no grid";

@@ -204,8 +204,9 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
       throw std::invalid_argument(place + ": indenter: must be the same in all rows");
     const std::string_view unit = real_output(fit.output).unit_for(scene.indenter);
     MeasuredValue measured{measured_number(table, output, row, unit), 1, place};
+    bool relative = false;  // the deviation is, to the value
     if (deviations) {
-      const bool relative = deviations->unit == "%";
+      relative = deviations->unit == "%";
       MeasuredColumn column = *deviations;
       if (column.unit.empty()) column.unit = output.unit;
       if (relative) column.unit = "";
@@ -215,13 +216,16 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
         throw std::invalid_argument(place + ": " + heading(*deviations) + " = " + deviations->cells[row] +
                                     ": must be > 0");
     } else if (set.sigma) {
-      measured.deviation = given_sigma(*set.sigma, unit, set.place).of(measured.value);
+      const Sigma sigma = given_sigma(*set.sigma, unit, set.place);
+      relative = sigma.relative;
+      measured.deviation = sigma.of(measured.value);
     } else if (fit.relative_weights) {
+      relative = true;
       measured.deviation = std::abs(measured.value);
     }
-    if (!(measured.deviation > 0))
+    if (relative && !(measured.value > 0))
       throw std::invalid_argument(place + ": " + heading(output) + " = " + output.cells[row] +
-                                  ": must not be 0 where deviations are relative to it");
+                                  ": must be > 0 where deviations are relative to it");
     if (measured.value < 0)
       fit.warnings.push_back(place + ": " + heading(output) + " = " + output.cells[row] + ": is negative");
     fit.scenes.push_back({scene, measured, set.name});

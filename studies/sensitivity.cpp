@@ -83,6 +83,9 @@ std::vector<InputChoice> inputs_with_elasticity(const RollingScene& scene) {
     if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>) {
       const std::optional<double> number(value);
       if (!number || *number == 0 || !std::isfinite(*number)) return;
+      const InputKind& kind = *find_input(quantity.key);
+      const bool of_a_material = !kind.needed_by_all() && !kind.needed_by().empty();
+      if (of_a_material && !kind.needed_by(scene.material)) return;  // of another one
       if (quantity.range.lowest == quantity.range.highest || find_name(numerical_inputs, quantity.key) >= 0) return;
       choices.push_back({std::string(quantity.key)});
     }

@@ -59,7 +59,7 @@ TEST_CASE("a uniformly loaded cell moves the half-space as Boussinesq and Cerrut
 
 TEST_CASE("a compressible half-space moves as Boussinesq and Cerruti say", "[core][elastic_kernel]") {
   const double ax = 0.3, ay = 0.2, nu = 0.3;
-  const ElasticKernel sphere(Indenter::sphere, {infinite, nu}, ax, ay);
+  const ElasticKernel sphere(Indenter::sphere, Layer{infinite, nu}, ax, ay);
   const QuadratureRule gauss = gauss_legendre(40);
   for (const auto& [x, y] : {std::pair{0.3, 0.0}, {0.0, -0.25}, {-0.4, 0.3}, {0.6, 0.5}, {2.0, -1.0}, {0.0, 7.0}}) {
     Coefficients sum = Coefficients::Zero();
@@ -75,7 +75,7 @@ TEST_CASE("a compressible half-space moves as Boussinesq and Cerruti say", "[cor
     CHECK((sphere(x, y) - sum).abs().maxCoeff() < 1e-12 * sum.abs().maxCoeff());
   }
   // A line load lifts the surface on either side away from itself: u = (1 - 2 nu)/4 sgn(x).
-  const ElasticKernel cylinder(Indenter::cylinder, {infinite, nu}, ax, 1);
+  const ElasticKernel cylinder(Indenter::cylinder, Layer{infinite, nu}, ax, 1);
   CHECK(cylinder(2, 0)(uw) == Approx(0.25 * (1 - 2 * nu)).epsilon(1e-14));
   CHECK(cylinder(-2, 0)(uw) == Approx(-0.25 * (1 - 2 * nu)).epsilon(1e-14));
   CHECK(cylinder(0, 0)(uw) == 0);

@@ -122,6 +122,8 @@ TEST_CASE("rollres fit refuses a wrong table in one line with file and line", "[
     return run.err;
   };
   const std::string names = "speed [m/s],rolling_resistance [N/m],sigma [N/m]\n";
+  CHECK_THAT(refused("speed [m/s],rolling_resistance [N/m],sigma [%]\n1,-3,2\n"),
+             Catch::Contains("table.csv, line 2: rolling_resistance [N/m] = -3: must be > 0 where deviations are"));
   CHECK_THAT(refused(names + "1,x,2\n"), Catch::Contains("table.csv, line 2: rolling_resistance [N/m] = x: must be a"));
   CHECK_THAT(refused(names + "\n# note\n1,5,\n"), Catch::Contains("table.csv, line 4: sigma [N/m] is missing"));
   CHECK_THAT(refused(names + "1,5,0\n"), Catch::Contains("line 2: sigma [N/m] = 0: must be > 0"));
