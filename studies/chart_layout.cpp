@@ -40,7 +40,7 @@ struct Box {
 }  // namespace
 
 bool areas_are_seen(const ChartRequest& request, const Layout& layout) {
-  constexpr double narrowest = 0.004;
+  constexpr double narrowest = 0.008;
   const auto place = [&](double y) { return layout.y.fraction(std::max(y, layout.y.lowest)); };
   return std::any_of(request.curves.begin(), request.curves.end(), [&](const ChartCurve& curve) {
     return std::any_of(curve.points.begin(), curve.points.end(), [&](const ChartPoint& point) {

@@ -35,8 +35,8 @@ figcaption { font-size: 0.86rem; color: #444; }
   h2 { break-after: avoid; }
   .table { overflow: visible; }
   table { font-size: 7.5pt; width: 100%; }
+  th, td { padding: 0.12rem 0.3rem; overflow-wrap: break-word; }
   .number { white-space: normal; }
-  th, td { padding: 0.12rem 0.3rem; overflow-wrap: anywhere; }
   thead { display: table-header-group; }
   tr, figure { break-inside: avoid; }
   .pictures { display: block; }

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <optional>
+#include <map>
 #include <stdexcept>
 
 #include "studies/html.hpp"
@@ -124,17 +124,28 @@ void add_map(const ReportSource& source, const std::string& optimum, Pictures& p
     draw();
 }
 
+/// One mark for each converged point, those of each method alike.
 void add_work_precision(const ReportSource& source, Pictures& pictures) {
+  const StudyRows& rows = source.rows;
+  const auto scale = [&](const char* key) {
+    return scale_of(rows, *find_quantity_column(key), AxisScale::automatic, false, key);
+  };
+  const ColumnScale seconds = scale("seconds"), error = scale("error_estimate");
+  ChartRequest request{.title = source.study.name,
+                       .x = scaled_axis(*find_quantity_column("seconds"), seconds),
+                       .y = scaled_axis(*find_quantity_column("error_estimate"), error),
+                       .curves = {},
+                       .lines = false,
+                       .mark_peaks = false};
+  request.x.margin = 0.03;
+  std::map<std::string, std::vector<ChartPoint>> methods;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (rows.converged(row))
+      methods[value_in_words(rows.cell(row, *find_quantity_column("method")), "")].push_back(
+          {rows.number(row, "seconds") / seconds.unit.factor, rows.number(row, "error_estimate") / error.unit.factor});
+  for (auto& [method, points] : methods) request.curves.push_back({method, std::move(points)});
   where_possible([&] {
-    StoredChart chart = stored_chart(source.store, {.study = source.study.name,
-                                                    .x = "seconds",
-                                                    .y = "error_estimate",
-                                                    .family = "method",
-                                                    .x_scale = AxisScale::logarithmic,
-                                                    .y_scale = AxisScale::logarithmic});
-    chart.request.lines = false;
-    chart.request.x.margin = 0.03;
-    pictures.add("estimated error against seconds", [&](const auto& file) { return draw_chart(chart.request, file); });
+    pictures.add("estimated error against seconds", [&](const auto& file) { return draw_chart(request, file); });
   });
 }
 
