@@ -89,6 +89,14 @@ std::vector<std::string> with_ranges(const std::vector<std::string>& texts) {
   return patterns;
 }
 
+void add_parts(std::vector<std::string>& parts, const std::string& text, std::string_view between) {
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find(between, start), text.size());
+    if (end > start) parts.push_back(text.substr(start, end - start));
+    start = end + between.size();
+  }
+}
+
 std::string count_table(const std::string& what, const std::vector<std::string>& texts) {
   constexpr std::size_t most = 20;
   std::vector<TableRow> rows;
@@ -255,15 +263,11 @@ std::string model_section(const ReportSource& source) {
   std::vector<std::string> methods, models, warnings;
   for (std::size_t row = 0; row < source.rows.size(); ++row) {
     methods.push_back(text_cell(source.rows, row, "method"));
-    models.push_back(text_cell(source.rows, row, "model"));
-    std::string lines = text_cell(source.rows, row, "warnings");
-    while (!lines.empty()) {
-      const std::size_t end = std::min(lines.find('\n'), lines.size());
-      if (end > 0) warnings.push_back(lines.substr(0, end));
-      lines.erase(0, end + 1);
-    }
+    add_parts(models, text_cell(source.rows, row, "model"), "; ");
+    add_parts(warnings, text_cell(source.rows, row, "warnings"), "\n");
   }
-  return html::heading("Model") + count_table("method", methods) + count_table("what was left out and why", models) +
+  return html::heading("Model") + count_table("method", methods) +
+         count_table("what the model keeps and leaves out, and why", models) +
          (warnings.empty() ? html::paragraph("No warnings.") : count_table("warning", warnings));
 }
 
