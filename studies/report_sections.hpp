@@ -1,6 +1,7 @@
 #pragma once
 
-/// The sections of a report (report.hpp), each as HTML: report_tables.cpp, report_pictures.cpp, report_fit.cpp.
+/// The sections of a report (report.hpp), each as HTML: report_tables.cpp, report_model.cpp,
+/// report_optimum.cpp, report_pictures.cpp, report_fit.cpp.
 
 #include <string>
 #include <vector>
@@ -29,7 +30,8 @@ struct ReportSource {
 std::string asked_section(const ReportSource& source);
 /// Axes, inputs that all points share, and those at their defaults.
 std::string scene_section(const ReportSource& source);
-/// Methods, what was left out and why, and warnings, each with the points that it holds for.
+/// Methods, parts of the model, and warnings, each with the points that it holds for; where texts differ only in their
+/// numbers, with the ranges of these.
 std::string model_section(const ReportSource& source);
 std::string result_section(const ReportSource& source, std::size_t most_rows);
 std::string failure_section(const ReportSource& source);

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <regex>
 
 #include "studies/html.hpp"
 #include "studies/readable_number.hpp"
@@ -31,11 +29,6 @@ std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityCol
   return value_in_words(rows.cell(row, column), column.quantity.unit_for(indenter_of(rows, row)));
 }
 
-std::string text_cell(const StudyRows& rows, std::size_t row, const char* key) {
-  const auto* const text = std::get_if<std::string>(&rows.cell(row, output(key)));
-  return text ? *text : std::string();
-}
-
 /// "speed = 50 mm/s, load = 20 kN/m"
 std::string place_of(const ReportSource& source, std::size_t row) {
   std::string place;
@@ -43,69 +36,6 @@ std::string place_of(const ReportSource& source, std::size_t row) {
     place += (place.empty() ? "" : ", ") + in_words(std::string(axis->quantity.key)) + " = " +
              shown_cell(source.rows, row, *axis);
   return place;
-}
-
-/// Texts with how often they come, the most frequent first.
-std::vector<std::pair<std::string, std::size_t>> counted(const std::vector<std::string>& texts) {
-  std::map<std::string, std::size_t> counts;
-  for (const std::string& text : texts) ++counts[text];
-  std::vector<std::pair<std::string, std::size_t>> list(counts.begin(), counts.end());
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  return list;
-}
-
-/// Texts that differ only in their numbers become one, with the ranges of these.
-std::vector<std::string> with_ranges(const std::vector<std::string>& texts) {
-  static const std::regex number(R"([0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
-  struct Range {
-    std::string least, greatest;
-  };
-  std::map<std::string, std::vector<Range>> kinds;
-  std::vector<std::string> patterns;
-  for (const std::string& text : texts) {
-    const std::string pattern = patterns.emplace_back(std::regex_replace(text, number, "\x01"));
-    std::vector<Range>& ranges = kinds[pattern];
-    std::size_t place = 0;
-    for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found, ++place) {
-      const std::string value = found->str();
-      if (place == ranges.size()) ranges.push_back({value, value});
-      if (std::stod(value) < std::stod(ranges[place].least)) ranges[place].least = value;
-      if (std::stod(value) > std::stod(ranges[place].greatest)) ranges[place].greatest = value;
-    }
-  }
-  for (std::string& pattern : patterns) {
-    std::string text;
-    std::size_t place = 0;
-    for (const char letter : pattern) {
-      if (letter != '\x01') {
-        text += letter;
-        continue;
-      }
-      const auto& [least, greatest] = kinds[pattern][place++];
-      text += least == greatest ? least : least + " to " + greatest;
-    }
-    pattern = text;
-  }
-  return patterns;
-}
-
-void add_parts(std::vector<std::string>& parts, const std::string& text, std::string_view between) {
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find(between, start), text.size());
-    if (end > start) parts.push_back(text.substr(start, end - start));
-    start = end + between.size();
-  }
-}
-
-std::string count_table(const std::string& what, const std::vector<std::string>& texts) {
-  constexpr std::size_t most = 20;
-  std::vector<TableRow> rows;
-  const auto kinds = counted(with_ranges(texts));
-  for (const auto& [text, count] : kinds)
-    if (rows.size() < most) rows.push_back({{text.empty() ? "-" : text, std::to_string(count)}});
-  return html::table({{what}, {"points", true}}, rows) +
-         (kinds.size() > most ? html::paragraph(std::to_string(kinds.size() - most) + " further ones are not listed.")
-                              : "");
 }
 
 std::string to_the_second(const std::string& time) {
@@ -190,8 +120,7 @@ std::vector<const QuantityColumn*> ReportSource::varied() const {
 std::string asked_section(const ReportSource& source) {
   const StudySummary& study = source.study;
   std::string section = html::heading("What was asked");
-  const bool optimisation = !source.definition_text.empty() && !source.definition.sampled.empty() &&
-                            stored_optimum(source.store, study.name).has_value();
+  const bool optimisation = is_optimisation(source.definition_text, source.file() + ": " + study.name);
   section +=
       html::paragraph(std::to_string(study.points) + " points: " + std::to_string(study.answered - study.failed) +
                       " converged, " + std::to_string(study.failed) + " without an answer, " +
@@ -259,18 +188,6 @@ std::string scene_section(const ReportSource& source) {
   return section;
 }
 
-std::string model_section(const ReportSource& source) {
-  std::vector<std::string> methods, models, warnings;
-  for (std::size_t row = 0; row < source.rows.size(); ++row) {
-    methods.push_back(text_cell(source.rows, row, "method"));
-    add_parts(models, text_cell(source.rows, row, "model"), "; ");
-    add_parts(warnings, text_cell(source.rows, row, "warnings"), "\n");
-  }
-  return html::heading("Model") + count_table("method", methods) +
-         count_table("what the model keeps and leaves out, and why", models) +
-         (warnings.empty() ? html::paragraph("No warnings.") : count_table("warning", warnings));
-}
-
 std::string result_section(const ReportSource& source, std::size_t most_rows) {
   std::string section = html::heading("Results");
   const std::vector<ResultColumn> columns = result_columns(source);
@@ -282,7 +199,7 @@ std::string result_section(const ReportSource& source, std::size_t most_rows) {
   for (std::size_t row = 0; row < points; row += step) {
     TableRow line{{}, !source.rows.converged(row)};
     for (const ResultColumn& column : columns) line.cells.push_back(column.cell(source.rows, row));
-    line.cells.push_back(in_words(text_cell(source.rows, row, "status")));
+    line.cells.push_back(in_words(source.rows.text(row, "status")));
     rows.push_back(std::move(line));
   }
   if (step > 1)
@@ -305,8 +222,8 @@ std::string failure_section(const ReportSource& source) {
   for (std::size_t row = 0; row < source.rows.size(); ++row) {
     if (source.rows.converged(row)) continue;
     if (++failed <= most)
-      places.push_back({{place_of(source, row), in_words(text_cell(source.rows, row, "status")),
-                         text_cell(source.rows, row, "reason")}});
+      places.push_back(
+          {{place_of(source, row), in_words(source.rows.text(row, "status")), source.rows.text(row, "reason")}});
   }
   section += html::table({{"point"}, {"status"}, {"reason"}}, places);
   if (failed > most) section += html::paragraph(std::to_string(failed - most) + " further points are not listed.");
@@ -370,32 +287,6 @@ std::string provenance_section(const ReportSource& source) {
                      rows) +
          html::paragraph("Database " + source.file() + ". This report was written by rollres " + here.version + " (" +
                          here.git_hash.substr(0, 12) + ").");
-}
-
-std::string optimum_section(const ReportSource& source) {
-  const auto found = stored_optimum(source.store, source.study.name);
-  if (!found) return "";
-  const DesignProblem& problem = found->problem;
-  const Indenter indenter = problem.scenes.front().scene.indenter;
-  std::string section =
-      html::heading("Best design") +
-      html::paragraph(std::string(problem.goal.maximise ? "Greatest " : "Least ") + problem.goal.formula.text() +
-                      " among " + std::to_string(found->designs.size()) + " designs with an answer.");
-  if (!found->best) return section + html::paragraph("No design meets the constraints.");
-  const Design& best = *found->best;
-  std::vector<TableRow> rows{
-      {{problem.goal.formula.text(), readable(best.value, unit_of(problem.goal.formula, indenter)), ""}}};
-  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
-    const Variable& variable = problem.variables[i];
-    const std::string_view unit = variable.quantity.unit_for(indenter);
-    rows.push_back({{in_words(std::string(variable.quantity.key)), readable(best.point[i], unit),
-                     readable(variable.lowest, unit) + " to " + readable(variable.highest, unit)}});
-  }
-  for (std::size_t j = 0; j < best.constraints.size(); ++j)
-    rows.push_back(
-        {{constraint_name(problem, j),
-          short_number(best.constraints[j].left, 5) + " against " + short_number(best.constraints[j].right, 5), ""}});
-  return section + html::table({{"quantity"}, {"value"}, {"range"}}, rows);
 }
 
 }  // namespace rollres

@@ -14,10 +14,14 @@ int StoredOptimum::variable(std::string_view key) const {
   return -1;
 }
 
+bool is_optimisation(const std::string& definition, const std::string& place) {
+  return !definition.empty() && parse_object(definition, place).contains("variables");
+}
+
 std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::string& study) {
   const std::string text = store.definition(study).value_or("");
   const std::string place = store.database().name() + ": " + study;
-  if (text.empty() || !parse_object(text, place).contains("variables")) return std::nullopt;
+  if (!is_optimisation(text, place)) return std::nullopt;
 
   StoredOptimum found{parse_design_problem(text, place), {}, {}};
   const StudyRows rows(store, study);

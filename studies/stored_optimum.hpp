@@ -20,6 +20,10 @@ struct StoredOptimum {
   int variable(std::string_view key) const;
 };
 
+/// Whether a study file is that of an optimisation. @param place  for messages
+/// @throws std::invalid_argument if the text is no JSON object
+bool is_optimisation(const std::string& definition, const std::string& place);
+
 /// Nothing if the study is no optimisation.
 /// @throws std::invalid_argument if its file is not understood any more
 /// @throws std::runtime_error naming the file if the database fails

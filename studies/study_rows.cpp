@@ -44,6 +44,11 @@ double StudyRows::number(std::size_t row, const Column& column) const {
 
 double StudyRows::number(std::size_t row, const char* key) const { return number(row, *find_quantity_column(key)); }
 
+std::string StudyRows::text(std::size_t row, const char* key) const {
+  const auto* const text = std::get_if<std::string>(&cell(row, *find_quantity_column(key)));
+  return text ? *text : std::string();
+}
+
 bool StudyRows::converged(std::size_t row) const {
   return cell(row, *find_quantity_column("status")) == Cell(std::string(name_of(Status::converged)));
 }
@@ -93,8 +98,8 @@ ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisSc
   constexpr double two_decades = 100 * (1 - 1e-9);
   if (wish == AxisScale::logarithmic && !all_positive)
     throw std::invalid_argument(option + " = logarithmic: " + column.name + " has values that are not positive");
-  const bool logarithmic = wish == AxisScale::logarithmic ||
-                           (wish == AxisScale::automatic && all_positive && (hint || largest >= two_decades * smallest));
+  const bool logarithmic = wish == AxisScale::logarithmic || (wish == AxisScale::automatic && all_positive &&
+                                                              (hint || largest >= two_decades * smallest));
   const std::string_view unit = unit_in(rows, column);
   return {logarithmic ? scaled_unit_logarithmic(unit, smallest, largest) : scaled_unit(unit, largest), logarithmic};
 }

@@ -41,6 +41,7 @@ class StudyRows {
   const Cell& cell(std::size_t row, const Column& column) const { return table_.rows[row][places_.at(column.name)]; }
   double number(std::size_t row, const Column& column) const;  ///< NaN if absent
   double number(std::size_t row, const char* key) const;       ///< of an output
+  std::string text(std::size_t row, const char* key) const;    ///< of an output; empty if absent
   bool converged(std::size_t row) const;
   std::set<Cell> values(const Column& column) const;
 
