@@ -18,6 +18,9 @@ namespace {
 constexpr double long_wave = 1e-4;
 /// Share of the tolerance that inertia may take: its effect on the resistance is about rho V^2/G.
 constexpr double inertia_share = 0.1;
+/// What inertia may take whatever the tolerance, which is one of computing: below it a warning would say nothing
+/// either.
+constexpr double negligible_inertia = 1e-3;
 
 /// Speed of Rayleigh waves over that of shear waves, squared (Viktorov 1967): 0.912 for nu = 1/2.
 double rayleigh_square(double poisson_ratio) {
@@ -138,9 +141,10 @@ double rayleigh_number(const RollingScene& scene) {
 
 bool inertia_included(const RollingScene& scene) {
   if (scene.inertia != Inertia::automatic) return scene.inertia == Inertia::on;
-  if (!scene.tolerance || !(scene.indenter == Indenter::cylinder || scene.period)) return false;
+  if (!scene.tolerance || scene.method == Method::spectral || !(scene.indenter == Indenter::cylinder || scene.period))
+    return false;
   const double number = rayleigh_number(scene);
-  return number > inertia_share * *scene.tolerance && number < 1;
+  return number > std::max(inertia_share * *scene.tolerance, negligible_inertia) && number < 1;
 }
 
 bool is_composite(const RollingScene& scene) {

@@ -19,7 +19,8 @@ namespace rollres {
 double rayleigh_number(const RollingScene& scene);
 
 /// Whether the layers' inertia is part of the scene's model: asked for, or by itself where it would change the
-/// resistance by more than the tolerance and the model has it (a cylinder, or a periodic train).
+/// resistance by more than a thousandth and more than a tenth of the tolerance given, and the model has it (a cylinder on
+/// a grid, or a periodic train).
 bool inertia_included(const RollingScene& scene);
 
 /// Whether the surface is more than one layer of one material without inertia.

@@ -105,6 +105,7 @@ TEST_CASE("rollres fit designs, counts coverage and says what it keeps fixed", "
 TEST_CASE("rollres fit warns of a row given twice and of a negative resistance", "[studies][fit]") {
   FitFiles files;
   const std::string row = files.table.substr(files.table.find('\n') + 1);
+  files.table.replace(files.table.find("[%]"), 3, "[N/m]");
   files.table += row.substr(0, row.find('\n') + 1) + "10,700,-1,30\n";
   const json answer = json::parse(files.run(FitFiles::definition(), {"--json", "--no-profiles"}).out);
   const std::string warnings = answer["warnings"].dump();

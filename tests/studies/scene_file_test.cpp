@@ -46,6 +46,18 @@ TEST_CASE("a scene written as JSON reads back as the same scene, whatever its in
   const auto valid = [](const InputKind& kind, int which) -> InputValue {
     if (!kind.choices.empty()) return std::string(which == 0 ? kind.choices.front() : kind.choices.back());
     const Range& range = kind.quantity.range;
+    if (kind.layers) {
+      BondedLayer plain, full;
+      plain.layer_thickness = full.layer_thickness = 1e-3 / 3;
+      plain.static_shear_modulus = 0.1 + 0.2;
+      plain.stiffening = 1;
+      plain.creep_time = 1.0 / 7;
+      full.material = MaterialModel::prony;
+      full.static_young_modulus = 1e17 / 3;
+      full.relaxation_times = {1e-300, 1.0 / 3};
+      full.relaxation_moduli = {7, 0.1 + 0.2};
+      return which == 0 ? BondedLayers{plain} : BondedLayers{full, plain};
+    }
     if (kind.list) return which == 0 ? std::vector<double>{1.0 / 3} : std::vector<double>{0.1 + 0.2, 1e-300, 7};
     if (kind.whole) return std::ceil(std::isfinite(range.lowest) ? range.lowest + 1 + which : which);
     if (range.infinity_allowed && which == 1) return std::numeric_limits<double>::infinity();
