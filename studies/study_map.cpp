@@ -24,6 +24,8 @@ std::vector<const QuantityColumn*> longest_axes(const StudySummary& study, const
   return axes;
 }
 
+std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
+
 struct MapAxes {
   const QuantityColumn *x = nullptr, *y = nullptr;
 };
@@ -66,8 +68,7 @@ void add_optimum(MapRequest& request, ResultStore& store, const std::string& nam
     throw std::invalid_argument("optimum = " + name + ": is no optimisation; its study file has no variables");
   const int x = found->variable(axes.x->quantity.key), y = found->variable(axes.y->quantity.key);
   for (const auto& [place, column] : {std::pair(x, axes.x), std::pair(y, axes.y)})
-    if (place < 0)
-      throw std::invalid_argument("optimum = " + name + ": has no variable " + std::string(column->quantity.key));
+    if (place < 0) throw std::invalid_argument("optimum = " + name + ": has no variable " + key_of(*column));
   const auto point = [&](const Design& design) {
     return MapPoint{design.point[static_cast<std::size_t>(x)] / x_unit.factor,
                     design.point[static_cast<std::size_t>(y)] / y_unit.factor};
@@ -89,7 +90,7 @@ StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
   const MapAxes axes = choose_axes(study, rows, wishes);
   const QuantityColumn& value = number_column(wishes.value, study, "map");
   const auto scale = [&](const QuantityColumn& column, AxisScale wish, const char* option) {
-    return scale_of(rows, column, wish, definition.logarithmic.contains(std::string(column.quantity.key)), option);
+    return scale_of(rows, column, wish, definition.logarithmic.contains(key_of(column)), option);
   };
   const ColumnScale x = scale(*axes.x, wishes.x_scale, "x-scale"), y = scale(*axes.y, wishes.y_scale, "y-scale"),
                     v = scale_of(rows, value, wishes.value_scale, false, "map-scale");
@@ -109,8 +110,8 @@ StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
   field.y = places(rows, *axes.y);
   const std::size_t size = field.x.size() * field.y.size();
   if (size > 4 * rows.size())
-    throw std::invalid_argument(study.name + ": the points do not lie on a grid of " + axes.x->name + " and " +
-                                axes.y->name + "; the shown " + std::to_string(rows.size()) +
+    throw std::invalid_argument(study.name + ": the points do not lie on a grid of " + key_of(*axes.x) + " and " +
+                                key_of(*axes.y) + "; the shown " + std::to_string(rows.size()) +
                                 " would leave most of it empty");
   field.values.assign(size, std::numeric_limits<double>::quiet_NaN());
   request.nodes.assign(size, MapNode::not_computed);
@@ -122,8 +123,8 @@ StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
     const auto line = std::lower_bound(field.y.begin(), field.y.end(), at_y) - field.y.begin();
     const auto node = static_cast<std::size_t>(line) * field.x.size() + static_cast<std::size_t>(column);
     if (request.nodes[node] != MapNode::not_computed)
-      throw std::invalid_argument(study.name + ": several points at " + axes.x->name + " = " +
-                                  value_in_words(Cell(at_x), unit_in(rows, *axes.x)) + ", " + axes.y->name + " = " +
+      throw std::invalid_argument(study.name + ": several points at " + key_of(*axes.x) + " = " +
+                                  value_in_words(Cell(at_x), unit_in(rows, *axes.x)) + ", " + key_of(*axes.y) + " = " +
                                   value_in_words(Cell(at_y), unit_in(rows, *axes.y)) +
                                   "; fix the other axes with --where");
     const double number = rows.number(row, value) / v.unit.factor;
