@@ -20,7 +20,8 @@ table { border-collapse: collapse; font-size: 0.86rem; font-variant-numeric: tab
 th, td { padding: 0.22rem 0.6rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top;
   overflow-wrap: normal; }
 th { border-bottom: 2px solid #888; vertical-align: bottom; }
-.number { text-align: right; white-space: nowrap; }
+.number { text-align: right; }
+td.number { white-space: nowrap; }
 tr.marked td { background: #fdecea; }
 pre { margin: 0.7rem 0; padding: 0.7rem; background: #f4f4f4; font-size: 0.8rem; white-space: pre-wrap;
   overflow-wrap: anywhere; }
@@ -36,7 +37,7 @@ figcaption { font-size: 0.86rem; color: #444; }
   .table { overflow: visible; }
   table { font-size: 7.5pt; width: 100%; }
   th, td { padding: 0.12rem 0.3rem; overflow-wrap: break-word; }
-  .number { white-space: normal; }
+  td.number { white-space: normal; }
   thead { display: table-header-group; }
   tr, figure { break-inside: avoid; }
   .pictures { display: block; }

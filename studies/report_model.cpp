@@ -63,6 +63,8 @@ void add_parts(std::vector<std::string>& parts, const std::string& text, std::st
   }
 }
 
+}  // namespace
+
 std::string count_table(const std::string& what, const std::vector<std::string>& texts) {
   constexpr std::size_t most = 20;
   std::vector<TableRow> rows;
@@ -73,8 +75,6 @@ std::string count_table(const std::string& what, const std::vector<std::string>&
          (kinds.size() > most ? html::paragraph(std::to_string(kinds.size() - most) + " further ones are not listed.")
                               : "");
 }
-
-}  // namespace
 
 std::string model_section(const ReportSource& source) {
   std::vector<std::string> methods, models, warnings;

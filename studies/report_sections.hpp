@@ -26,12 +26,15 @@ struct ReportSource {
   std::vector<const QuantityColumn*> varied() const;
 };
 
+/// Texts with the points that each holds for, the most frequent first; texts that differ only in their numbers are one,
+/// with the ranges of these.
+std::string count_table(const std::string& what, const std::vector<std::string>& texts);
+
 /// Points, answers, and the least and the greatest rolling resistance.
 std::string asked_section(const ReportSource& source);
 /// Axes, inputs that all points share, and those at their defaults.
 std::string scene_section(const ReportSource& source);
-/// Methods, parts of the model, and warnings, each with the points that it holds for; where texts differ only in their
-/// numbers, with the ranges of these.
+/// Methods, parts of the model, and warnings.
 std::string model_section(const ReportSource& source);
 std::string result_section(const ReportSource& source, std::size_t most_rows);
 std::string failure_section(const ReportSource& source);

@@ -7,6 +7,7 @@
 #include "studies/readable_number.hpp"
 #include "studies/report_sections.hpp"
 #include "studies/scene_inputs.hpp"
+#include "studies/slurm_scripts.hpp"
 #include "studies/stored_optimum.hpp"
 #include "studies/study_provenance.hpp"
 
@@ -146,7 +147,7 @@ std::string asked_section(const ReportSource& source) {
                           : "This command computes what is missing, from the study file at the end of this report:");
   if (!source.definition_text.empty())
     section += html::listing(std::string("rollres ") + (optimisation ? "optimise" : "sweep") + " study.json --db " +
-                             source.file());
+                             shell_word(source.file()));
   return section;
 }
 
@@ -203,30 +204,28 @@ std::string result_section(const ReportSource& source, std::size_t most_rows) {
     rows.push_back(std::move(line));
   }
   if (step > 1)
-    section += html::paragraph("Every " + std::to_string(step) + ". of " + std::to_string(points) + " points.");
-  section += html::paragraph("All columns of all points: rollres query --db " + source.file() +
-                             " \"study=" + source.study.name + "\" --format csv");
+    section += html::paragraph("Shown is one of every " + std::to_string(step) + " points, of " +
+                               std::to_string(points) + ".");
+  section += html::paragraph("All columns of all points: rollres query --db " + shell_word(source.file()) + " " +
+                             shell_word("study=" + source.study.name) + " --format csv");
   return section + html::table(heads, rows);
 }
 
 std::string failure_section(const ReportSource& source) {
-  std::string section = html::heading("Failures");
-  const std::vector<Failure> failures = source.store.failures(source.study.name);
-  if (failures.empty()) return section + html::paragraph("None: every computed point converged.");
-  std::vector<TableRow> kinds, places;
-  for (const Failure& failure : failures)
-    kinds.push_back({{in_words(failure.status), failure.reason, std::to_string(failure.points)}});
-  section += html::table({{"status"}, {"reason"}, {"points", true}}, kinds);
   constexpr std::size_t most = 40;
-  std::size_t failed = 0;
+  std::vector<std::string> reasons;
+  std::vector<TableRow> places;
   for (std::size_t row = 0; row < source.rows.size(); ++row) {
     if (source.rows.converged(row)) continue;
-    if (++failed <= most)
-      places.push_back(
-          {{place_of(source, row), in_words(source.rows.text(row, "status")), source.rows.text(row, "reason")}});
+    const std::string status = in_words(source.rows.text(row, "status")), reason = source.rows.text(row, "reason");
+    reasons.push_back(status + (reason.empty() ? "" : ": ") + reason);
+    if (places.size() < most) places.push_back({{place_of(source, row), status, reason}});
   }
-  section += html::table({{"point"}, {"status"}, {"reason"}}, places);
-  if (failed > most) section += html::paragraph(std::to_string(failed - most) + " further points are not listed.");
+  std::string section = html::heading("Failures");
+  if (reasons.empty()) return section + html::paragraph("None: every computed point converged.");
+  section += count_table("reason", reasons) + html::table({{"point"}, {"status"}, {"reason"}}, places);
+  if (reasons.size() > most)
+    section += html::paragraph(std::to_string(reasons.size() - most) + " further points are not listed.");
   return section;
 }
 

@@ -126,7 +126,7 @@ TEST_CASE("the table of a long study shows every n-th point and says so", "[stud
   const TemporaryDirectory scratch;
   ResultStore store(stored(scratch, speed_and_load("long")), Access::read);
   const std::string page = study_report(store, {.most_rows = 7}).html;
-  CHECK_THAT(page, Contains("Every 3. of 20 points."));
+  CHECK_THAT(page, Contains("Shown is one of every 3 points, of 20."));
   CHECK(count_of(page, "<td>converged</td></tr>") + count_of(page, "<td>no steady state</td></tr>") == 7);
 }
 
