@@ -222,7 +222,7 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
   });
 }
 
-std::optional<FitRecord> find_fit(const Database& database, const std::string& name) {
+std::optional<FitRecord> find_fit(const Database& database, const std::string& name, FitParts parts) {
   return naming(database.name(), [&]() -> std::optional<FitRecord> {
     SQLite::Database& connection = database.connection();
     SQLite::Statement row(connection,
@@ -249,6 +249,15 @@ std::optional<FitRecord> find_fit(const Database& database, const std::string& n
     while (pair.executeStep()) {
       FitCorrelationRecord& correlation = fit.correlations.emplace_back();
       Reader(pair) >> correlation.first >> correlation.second >> correlation.correlation;
+    }
+    if (parts == FitParts::without_data) return fit;
+    SQLite::Statement data(connection,
+                           "SELECT place, measured, deviation, predicted, residual, band FROM fit_data WHERE fit = ? "
+                           "ORDER BY position");
+    Binder(data) << id;
+    while (data.executeStep()) {
+      FitDataRecord& one = fit.data.emplace_back();
+      Reader(data) >> one.place >> one.measured >> one.deviation >> one.predicted >> one.residual >> one.band;
     }
     return fit;
   });

@@ -61,7 +61,10 @@ void create_fit_tables(SQLite::Database& connection);
 /// @throws std::runtime_error naming the file if the database fails
 std::int64_t save_fit(const Database& database, const FitRecord& fit);
 
-/// The newest fit of a name, without its data.
-std::optional<FitRecord> find_fit(const Database& database, const std::string& name);
+enum class FitParts { without_data, with_data };
+
+/// The newest fit of a name.
+std::optional<FitRecord> find_fit(const Database& database, const std::string& name,
+                                  FitParts parts = FitParts::without_data);
 
 }  // namespace rollres

@@ -68,6 +68,10 @@ std::string chart_data(const ChartRequest& request) {
   comment("column 2: " + described(request.y));
   comment("column 3: 1 if converged, else 0");
   comment("column 4: 1 if the curve bears a mark here");
+  const bool areas = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.area(); });
+  });
+  if (areas) comment("column 5, 6: ends of " + (request.areas.empty() ? "the curve's part" : request.areas));
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const ChartCurve& curve = request.curves[i];
     if (i > 0) data << "\n\n";
@@ -77,7 +81,12 @@ std::string chart_data(const ChartRequest& request) {
     for (std::size_t j = 0; j < curve.points.size(); ++j) {
       const ChartPoint& point = curve.points[j];
       data << short_number(point.x, 15) << " " << (point.drawn() ? short_number(point.y, 15) : "NaN") << " "
-           << (point.converged ? 1 : 0) << " " << (marks[j] ? 1 : 0) << "\n";
+           << (point.converged ? 1 : 0) << " " << (marks[j] ? 1 : 0);
+      if (areas && point.joined() && point.area())
+        data << " " << short_number(point.low, 15) << " " << short_number(point.high, 15);
+      else if (areas)
+        data << " NaN NaN";
+      data << "\n";
     }
     if (curve.points.empty()) data << "NaN NaN 0 0\n";  // keeps the count of the blocks
   }

@@ -4,10 +4,13 @@
 /// a chart can be restyled: change NAME.gp and run "gnuplot NAME.gp" in its folder.
 ///
 /// Every curve differs by colour (safe for colour-blind readers), dash and mark. A point that did not converge is drawn
-/// hollow; one without a value is a cross on the lower edge; the line of a curve never passes over either.
+/// hollow; one without a value is a cross on the lower edge; the line of a curve never passes over either. A curve may
+/// have an area from `low` to `high` of its points: a band, left out where it is too narrow to be seen, or its part of
+/// a stack.
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +22,9 @@ struct ChartPoint {
   double x = 0;
   double y = 0;
   bool converged = true;
+  double low = std::numeric_limits<double>::quiet_NaN(), high = low;  ///< ends of an area drawn here; NaN: none
 
+  bool area() const { return std::isfinite(low) && std::isfinite(high); }
   bool drawn() const { return std::isfinite(x) && std::isfinite(y); }
   bool joined() const { return drawn() && converged; }  ///< the line passes through it
 };
@@ -43,8 +48,9 @@ struct ChartRequest {
   ChartAxis x, y;
   ChartAxis family = {};  ///< the legend says "symbol = label"
   std::vector<ChartCurve> curves;
-  bool lines = true;         ///< join the points of a curve; else each bears a mark and no peak is marked
-  bool mark_peaks = true;    ///< marks the peak of each curve with its value
+  std::string areas = {};  ///< what the areas of the points mean, as bands round the curves; empty: they fill the chart
+  bool lines = true;       ///< join the points of a curve; else each bears a mark and no peak is marked
+  bool mark_peaks = true;  ///< marks the peak of each curve with its value
   std::string comment = {};  ///< what else to know, line by line, for the head of the data file
 };
 
@@ -61,7 +67,8 @@ std::optional<std::size_t> peak(const ChartCurve& curve);
 /// @throws std::invalid_argument if the name of the file is empty or has a control character
 ChartFiles chart_files(const std::filesystem::path& name);
 
-/// The data file: one block for each curve, its columns x, y, converged (1 or 0), marked (1 or 0).
+/// The data file: one block for each curve, its columns x, y, converged (1 or 0), marked (1 or 0), and the ends of its
+/// area.
 std::string chart_data(const ChartRequest& request);
 
 /// The gnuplot script. It names the files without their folder and is to be run there.

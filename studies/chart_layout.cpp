@@ -39,6 +39,16 @@ struct Box {
 
 }  // namespace
 
+bool areas_are_seen(const ChartRequest& request, const Layout& layout) {
+  constexpr double narrowest = 0.008;
+  const auto place = [&](double y) { return layout.y.fraction(std::max(y, layout.y.lowest)); };
+  return std::any_of(request.curves.begin(), request.curves.end(), [&](const ChartCurve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), [&](const ChartPoint& point) {
+      return point.joined() && point.area() && place(point.high) - place(point.low) > narrowest;
+    });
+  });
+}
+
 double even_step(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length / 4)));
   for (const int step : {5, 2})
@@ -56,6 +66,12 @@ Layout lay_out(const ChartRequest& request) {
   auto& [x, y] = layout;
   x.logarithmic = request.x.logarithmic && x.lowest > 0;
   y.logarithmic = request.y.logarithmic && y.lowest > 0;
+  for (const ChartCurve& curve : request.curves)
+    for (const ChartPoint& point : curve.points)
+      if (!y.logarithmic && point.joined() && point.area()) {
+        y.include(std::max(point.low, point.y - std::abs(point.y)));
+        y.include(std::min(point.high, point.y + std::abs(point.y)));
+      }
   x.widen(request.x.margin, request.x.margin);
   const bool from_zero = !y.logarithmic && y.lowest >= 0 && y.lowest <= 0.5 * y.highest && y.highest > 0;
   y.widen(0.06, request.mark_peaks ? 0.14 : 0.06);  // above: room for the value of a peak

@@ -45,6 +45,9 @@ struct Layout {
 /// negative and the smallest is at most half the largest.
 Layout lay_out(const ChartRequest& request);
 
+/// Whether any area is wide enough to be drawn.
+bool areas_are_seen(const ChartRequest& request, const Layout& layout);
+
 /// A step of 1, 2 or 5 times a power of ten that divides a length into four to ten parts.
 double even_step(double length);
 

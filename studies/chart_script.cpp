@@ -49,7 +49,7 @@ bool write_crosses(std::ostream& script, const ChartRequest& request) {
   return any;
 }
 
-std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses) {
+std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool areas) {
   std::vector<LegendEntry> entries;
   bool hollow = false;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
@@ -64,13 +64,32 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses) {
   }
   const std::string grey = " lw 1.5 lc rgb '#444444'";
   if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
+  if (areas && !request.areas.empty())
+    entries.push_back({"boxes fc rgb '#444444' fs transparent solid 0.2 noborder", gnuplot::plain(request.areas),
+                       width(request.areas)});
   if (crosses) entries.push_back({"points pt 2 ps 0.7" + grey, "no answer", 9});
   return entries;
 }
 
-/// What is plotted, without the legend.
-std::vector<std::string> plots(const ChartRequest& request) {
+/// The areas of the curves: bands, parts of a stack, or error bars where no line joins the points.
+std::vector<std::string> area_plots(const ChartRequest& request) {
   std::vector<std::string> parts;
+  const std::string depth = request.areas.empty() ? "0.45" : "0.2";
+  for (std::size_t i = 0; i < request.curves.size(); ++i) {
+    const std::string data = "data index " + std::to_string(i), colour = "'" + std::string(look(i).colour) + "'";
+    if (request.lines)
+      parts.push_back(data + " using 1:5:6 with filledcurves fc rgb " + colour + " fs transparent solid " + depth +
+                      " noborder notitle");
+    else
+      parts.push_back(data + " using 1:2:5:6 with yerrorbars pt 0 lw 1.2 lc rgb " + colour + " notitle");
+  }
+  return parts;
+}
+
+/// What is plotted, without the legend.
+std::vector<std::string> plots(const ChartRequest& request, bool areas) {
+  std::vector<std::string> parts;
+  if (areas) parts = area_plots(request);
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const auto& points = request.curves[i].points;
     const std::string data = "data index " + std::to_string(i) + " using 1:($3 == ";
@@ -105,8 +124,9 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
            << look(i).filled << " ps 0.7\n";
   script << "\n";
   if (request.lines && request.mark_peaks) write_peak_values(script, request, layout);
-  const std::vector<LegendEntry> entries = legend(request, write_crosses(script, request));
-  write_pictures(script, files, request.title, plots(request), entries);
+  const bool areas = areas_are_seen(request, layout);
+  const std::vector<LegendEntry> entries = legend(request, write_crosses(script, request), areas);
+  write_pictures(script, files, request.title, plots(request, areas), entries);
   return script.str();
 }
 

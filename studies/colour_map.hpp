@@ -18,6 +18,9 @@ struct ColourBands {
   /// About ten to twenty bands for values from `lowest` to `highest`; symmetric about zero where both signs matter.
   ColourBands(double lowest, double highest);
 
+  /// About five to ten bands; zero is among them only where the values come near it.
+  static ColourBands between(double lowest, double highest);
+
   double step() const { return levels[1] - levels[0]; }
   /// A value inside the band above or below a level.
   double inside(double level, bool above) const { return level + (above ? 0.5 : -0.5) * step(); }
@@ -27,5 +30,11 @@ struct ColourBands {
 /// the magnitude falling; both signs: blue to red through grey (Moreland 2009), safe for colour-blind readers.
 /// @param label in gnuplot's markup
 void write_colours(std::ostream& script, const ColourBands& bands, const std::string& label);
+
+/// Levels 1, 2, 5, 10, ... (over many decades 1, 3, 10, ... or 1, 10, ...) that enclose positive values.
+std::vector<double> logarithmic_levels(double lowest, double highest);
+
+/// The same for bands between any levels, the first band having the colour 0.5, the next 1.5, ...
+void write_numbered_colours(std::ostream& script, const std::vector<double>& levels, const std::string& label);
 
 }  // namespace rollres

@@ -56,8 +56,10 @@ void add_show(Command& program, Session& session);
 void add_query(Command& program, Session& session);
 void add_compare(Command& program, Session& session);
 void add_chart(Command& program, Session& session);
+void add_report(Command& program, Session& session);
 void add_accuracy(Command& program, Session& session);
 void add_stability(Command& program, Session& session);
+void add_verify(Command& program, Session& session);
 void add_schema(Command& program, Session& session);
 void add_quantities(Command& program, Session& session);
 

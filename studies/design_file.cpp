@@ -34,8 +34,7 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
   if (!object.is_object()) refuse(variables_place, key, object, "must be an object with from and to");
   refuse_unknown_keys(object, variable_keys, place);
   const InputKind& kind = *find_input(key);
-  if (!kind.real())
-    refuse(variables_place, key, object, "must be an input that is a real number");
+  if (!kind.real()) refuse(variables_place, key, object, "must be an input that is a real number");
 
   const Indenter indenter = indenter_of(scene);
   const auto number = [&](const std::string& name) {
@@ -167,11 +166,8 @@ Choice choice_of(const Json& file, const std::string& key, const std::string& pl
   return static_cast<Choice>(find_name(names, needed_name(file, key, names, place, rule)));
 }
 
-}  // namespace
-
-DesignProblem read_design_problem(const std::filesystem::path& path) {
+DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
   const std::string place = path.string();
-  const Json file = read_object(place);
   refuse_unknown_keys(file, design_keys, place);
   for (const std::string_view key : ignored_keys)
     if (const auto found = file.find(key); found != file.end() && !found->is_string())
@@ -212,6 +208,16 @@ DesignProblem read_design_problem(const std::filesystem::path& path) {
   problem.stop = stop_of(file, place);
   problem.pareto = pareto_of(file, place);
   return problem;
+}
+
+}  // namespace
+
+DesignProblem read_design_problem(const std::filesystem::path& path) {
+  return problem_in(read_object(path.string()), path);
+}
+
+DesignProblem parse_design_problem(const std::string& text, const std::filesystem::path& path) {
+  return problem_in(parse_object(text, path.string()), path);
 }
 
 }  // namespace rollres

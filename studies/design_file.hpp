@@ -20,6 +20,7 @@
 ///     "pareto": {"minimise" or "maximise": FORMULA, "points": 9}
 
 #include <filesystem>
+#include <string>
 
 #include "studies/design.hpp"
 
@@ -29,5 +30,9 @@ namespace rollres {
 /// @throws std::invalid_argument one line naming file, key, value and the rule that is broken
 /// @throws std::runtime_error if the study file or its scene file cannot be read
 DesignProblem read_design_problem(const std::filesystem::path& file);
+
+/// The same for the text of a file, as a database keeps it.
+/// @param file  for messages, and where the name of a scene file is relative to
+DesignProblem parse_design_problem(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace rollres

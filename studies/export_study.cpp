@@ -1,7 +1,5 @@
 #include "studies/export_study.hpp"
 
-#include <algorithm>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,6 +7,7 @@
 #include "db/result_store.hpp"
 #include "studies/stored_study.hpp"
 #include "studies/strict_json.hpp"
+#include "studies/study_provenance.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
 #include "studies/write_file.hpp"
@@ -28,28 +27,7 @@ provenance.json  which version of rollres, on which machine, computed how many o
 `rollres import FOLDER --db FILE` brings the results into another database; doing so again changes nothing.
 )";
 
-Json provenance_of(ResultStore& store, const StudySummary& study, const Table& results) {
-  struct Made {
-    Provenance program;
-    std::int64_t points = 0;
-    std::string first, last;
-  };
-  const auto column = [&](const char* name) {
-    return static_cast<std::size_t>(std::find(results.columns.begin(), results.columns.end(), name) -
-                                    results.columns.begin());
-  };
-  const std::size_t id = column("id"), number = column("provenance"), created = column("created");
-  std::map<std::int64_t, Made> programs;
-  for (const std::vector<Cell>& row : results.rows) {
-    Made& made = programs[std::get<std::int64_t>(row[number])];
-    const std::string& time = std::get<std::string>(row[created]);
-    if (made.points++ == 0) {
-      made.program = store.find(std::get<std::int64_t>(row[id])).value().provenance;
-      made.first = made.last = time;
-    }
-    made.first = std::min(made.first, time);
-    made.last = std::max(made.last, time);
-  }
+Json provenance_of(ResultStore& store, const StudySummary& study) {
   Json object{{"study", study.name},
               {"created", study.created},
               {"started", study.started},
@@ -58,7 +36,7 @@ Json provenance_of(ResultStore& store, const StudySummary& study, const Table& r
               {"failed", study.failed},
               {"programs", Json::array()},
               {"exported_by", {{"version", this_program().version}, {"git_hash", this_program().git_hash}}}};
-  for (const auto& [ignored, made] : programs)
+  for (const ComputedShare& made : computed_shares(store, study.name))
     object["programs"].push_back({{"version", made.program.version},
                                   {"git_hash", made.program.git_hash},
                                   {"solver", made.program.solver},
@@ -87,8 +65,7 @@ std::string export_study(const std::filesystem::path& database, const std::strin
   std::ostringstream csv;
   write_csv(csv, results);
   write_file(folder / "results.csv", csv.str());
-  write_file(folder / "provenance.json",
-             text_of(provenance_of(exported, exported.study(name).value(), results), 2) + "\n");
+  write_file(folder / "provenance.json", text_of(provenance_of(exported, exported.study(name).value()), 2) + "\n");
   const std::string definition = exported.definition(name).value_or("");
   write_file(folder / "study.json", definition);
   std::string text = readme;

@@ -1,6 +1,7 @@
 #include "studies/study_chart.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -21,82 +22,6 @@ StudyDefinition definition_of(ResultStore& store, const std::string& study) {
   return definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study);
 }
 
-/// A column of the stored rows; an axis is shown as it was given, not as it was found.
-const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const std::string& option) {
-  const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
-  if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
-  std::vector<std::string_view> names;
-  for (const QuantityColumn& column : quantity_columns()) names.push_back(column.name);
-  throw std::invalid_argument(option + " = " + key + ": " + unknown("unknown key", names, key));
-}
-
-const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const std::string& option) {
-  const QuantityColumn& column = column_of(key, study, option);
-  if (column.type == "TEXT") throw std::invalid_argument(option + " = " + key + ": must be a number");
-  return column;
-}
-
-/// The rows of a study, read by column.
-class Rows {
- public:
-  Rows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
-    Query query{.filters = filters, .sort = {"position"}};
-    query.filters.push_back({"study", Comparison::equal, study});
-    for (const QuantityColumn& column : quantity_columns()) query.columns.push_back(column.name);
-    table_ = run_query(store.database(), query);
-    for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
-    if (table_.rows.empty())
-      throw std::invalid_argument(store.database().name() + ": " + study + ": " +
-                                  (filters.empty() ? "no point is computed yet" : "no point matches"));
-  }
-
-  std::size_t size() const { return table_.rows.size(); }
-  const Cell& cell(std::size_t row, const Column& column) const { return table_.rows[row][places_.at(column.name)]; }
-  double number(std::size_t row, const Column& column) const {
-    const Cell& value = cell(row, column);
-    if (const auto* const count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
-    if (const auto* const number = std::get_if<double>(&value)) return *number;
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  bool converged(std::size_t row) const {
-    return cell(row, *find_quantity_column("status")) == Cell(std::string(name_of(Status::converged)));
-  }
-  std::set<Cell> values(const Column& column) const {
-    std::set<Cell> values;
-    for (std::size_t row = 0; row < size(); ++row) values.insert(cell(row, column));
-    return values;
-  }
-
- private:
-  Table table_;
-  std::map<std::string, std::size_t> places_;
-};
-
-std::string_view unit_in(const Rows& rows, const QuantityColumn& column) {
-  const auto indenters = rows.values(*find_quantity_column("indenter"));
-  if (indenters.size() > 1 && !column.quantity.unit_2d.empty())
-    throw std::invalid_argument(column.name + ": has another unit for a cylinder than for a sphere; choose one with " +
-                                "indenter=cylinder or indenter=sphere");
-  const bool cylinder = *indenters.begin() == Cell(std::string(name_of(Indenter::cylinder)));
-  return column.quantity.unit_for(cylinder ? Indenter::cylinder : Indenter::sphere);
-}
-
-std::string in_words(std::string key) {
-  std::replace(key.begin(), key.end(), '_', ' ');
-  return key;
-}
-
-std::string value_in_words(const Cell& cell, std::string_view unit) {
-  if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
-  if (const auto* const number = std::get_if<double>(&cell)) return readable(*number, unit);
-  return "none";
-}
-
-ChartAxis described(const QuantityColumn& column) {
-  return {.name = in_words(std::string(column.quantity.key)), .symbol = std::string(column.quantity.symbol)};
-}
-
 /// Which columns are drawn as what.
 struct Choice {
   const QuantityColumn* x = nullptr;
@@ -105,7 +30,7 @@ struct Choice {
   std::vector<const QuantityColumn*> families;  // their values tell the curves apart
 };
 /// Whether the columns tell the value of another one in every row.
-bool follows(const Rows& rows, const QuantityColumn& column, const std::vector<const QuantityColumn*>& from) {
+bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vector<const QuantityColumn*>& from) {
   std::map<std::vector<Cell>, Cell> values;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     std::vector<Cell> place;
@@ -117,11 +42,13 @@ bool follows(const Rows& rows, const QuantityColumn& column, const std::vector<c
 
 std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
 
-Choice choose(const StudySummary& study, const Rows& rows, const StudyDefinition& definition, const StudyChart& hints,
-              const StudyChartWishes& wishes) {
+Choice choose(const StudySummary& study, const StudyRows& rows, const StudyDefinition& definition,
+              const StudyChart& hints, const StudyChartWishes& wishes) {
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };
   Choice choice;
-  const std::string y = first_of(wishes.y, hints.y);
+  if (wishes.shares && !wishes.y.empty())
+    throw std::invalid_argument("y = " + wishes.y + ": with shares it is the rolling resistance");
+  const std::string y = wishes.shares ? "" : first_of(wishes.y, hints.y);
   choice.y = &number_column(y.empty() ? "rolling_resistance" : y, study, "y");
   if (const std::string x = first_of(wishes.x, hints.x); !x.empty()) choice.x = &number_column(x, study, "x");
   if (!wishes.family.empty()) choice.families.push_back(&column_of(wishes.family, study, "family"));
@@ -163,40 +90,35 @@ Choice choose(const StudySummary& study, const Rows& rows, const StudyDefinition
   return choice;
 }
 
-/// Unit, and whether logarithmic.
-struct Scale {
-  ScaledUnit unit;
-  bool logarithmic = false;
-};
-Scale scale_of(const Rows& rows, const QuantityColumn& column, AxisScale wish, bool hint, const std::string& option) {
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  bool positive = true;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const double value = rows.number(row, column);
-    if (!std::isfinite(value)) continue;
-    positive = positive && value > 0;
-    smallest = std::min(smallest, std::abs(value));
-    largest = std::max(largest, std::abs(value));
-  }
-  constexpr double two_decades = 100 * (1 - 1e-9);
-  if (wish == AxisScale::logarithmic && !positive)
-    throw std::invalid_argument(option + " = logarithmic: " + column.name + " has values that are not positive");
-  const bool logarithmic = wish == AxisScale::logarithmic ||
-                           (wish == AxisScale::automatic && positive && (hint || largest >= two_decades * smallest));
-  const std::string_view unit = unit_in(rows, column);
-  return {logarithmic ? scaled_unit_logarithmic(unit, smallest, largest) : scaled_unit(unit, largest), logarithmic};
+/// Half as wide as the estimated error, which is relative.
+void add_band(ChartPoint& point, double error_estimate) {
+  const double half_width = error_estimate * std::abs(point.y);
+  point.low = point.y - half_width;
+  point.high = point.y + half_width;
 }
 
-/// What all rows have in common, line by line.
-std::string common_inputs(const Rows& rows) {
-  std::string lines;
-  for (const QuantityColumn& column : quantity_columns()) {
-    if (!column.is_input) continue;
-    const auto values = rows.values(column);
-    if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
-    lines += "\n" + std::string(column.quantity.key) + " = " + value_in_words(*values.begin(), unit_in(rows, column));
+/// From what is lost in the layer to that and what is lost to friction: over the speed, parts of the resistance.
+void add_shares(ChartPoint& point, const StudyRows& rows, std::size_t row, double factor) {
+  const double force = 1 / (rows.number(row, "speed") * factor);
+  point.low = force * rows.number(row, "viscous_loss");
+  point.high = point.low + force * rows.number(row, "frictional_loss");
+}
+
+/// The one curve of a chart as two, each with the area below it.
+void stack_shares(ChartRequest& request, const std::string& place) {
+  if (request.curves.size() != 1)
+    throw std::invalid_argument(place + ": shares are drawn of one curve, not of " +
+                                std::to_string(request.curves.size()) + "; fix the other axes with --where");
+  const std::vector<ChartPoint> points = request.curves.front().points;
+  request.curves = {{"lost in the layer", points}, {"lost to friction", points}};
+  request.family = {};
+  request.mark_peaks = false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ChartPoint &below = request.curves[0].points[i], &above = request.curves[1].points[i];
+    above.y = below.high;
+    below.y = below.high = below.low;
+    below.low = 0;
   }
-  return lines;
 }
 
 }  // namespace
@@ -209,24 +131,32 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
   const StudySummary study = stored_study(store, wishes.study);
   const std::string& file = store.database().name();
   const StudyDefinition definition = definition_of(store, study.name);
-  const Rows rows(store, study.name, wishes.filters);
+  const StudyRows rows(store, study.name, wishes.filters);
   const auto [x, y, along, families] =
       choose(study, rows, definition, definition.chart(wishes.chart, file + ": " + study.name), wishes);
-  const Scale x_scale = scale_of(rows, *x, wishes.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
-  const Scale y_scale = scale_of(rows, *y, wishes.y_scale, false, "y-scale");
+  const ColumnScale x_scale =
+      scale_of(rows, *x, wishes.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
+  if (wishes.shares && wishes.y_scale == AxisScale::logarithmic)
+    throw std::invalid_argument("y-scale = logarithmic: shares that are stacked need a linear one");
+  const ColumnScale y_scale = scale_of(rows, *y, wishes.shares ? AxisScale::linear : wishes.y_scale, false, "y-scale");
 
   StoredChart chart;
   chart.study = study.name;
   chart.points = rows.size();
   if (wishes.filters.empty()) chart.missing = study.points - study.answered;
+  const bool resistance = y->name == "rolling_resistance" || y->name == "rolling_resistance_coefficient";
   std::map<std::vector<Cell>, std::map<Cell, ChartPoint>> curves;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     std::vector<Cell> values;
     for (const QuantityColumn* const family : families) values.push_back(rows.cell(row, *family));
     const bool converged = rows.converged(row);
     if (!converged) ++chart.unanswered;
-    curves[values][rows.cell(row, *along)] = {rows.number(row, *x) / x_scale.unit.factor,
-                                              rows.number(row, *y) / y_scale.unit.factor, converged};
+    ChartPoint& point = curves[values][rows.cell(row, *along)];
+    point = {rows.number(row, *x) / x_scale.unit.factor, rows.number(row, *y) / y_scale.unit.factor, converged};
+    if (wishes.shares)
+      add_shares(point, rows, row, y_scale.unit.factor);
+    else if (resistance && converged)
+      add_band(point, rows.number(row, "error_estimate"));
   }
   if (curves.size() > most_curves)
     throw std::invalid_argument(study.name + ": would need " + std::to_string(curves.size()) +
@@ -237,12 +167,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
   request.title = study.name;
   request.comment = "study " + study.name + " in " + file + ": " + std::to_string(chart.points) + " points, " +
                     std::to_string(chart.unanswered) + " without an answer" + common_inputs(rows);
-  request.x = described(*x);
-  request.y = described(*y);
-  request.x.unit = typeset_unit(x_scale.unit.name);
-  request.y.unit = typeset_unit(y_scale.unit.name);
-  request.x.logarithmic = x_scale.logarithmic;
-  request.y.logarithmic = y_scale.logarithmic;
+  request.x = scaled_axis(*x, x_scale);
+  request.y = scaled_axis(*y, y_scale);
   request.lines = definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*along));
   if (!request.lines) request.x.margin = 0.03;  // no mark is cut by the frame
   if (families.size() == 1) request.family = described(*families.front());
@@ -265,6 +191,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
     }
     request.curves.push_back(curve);
   }
+  if (wishes.shares) stack_shares(request, study.name);
+  if (!wishes.shares && resistance) request.areas = "estimated error";
   return chart;
 }
 

@@ -9,14 +9,9 @@
 #include "db/query.hpp"
 #include "db/result_store.hpp"
 #include "studies/chart.hpp"
+#include "studies/study_rows.hpp"
 
 namespace rollres {
-
-enum class AxisScale { automatic, linear, logarithmic };
-template <>
-struct ChoiceNames<AxisScale> {
-  static constexpr std::array<std::string_view, 3> names{"auto", "linear", "logarithmic"};
-};
 
 /// What to show; what is empty is taken from a chart of the study file, else: x is the first of the axes with the most
 /// values, y the rolling resistance, and the family all other axes that have more than one value and do not follow from
@@ -25,6 +20,7 @@ struct StudyChartWishes {
   std::string study = {};  ///< may be left out if the database holds one study
   std::string chart = {};  ///< name or number of a chart of the study file; empty: the first
   std::string x = {}, y = {}, family = {};
+  bool shares = false;  ///< what of the rolling resistance is lost in the layer and what to friction, stacked
   std::vector<Filter> filters = {};  ///< rows to show
   AxisScale x_scale = AxisScale::automatic, y_scale = AxisScale::automatic;
 };
@@ -47,6 +43,7 @@ std::vector<std::string> stored_charts(ResultStore& store, const std::string& st
 
 /// Reads the curves of a study; the points of a sample of several inputs are not joined. An axis is logarithmic if the
 /// study spaced it so, or if its values are positive and span two decades or more; units are scaled to be read easily.
+/// Rolling resistance, and its coefficient, has a band as wide as its estimated error on either side.
 /// @throws std::invalid_argument naming what is unknown (and the nearest known name), what cannot be drawn, or that no
 ///         row is left
 /// @throws std::runtime_error naming the file if the database fails

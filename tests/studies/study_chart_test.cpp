@@ -242,3 +242,51 @@ TEST_CASE("a chart that cannot be made names what is wrong and the nearest known
   ResultStore empty(scratch / "empty.db");
   CHECK_THAT(message_of([&] { stored_chart(empty, {}); }), Contains("holds no study"));
 }
+
+TEST_CASE("rolling resistance has a band as wide as its estimated error, where it can be seen", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  double error = 0.1;
+  const Evaluate estimated = [&error](const RollingScene& scene) {
+    RollingSolution solution = closed_form(scene);
+    solution.error_estimate = error;
+    return solution;
+  };
+  ResultStore wide = stored(scratch, speed_and_load(), estimated);
+  const ChartRequest request = stored_chart(wide, {}).request;
+  CHECK(request.curves[1].points[2].low == Approx(90));
+  CHECK(request.curves[1].points[2].high == Approx(110));
+  CHECK_THAT(chart_data(request),
+             Contains("# column 5, 6: ends of estimated error\n") && Contains("\n1 100 1 1 90 110\n"));
+  CHECK_THAT(chart_script(request, chart_files("c")), Contains("with filledcurves") && Contains("'estimated error'"));
+  CHECK_FALSE(stored_chart(wide, {.y = "contact_nodes"}).request.curves[1].points[2].area());
+
+  const TemporaryDirectory other;
+  error = 1e-8;
+  ResultStore narrow = stored(other, speed_and_load(), estimated);
+  CHECK_THAT(chart_script(stored_chart(narrow, {}).request, chart_files("c")), !Contains("filledcurves"));
+}
+
+TEST_CASE("shares of the losses are stacked up to the rolling resistance", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  const Evaluate with_losses = [](const RollingScene& scene) {
+    RollingSolution solution = closed_form(scene);
+    solution.viscous_loss = 0.75 * solution.rolling_resistance * scene.speed;
+    solution.frictional_loss = 0.25 * solution.rolling_resistance * scene.speed;
+    return solution;
+  };
+  ResultStore store = stored(scratch, speed_and_load(), with_losses);
+  const ChartRequest request =
+      stored_chart(store, {.shares = true, .filters = {{"load", Comparison::equal, "2e4"}}}).request;
+  REQUIRE(request.curves.size() == 2);
+  const ChartPoint &layer = request.curves[0].points[2], &friction = request.curves[1].points[2];
+  CHECK(layer.low == 0);
+  CHECK(layer.y == Approx(75));
+  CHECK(layer.high == layer.y);
+  CHECK(friction.low == layer.y);
+  CHECK(friction.y == Approx(100));
+  CHECK(friction.high == friction.y);
+  CHECK_THAT(chart_script(request, chart_files("c")), Contains("filledcurves") && Contains("'lost to friction"));
+
+  CHECK_THAT(message_of([&] { stored_chart(store, {.shares = true}); }), Contains("of one curve, not of 2"));
+  CHECK_THAT(message_of([&] { stored_chart(store, {.y = "approach", .shares = true}); }), Contains("y = approach"));
+}

@@ -1,0 +1,54 @@
+#include "studies/stored_optimum.hpp"
+
+#include <set>
+
+#include "studies/design_file.hpp"
+#include "studies/strict_json.hpp"
+#include "studies/study_rows.hpp"
+
+namespace rollres {
+
+int StoredOptimum::variable(std::string_view key) const {
+  for (std::size_t i = 0; i < problem.variables.size(); ++i)
+    if (problem.variables[i].quantity.key == key) return static_cast<int>(i);
+  return -1;
+}
+
+bool is_optimisation(const std::string& definition, const std::string& place) {
+  return !definition.empty() && parse_object(definition, place).contains("variables");
+}
+
+std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::string& study) {
+  const std::string text = store.definition(study).value_or("");
+  const std::string place = store.database().name() + ": " + study;
+  if (!is_optimisation(text, place)) return std::nullopt;
+
+  StoredOptimum found{parse_design_problem(text, place), {}, {}};
+  const StudyRows rows(store, study);
+  std::set<std::vector<double>> points;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::vector<double> point;
+    for (const Variable& variable : found.problem.variables)
+      point.push_back(rows.number(row, *find_quantity_column(input_column(variable.quantity.key))));
+    points.insert(std::move(point));
+  }
+  std::string solver = this_program().solver;  // the keys are those of the program that stored them
+  for (const std::string& key : store.points(study))
+    if (const auto evaluation = store.find(key)) {
+      solver = evaluation->provenance.solver;
+      break;
+    }
+  const Evaluate recall = [&](const RollingScene& scene) {
+    return store.solution(evaluation_key(scene, solver)).value_or(RollingSolution());
+  };
+  for (const std::vector<double>& point : points) {
+    Design design = evaluate_design(found.problem, point, recall);
+    if (!design.found()) continue;
+    if (design.feasible() && (!found.best || found.problem.goal.better(design.value, found.best->value)))
+      found.best = design;
+    found.designs.push_back(std::move(design));
+  }
+  return found;
+}
+
+}  // namespace rollres
