@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 
 #include "studies/html.hpp"
 #include "studies/readable_number.hpp"
@@ -69,8 +70,8 @@ PictureSection fit_section(const FitRecord& fit) {
   const PictureSection pictures = fit_pictures(fit);
   section += pictures.html;
   for (const FitDataRecord& one : fit.data)
-    data.push_back({{one.place, short_number(one.measured), number(one.deviation), short_number(one.predicted),
-                     number(one.residual), number(one.band)},
+    data.push_back({{std::filesystem::path(one.place).filename().string(), short_number(one.measured),
+                     number(one.deviation), short_number(one.predicted), number(one.residual), number(one.band)},
                     std::abs(one.residual) > 3});
   if (!data.empty())
     section += html::table({{"measurement"},

@@ -1,5 +1,6 @@
 #include "studies/stored_optimum.hpp"
 
+#include <map>
 #include <set>
 
 #include "studies/design_file.hpp"
@@ -32,14 +33,14 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
       point.push_back(rows.number(row, *find_quantity_column(input_column(variable.quantity.key))));
     points.insert(std::move(point));
   }
-  std::string solver = this_program().solver;  // the keys are those of the program that stored them
+  // By keys made now: those that are stored may be an older program's.
+  std::map<std::string, RollingSolution> answers;
   for (const std::string& key : store.points(study))
-    if (const auto evaluation = store.find(key)) {
-      solver = evaluation->provenance.solver;
-      break;
-    }
+    if (auto evaluation = store.find(key))
+      answers[evaluation_key(evaluation->scene, "")] = std::move(evaluation->solution);
   const Evaluate recall = [&](const RollingScene& scene) {
-    return store.solution(evaluation_key(scene, solver)).value_or(RollingSolution());
+    const auto answer = answers.find(evaluation_key(scene, ""));
+    return answer == answers.end() ? RollingSolution() : answer->second;
   };
   for (const std::vector<double>& point : points) {
     Design design = evaluate_design(found.problem, point, recall);
