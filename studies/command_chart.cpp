@@ -8,6 +8,7 @@
 #include "studies/file_name.hpp"
 #include "studies/read_filter.hpp"
 #include "studies/readable_number.hpp"
+#include "studies/stored_study.hpp"
 #include "studies/study_chart.hpp"
 #include "studies/study_map.hpp"
 
@@ -90,7 +91,23 @@ void draw_map(const ChartWords& words, ResultStore& store, Session& session) {
   print_files(session.out, files);
 }
 
+/// A chart of the study's file that is a map; false if it is none, or other axes are wished for.
+bool draw_map_of_file(const ChartWords& words, ResultStore& store, Session& session) {
+  const StudyChartWishes& wishes = words.wishes;
+  const StudyChart chart = chart_of_file(store, wishes.study, wishes.chart);
+  if (chart.map.empty() || wishes.shares || !(wishes.x + wishes.y + wishes.family).empty()) return false;
+  ChartWords map = words;
+  if (map.out.empty()) map.out = usual_name(words, stored_study(store, wishes.study).name).string();
+  map.map = chart.map;
+  map.wishes.x = chart.x;
+  map.wishes.y = chart.y;
+  map.wishes.chart.clear();
+  draw_map(map, store, session);
+  return true;
+}
+
 void draw(const ChartWords& words, ResultStore& store, Session& session) {
+  if (draw_map_of_file(words, store, session)) return;
   StudyChartWishes wishes = words.wishes;
   for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
   wishes.x_scale = scale_named(words.x_scale);

@@ -96,7 +96,12 @@ Json range() {
 Json chart() {
   const Json numbers = names(number_outputs()), varied = names(input_keys());
   return object_of(chart_keys,
-                   {{"name", name()}, {"x", {{"anyOf", {varied, numbers}}}}, {"y", numbers}, {"family", varied}}, {});
+                   {{"name", name()},
+                    {"x", {{"anyOf", {varied, numbers}}}},
+                    {"y", {{"anyOf", {varied, numbers}}}},
+                    {"family", varied},
+                    {"map", numbers}},
+                   {});
 }
 
 }  // namespace

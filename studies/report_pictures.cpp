@@ -83,10 +83,19 @@ void where_possible(const std::function<void()>& draw, std::string* refusal = nu
   }
 }
 
+void add_map_of_file(const ReportSource& source, const StudyChart& wish, Pictures& pictures) {
+  const StoredMap map =
+      stored_map(source.store, {.study = source.study.name, .value = wish.map, .x = wish.x, .y = wish.y});
+  pictures.add(map.request.value.name + " over " + map.request.x.name + " and " + map.request.y.name,
+               [&](const auto& file) { return draw_map(map.request, file); });
+}
+
 void add_charts(const ReportSource& source, Pictures& pictures, std::string& refusal) {
   for (const std::string& name : source.definition.chart_names())
     where_possible(
         [&] {
+          if (const StudyChart& wish = source.definition.chart(name, source.study.name); !wish.map.empty())
+            return add_map_of_file(source, wish, pictures);
           const StoredChart chart = stored_chart(source.store, {.study = source.study.name, .chart = name});
           const ChartRequest& request = chart.request;
           pictures.add(request.y.name + " against " + request.x.name +
@@ -156,7 +165,9 @@ PictureSection chart_section(const ReportSource& source, const ReportWishes& wis
   std::string refusal;
   add_charts(source, pictures, refusal);
   add_shares(source, pictures);
-  add_map(source, wishes.optimum, pictures);
+  const auto& charts = source.definition.charts;
+  const bool mapped = std::any_of(charts.begin(), charts.end(), [](const auto& chart) { return !chart.map.empty(); });
+  if (!mapped || !wishes.optimum.empty()) add_map(source, wishes.optimum, pictures);
   return {html::heading("Charts") + pictures.html() + refusal, pictures.count()};
 }
 

@@ -26,7 +26,8 @@
 ///     "constraints": ["layer_thickness <= radius / 2", "speed >= 36 km/h"]
 ///
 /// `compute` lists the outputs that the study is about, in the order of its tables; `fields` keeps the fields of every
-/// solution; `charts` is a list of charts, each as `chart` and with a `name`. study_keys.hpp lists all keys.
+/// solution; `charts` is a list of charts, each as `chart` and with a `name`; {"map": OUTPUT, "x": AXIS, "y": AXIS} is
+/// one too. study_keys.hpp lists all keys.
 
 #include <cstddef>
 #include <filesystem>
@@ -51,10 +52,11 @@ struct Axis {
 
 /// What a chart of the study shows; empty where the file says nothing.
 struct StudyChart {
-  std::string name;    ///< by which a chart is asked for
-  std::string x;       ///< an axis or an output
-  std::string y;       ///< an output
-  std::string family;  ///< the axis with one curve for each of its values
+  std::string name;      ///< by which a chart is asked for
+  std::string x;         ///< an axis or an output
+  std::string y;         ///< an output
+  std::string family;    ///< the axis with one curve for each of its values
+  std::string map = {};  ///< an output: a contour map of it over x and y, two axes, in place of curves
 };
 
 struct Study {

@@ -127,13 +127,19 @@ std::vector<std::string> stored_charts(ResultStore& store, const std::string& st
   return definition_of(store, stored_study(store, study).name).chart_names();
 }
 
+StudyChart chart_of_file(ResultStore& store, const std::string& wanted, const std::string& chart) {
+  const std::string study = stored_study(store, wanted).name;
+  return definition_of(store, study).chart(chart, store.database().name() + ": " + study);
+}
+
 StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
   const StudySummary study = stored_study(store, wishes.study);
   const std::string& file = store.database().name();
   const StudyDefinition definition = definition_of(store, study.name);
   const StudyRows rows(store, study.name, wishes.filters);
+  const StudyChart& hints = definition.chart(wishes.chart, file + ": " + study.name);
   const auto [x, y, along, families] =
-      choose(study, rows, definition, definition.chart(wishes.chart, file + ": " + study.name), wishes);
+      choose(study, rows, definition, hints.map.empty() ? hints : StudyChart(), wishes);
   const ColumnScale x_scale =
       scale_of(rows, *x, wishes.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
   if (wishes.shares && wishes.y_scale == AxisScale::logarithmic)

@@ -9,6 +9,7 @@
 #include "db/query.hpp"
 #include "db/result_store.hpp"
 #include "studies/chart.hpp"
+#include "studies/study.hpp"
 #include "studies/study_rows.hpp"
 
 namespace rollres {
@@ -40,6 +41,10 @@ inline constexpr std::size_t most_curves = 24;
 /// Names of the charts in the study's file, or their numbers; one where the file has none.
 /// @param study  may be empty if the database holds one study
 std::vector<std::string> stored_charts(ResultStore& store, const std::string& study);
+
+/// A chart of the study's file, by its name or number; the first for an empty name.
+/// @throws std::invalid_argument naming the charts that there are
+StudyChart chart_of_file(ResultStore& store, const std::string& study, const std::string& chart);
 
 /// Reads the curves of a study; the points of a sample of several inputs are not joined. An axis is logarithmic if the
 /// study spaced it so, or if its values are positive and span two decades or more; units are scaled to be read easily.

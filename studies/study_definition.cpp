@@ -20,7 +20,8 @@ const Json& under(const Json& object, const char* key) {
 }
 
 StudyChart chart_in(const Json& object) {
-  return {text_under(object, "name"), text_under(object, "x"), text_under(object, "y"), text_under(object, "family")};
+  return {text_under(object, "name"), text_under(object, "x"), text_under(object, "y"), text_under(object, "family"),
+          text_under(object, "map")};
 }
 
 void add_axis(StudyDefinition& definition, const std::string& key, const Json& axis) {

@@ -58,8 +58,9 @@ inline constexpr std::array range_keys{
 inline constexpr std::array chart_keys{
     FileKey{"name", "by which rollres chart --chart asks for it"},
     FileKey{"x", "an input that varies, or an output"},
-    FileKey{"y", "an output"},
+    FileKey{"y", "an output; with map an input that varies"},
     FileKey{"family", "an input that varies; one curve for each of its values"},
+    FileKey{"map", "an output: a contour map of it over the inputs x and y, in place of curves"},
 };
 
 inline constexpr std::array<std::string_view, 2> spacing_names{"linear", "logarithmic"};

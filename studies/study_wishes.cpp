@@ -41,6 +41,15 @@ StudyChart study_chart(const Json& object, const std::vector<std::string_view>& 
     chart.name = needed_text(object, "name", place, rule);
     if (chart.name == "all" || plain_number(chart.name)) refuse(place, "name", chart.name, rule);
   }
+  if (object.contains("map")) {
+    chart.map = read("map", numbers, "must be a number of the solution");
+    chart.x = read("x", axes, "must be an axis of the study");
+    chart.y = read("y", axes, "must be an axis of the study");
+    if (!chart.y.empty() && chart.y == chart.x) refuse(place, "y", chart.y, "must differ from x");
+    if (const auto family = object.find("family"); family != object.end())
+      refuse(place, "family", *family, "is for curves, not for a map");
+    return chart;
+  }
   chart.x = read("x", either, "must be an axis of the study or a number of the solution");
   chart.y = read("y", numbers, "must be a number of the solution");
   chart.family = read("family", axes, "must be an axis of the study");

@@ -82,6 +82,34 @@ TEST_CASE("a map is blank around a point without an answer and marks it", "[stud
   CHECK_THAT(file_text(scratch / "map.svg"), Contains("no answer") && Contains("not converged"));
 }
 
+TEST_CASE("a study file asks for a map as for any chart", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  const std::string file = (scratch / "results.db").string();
+  const auto study = [&](const std::string& chart) {
+    return scratch
+        .write("study.json", R"({"study": "mapped", "scene": {"radius": 0.1, "layer_thickness": 0.01,
+      "static_shear_modulus": 1e6, "material": "elastic"}, "axes": {"speed": [0.1, 1, 10], "load": [1e4, 2e4, 3e4]},
+      "charts": [{"x": "speed"}, )" +
+                                 chart + "]}")
+        .string();
+  };
+  const auto sweep = [&](const std::string& chart) { return run_rollres({"sweep", study(chart), "--db", file}, hill); };
+  REQUIRE(sweep(R"({"name": "hill", "map": "rolling_resistance", "x": "load", "y": "speed"})").status == 0);
+  const ProgramRun all = run_rollres({"chart", "--db", file, "--chart", "all"}, hill);
+  CHECK(all.err.empty());
+  CHECK_THAT(all.out, Contains("peak: rolling resistance 200 N/m at load 20 kN/m, speed 1 m/s\n"));
+  CHECK_THAT(file_text(scratch / "mapped_hill.svg"), Contains("peak 200 N/m"));
+  const ProgramRun curves = run_rollres({"chart", "--db", file, "--chart", "hill", "--x", "speed"}, hill);
+  CHECK(curves.status == 0);
+  CHECK_THAT(curves.out, Contains("mapped_hill_speed.svg"));
+
+  CHECK_THAT(sweep(R"({"map": "rolling_resistance", "y": "approach"})").err,
+             Contains("y = \"approach\": must be an axis"));
+  CHECK_THAT(sweep(R"({"map": "speed"})").err, Contains("map = \"speed\": must be a number of the solution"));
+  CHECK_THAT(sweep(R"({"map": "approach", "x": "load", "y": "load"})").err, Contains("must differ from x"));
+  CHECK_THAT(sweep(R"({"map": "approach", "family": "load"})").err, Contains("is for curves"));
+}
+
 TEST_CASE("the optimum of an optimisation is drawn into the map of the same inputs", "[studies][chart]") {
   const TemporaryDirectory scratch;
   const std::string file = stored(scratch, grid());
