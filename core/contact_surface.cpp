@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 
 #include "core/medium_shapes.hpp"
 #include "core/passage_kernel.hpp"
+#include "core/recently_made.hpp"
 
 namespace rollres {
 
@@ -27,12 +26,9 @@ double rayleigh_square(double poisson_ratio) {
   return std::pow((0.87 + 1.12 * poisson_ratio) / (1 + poisson_ratio), 2);
 }
 
-double rayleigh_number(const LayeredMedium& medium, double speed) {
-  double largest = 0;
-  for (const MediumLayer& layer : medium)
-    largest = std::max(largest,
-                       layer.density * speed * speed * layer.material.at_rest() / rayleigh_square(layer.poisson_ratio));
-  return largest;
+/// rho V^2/G0 over that of Rayleigh waves, of one layer.
+double rayleigh_number(const MaterialInputs& material, double density, double speed) {
+  return density * speed * speed / (static_modulus(material) * rayleigh_square(material.poisson_ratio));
 }
 
 MediumLayer medium_layer(const MaterialInputs& material, double thickness, double density) {
@@ -58,33 +54,6 @@ LayeredMedium without_inertia(LayeredMedium medium) {
   for (MediumLayer& layer : medium) layer.density = 0;
   return medium;
 }
-
-/// What was made for a medium, kept for the next scene with the same: a small cache shared by all threads.
-template <class Key, class Value, std::size_t capacity>
-class RecentlyMade {
- public:
-  template <class Make>
-  std::shared_ptr<const Value> operator()(const Key& key, const Make& make) {
-    {
-      const std::lock_guard lock(mutex_);
-      const auto found =
-          std::find_if(kept_.begin(), kept_.end(), [&](const auto& entry) { return entry.first == key; });
-      if (found != kept_.end()) {
-        kept_.splice(kept_.begin(), kept_, found);
-        return found->second;
-      }
-    }
-    auto made = std::make_shared<const Value>(make());
-    const std::lock_guard lock(mutex_);
-    kept_.emplace_front(key, made);
-    if (kept_.size() > capacity) kept_.pop_back();
-    return made;
-  }
-
- private:
-  std::mutex mutex_;
-  std::list<std::pair<Key, std::shared_ptr<const Value>>> kept_;
-};
 
 struct ShapesKey {
   Indenter indenter;
@@ -136,7 +105,11 @@ std::shared_ptr<const std::vector<TimedKernel>> kernels_of(const KernelsKey& key
 }  // namespace
 
 double rayleigh_number(const RollingScene& scene) {
-  return std::max(rayleigh_number(all_under(scene), scene.speed), rayleigh_number(all_on(scene), scene.speed));
+  double largest = rayleigh_number(scene, scene.layer_density, scene.speed);
+  for (const BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
+    for (const BondedLayer& layer : *layers)
+      largest = std::max(largest, rayleigh_number(layer, layer.layer_density, scene.speed));
+  return largest;
 }
 
 bool inertia_included(const RollingScene& scene) {

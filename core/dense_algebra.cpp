@@ -20,6 +20,10 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
   return a.colPivHouseholderQr().solve(b);
 }
 
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a) { return a.completeOrthogonalDecomposition().pseudoInverse(); }
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> threshold) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  if (threshold) decomposition.setThreshold(*threshold);
+  return decomposition.compute(a).pseudoInverse();
+}
 
 }  // namespace rollres

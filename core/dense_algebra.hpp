@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <optional>
 
 namespace rollres {
 
@@ -26,6 +27,7 @@ class SquareSystem {
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// The inverse of Moore and Penrose, by complete orthogonal decomposition.
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);
+/// @param threshold pivots below so much of the largest count as 0; absent: about the rounding
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> threshold = {});
 
 }  // namespace rollres

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "core/contact_surface.hpp"
 #include "core/material.hpp"
+#include "core/message_text.hpp"
 
 namespace rollres {
 
@@ -86,20 +86,13 @@ constexpr double negligible_friction = 0.01;
 constexpr double least_share = 0.05;    // of the slow limit, below which the grid is left alone
 constexpr double largest_second = 0.5;  // second term of equation (2) over the first, beyond which it is not used
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 /// Warns where a memory shorter than a cell may cost more than a hundredth of the rolling resistance.
 void warn_of_memory(const GridError& error, RollingSolution& solution) {
   const double lost = (1 - error.slow_share) * error.unresolved / std::abs(solution.rolling_resistance);
   if (lost > 0.01)
-    solution.warnings.push_back("unresolved memory: the memory length Vτ = " + number(error.memory_length) +
-                                " m is short against the spacing " + number(solution.spacing) + " m, and may cost " +
-                                number(lost) + " of the rolling resistance");
+    solution.warnings.push_back("unresolved memory: the memory length Vτ = " + message_text(error.memory_length) +
+                                " m is short against the spacing " + message_text(solution.spacing) +
+                                " m, and may cost " + message_text(lost) + " of the rolling resistance");
 }
 
 }  // namespace
@@ -192,7 +185,8 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolut
   }
   if (error.slow_share > 0.01)
     solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +
-                      number(error.slow_share) + ", as Vτ/spacing = " + number(error.memory_length / solution.spacing);
+                      message_text(error.slow_share) +
+                      ", as Vτ/spacing = " + message_text(error.memory_length / solution.spacing);
 }
 
 }  // namespace rollres

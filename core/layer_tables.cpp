@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <list>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "core/layer_compliance.hpp"
+#include "core/recently_made.hpp"
 
 namespace rollres {
 
@@ -99,18 +98,8 @@ template <class Table>
 std::shared_ptr<const Table> kept_table(double poisson_ratio, Table (*make)(double)) {
   static const auto incompressible = std::make_shared<const Table>(make(0.5));
   if (poisson_ratio == 0.5) return incompressible;
-  static std::mutex mutex;
-  static std::list<std::pair<double, std::shared_ptr<const Table>>> kept;
-  constexpr std::size_t capacity = 16;
-  const std::lock_guard lock(mutex);
-  const auto found =
-      std::find_if(kept.begin(), kept.end(), [&](const auto& entry) { return entry.first == poisson_ratio; });
-  if (found != kept.end())
-    kept.splice(kept.begin(), kept, found);
-  else
-    kept.emplace_front(poisson_ratio, std::make_shared<const Table>(make(poisson_ratio)));
-  if (kept.size() > capacity) kept.pop_back();
-  return kept.front().second;
+  static RecentlyMade<double, Table, 16> cache;
+  return cache(poisson_ratio, [&] { return make(poisson_ratio); });
 }
 
 }  // namespace

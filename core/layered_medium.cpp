@@ -108,6 +108,13 @@ SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<cons
   return {.normal = -c(1, 1), .longitudinal = -c(0, 0), .cross = -c(0, 1), .transverse = -below.transverse};
 }
 
+double finite_thickness(const LayeredMedium& medium) {
+  double sum = 0;
+  for (const MediumLayer& layer : medium)
+    if (std::isfinite(layer.thickness)) sum += layer.thickness;
+  return sum;
+}
+
 std::vector<complex> moduli_at(const LayeredMedium& medium, double omega) {
   std::vector<complex> moduli;
   for (const MediumLayer& layer : medium) moduli.push_back(1.0 / layer.material(omega));

@@ -33,6 +33,9 @@ struct MediumLayer {
 /// From the surface down; on a rigid base unless the last layer is infinite.
 using LayeredMedium = std::vector<MediumLayer>;
 
+/// Thickness of the layers that are not infinite [m].
+double finite_thickness(const LayeredMedium& medium);
+
 /// Displacement per traction [m/Pa], as in LayerSymbols but with the moduli.
 struct SurfaceCompliance {
   std::complex<double> normal, longitudinal, cross, transverse;

@@ -3,13 +3,12 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <list>
-#include <mutex>
 #include <numbers>
 #include <numeric>
-#include <sstream>
 
+#include "core/message_text.hpp"
 #include "core/nonnegative_least_squares.hpp"
+#include "core/recently_made.hpp"
 
 namespace rollres {
 
@@ -28,16 +27,8 @@ constexpr double least_rest = 0.1;
 /// A row is an outlier beyond so many times the usual misfit, and this one.
 constexpr double outlier_ratio = 5, outlier_misfit = 0.05;
 
-template <class... Parts>
-std::string text(const Parts&... parts) {
-  std::ostringstream line;
-  line.precision(3);
-  (line << ... << parts);
-  return line.str();
-}
-
 std::string row_name(const MasterCurve& curve, std::size_t row) {
-  return text("row ", row + 1, " (", curve.frequencies[row], " Hz)");
+  return message_text("row ", row + 1, " (", curve.frequencies[row], " Hz)");
 }
 
 /// Rows by frequency.
@@ -61,8 +52,8 @@ std::vector<std::string> remarks_on_rows(const MasterCurve& curve, const std::ve
                         std::to_string(before + 1) + "; both count");
     else if (curve.storage[row] < curve.storage[before])
       remarks.push_back("master curve: " + row_name(curve, row) +
-                        text(": the storage modulus falls from ", curve.storage[before], " to ", curve.storage[row],
-                             " Pa, as no passive material's does"));
+                        message_text(": the storage modulus falls from ", curve.storage[before], " to ",
+                                     curve.storage[row], " Pa, as no passive material's does"));
   }
   return remarks;
 }
@@ -220,8 +211,8 @@ SmoothSeries smooth_series(const SpectrumProblem& problem, const MasterCurve& cu
 }  // namespace
 
 std::string MasterCurveFit::in_words() const {
-  return text("master curve as ", series.terms.size(), " Prony terms, misfit ", 100 * rms_misfit, " % rms and ",
-              100 * largest_misfit, " % at most (at ", worst_frequency, " Hz)");
+  return message_text("master curve as ", series.terms.size(), " Prony terms, misfit ", 100 * rms_misfit, " % rms and ",
+                      100 * largest_misfit, " % at most (at ", worst_frequency, " Hz)");
 }
 
 MasterCurveFit fit_master_curve(const MasterCurve& curve) {
@@ -244,47 +235,21 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   for (std::size_t row = 0; row < order.size(); ++row)
     if (misfits[row] > std::max(outlier_ratio * usual, outlier_misfit))
       fit.remarks.push_back("master curve: " + row_name(curve, row) + " is an outlier: " +
-                            text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
+                            message_text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
   if (smooth.waves > 0)
-    fit.remarks.push_back(text("master curve: the loss tangent of the fit turns more often than the table's (by ",
-                               smooth.waves,
-                               "): rows are missing, or storage and loss do not belong to one linear material"));
+    fit.remarks.push_back(
+        message_text("master curve: the loss tangent of the fit turns more often than the table's (by ", smooth.waves,
+                     "): rows are missing, or storage and loss do not belong to one linear material"));
   if (curve.static_modulus == 0 && fit.series.static_modulus <= problem.least_rest_modulus())
     fit.remarks.push_back(
-        text("master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,
-             " Pa, a tenth of the lowest storage modulus; static_shear_modulus gives it where it is known"));
+        message_text("master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,
+                     " Pa, a tenth of the lowest storage modulus; static_shear_modulus gives it where it is known"));
   return fit;
 }
 
-namespace {
-
-struct FitCache {
-  std::mutex mutex;
-  std::list<std::pair<MasterCurve, std::shared_ptr<const MasterCurveFit>>> entries;  // most recently used first
-};
-
-}  // namespace
-
 std::shared_ptr<const MasterCurveFit> shared_master_curve_fit(const MasterCurve& curve) {
-  static FitCache cache;
-  constexpr std::size_t capacity = 8;
-  const auto known = [&]() -> std::shared_ptr<const MasterCurveFit> {
-    const auto found = std::find_if(cache.entries.begin(), cache.entries.end(),
-                                    [&](const auto& entry) { return entry.first == curve; });
-    if (found == cache.entries.end()) return nullptr;
-    cache.entries.splice(cache.entries.begin(), cache.entries, found);
-    return found->second;
-  };
-  {
-    const std::lock_guard lock(cache.mutex);
-    if (auto fit = known()) return fit;
-  }
-  auto fit = std::make_shared<const MasterCurveFit>(fit_master_curve(curve));
-  const std::lock_guard lock(cache.mutex);
-  if (auto other = known()) return other;
-  cache.entries.emplace_front(curve, fit);
-  if (cache.entries.size() > capacity) cache.entries.pop_back();
-  return fit;
+  static RecentlyMade<MasterCurve, MasterCurveFit, 8> cache;
+  return cache(curve, [&] { return fit_master_curve(curve); });
 }
 
 }  // namespace rollres

@@ -1,12 +1,12 @@
 #include "core/material.hpp"
 
 #include <memory>
-#include <sstream>
 #include <utility>
 
 #include "core/fractional_zener.hpp"
 #include "core/master_curve.hpp"
 #include "core/material_scale.hpp"
+#include "core/message_text.hpp"
 #include "core/prony_series.hpp"
 
 namespace rollres {
@@ -48,14 +48,6 @@ CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
   return {.instantaneous = 1 / given_static_modulus(layer), .terms = {}};
 }
 
-template <class... Parts>
-std::string text(const Parts&... parts) {
-  std::ostringstream line;
-  line.precision(5);
-  (line << ... << parts);
-  return line.str();
-}
-
 }  // namespace
 
 std::complex<double> CreepSpectrum::operator()(double omega) const {
@@ -89,15 +81,17 @@ double static_modulus(const MaterialInputs& layer) {
 std::string material_route(const MaterialInputs& layer) {
   std::string route;
   if (layer.material == MaterialModel::prony)
-    route = text("Prony series of ", prony_series(layer).terms.size(), " terms, exact");
+    route = message_text<5>("Prony series of ", prony_series(layer).terms.size(), " terms, exact");
   if (layer.material == MaterialModel::master_curve) route = fit_of(layer)->in_words();
   if (layer.material == MaterialModel::fractional_zener)
     route = layer.fractional_order == 1
                 ? "fractional Zener solid of order 1: a Zener solid"
-                : text("fractional Zener solid as ", creep_spectrum(layer).terms.size(), " exponentials, 1/G* to 1e-7");
+                : message_text<5>("fractional Zener solid as ", creep_spectrum(layer).terms.size(),
+                                  " exponentials, 1/G* to 1e-7");
   if (layer.temperature && layer.material != MaterialModel::elastic)
-    route += text(route.empty() ? "" : "; ", "times at ", *layer.temperature, " K: ", time_shift(layer),
-                  " of those at ", *layer.reference_temperature, " K (", layer.wlf_c1 ? "WLF" : "Arrhenius", ")");
+    route +=
+        message_text<5>(route.empty() ? "" : "; ", "times at ", *layer.temperature, " K: ", time_shift(layer),
+                        " of those at ", *layer.reference_temperature, " K (", layer.wlf_c1 ? "WLF" : "Arrhenius", ")");
   return route;
 }
 
@@ -107,8 +101,9 @@ std::vector<std::string> material_warnings(const MaterialInputs& layer) {
   if (layer.temperature && layer.wlf_c1) {
     const double above = *layer.temperature - *layer.reference_temperature;
     if (above < -0.8 * *layer.wlf_c2)
-      warnings.push_back(text("temperature = ", *layer.temperature, " K: is close to where WLF has no meaning (",
-                              *layer.reference_temperature - *layer.wlf_c2, " K)"));
+      warnings.push_back(message_text<5>("temperature = ", *layer.temperature,
+                                         " K: is close to where WLF has no meaning (",
+                                         *layer.reference_temperature - *layer.wlf_c2, " K)"));
   }
   return warnings;
 }

@@ -1,10 +1,10 @@
 #include "core/medium_expansion.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "core/bracketed_root.hpp"
+#include "core/dense_algebra.hpp"
 #include "core/relaxation.hpp"
 
 namespace rollres {
@@ -56,12 +56,10 @@ TimeRange time_range(const LayeredMedium& medium, double wave_speed) {
   TimeRange range;
   for (const MediumLayer& layer : medium) {
     if (layer.material.terms.empty()) continue;
-    CreepSpectrum ascending = layer.material;
-    std::sort(ascending.terms.begin(), ascending.terms.end(), [](auto& a, auto& b) { return a.time < b.time; });
-    for (const RelaxationSpectrum::Term& term : relaxation_spectrum(ascending).terms)
+    for (const RelaxationSpectrum::Term& term : relaxation_spectrum(layer.material).terms)
       range.shortest = std::min(range.shortest, term.time);
-    for (const CreepSpectrum::Term& term : ascending.terms) range.exact.push_back(term.time);
-    range.longest = std::max(range.longest, slowest_time(layer, ascending.terms.back().time, wave_speed));
+    for (const CreepSpectrum::Term& term : layer.material.terms) range.exact.push_back(term.time);
+    range.longest = std::max(range.longest, slowest_time(layer, layer.material.terms.back().time, wave_speed));
   }
   std::sort(range.exact.begin(), range.exact.end());
   return range;
@@ -94,9 +92,7 @@ std::vector<double> frequencies_for(const std::vector<double>& times, double off
 }  // namespace
 
 MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed) {
-  double finite = 0;
-  for (const MediumLayer& layer : medium)
-    if (std::isfinite(layer.thickness)) finite += layer.thickness;
+  const double finite = finite_thickness(medium);
   const bool layered = finite > 0;
   if (layered) {
     highest_ = 18 / medium.front().thickness;
@@ -141,10 +137,7 @@ void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, double
       system(2 * i + 1, m) = weights(i) * value.imag();
     }
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(1e-12);
-  decomposition.compute(system);
-  const Eigen::MatrixXd inverse = decomposition.solve(Eigen::MatrixXd::Identity(2 * rows, 2 * rows));
+  const Eigen::MatrixXd inverse = pseudo_inverse(system, 1e-12);
   const auto fitted = [&](const auto& symbols_at) {
     Eigen::MatrixX4d values(2 * rows, 4);
     for (Index i = 0; i < rows; ++i) {

@@ -23,24 +23,31 @@ std::vector<double> panel_borders(double end) {
   return borders;
 }
 
-/// Wavenumbers (times the length) with weights, and the corrections there, for distances from r0 to r1 over the length.
-///
 /// At a distance r a smooth function of k matters up to k ~ 50/r only: beyond, it is faded out by a smooth factor whose
 /// transform is below 1e-11 there.
+struct Fade {
+  double from, to;
+
+  explicit Fade(double r) : from(r > 0 ? 50 / r : INFINITY), to(3 * from) {}
+  double operator()(double k) const {
+    return std::isinf(from) ? 1 : 0.5 * std::erfc(7 * (2 * (k - from) / (to - from) - 1));
+  }
+};
+
+/// Wavenumbers (times the length) with weights, and the corrections there, for distances from r0 to r1 over the length.
 class WavenumberRule {
  public:
   WavenumberRule(const MediumExpansion& expansion, double length, double r0, double r1) {
-    const double highest = expansion.highest_wavenumber() * length;
-    const double fade_from = r0 > 0 ? 50 / r0 : INFINITY, fade_to = 3 * fade_from, end = std::min(highest, fade_to);
+    const Fade fade(r0);
+    const double end = std::min(expansion.highest_wavenumber() * length, fade.to);
     double from = 0;
     for (double to = expansion.lowest_wavenumber() * length; from < end; from = to, to *= 1.6) {
       to = std::min(to, end);
       const QuadratureRule gauss = gauss_legendre(10 + static_cast<int>(0.5 * (to - from) * r1));
       for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
         const double k = from + (to - from) * gauss.nodes[q];
-        const double faded = 0.5 * std::erfc(7 * (2 * (k - fade_from) / (fade_to - fade_from) - 1));
         nodes.push_back(k);
-        weights.push_back((to - from) * gauss.weights[q] * (std::isinf(fade_from) ? 1 : faded));
+        weights.push_back((to - from) * gauss.weights[q] * fade(k));
         values.push_back(expansion.correction(k / length));
       }
     }
@@ -70,14 +77,14 @@ Corrections radial_transform(const WavenumberRule& rule, double r) {
 /// has beyond the faded rule.
 Eigen::ArrayXd beyond_fade(const MediumExpansion& expansion, double length, double r0) {
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(static_cast<Index>(expansion.terms().size()));
-  const double highest = expansion.highest_wavenumber() * length, fade_from = 50 / r0, fade_to = 3 * fade_from;
+  const Fade fade(r0);
+  const double highest = expansion.highest_wavenumber() * length;
   const QuadratureRule gauss = gauss_legendre(16);
-  double from = fade_from;
-  for (double to = fade_from * 1.3; from < highest; from = to, to *= 1.3)
+  double from = fade.from;
+  for (double to = fade.from * 1.3; from < highest; from = to, to *= 1.3)
     for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
       const double k = from + (to - from) * gauss.nodes[q];
-      const double kept = 0.5 * std::erfc(7 * (2 * (k - fade_from) / (fade_to - fade_from) - 1));
-      sum += (to - from) * gauss.weights[q] * (1 - kept) / (M_PI * k * k) *
+      sum += (to - from) * gauss.weights[q] * (1 - fade(k)) / (M_PI * k * k) *
              expansion.correction(k / length).row(3).transpose();
     }
   return sum;
@@ -131,9 +138,7 @@ double table_end(const MediumExpansion& expansion, double length, double finite,
 std::vector<TimedShape> medium_shapes(Indenter indenter, const LayeredMedium& medium,
                                       const MediumExpansion& expansion) {
   std::vector<TimedShape> shapes;
-  double finite = 0;
-  for (const MediumLayer& layer : medium)
-    if (std::isfinite(layer.thickness)) finite += layer.thickness;
+  const double finite = finite_thickness(medium);
   for (const MediumTerm& term : expansion.terms())
     shapes.push_back({term.time, {.deep = term.deep, .base = term.base, .radial = {}, .line = {}}});
   if (finite == 0) return shapes;

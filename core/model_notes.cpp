@@ -1,22 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/contact_surface.hpp"
 #include "core/evidence.hpp"
 #include "core/material.hpp"
+#include "core/message_text.hpp"
 
 namespace rollres {
 
 namespace {
-
-template <class... Parts>
-std::string text(const Parts&... parts) {
-  std::ostringstream line;
-  line.precision(3);
-  (line << ... << parts);
-  return line.str();
-}
 
 double half_length(const RollingSolution& solution) {
   const double length = solution.leading_edge - solution.trailing_edge;
@@ -33,33 +25,38 @@ double inertia(const RollingScene& scene, const RollingSolution& solution) {
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
   std::vector<std::string> warnings;
   const double strain = solution.approach / total_thickness(scene);
-  if (strain > 0.1) warnings.push_back(text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
+  if (strain > 0.1)
+    warnings.push_back(message_text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
   const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
   if (slope > 0.3)
-    warnings.push_back(text("slope at the contact's edge, and contact over radius, ", slope,
-                            " is not small: displacements are taken as small"));
+    warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
+                                    " is not small: displacements are taken as small"));
   const double mach = inertia(scene, solution);
   if (mach > 0.01 && !inertia_included(scene))
-    warnings.push_back(text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
+    warnings.push_back(message_text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
   const double across = 2 * half_length(solution) / solution.spacing;
-  if (across < 10) warnings.push_back(text("only ", across, " nodes along the contact: take a smaller spacing"));
+  if (across < 10)
+    warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
   for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
   if (scene.spacing && solution.method == Method::spectral)
-    warnings.push_back(text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
+    warnings.push_back(
+        message_text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
   if (scene.period)
     for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
       const double left = std::exp(-*scene.period / (scene.speed * term.time));
-      if (left > 1e-4) warnings.push_back(text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left));
+      if (left > 1e-4)
+        warnings.push_back(message_text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left));
     }
   return warnings;
 }
 
 std::string model_of(const RollingScene& scene, const RollingSolution& solution) {
-  std::string model = surface_in_words(scene) + "; " +
-                      text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
-                           inertia(scene, solution));
+  std::string model =
+      surface_in_words(scene) + "; " +
+      message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
+                   inertia(scene, solution));
   if (is_composite(scene) && !scene.period && expansion_error(scene) > 0)
-    model += text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
+    model += message_text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
   const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum creep = creep_spectrum(scene);
@@ -71,24 +68,25 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (spectral) model += "; continuous edges of contact, no grid";
   if (!spectral && !scene.spacing && sphere && solution.method != Method::active_set)
     model += "; grid tied to the contact";
-  model += scene.period ? text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
+  model += scene.period ? message_text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
   if (!scene.tolerance) return model;
 
   // What a tolerance leaves to choose, and why nothing more is left out.
   if (spectral)
-    model += text("; ", solution.contact_nodes, " coefficients of the pressure for a tolerance of ", *scene.tolerance);
+    model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for a tolerance of ",
+                          *scene.tolerance);
   else
-    model += text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
-                  " along the contact, for a tolerance of ", *scene.tolerance);
+    model += message_text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
+                          " along the contact, for a tolerance of ", *scene.tolerance);
   if (std::isfinite(total_thickness(scene)))
-    model += text("; layer kept: half-length of the contact over H = ", half_length(solution) / total_thickness(scene),
-                  ", a half-space would cost as much");
+    model += message_text("; layer kept: half-length of the contact over H = ",
+                          half_length(solution) / total_thickness(scene), ", a half-space would cost as much");
   else if (!sphere && scene.friction_coefficient == 0 && scene.material == MaterialModel::zener)
     model += "; closed form of the half-space not used: no faster";
   if (scene.friction_coefficient > 0)
-    model += text("; friction and its coupling with the pressure kept: friction takes ",
-                  std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed)),
-                  " of R_r, and which drive it can bear is not known without it");
+    model += message_text("; friction and its coupling with the pressure kept: friction takes ",
+                          std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed)),
+                          " of R_r, and which drive it can bear is not known without it");
   return model;
 }
 

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/contact_surface.hpp"
+#include "core/message_text.hpp"
 
 namespace rollres {
 
@@ -14,18 +15,6 @@ std::vector<std::string_view> input_keys() {
   visit_inputs(scene, [&](const Quantity& quantity, const auto&) { keys.push_back(quantity.key); });
   return keys;
 }
-
-namespace {
-
-/// To three digits.
-std::string text_of_number(double number) {
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
-
-}  // namespace
 
 bool spectral_applies(const RollingScene& scene) {
   return scene.indenter == Indenter::cylinder && !scene.period && scene.poisson_ratio == 0.5 && !is_composite(scene);
@@ -114,7 +103,7 @@ std::vector<std::string> check(const RollingScene& scene) {
     if (const double number = in_range ? rayleigh_number(scene) : 0; number >= 1)
       complain("speed", scene.speed,
                "with inertia must be below that of Rayleigh waves on the layer at rest, " +
-                   text_of_number(scene.speed / std::sqrt(number)) + " m/s");
+                   message_text(scene.speed / std::sqrt(number)) + " m/s");
   }
   return broken;
 }

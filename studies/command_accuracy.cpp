@@ -12,9 +12,9 @@
 #include "studies/progress.hpp"
 #include "studies/random_accuracy.hpp"
 #include "studies/scene_file.hpp"
-#include "studies/stop_signal.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
+#include "studies/watched_run.hpp"
 #include "studies/write_file.hpp"
 
 namespace rollres {
@@ -111,19 +111,8 @@ void random_accuracy(const AccuracyWords& words, Session& session) {
   RandomAccuracyPlan plan = words.plan;
   if (words.indenter != "sphere") plan.cylinders = words.random;
   if (words.indenter != "cylinder") plan.spheres = words.random;
-  const std::size_t width = terminal_width(session.err);
-  if (width > 0)
-    plan.report = [&](const SweepProgress& progress) {
-      session.err << '\r' << progress_line(progress, width) << "\x1b[K" << std::flush;
-    };
-  RandomAccuracyReport report;
-  {
-    const StopSignal signal;
-    plan.stop = &signal.requested();
-    session.out.flush();  // a child process inherits what is not written yet
-    report = measure_random_accuracy(plan, session.evaluate);
-  }
-  if (width > 0) session.err << "\r\x1b[K" << std::flush;
+  const RandomAccuracyReport report =
+      watched_run(plan, session, [&] { return measure_random_accuracy(plan, session.evaluate); });
   const std::filesystem::path file = std::filesystem::path(words.out) / "random_accuracy.csv";
   std::ostringstream csv;
   write_csv(csv, judged_table(report.solutions));

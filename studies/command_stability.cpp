@@ -6,13 +6,12 @@
 
 #include "studies/command_line.hpp"
 #include "studies/commands.hpp"
-#include "studies/progress.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/stability.hpp"
 #include "studies/stability_map.hpp"
-#include "studies/stop_signal.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
+#include "studies/watched_run.hpp"
 #include "studies/write_file.hpp"
 
 namespace rollres {
@@ -136,19 +135,7 @@ void stability(const StabilityWords& words, Session& session) {
     failed_files.push_back((failed / failed_scene_name(trial)).string());
     write_file(failed_files.back(), failed_scene_json(trial));
   };
-  const std::size_t width = terminal_width(session.err);
-  if (width > 0)
-    plan.report = [&](const SweepProgress& progress) {
-      session.err << '\r' << progress_line(progress, width) << "\x1b[K" << std::flush;
-    };
-  StabilityReport report;
-  {
-    const StopSignal signal;
-    plan.stop = &signal.requested();
-    session.out.flush();  // a child process inherits what is not written yet
-    report = run_stability(plan, session.evaluate);
-  }
-  if (width > 0) session.err << "\r\x1b[K" << std::flush;
+  const StabilityReport report = watched_run(plan, session, [&] { return run_stability(plan, session.evaluate); });
 
   const fs::path rows = folder / "stability.csv";
   std::ostringstream csv;
