@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/material.hpp"
+#include "core/scene_input.hpp"
 
 namespace rollres {
 
@@ -80,16 +81,16 @@ std::vector<Variable> variables_of(const RollingScene& base, const std::vector<I
   for (const InputChoice& choice : inputs) {
     for (const Variable& earlier : variables)
       if (earlier.quantity.key == choice.key) throw std::invalid_argument(choice.key + ": input given twice");
-    bool known = false;
-    visit_inputs(base, [&](const Quantity& quantity, const auto& value) {
-      if (quantity.key != choice.key) return;
-      known = true;
+    const bool known = visit_input(base, choice.key, [&](const Quantity& quantity, const auto& value) {
       if constexpr (is_real<std::decay_t<decltype(value)>>)
         variables.push_back(variable_of(base, quantity, value, choice));
       else
         throw std::invalid_argument(choice.key + ": must be an input that is a real number");
     });
-    if (!known) refuse_key("input", choice.key, input_keys());
+    if (known) continue;
+    if (const std::string why = absent_layer(base, choice.key); !why.empty())
+      throw std::invalid_argument(choice.key + ": " + why);
+    refuse_key("input", choice.key, keys_like(choice.key));
   }
   return variables;
 }
@@ -115,9 +116,8 @@ Objective objective(const RollingScene& base, const std::vector<InputChoice>& in
 std::vector<double> base_point(const Objective& objective) {
   std::vector<double> point;
   for (const Variable& variable : objective.variables)
-    visit_inputs(objective.base, [&](const Quantity& quantity, const auto& value) {
-      if constexpr (is_real<std::decay_t<decltype(value)>>)
-        if (quantity.key == variable.quantity.key) point.push_back(std::optional<double>(value).value());
+    visit_input(objective.base, variable.quantity.key, [&](const Quantity&, const auto& value) {
+      if constexpr (is_real<std::decay_t<decltype(value)>>) point.push_back(std::optional<double>(value).value());
     });
   return point;
 }
@@ -126,14 +126,13 @@ RollingScene scene_at(const Objective& objective, std::span<const double> point)
   assert(point.size() == objective.variables.size());
   RollingScene scene = objective.base;
   for (std::size_t i = 0; i < point.size(); ++i)
-    visit_inputs(scene, [&](const Quantity& quantity, auto& value) {
-      if constexpr (is_real<std::decay_t<decltype(value)>>)
-        if (quantity.key == objective.variables[i].quantity.key) value = point[i];
+    visit_input(scene, objective.variables[i].quantity.key, [&](const Quantity&, auto& value) {
+      if constexpr (is_real<std::decay_t<decltype(value)>>) value = point[i];
     });
   // One method for all points: the spectral one takes incompressible layers only.
   const bool varies_compressibility =
       std::any_of(objective.variables.begin(), objective.variables.end(),
-                  [](const Variable& variable) { return variable.quantity.key == "poisson_ratio"; });
+                  [](const Variable& variable) { return decides_spectral(variable.quantity.key); });
   if (varies_compressibility && scene.method == Method::automatic) scene.method = Method::newton;
   return scene;
 }

@@ -24,7 +24,7 @@ double number_in(const Filter& filter) {
 
 /// SQL of a condition; appends what it binds.
 std::string condition(const Filter& filter, const Column& column, std::vector<Cell>& bound) {
-  const std::string& name = column.name;
+  const std::string& name = column.sql();
   const bool equal = filter.comparison == Comparison::equal, differs = filter.comparison == Comparison::not_equal;
   if (filter.value.empty()) {
     const std::string absent = "(" + name + " IS NULL" + (column.type == "TEXT" ? " OR " + name + " = '')" : ")");

@@ -17,7 +17,7 @@ std::string expression(const Aggregate& aggregate, const Columns& known) {
   if (column.type == "TEXT" && aggregate.statistic != Statistic::count)
     throw std::invalid_argument(aggregate.column + ": has no " + std::string(name_of(aggregate.statistic)) +
                                 ", it is a text");
-  return std::string(sql_names[static_cast<std::size_t>(aggregate.statistic)]) + "(" + column.name + ")";
+  return std::string(sql_names[static_cast<std::size_t>(aggregate.statistic)]) + "(" + column.sql() + ")";
 }
 
 }  // namespace
@@ -65,15 +65,15 @@ Table run_group_query(const Database& database, const GroupQuery& query) {
     Columns shown;
     for (const std::string& name : query.by) {
       const Column& column = column_named(known, name);
-      select += (shown.empty() ? "" : ", ") + (column.type == "REAL" ? "rounded(" + column.name + ")" : column.name) +
-                " AS " + column.name;
-      shown.push_back(column);
+      select += (shown.empty() ? "" : ", ") + (column.type == "REAL" ? "rounded(" + column.sql() + ")" : column.sql()) +
+                " AS " + quoted_name(column.name);
+      shown.push_back({column.name, column.type, quoted_name(column.name)});
       group += (group.empty() ? " GROUP BY " : ", ") + std::to_string(shown.size());
       order += std::to_string(shown.size()) + " NULLS LAST, ";
     }
     for (const Aggregate& aggregate : query.aggregates) {
-      select += (shown.empty() ? "" : ", ") + expression(aggregate, known) + " AS " + aggregate.name();
-      shown.push_back({aggregate.name(), "REAL"});
+      select += (shown.empty() ? "" : ", ") + expression(aggregate, known) + " AS " + quoted_name(aggregate.name());
+      shown.push_back({aggregate.name(), "REAL", quoted_name(aggregate.name())});
     }
     if (shown.empty()) throw std::invalid_argument("aggregate = : must name a statistic, or by a column");
     std::vector<Cell> bound;

@@ -59,7 +59,7 @@ Table run_query(const Database& database, const Query& query) {
 
     std::string columns;
     for (const std::string& name : query.columns)
-      columns += (columns.empty() ? "" : ", ") + column_named(known, name).name;
+      columns += (columns.empty() ? "" : ", ") + column_named(known, name).sql();
     std::vector<Cell> bound;
     const std::string where = where_clause(query.filters, known, bound);
     std::string order = order_terms(query.sort, known);

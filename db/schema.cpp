@@ -1,27 +1,16 @@
 #include "db/schema.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <type_traits>
 
-#include "core/scene.hpp"
+#include "core/scene_input.hpp"
 #include "core/solution.hpp"
 #include "db/fit_store.hpp"
+#include "db/layer_column.hpp"
 #include "db/sqlite.hpp"
 
 namespace rollres {
 
 namespace {
-
-template <class Value>
-std::string type_of(const Value&) {
-  if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
-    return "REAL";
-  else if constexpr (std::is_same_v<Value, int>)
-    return "INTEGER";
-  else
-    return "TEXT";
-}
 
 void create_first_tables(SQLite::Database& connection) {
   connection.exec(R"(
@@ -98,10 +87,10 @@ const std::vector<QuantityColumn>& quantity_columns() {
     const RollingScene scene;
     const RollingSolution solution;
     visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-      columns.push_back({{input_column(quantity.key), type_of(value)}, quantity, true});
+      columns.push_back({{input_column(quantity.key), column_type(value)}, quantity, true});
     });
     visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
-      columns.push_back({{std::string(quantity.key), type_of(value)}, quantity, false});
+      columns.push_back({{std::string(quantity.key), column_type(value)}, quantity, false});
     });
     return columns;
   }();
@@ -109,6 +98,7 @@ const std::vector<QuantityColumn>& quantity_columns() {
 }
 
 const QuantityColumn* find_quantity_column(std::string_view name) {
+  if (layer_key(name)) return layer_column(name);
   const auto& all = quantity_columns();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
   return found == all.end() ? nullptr : &*found;

@@ -37,7 +37,10 @@ std::string input_column(std::string_view key);
 
 struct Column {
   std::string name;
-  std::string type;  ///< "REAL", "INTEGER" or "TEXT"
+  std::string type;             ///< "REAL", "INTEGER" or "TEXT"
+  std::string expression = {};  ///< SQL of its value; empty: the name
+
+  const std::string& sql() const { return expression.empty() ? name : expression; }
 };
 
 struct QuantityColumn : Column {
@@ -48,7 +51,8 @@ struct QuantityColumn : Column {
 /// Columns of evaluation that hold quantities, inputs first, in the order of the lists.
 const std::vector<QuantityColumn>& quantity_columns();
 
-/// What stands in a column, or nullptr if it is none of these.
+/// What stands in a column, or nullptr if it is none of these. An input of a further layer counts as one: what
+/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers.
 const QuantityColumn* find_quantity_column(std::string_view name);
 
 /// Columns of the index evaluation_summary. Changing them needs a migration.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
+
 namespace rollres {
 
 namespace {
@@ -22,6 +24,11 @@ const Column& column_named(const Columns& columns, const std::string& name) {
   if (found != columns.end()) return *found;
   std::vector<std::string_view> names;
   for (const Column& column : columns) names.push_back(column.name);
+  if (const std::optional<LayerKey> layered = layer_key(name); layered && find_name(names, layered->list) >= 0) {
+    if (const QuantityColumn* const column = find_quantity_column(name)) return *column;
+    for (const std::string_view key : keys_like(name))
+      if (layer_key(key)) names.push_back(key);
+  }
   const std::string nearest = nearest_name(names, name);
   throw std::invalid_argument(name + ": unknown column" +
                               (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
@@ -40,10 +47,12 @@ std::string order_terms(const std::vector<std::string>& sort, const Columns& kno
   std::string terms;
   for (const std::string& text : sort) {
     const SortKey key(text);
-    terms += column_named(known, key.column).name + (key.falling ? " DESC" : "") + " NULLS LAST, ";
+    terms += column_named(known, key.column).sql() + (key.falling ? " DESC" : "") + " NULLS LAST, ";
   }
   return terms;
 }
+
+std::string quoted_name(const std::string& name) { return '"' + name + '"'; }
 
 std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound) {
   if (!limit) return "";

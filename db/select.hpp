@@ -13,12 +13,16 @@ namespace rollres {
 
 using Columns = std::vector<Column>;
 
+/// A column of `columns`, or an input of the further layers that one of them holds.
 /// @throws std::invalid_argument naming the unknown column and the nearest known one
 const Column& column_named(const Columns& columns, const std::string& name);
 
 /// Whether a column is one of the view result only.
 bool of_study(const std::string& column);
 bool any_of_study(const std::vector<Filter>& filters);
+
+/// A name as SQL quotes it.
+std::string quoted_name(const std::string& name);
 
 /// " WHERE ...", or nothing; appends what it binds.
 std::string where_clause(const std::vector<Filter>& filters, const Columns& known, std::vector<Cell>& bound);

@@ -12,16 +12,16 @@
 
 #include "core/gradient.hpp"
 #include "core/parallel.hpp"
+#include "core/scene_input.hpp"
 
 namespace rollres {
 
 namespace {
 
 void assign_real(RollingScene& scene, std::string_view key, double number) {
-  visit_inputs(scene, [&](const Quantity& quantity, auto& value) {
+  visit_input(scene, key, [&](const Quantity&, auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
-      if (quantity.key == key) value = number;
+    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>) value = number;
   });
 }
 

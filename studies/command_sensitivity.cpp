@@ -11,6 +11,7 @@
 #include "studies/design_scale.hpp"
 #include "studies/global_sensitivity.hpp"
 #include "studies/gradient_report.hpp"
+#include "studies/key_words.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/recorded_evaluations.hpp"
 #include "studies/refusing_at.hpp"
@@ -34,12 +35,6 @@ struct SensitivityWords {
   bool json = false;
 };
 
-std::string in_words(std::string_view key) {
-  std::string text(key);
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-
 void draw(const BarChart& chart, const SensitivityWords& words, Session& session) {
   const ChartFiles files = draw_bar_chart(chart, words.out);
   for (const auto& file : {files.svg, files.png}) (words.json ? session.err : session.out) << file.string() << '\n';
@@ -52,7 +47,7 @@ BarChart elasticity_chart(const GradientReport& report, const std::string& name)
     const InputReport input = report[i];
     const Quantity& quantity = input.variable.quantity;
     chart.bars.push_back({in_words(quantity.key),
-                          std::string(quantity.symbol),
+                          std::string(symbol_beside_name(quantity)),
                           {{input.gradient.elasticity, input.elasticity_error()}}});
   }
   return chart;
@@ -76,7 +71,7 @@ void local_sensitivity(const SensitivityWords& words, Session& session) {
 
 /// What either kind of index says of one input.
 struct InputFinding {
-  std::string_view key, symbol;
+  Quantity quantity;
   std::vector<Cell> cells;
   std::vector<BarValue> bars;
   double size;  // by which inputs are sorted
@@ -110,8 +105,7 @@ GlobalFindings sobol_findings(const DesignProblem& problem, const CubeFunction& 
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Quantity& quantity = problem.variables[i].quantity;
     const auto &first = found.first[i], &total = found.total[i];
-    findings.inputs.push_back({quantity.key,
-                               quantity.symbol,
+    findings.inputs.push_back({quantity,
                                {std::string(quantity.key), first.value, first.error, total.value, total.error},
                                {{first.value, first.error}, {total.value, total.error}},
                                total.value});
@@ -133,8 +127,7 @@ GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction&
     const Quantity& quantity = problem.variables[i].quantity;
     const MorrisEffect& effect = found.inputs[i];
     findings.inputs.push_back(
-        {quantity.key,
-         quantity.symbol,
+        {quantity,
          {std::string(quantity.key), number(effect.mean_size), number(effect.mean_size_error), number(effect.mean),
           number(effect.deviation), static_cast<std::int64_t>(effect.effects)},
          {{effect.mean_size, effect.mean_size_error}, {effect.deviation, RollingSolution::absent}},
@@ -195,7 +188,7 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
                  .series = findings.series,
                  .bars = {}};
   for (const InputFinding& input : findings.inputs)
-    chart.bars.push_back({in_words(input.key), std::string(input.symbol), input.bars});
+    chart.bars.push_back({in_words(input.quantity.key), std::string(symbol_beside_name(input.quantity)), input.bars});
   draw(chart, words, session);
 }
 

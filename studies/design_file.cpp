@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
 #include "studies/design_keys.hpp"
 #include "studies/design_search.hpp"
 #include "studies/study_scene.hpp"
@@ -30,7 +31,7 @@ struct GivenVariable {
 GivenVariable given_variable(const std::string& key, const Json& object, const std::vector<SceneEntry>& scene,
                              const std::string& variables_place) {
   const std::string place = variables_place + ": " + key;
-  if (!find_input(key)) refuse(variables_place, key, object, unknown("unknown key", input_keys(), key));
+  if (!find_input(key)) refuse(variables_place, key, object, unknown("unknown key", keys_like(key), key));
   if (!object.is_object()) refuse(variables_place, key, object, "must be an object with from and to");
   refuse_unknown_keys(object, variable_keys, place);
   const InputKind& kind = *find_input(key);
@@ -56,9 +57,9 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
     start = number("start");
     if (start < from || start > to) refuse(place, "start", object["start"], "must be between \"from\" and \"to\"");
   } else {
-    for (const SceneEntry& entry : scene)
-      if (entry.key == key)
-        if (const double own = std::get<double>(input_value(entry, indenter)); own >= from && own <= to) start = own;
+    if (const Json* const given = value_given(scene, key))
+      if (const double own = std::get<double>(input_value({key, *given, place}, indenter)); own >= from && own <= to)
+        start = own;
   }
   return {{key, start, place}, {key, from, to, logarithmic}};
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
 #include "core/surface_window.hpp"
 #include "studies/fields_file.hpp"
 #include "studies/figure.hpp"
@@ -36,9 +37,7 @@ std::string chosen_axis(const StudySummary& study, const std::string& wish) {
 
 std::string unit_of_input(std::string_view key, const RollingScene& scene) {
   std::string unit;
-  visit_inputs(scene, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == key) unit = quantity.unit_for(scene.indenter);
-  });
+  visit_input(scene, key, [&](const Quantity& quantity, const auto&) { unit = quantity.unit_for(scene.indenter); });
   return unit;
 }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "core/scene_input.hpp"
 #include "db/result_store.hpp"
 #include "fitting/statistics.hpp"
+#include "studies/key_words.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/scene_inputs.hpp"
 
@@ -15,12 +17,12 @@ namespace {
 
 double input_number(const RollingScene& scene, std::string_view key) {
   double number = RollingSolution::absent;
-  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+  visit_input(scene, key, [&](const Quantity&, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, double>)
-      if (quantity.key == key) number = value;
-    if constexpr (std::is_same_v<Value, std::optional<double>>)
-      if (quantity.key == key) number = value.value_or(RollingSolution::absent);
+      number = value;
+    else if constexpr (std::is_same_v<Value, std::optional<double>>)
+      number = value.value_or(RollingSolution::absent);
   });
   return number;
 }
@@ -54,15 +56,10 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   const std::string x = horizontal(file);
   const Quantity& quantity = find_input(x)->quantity;
   const Quantity output = real_output(file.output);
-  const auto words = [](std::string_view key) {
-    std::string text(key);
-    std::replace(text.begin(), text.end(), '_', ' ');
-    return text;
-  };
-  FitCurves answer{{.name = words(x),
-                    .symbol = std::string(quantity.symbol),
+  FitCurves answer{{.name = in_words(x),
+                    .symbol = std::string(symbol_beside_name(quantity)),
                     .unit = std::string(quantity.unit_for(file.indenter()))},
-                   {.name = words(output.key),
+                   {.name = in_words(output.key),
                     .symbol = std::string(output.symbol),
                     .unit = std::string(output.unit_for(file.indenter()))},
                    {}};

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
 #include "db/digest.hpp"
 #include "db/result_store.hpp"
 #include "fitting/closed_form_start.hpp"
@@ -41,7 +42,7 @@ constexpr const char* parameter_rule = "must be a start, or an object with start
 GivenParameter given_parameter(const std::string& key, const Json& value, const std::string& fit_place) {
   const std::string place = fit_place + ": parameters";
   const InputKind* const kind = find_input(key);
-  if (!kind) refuse(place, key, value, unknown("unknown key", input_keys(), key));
+  if (!kind) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
   if (!kind->real()) refuse(place, key, value, "must be an input that is a real number");
   GivenParameter given{.key = key, .place = place + ": " + key, .set = ""};
   if (value.is_number() || value.is_string()) {
@@ -151,19 +152,16 @@ SceneEntry entry_of(const MeasuredTable& table, const MeasuredColumn& column, st
 }
 
 void refuse_unknown_columns(const MeasuredTable& table, const std::string& output) {
-  std::vector<std::string_view> known = input_keys();
-  std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
-  for (const std::string_view name : {std::string_view(output), std::string_view("sigma"), std::string_view("note")})
-    known.push_back(name);
-  for (const MeasuredColumn& column : table.columns)
+  for (const MeasuredColumn& column : table.columns) {
+    std::vector<std::string_view> known = keys_like(column.name);
+    std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
+    for (const std::string_view name : {std::string_view(output), std::string_view("sigma"), std::string_view("note")})
+      known.push_back(name);
     if (find_name(known, column.name) < 0)
       throw std::invalid_argument(table.file + ": " + column.name + ": " +
                                   unknown("unknown column", known, column.name));
+  }
   if (!table.find(output)) throw std::invalid_argument(table.file + ": has no column " + output);
-}
-
-bool gives(const std::vector<SceneEntry>& entries, std::string_view key) {
-  return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
 }
 
 /// Whether the scene has smooth answers without its spacing.
@@ -192,7 +190,8 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
         own.push_back(entry_of(table, column, row));
     const std::string place = table.place(row);
     RollingScene scene = scene_from(overridden(common, own), place);
-    if (!keep_spacing && !gives(set.set, "spacing") && !gives(own, "spacing") && smooth_without_spacing(scene)) {
+    if (!keep_spacing && !value_given(set.set, "spacing") && !value_given(own, "spacing") &&
+        smooth_without_spacing(scene)) {
       if (fit.notes.empty())
         fit.notes.push_back("spacing = " + readable(*scene.spacing, "m") +
                             " of the scene left out, for answers without a grid's jumps: " +
@@ -283,9 +282,7 @@ void read_loss(FitFile& fit, const Json& object, const std::string& place) {
 
 /// The scene's entries with the starts of the parameters; what has no value yet gets one from which closed forms start.
 std::vector<SceneEntry> started(std::vector<SceneEntry> entries, const std::vector<GivenParameter>& parameters) {
-  const auto has = [&](const std::string& key) {
-    return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
-  };
+  const auto has = [&](const std::string& key) { return value_given(entries, key) != nullptr; };
   for (const GivenParameter& given : parameters) {
     if (given.start && (given.set.empty() || !has(given.key)))
       entries = overridden(entries, {{given.key, *given.start, given.place}});
@@ -328,7 +325,7 @@ FitFile read_fit(const std::filesystem::path& file) {
   const auto base = started(overridden(scene_entries_of(object, file, place), set_entries(object, place)), given);
   std::string all_text;
   const std::vector<GivenSet> sets = given_sets(object, file, place);
-  const bool keep_spacing = gives(set_entries(object, place), "spacing");
+  const bool keep_spacing = value_given(set_entries(object, place), "spacing") != nullptr;
   for (const GivenSet& set : sets) read_rows(fit, set, base, keep_spacing, all_text);
   fit.data_digest = digest(all_text);
   warn_of_repeated_rows(fit);

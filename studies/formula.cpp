@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/scene_input.hpp"
 #include "studies/scene_inputs.hpp"
 #include "studies/units.hpp"
 
@@ -26,9 +28,8 @@ double as_number(double value) { return value; }
 /// The number with this key: of the solution where it has one, else of the scene.
 double number_of(const RollingScene& scene, const RollingSolution& solution, std::string_view key) {
   double found = RollingSolution::absent;
-  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-    if constexpr (is_number<decltype(value)>)
-      if (quantity.key == key) found = as_number(value);
+  visit_input(scene, key, [&](const Quantity&, const auto& value) {
+    if constexpr (is_number<decltype(value)>) found = as_number(value);
   });
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     if constexpr (is_number<decltype(value)>)
@@ -36,6 +37,14 @@ double number_of(const RollingScene& scene, const RollingSolution& solution, std
   });
   return found;
 }
+
+bool is_number_of_layer(std::string_view key) {
+  const InputKind* const input = layer_key(key) ? find_input(key) : nullptr;
+  return input && input->choices.empty() && !input->list;
+}
+
+/// What names consist of: those of further layers' inputs have brackets and a dot.
+constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[].";
 
 std::string trimmed(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
@@ -61,13 +70,11 @@ std::string in_si(const std::string& right, const Formula& left, Indenter indent
 std::string_view unit_of(const Formula& formula, Indenter indenter) {
   if (formula.keys().size() != 1 || formula.keys().front() != formula.text()) return {};
   std::string_view unit;
-  auto look = [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == formula.text()) unit = quantity.unit_for(indenter);
-  };
-  const RollingScene scene;
+  if (const InputKind* const input = find_input(formula.text())) unit = input->quantity.unit_for(indenter);
   const RollingSolution solution;
-  visit_inputs(scene, look);
-  visit_outputs(solution, look);
+  visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
+    if (quantity.key == formula.text()) unit = quantity.unit_for(indenter);
+  });
   return unit;
 }
 
@@ -88,19 +95,22 @@ struct Formula::Parts {
   std::string text;
   std::vector<std::string_view> known;
   std::vector<std::string> keys;
-  std::vector<double> values;  // of the keys; muParser holds pointers to them
+  std::deque<double> values;  // of the keys; muParser holds pointers to them
   mu::Parser parser;
   std::mutex mutex;
 
   static double* place_for(const char* name, void* self) {
     auto& parts = *static_cast<Parts*>(self);
-    if (find_name(parts.known, name) < 0) {
-      const std::string nearest = nearest_name(parts.known, name);
+    if (find_name(parts.known, name) < 0 && !is_number_of_layer(name)) {
+      std::vector<std::string_view> known = parts.known;
+      for (const std::string_view key : keys_like(name))
+        if (is_number_of_layer(key)) known.push_back(key);
+      const std::string nearest = nearest_name(known, name);
       throw std::invalid_argument(parts.text + ": " + name + ": unknown key" +
                                   (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
     }
     parts.keys.emplace_back(name);
-    parts.values.push_back(1);  // its place does not move: see the constructor
+    parts.values.push_back(1);
     return &parts.values.back();
   }
 
@@ -114,8 +124,8 @@ struct Formula::Parts {
 Formula::Formula(const std::string& text, FormulaNames names) : parts_(std::make_shared<Parts>()) {
   parts_->text = trimmed(text);
   parts_->known = number_keys(names);
-  parts_->values.reserve(parts_->known.size());
   try {
+    parts_->parser.DefineNameChars(name_letters);
     parts_->parser.SetVarFactory(&Parts::place_for, parts_.get());
     parts_->parser.SetExpr(parts_->text);
     parts_->parser.Eval();

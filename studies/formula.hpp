@@ -8,7 +8,7 @@
 ///
 /// Names are keys of inputs and outputs, numbers are SI. + - * / ^ ( ), min, max, abs, sqrt, exp, ln, log10 and the
 /// rest of muParser's functions, `a < b ? c : d`. A key that is an input and an output (load, approach, ...) stands for
-/// the output where there is one, else for the input.
+/// the output where there is one, else for the input. Inputs of further layers are coating_layers[0].layer_thickness.
 
 #include <memory>
 #include <span>
@@ -24,7 +24,7 @@ namespace rollres {
 /// Keys that a formula may name.
 enum class FormulaNames { inputs, inputs_and_outputs };
 
-/// Keys of all inputs, or of all inputs and outputs, that are numbers.
+/// Keys of all inputs, or of all inputs and outputs, that are numbers; without those of further layers.
 std::vector<std::string_view> number_keys(FormulaNames names);
 
 /// A formula that was understood. Copies share what was understood; it may be used by several threads.

@@ -79,6 +79,10 @@ std::string symbol(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t start = i;
     const bool after_letter = i > 0 && is_letter(text[i - 1]);
+    if (text[i] == ' ') {  // words follow
+      markup += plain(text.substr(i));
+      break;
+    }
     if (is_letter(text[i])) {
       while (i < text.size() && is_letter(text[i])) ++i;
       markup += "{/:Italic " + std::string(text.substr(start, i - start)) + "}";

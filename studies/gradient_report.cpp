@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 
+#include "core/scene_input.hpp"
 #include "studies/progress.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/table_json.hpp"
@@ -49,11 +50,11 @@ GradientReport plain_report(Objective objective, const GradientOptions& options)
   return report;
 }
 
-/// Where a cylinder's Poisson's ratio stands among the inputs, if the others had better be solved by another method.
+/// Where a Poisson's ratio that needs the grid stands among the inputs, if the others had better be solved without.
 std::optional<std::size_t> compressibility_apart(const Objective& objective) {
   if (resolved_method(objective.base) != Method::spectral) return {};
   for (std::size_t i = 0; i < objective.variables.size(); ++i)
-    if (objective.variables[i].quantity.key == "poisson_ratio") return i;
+    if (decides_spectral(objective.variables[i].quantity.key)) return i;
   return {};
 }
 
@@ -71,7 +72,7 @@ GradientReport gradient_report(Objective objective, const GradientOptions& optio
   if (objective.variables.size() == 1) return part;
   const auto at = static_cast<std::ptrdiff_t>(*place);
   objective.variables.erase(objective.variables.begin() + at);
-  GradientReport report = plain_report(std::move(objective), options);
+  GradientReport report = gradient_report(std::move(objective), options);
   if (report.size() == 0 || part.size() == 0) return report;
   const auto insert = [&](auto& list, const auto& from) { list.insert(list.begin() + at, from.front()); };
   insert(report.objective.variables, part.objective.variables);

@@ -30,18 +30,6 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
 
 }  // namespace
 
-const std::vector<InputKind>& layer_kinds() {
-  static const std::vector<InputKind> kinds = [] {
-    std::vector<InputKind> list;
-    const BondedLayer layer;
-    visit_layer_inputs(layer, [&](const Quantity& quantity, const auto&) {
-      list.push_back(*find_input(quantity.key));  // as a scene's own layer
-    });
-    return list;
-  }();
-  return kinds;
-}
-
 BondedLayers layers_of(const SceneEntry& entry) {
   if (!entry.value.is_array() || entry.value.empty())
     refuse(entry.place, entry.key, entry.value, "must be a list of objects, one for each layer");

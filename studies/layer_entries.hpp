@@ -8,9 +8,6 @@
 
 namespace rollres {
 
-/// The inputs of one such layer, in the order of the list.
-const std::vector<InputKind>& layer_kinds();
-
 /// The layers of an entry "lower_layers" or "coating_layers".
 /// @throws std::invalid_argument naming place, layer and key, value and rule
 BondedLayers layers_of(const SceneEntry& entry);

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/number_list.hpp"
+#include "core/scene_input.hpp"
 #include "db/layer_list.hpp"
 
 namespace rollres {
@@ -23,9 +24,7 @@ requires std::is_enum_v<Choice> Cell cell_of(Choice choice) { return std::string
 
 Cell input_of(const RollingScene& scene, std::string_view key) {
   Cell cell;
-  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-    if (quantity.key == key) cell = cell_of(value);
-  });
+  visit_input(scene, key, [&](const Quantity&, const auto& value) { cell = cell_of(value); });
   return cell;
 }
 

@@ -78,8 +78,8 @@ struct ResultColumn {
   }
   TableColumn head() const {
     const Quantity& q = column->quantity;
-    std::string words = in_words(std::string(q.key));
-    if (!q.symbol.empty()) words += " " + std::string(q.symbol);
+    std::string words = in_words(q.key);
+    if (!q.symbol.empty()) words += " " + std::string(symbol_beside_name(q));
     if (scale && !scale->unit.name.empty()) words += " [" + typeset_unit(scale->unit.name) + "]";
     return {words, scale.has_value()};
   }
@@ -156,10 +156,11 @@ std::string scene_section(const ReportSource& source) {
   std::vector<TableRow> axes, inputs;
   std::string defaults;
   const auto varied = source.varied();
-  for (const QuantityColumn& column : quantity_columns()) {
+  for (const QuantityColumn* const each : source.rows.columns()) {
+    const QuantityColumn& column = *each;
     if (!column.is_input) continue;
     const Quantity& q = column.quantity;
-    const std::string key = in_words(std::string(q.key)), symbol(q.symbol), meaning(q.meaning);
+    const std::string key = in_words(q.key), symbol(symbol_beside_name(q)), meaning(q.meaning);
     const std::set<Cell> values = source.rows.values(column);
     const auto shown = [&](const Cell& cell) { return value_in_words(cell, q.unit_for(indenter_of(source.rows, 0))); };
     if (values.size() > 1) {

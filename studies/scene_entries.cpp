@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
 #include "studies/layer_entries.hpp"
 #include "studies/master_curve_file.hpp"
 #include "studies/units.hpp"
@@ -22,7 +25,7 @@ std::string joined(std::span<const std::string_view> names) {
 
 void refuse_unknown_key(const SceneEntry& entry) {
   if (find_input(entry.key)) return;
-  std::vector<std::string_view> known = input_keys();
+  std::vector<std::string_view> known = keys_like(entry.key);
   known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
   known.push_back(master_curve_key);
   refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
@@ -69,12 +72,9 @@ std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, I
 }
 
 void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
-  auto given = [&](std::string_view key) {
-    return std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
-  };
   for (const InputKind& kind : input_kinds()) {
     const bool needed = kind.needed_by_all() || kind.needed_by(scene.material);
-    if (!needed || given(kind.quantity.key)) continue;
+    if (!needed || value_given(entries, kind.quantity.key)) continue;
     const std::string who =
         kind.needed_by_all() ? "every scene" : "material \"" + std::string(name_of(scene.material)) + '"';
     throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who + " needs it (" +
@@ -102,6 +102,8 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
     }
     entries.push_back({key, value, place});
     refuse_unknown_key(entries.back());
+    if (const auto layered = layer_key(key))
+      refuse(place, key, value, "must stand in the layer's own object, in the list " + std::string(layered->list));
   }
   const Indenter indenter = indenter_of(entries);
   for (const SceneEntry& entry : entries) input_value(entry, indenter);
@@ -144,16 +146,64 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
   return entries;
 }
 
+namespace {
+
+/// The inputs that an override takes the place of.
+std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
+  const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
+  return replaced_inputs(entry.key, value);
+}
+
+/// The entry of this key, or the end.
+template <class Entries>
+auto entry_of(Entries& entries, std::string_view key) {
+  return std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
+}
+
+/// The object of the layer that an override means.
+Json& layer_object(std::vector<SceneEntry>& entries, const SceneEntry& override) {
+  const LayerKey parts = layer_key(override.key).value();
+  const auto list = entry_of(entries, parts.list);
+  RollingScene scene;
+  if (list != entries.end()) assign_input(scene, parts.list, layers_of(*list));
+  if (const std::string why = absent_layer(scene, override.key); !why.empty())
+    refuse(override.place, override.key, override.value, why);
+  return list->value[parts.layer];
+}
+
+}  // namespace
+
 std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides) {
+  std::vector<SceneEntry> of_layers;
   std::set<std::string, std::less<>> dropped;
   for (const SceneEntry& entry : overrides) {
+    if (layer_key(entry.key)) {
+      input_value(entry, Indenter::cylinder);  // refuses a wrong one here, where its own place is known
+      of_layers.push_back(entry);
+      continue;
+    }
     dropped.insert(entry.key);
-    const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
-    for (const std::string_view key : replaced_inputs(entry.key, value)) dropped.emplace(key);
+    for (const std::string_view key : replaced_by(entry)) dropped.emplace(key);
   }
   std::erase_if(entries, [&](const SceneEntry& entry) { return dropped.contains(entry.key); });
-  entries.insert(entries.end(), overrides.begin(), overrides.end());
+  std::copy_if(overrides.begin(), overrides.end(), std::back_inserter(entries),
+               [](const SceneEntry& entry) { return !layer_key(entry.key); });
+  // All are dropped before any is set, so that `check` sees two overrides that exclude each other.
+  for (const SceneEntry& entry : of_layers)
+    for (const std::string_view key : replaced_by(entry)) layer_object(entries, entry).erase(std::string(own_key(key)));
+  for (const SceneEntry& entry : of_layers) layer_object(entries, entry)[std::string(own_key(entry.key))] = entry.value;
   return entries;
+}
+
+const Json* value_given(const std::vector<SceneEntry>& entries, std::string_view key) {
+  const std::optional<LayerKey> layered = layer_key(key);
+  const auto found = entry_of(entries, layered ? layered->list : key);
+  if (found == entries.end()) return nullptr;
+  if (!layered) return &found->value;
+  if (!found->value.is_array() || layered->layer >= found->value.size()) return nullptr;
+  const Json& layer = found->value[layered->layer];
+  const auto value = layer.find(std::string(layered->input));
+  return value == layer.end() ? nullptr : &*value;
 }
 
 InputValue input_value(const SceneEntry& entry, Indenter indenter) {

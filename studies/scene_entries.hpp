@@ -33,8 +33,13 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
 /// @throws std::invalid_argument for an unknown key, one given twice, or a word without "="
 std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place = "--set");
 
-/// `entries` with those of `overrides` in place of their keys and of the inputs these take the place of.
+/// `entries` with those of `overrides` in place of their keys and of the inputs these take the place of. An input of a
+/// further layer takes its place in the object of that layer.
+/// @throws std::invalid_argument naming the override of a layer that the entries have not
 std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides);
+
+/// The value that the entries give an input, or nullptr.
+const Json* value_given(const std::vector<SceneEntry>& entries, std::string_view key);
 
 /// An entry's value, in SI and inside the range of its input.
 /// @throws std::invalid_argument naming place, key, value and rule

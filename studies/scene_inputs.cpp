@@ -1,14 +1,18 @@
 #include "studies/scene_inputs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
 
 #include "core/number_list.hpp"
+#include "core/scene_input.hpp"
 #include "db/layer_list.hpp"
 
 namespace rollres {
@@ -76,7 +80,7 @@ bool InputKind::needed_by_all() const {
 }
 
 bool InputKind::needed_by(MaterialModel material) const {
-  return find_name(needed_inputs(material), quantity.key) >= 0;
+  return find_name(needed_inputs(material), own_key(quantity.key)) >= 0;
 }
 
 std::string InputKind::needed_by() const {
@@ -99,13 +103,50 @@ const std::vector<InputKind>& input_kinds() {
   return kinds;
 }
 
+const std::vector<InputKind>& layer_kinds() {
+  static const std::vector<InputKind> kinds = [] {
+    std::vector<InputKind> list;
+    const BondedLayer defaults;
+    visit_layer_inputs(defaults,
+                       [&](const Quantity& quantity, const auto& value) { list.push_back(kind_of(quantity, value)); });
+    return list;
+  }();
+  return kinds;
+}
+
+namespace {
+
+const InputKind* find_kind(const std::vector<InputKind>& kinds, std::string_view key) {
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const InputKind& kind) { return kind.quantity.key == key; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 const InputKind* find_input(std::string_view key) {
-  for (const InputKind& kind : input_kinds())
-    if (kind.quantity.key == key) return &kind;
-  return nullptr;
+  const std::optional<LayerKey> layered = layer_key(key);
+  if (!layered) return find_kind(input_kinds(), key);
+  const InputKind* const list = find_kind(input_kinds(), layered->list);
+  const InputKind* const own = find_kind(layer_kinds(), layered->input);
+  if (!list || !list->layers || !own) return nullptr;
+  static std::mutex mutex;
+  static std::map<std::string, InputKind, std::less<>> kept;
+  const std::lock_guard lock(mutex);
+  if (const auto found = kept.find(key); found != kept.end()) return &found->second;
+  InputKind& kind = kept[std::string(key)] = *own;
+  kind.quantity = layer_quantity(layered->list, layered->layer, own->quantity);
+  return &kind;
 }
 
 std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value) {
+  if (const std::optional<LayerKey> layered = layer_key(key)) {
+    if (!find_input(key)) return {};
+    std::vector<std::string_view> replaced = replaced_inputs(layered->input, value);
+    for (std::string_view& one : replaced)
+      one = layer_quantity(layered->list, layered->layer, find_kind(layer_kinds(), one)->quantity).key;
+    return replaced;
+  }
   if (key == "load") return {"approach"};
   if (key == "approach") return {"load"};
   if (key == "spacing") return {"tolerance"};
@@ -124,13 +165,9 @@ std::vector<std::string_view> replaced_inputs(std::string_view key, const InputV
 }
 
 void assign_input(RollingScene& scene, std::string_view key, const InputValue& value) {
-  bool found = false;
-  visit_inputs(scene, [&](const Quantity& quantity, auto& target) {
-    if (quantity.key != key) return;
-    assign(target, key, value);
-    found = true;
-  });
-  if (!found) refuse_value(key, value, "unknown key");
+  if (visit_input(scene, key, [&](const Quantity&, auto& target) { assign(target, key, value); })) return;
+  const std::string why = absent_layer(scene, key);
+  refuse_value(key, value, why.empty() ? "unknown key" : why);
 }
 
 void assign_layer_input(BondedLayer& layer, std::string_view key, const InputValue& value) {
@@ -141,11 +178,10 @@ void assign_layer_input(BondedLayer& layer, std::string_view key, const InputVal
 
 void set_input(RollingScene& scene, std::string_view key, const InputValue& value) {
   assign_input(scene, key, value);
-  const std::vector<std::string_view> replaced = replaced_inputs(key, value);
-  visit_inputs(scene, [&](const Quantity& quantity, auto& target) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(target)>, std::optional<double>>)
-      if (find_name(replaced, quantity.key) >= 0) target.reset();
-  });
+  for (const std::string_view replaced : replaced_inputs(key, value))
+    visit_input(scene, replaced, [](const Quantity&, auto& target) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(target)>, std::optional<double>>) target.reset();
+    });
 }
 
 std::string text_of(const InputValue& value) {

@@ -1,6 +1,7 @@
 #pragma once
 
-/// The inputs of a scene by key, for readers of files, overrides and axes.
+/// The inputs of a scene by key, for readers of files, overrides and axes. A key may be one of a further layer,
+/// "coating_layers[0].layer_thickness" (core/scene_input.hpp).
 
 #include <span>
 #include <string>
@@ -37,7 +38,10 @@ struct InputKind {
 /// All inputs, in the order of the list.
 const std::vector<InputKind>& input_kinds();
 
-/// The input with this key, or nullptr.
+/// The inputs of a further layer, by their own keys, in the order of the list.
+const std::vector<InputKind>& layer_kinds();
+
+/// The input with this key, or nullptr. One of a further layer is found whether or not a scene has that layer.
 const InputKind* find_input(std::string_view key);
 
 /// The inputs that giving `key` this value takes the place of: load and approach, spacing and tolerance, and what
@@ -45,13 +49,15 @@ const InputKind* find_input(std::string_view key);
 std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value);
 
 /// Gives an input its value and nothing else. Ranges are left to `check`.
-/// @throws std::invalid_argument "key = value: rule" for an unknown key, an unknown name or a value of another kind
+/// @throws std::invalid_argument "key = value: rule" for an unknown key, a layer that the scene has not, an unknown
+/// name
+///         or a value of another kind
 void assign_input(RollingScene& scene, std::string_view key, const InputValue& value);
 
 /// The same, and clears what the input takes the place of.
 void set_input(RollingScene& scene, std::string_view key, const InputValue& value);
 
-/// Gives an input of a further layer its value.
+/// Gives an input of a further layer its value, by its own key.
 void assign_layer_input(BondedLayer& layer, std::string_view key, const InputValue& value);
 
 /// A value as text, numbers as short as they can be read back.

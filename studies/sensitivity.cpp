@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/scene_input.hpp"
 #include "studies/design_file.hpp"
 #include "studies/scene_file.hpp"
 #include "studies/study_axes.hpp"
@@ -78,14 +79,16 @@ std::vector<GivenRange> ranges_of_study(const Json& file, const std::string& pla
 
 std::vector<InputChoice> inputs_with_elasticity(const RollingScene& scene) {
   std::vector<InputChoice> choices;
-  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+  MaterialModel material = scene.material;  // of the layer whose inputs are walked
+  visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, MaterialModel>) material = value;
     if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>) {
       const std::optional<double> number(value);
       if (!number || *number == 0 || !std::isfinite(*number)) return;
       const InputKind& kind = *find_input(quantity.key);
       const bool of_a_material = !kind.needed_by_all() && !kind.needed_by().empty();
-      if (of_a_material && !kind.needed_by(scene.material)) return;  // of another one
+      if (of_a_material && !kind.needed_by(material)) return;  // of another one
       if (quantity.range.lowest == quantity.range.highest || find_name(numerical_inputs, quantity.key) >= 0) return;
       choices.push_back({std::string(quantity.key)});
     }

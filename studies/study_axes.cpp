@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
 #include "studies/sampling.hpp"
 #include "studies/study_keys.hpp"
 
@@ -42,7 +43,7 @@ GivenAxis interval(const std::string& key, const Json& object, const std::string
 
 /// A list or an interval of one input.
 GivenAxis single_axis(const std::string& key, const Json& value, const std::string& place) {
-  if (!find_input(key)) refuse(place, key, value, unknown("unknown key", input_keys(), key));
+  if (!find_input(key)) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
   if (find_input(key)->list) refuse(place, key, value, "a list of numbers cannot vary; vary a number, or the scene");
   if (value.is_object()) return interval(key, value, place + ": " + key);
   if (!value.is_array() || value.empty())
@@ -89,9 +90,8 @@ std::vector<GivenAxis> sample(const Json& object, const std::string& place) {
   for (const auto& [key, range] : ranges.items()) {
     const InputKind* const input = find_input(key);
     const std::string ranges_place = place + ": ranges";
-    if (!input) refuse(ranges_place, key, range, unknown("unknown key", input_keys(), key));
-    if (!input->real())
-      refuse(ranges_place, key, range, "must be an input that is a real number; make it an axis");
+    if (!input) refuse(ranges_place, key, range, unknown("unknown key", keys_like(key), key));
+    if (!input->real()) refuse(ranges_place, key, range, "must be an input that is a real number; make it an axis");
     if (!range.is_object()) refuse(ranges_place, key, range, "must be an object with from and to");
     refuse_unknown_keys(range, range_keys, ranges_place + ": " + key);
     axes.push_back(between(key, range, ranges_place + ": " + key, "a range has from and to"));

@@ -177,7 +177,10 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
   request.y = scaled_axis(*y, y_scale);
   request.lines = definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*along));
   if (!request.lines) request.x.margin = 0.03;  // no mark is cut by the frame
-  if (families.size() == 1) request.family = described(*families.front());
+  if (families.size() == 1) {
+    request.family = described(*families.front());
+    request.family.symbol = families.front()->quantity.symbol;  // stands alone in the legend
+  }
 
   const std::set<Cell> places = rows.values(*along);
   for (const auto& [values, points] : curves) {

@@ -5,7 +5,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
+#include "db/layer_list.hpp"
 #include "studies/readable_number.hpp"
+#include "studies/scene_inputs.hpp"
 #include "studies/strict_json.hpp"
 
 namespace rollres {
@@ -13,7 +16,7 @@ namespace rollres {
 const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const std::string& option) {
   const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
   if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> names = keys_like(key);
   for (const QuantityColumn& column : quantity_columns()) names.push_back(column.name);
   throw std::invalid_argument(option + " = " + key + ": " + unknown("unknown key", names, key));
 }
@@ -24,15 +27,47 @@ const QuantityColumn& number_column(const std::string& key, const StudySummary& 
   return column;
 }
 
+namespace {
+
+/// The columns of quantities, in place of each list of layers the inputs of as many layers as the longest one has.
+std::vector<const QuantityColumn*> columns_of_rows(const Database& database, const std::vector<Filter>& filters) {
+  std::map<std::string_view, std::size_t> layers;
+  GroupQuery lists{.filters = filters};
+  for (const InputKind& kind : input_kinds())
+    if (kind.layers) lists.by.emplace_back(kind.quantity.key);
+  for (const auto& group : run_group_query(database, lists).rows)
+    for (std::size_t i = 0; i < lists.by.size(); ++i)
+      if (const auto* const text = std::get_if<std::string>(&group[i]))
+        layers[lists.by[i]] = std::max(layers[lists.by[i]], layers_in(*text).size());
+  std::vector<const QuantityColumn*> columns;
+  for (const QuantityColumn& column : quantity_columns()) {
+    const std::string_view key = column.quantity.key;
+    if (std::find(lists.by.begin(), lists.by.end(), key) == lists.by.end()) columns.push_back(&column);
+    for (std::size_t i = 0; i < layers[key]; ++i)
+      for (const InputKind& own : layer_kinds())
+        columns.push_back(find_quantity_column(layer_quantity(key, i, own.quantity).key));
+  }
+  return columns;
+}
+
+}  // namespace
+
 StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
   Query query{.filters = filters, .sort = {"position"}};
   query.filters.push_back({"study", Comparison::equal, study});
-  for (const QuantityColumn& column : quantity_columns()) query.columns.push_back(column.name);
+  columns_ = columns_of_rows(store.database(), query.filters);
+  for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
   table_ = run_query(store.database(), query);
   for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
   if (table_.rows.empty())
     throw std::invalid_argument(store.database().name() + ": " + study + ": " +
                                 (filters.empty() ? "no point is computed yet" : "no point matches"));
+}
+
+const Cell& StudyRows::cell(std::size_t row, const Column& column) const {
+  const auto place = places_.find(column.name);
+  if (place == places_.end()) throw std::invalid_argument(column.name + ": no point of the study has this layer");
+  return table_.rows[row][place->second];
 }
 
 double StudyRows::number(std::size_t row, const Column& column) const {
@@ -68,11 +103,6 @@ std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column) {
   return column.quantity.unit_for(cylinder ? Indenter::cylinder : Indenter::sphere);
 }
 
-std::string in_words(std::string key) {
-  std::replace(key.begin(), key.end(), '_', ' ');
-  return key;
-}
-
 std::string value_in_words(const Cell& cell, std::string_view unit) {
   if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
@@ -81,7 +111,7 @@ std::string value_in_words(const Cell& cell, std::string_view unit) {
 }
 
 ChartAxis described(const QuantityColumn& column) {
-  return {.name = in_words(std::string(column.quantity.key)), .symbol = std::string(column.quantity.symbol)};
+  return {.name = in_words(column.quantity.key), .symbol = std::string(symbol_beside_name(column.quantity))};
 }
 
 ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisScale wish, bool hint,
@@ -113,11 +143,11 @@ ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale) {
 
 std::string common_inputs(const StudyRows& rows) {
   std::string lines;
-  for (const QuantityColumn& column : quantity_columns()) {
-    if (!column.is_input) continue;
-    const auto values = rows.values(column);
+  for (const QuantityColumn* const column : rows.columns()) {
+    if (!column->is_input) continue;
+    const auto values = rows.values(*column);
     if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
-    lines += "\n" + std::string(column.quantity.key) + " = " + value_in_words(*values.begin(), unit_in(rows, column));
+    lines += "\n" + std::string(column->quantity.key) + " = " + value_in_words(*values.begin(), unit_in(rows, *column));
   }
   return lines;
 }

@@ -12,6 +12,7 @@
 #include "db/result_store.hpp"
 #include "db/schema.hpp"
 #include "studies/chart.hpp"
+#include "studies/key_words.hpp"
 #include "studies/scaled_unit.hpp"
 
 namespace rollres {
@@ -38,7 +39,10 @@ class StudyRows {
   StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters = {});
 
   std::size_t size() const { return table_.rows.size(); }
-  const Cell& cell(std::size_t row, const Column& column) const { return table_.rows[row][places_.at(column.name)]; }
+  /// All columns of quantities: in place of lists of further layers the inputs of the layers that there are.
+  const std::vector<const QuantityColumn*>& columns() const { return columns_; }
+  /// @throws std::invalid_argument for an input of a layer that no row has
+  const Cell& cell(std::size_t row, const Column& column) const;
   double number(std::size_t row, const Column& column) const;  ///< NaN if absent
   double number(std::size_t row, const char* key) const;       ///< of an output
   std::string text(std::size_t row, const char* key) const;    ///< of an output; empty if absent
@@ -47,15 +51,13 @@ class StudyRows {
 
  private:
   Table table_;
+  std::vector<const QuantityColumn*> columns_;
   std::map<std::string, std::size_t> places_;
 };
 
 /// The unit of a column in these rows.
 /// @throws std::invalid_argument if it is not the same in all, because cylinders stand beside spheres
 std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column);
-
-/// "rolling resistance"
-std::string in_words(std::string key);
 
 /// A value as people read it; "none" if it is absent.
 std::string value_in_words(const Cell& cell, std::string_view unit);

@@ -1,5 +1,7 @@
 #include "studies/study_scene.hpp"
 
+#include "core/scene_input.hpp"
+
 namespace rollres {
 
 std::vector<SceneEntry> scene_entries_of(const Json& object, const std::filesystem::path& file,
@@ -18,7 +20,7 @@ std::vector<SceneEntry> set_entries(const Json& object, const std::string& place
   if (!set->is_object()) refuse(place, "set", *set, "must be an object { ... } of inputs");
   std::vector<SceneEntry> entries;
   for (const auto& [key, value] : set->items()) {
-    if (!find_input(key)) refuse(place + ": set", key, value, unknown("unknown key", input_keys(), key));
+    if (!find_input(key)) refuse(place + ": set", key, value, unknown("unknown key", keys_like(key), key));
     entries.push_back({key, value, place + ": set"});
   }
   return entries;
