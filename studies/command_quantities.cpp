@@ -63,6 +63,32 @@ std::vector<Row> input_rows() {
   return rows;
 }
 
+std::string listed(const std::vector<std::string_view>& keys) {
+  std::string text;
+  for (const std::string_view key : keys) text += (text.empty() ? "" : ", ") + std::string(key);
+  return text;
+}
+
+/// How inputs of further layers are named.
+struct FurtherLayers {
+  std::vector<std::string_view> lists, keys;
+
+  std::string text() const {
+    return "inputs of further layers: LIST[N].KEY, counted from 0, as in coating_layers[0].layer_thickness\n\n"
+           "LIST  " +
+           listed(lists) + "\nKEY   " + listed(keys) + "\n";
+  }
+  Json json() const { return {{"form", "LIST[N].KEY"}, {"lists", lists}, {"keys", keys}}; }
+};
+
+FurtherLayers further_layers() {
+  FurtherLayers found;
+  for (const InputKind& kind : input_kinds())
+    if (kind.layers) found.lists.push_back(kind.quantity.key);
+  for (const InputKind& kind : layer_kinds()) found.keys.push_back(kind.quantity.key);
+  return found;
+}
+
 std::vector<Row> output_rows() {
   std::vector<Row> rows;
   const RollingSolution solution;
@@ -119,11 +145,14 @@ void add_quantities(Command& program, Session& session) {
   command->footer("Example: rollres quantities --json");
   command->callback([json, &session] {
     if (*json) {
-      const Json object{{"inputs", json_rows(input_rows(), true)}, {"outputs", json_rows(output_rows(), false)}};
+      const Json object{{"inputs", json_rows(input_rows(), true)},
+                        {"further_layers", further_layers().json()},
+                        {"outputs", json_rows(output_rows(), false)}};
       session.out << object.dump(2) << '\n';
     } else {
       session.out << "inputs of a scene\n\n"
-                  << table(input_rows()) << "\noutputs of a solution\n\n"
+                  << table(input_rows()) << '\n'
+                  << further_layers().text() << "\noutputs of a solution\n\n"
                   << table(output_rows());
     }
   });

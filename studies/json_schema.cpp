@@ -60,7 +60,7 @@ Json axis(const InputKind& kind) {
 }
 
 Json axes() {
-  Json schema = inputs(axis, no_list);
+  Json schema = inputs_and_layers(axis, no_list);
   Json together = schema;
   together["minProperties"] = 2;
   schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}}, {"zip"});
@@ -69,7 +69,7 @@ Json axes() {
 }
 
 Json sample() {
-  Json ranges = inputs([](const InputKind&) { return reference(range_name); }, real_input);
+  Json ranges = inputs_and_layers([](const InputKind&) { return reference(range_name); }, real_input);
   ranges["minProperties"] = 1;
   return object_of(sample_keys,
                    {{"method", names(ChoiceNames<SampleMethod>::names)},
@@ -94,7 +94,7 @@ Json range() {
 }
 
 Json chart() {
-  const Json numbers = names(number_outputs()), varied = names(input_keys());
+  const Json numbers = names(number_outputs()), varied = input_key(any_input);
   return object_of(chart_keys,
                    {{"name", name()},
                     {"x", {{"anyOf", {varied, numbers}}}},
@@ -127,7 +127,7 @@ std::string study_schema() {
                            {"study", name()},
                            {"comment", text()},
                            {"scene", scene_or_file()},
-                           {"set", inputs(input_reference, any_input)},
+                           {"set", inputs_and_layers(input_reference, any_input)},
                            {"axes", axes()},
                            {"sample", sample()},
                            {"constraints", list_of(name())},

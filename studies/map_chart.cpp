@@ -16,8 +16,8 @@ namespace rollres {
 
 namespace {
 
-constexpr double left_edge = 84, right_edge = 424,
-                 lower_edge = 72;  // of the map; a colour bar stands on its right [px]
+constexpr double left_edge = 108, right_edge = 424,
+                 lower_edge = 88;  // of the map; a colour bar stands on its right [px]
 
 /// Values for the nodes that have none: means of their neighbours, from the answers outwards.
 PlaneField filled(PlaneField field) {

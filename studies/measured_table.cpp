@@ -50,7 +50,8 @@ std::vector<std::string> cells_of(const std::string& line, char separator, const
 }
 
 MeasuredColumn column_of(const std::string& name, const std::string& place) {
-  const auto open = name.find('[');
+  const auto layer = name.find("].");  // of coating_layers[0].layer_thickness [mm]
+  const auto open = name.find('[', layer == std::string::npos ? 0 : layer);
   if (open == std::string::npos) {
     if (name.empty()) fail(place, "a column has no name");
     return {name, "", {}};

@@ -46,14 +46,14 @@ Json data_set() {
   return object_of(data_set_keys,
                    {{"file", name()},
                     {"name", name()},
-                    {"set", inputs(input_reference, any_input)},
+                    {"set", inputs_and_layers(input_reference, any_input)},
                     {"sigma", input_number()},
                     {"comment", text()}},
                    {"file"});
 }
 
 Json scene_fit() {
-  Json parameters = inputs(
+  Json parameters = inputs_and_layers(
       [](const InputKind&) {
         const Json one = reference(parameter_name);
         return Json{{"anyOf", {input_number(), one, list_of(one)}}};
@@ -66,7 +66,7 @@ Json scene_fit() {
                     {"fit", name()},
                     {"comment", text()},
                     {"scene", scene_or_file()},
-                    {"set", inputs(input_reference, any_input)},
+                    {"set", inputs_and_layers(input_reference, any_input)},
                     {"data", {{"anyOf", {name(), reference(data_set_name), list_of(set)}}}},
                     {"parameters", parameters},
                     {"output", names(number_outputs())},
@@ -120,8 +120,8 @@ std::string fit_schema() {
 }
 
 std::string optimisation_schema() {
-  const Json set = inputs(input_reference, any_input);
-  Json variables = inputs([](const InputKind&) { return reference(variable_name); }, real_input);
+  const Json set = inputs_and_layers(input_reference, any_input);
+  Json variables = inputs_and_layers([](const InputKind&) { return reference(variable_name); }, real_input);
   variables["minProperties"] = 1;
   const Json duty = object_of(duty_keys, {{"set", set}, {"weight", positive_number()}}, {});
   Json pareto = object_of(pareto_keys, {{"minimise", name()}, {"maximise", name()}, {"points", whole(2, most_points)}},

@@ -91,6 +91,23 @@ bool any_input(const InputKind&) { return true; }
 bool real_input(const InputKind& kind) { return kind.real(); }
 bool no_list(const InputKind& kind) { return !kind.list; }
 
+std::string layer_pattern(std::string_view own_key) {
+  std::string lists;
+  for (const InputKind& kind : input_kinds())
+    if (kind.layers) lists += (lists.empty() ? "" : "|") + std::string(kind.quantity.key);
+  return "^(" + lists + R"()\[(0|[1-9][0-9]?[0-9]?)\]\.)" + std::string(own_key) + "$";
+}
+
+Json input_key(bool (*accepts)(const InputKind&)) {
+  std::vector<std::string_view> own;
+  for (const InputKind& kind : input_kinds())
+    if (accepts(kind)) own.push_back(kind.quantity.key);
+  std::string of_layers;
+  for (const InputKind& kind : layer_kinds())
+    if (accepts(kind)) of_layers += (of_layers.empty() ? "" : "|") + std::string(kind.quantity.key);
+  return {{"anyOf", {names(own), {{"type", "string"}, {"pattern", layer_pattern("(" + of_layers + ")")}}}}};
+}
+
 Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& forms,
                const std::vector<std::string_view>& required) {
   if (forms.size() != keys.size()) throw std::logic_error("a schema has not as many forms as keys");

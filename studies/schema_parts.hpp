@@ -38,6 +38,12 @@ bool any_input(const InputKind& kind);
 bool real_input(const InputKind& kind);
 bool no_list(const InputKind& kind);
 
+/// What the key of an input of any further layer looks like, "coating_layers[0].layer_thickness".
+std::string layer_pattern(std::string_view own_key);
+
+/// The key of an input, its own or a further layer's.
+Json input_key(bool (*accepts)(const InputKind&));
+
 /// An object whose properties are the inputs with these values.
 template <class ValueOf>
 Json inputs(ValueOf&& value_of, bool (*accepts)(const InputKind&)) {
@@ -45,6 +51,15 @@ Json inputs(ValueOf&& value_of, bool (*accepts)(const InputKind&)) {
   for (const InputKind& kind : input_kinds())
     if (accepts(kind)) properties[std::string(kind.quantity.key)] = value_of(kind);
   return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+}
+
+/// The same where keys of further layers' inputs are taken too: where inputs replace others, or vary.
+template <class ValueOf>
+Json inputs_and_layers(ValueOf&& value_of, bool (*accepts)(const InputKind&)) {
+  Json object = inputs(value_of, accepts);
+  for (const InputKind& own : layer_kinds())
+    if (accepts(own)) object["patternProperties"][layer_pattern(own.quantity.key)] = value_of(own);
+  return object;
 }
 
 /// An object of a file: each of its keys with what it holds.
