@@ -113,8 +113,11 @@ std::string fit_summary(const FitReport& report, const FitContext& context) {
                                            std::to_string(pairs.size()) + " (--json has all)"
                                      : "")
        << '\n';
-  for (std::size_t i = 0; i < std::min(most_shown, pairs.size()); ++i)
-    text << "  " << padded(pairs[i].first + ", " + pairs[i].second, 44) << short_number(pairs[i].correlation, 4)
+  std::size_t widest = 42;
+  const std::size_t shown = std::min(most_shown, pairs.size());
+  for (std::size_t i = 0; i < shown; ++i) widest = std::max(widest, width(pairs[i].first + ", " + pairs[i].second));
+  for (std::size_t i = 0; i < shown; ++i)
+    text << "  " << padded(pairs[i].first + ", " + pairs[i].second, widest + 2) << short_number(pairs[i].correlation, 4)
          << '\n';
   return text.str();
 }
