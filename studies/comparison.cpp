@@ -7,9 +7,12 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
 #include "db/schema.hpp"
+#include "studies/scene_inputs.hpp"
 #include "studies/stored_study.hpp"
 #include "studies/strict_json.hpp"
+#include "studies/study_rows.hpp"
 
 namespace rollres {
 
@@ -81,14 +84,31 @@ double relative_difference(const Cell& first, const Cell& second) {
 
 void check_keys(const ComparisonWishes& wishes) {
   for (const std::string& key : wishes.ignored)
-    if (const auto keys = input_keys(); find_name(keys, key) < 0)
-      throw std::invalid_argument("ignore = " + key + ": " + unknown("unknown input", keys, key));
+    if (!find_input(key))
+      throw std::invalid_argument("ignore = " + key + ": " + unknown("unknown input", keys_like(key), key));
   for (const std::string& key : wishes.outputs) {
     if (const auto keys = output_keys(); find_name(keys, key) < 0)
       throw std::invalid_argument("output = " + key + ": " + unknown("unknown output", keys, key));
     if (find_quantity_column(key)->type == "TEXT")
       throw std::invalid_argument("output = " + key + ": must be a number");
   }
+}
+
+/// The inputs of the points of both, those of further layers among them.
+std::vector<const QuantityColumn*> inputs_of(const Database& first, const std::string& first_study,
+                                             const Database& second, const std::string& second_study) {
+  std::vector<const QuantityColumn*> inputs;
+  for (const auto& [database, study] : {std::pair(&first, &first_study), {&second, &second_study}})
+    for (const QuantityColumn* const column : quantity_columns_of(*database, {{"study", Comparison::equal, *study}}))
+      if (column->is_input && std::find(inputs.begin(), inputs.end(), column) == inputs.end()) inputs.push_back(column);
+  return inputs;
+}
+
+/// Whether an input is ignored, by itself or with its whole list of layers.
+bool is_ignored(const std::string& key, const std::vector<std::string>& ignored) {
+  const std::optional<LayerKey> layered = layer_key(key);
+  return std::any_of(ignored.begin(), ignored.end(),
+                     [&](const std::string& one) { return one == key || (layered && one == layered->list); });
 }
 
 void add_differences(StudyComparison& result, const std::vector<Cell>& first, const std::vector<Cell>& second,
@@ -122,22 +142,21 @@ bool StudyComparison::within(double relative) const {
 StudyComparison compare_studies(ResultStore& first_store, const std::string& first, ResultStore& second_store,
                                 const std::string& second, const ComparisonWishes& wishes) {
   check_keys(wishes);
-  const std::vector<std::string_view> keys = input_keys();
+  const auto inputs = inputs_of(first_store.database(), first, second_store.database(), second);
   std::vector<std::string> columns{"position", "status"};
-  for (const std::string_view key : keys) columns.push_back(input_column(key));
+  for (const QuantityColumn* const input : inputs) columns.push_back(input->name);
   columns.insert(columns.end(), wishes.outputs.begin(), wishes.outputs.end());
   const Points a = read_points(first_store, first, columns), b = read_points(second_store, second, columns);
 
   StudyComparison result;
   std::vector<std::size_t> telling, axes;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::size_t column = first_input + i;
     const std::optional<Cell> in_a = a.only_value(column), in_b = b.only_value(column);
-    const std::string key(keys[i]);
-    const bool ignored = std::find(wishes.ignored.begin(), wishes.ignored.end(), key) != wishes.ignored.end();
+    const std::string key(inputs[i]->quantity.key);
     if (in_a && in_b && identity(*in_a) != identity(*in_b)) {
       result.compared.push_back({key, *in_a, *in_b});
-    } else if (!ignored) {
+    } else if (!is_ignored(key, wishes.ignored)) {
       telling.push_back(column);
       if (in_a && in_b) continue;
       axes.push_back(column);
@@ -146,9 +165,9 @@ StudyComparison compare_studies(ResultStore& first_store, const std::string& fir
   }
   for (const std::string& output : wishes.outputs) result.outputs.push_back({.output = output});
 
-  const auto places_a = by_inputs(a, telling, keys.size()), places_b = by_inputs(b, telling, keys.size());
-  for (const auto& [inputs, place] : places_a) {
-    const auto other = places_b.find(inputs);
+  const auto places_a = by_inputs(a, telling, inputs.size()), places_b = by_inputs(b, telling, inputs.size());
+  for (const auto& [values, place] : places_a) {
+    const auto other = places_b.find(values);
     if (other == places_b.end()) {
       ++result.only_first;
       continue;
@@ -158,7 +177,7 @@ StudyComparison compare_studies(ResultStore& first_store, const std::string& fir
     const Cell converged = std::string(name_of(Status::converged));
     const int answers = (row_a[status_column] == converged) + (row_b[status_column] == converged);
     if (answers == 2)
-      add_differences(result, row_a, row_b, axes, keys.size(), wishes.outputs);
+      add_differences(result, row_a, row_b, axes, inputs.size(), wishes.outputs);
     else
       ++(answers == 1 ? result.half_answered : result.unanswered);
   }

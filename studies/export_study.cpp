@@ -3,11 +3,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/scene_input.hpp"
 #include "db/query.hpp"
 #include "db/result_store.hpp"
 #include "studies/stored_study.hpp"
 #include "studies/strict_json.hpp"
 #include "studies/study_provenance.hpp"
+#include "studies/study_rows.hpp"
 #include "studies/table_json.hpp"
 #include "studies/table_output.hpp"
 #include "studies/write_file.hpp"
@@ -48,6 +50,16 @@ Json provenance_of(ResultStore& store, const StudySummary& study) {
   return object;
 }
 
+/// All columns of the study's rows, and after them the inputs of further layers.
+Table results_of(const ResultStore& store, const std::string& study) {
+  Query query{.filters = {{"study", Comparison::equal, study}}, .limit = 0};
+  query.columns = run_query(store.database(), query).columns;
+  query.limit.reset();
+  for (const QuantityColumn* const column : quantity_columns_of(store.database(), query.filters))
+    if (layer_key(column->name)) query.columns.push_back(column->name);
+  return run_query(store.database(), query);
+}
+
 }  // namespace
 
 std::string export_study(const std::filesystem::path& database, const std::string& wanted,
@@ -61,9 +73,8 @@ std::string export_study(const std::filesystem::path& database, const std::strin
 
   extract_study(database, name, own);
   ResultStore exported(own, Access::read);
-  const Table results = run_query(exported.database(), {.filters = {{"study", Comparison::equal, name}}});
   std::ostringstream csv;
-  write_csv(csv, results);
+  write_csv(csv, results_of(exported, name));
   write_file(folder / "results.csv", csv.str());
   write_file(folder / "provenance.json", text_of(provenance_of(exported, exported.study(name).value()), 2) + "\n");
   const std::string definition = exported.definition(name).value_or("");

@@ -14,6 +14,8 @@
 ///
 ///     "axes": {"layer": {"zip": {"layer_thickness": ["5 mm", "10 mm"], "static_shear_modulus": ["1 MPa", "2 MPa"]}}}
 ///
+/// Inputs of further layers are "coating_layers[0].layer_thickness", counted from 0; the scene must have the layer.
+///
 /// A sample spreads points over a box, in place of axes or beside them; every point of the sample is then combined with
 /// every combination of the axes:
 ///

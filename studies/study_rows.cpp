@@ -27,10 +27,7 @@ const QuantityColumn& number_column(const std::string& key, const StudySummary& 
   return column;
 }
 
-namespace {
-
-/// The columns of quantities, in place of each list of layers the inputs of as many layers as the longest one has.
-std::vector<const QuantityColumn*> columns_of_rows(const Database& database, const std::vector<Filter>& filters) {
+std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters) {
   std::map<std::string_view, std::size_t> layers;
   GroupQuery lists{.filters = filters};
   for (const InputKind& kind : input_kinds())
@@ -50,12 +47,10 @@ std::vector<const QuantityColumn*> columns_of_rows(const Database& database, con
   return columns;
 }
 
-}  // namespace
-
 StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
   Query query{.filters = filters, .sort = {"position"}};
   query.filters.push_back({"study", Comparison::equal, study});
-  columns_ = columns_of_rows(store.database(), query.filters);
+  columns_ = quantity_columns_of(store.database(), query.filters);
   for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
   table_ = run_query(store.database(), query);
   for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;

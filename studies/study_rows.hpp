@@ -31,6 +31,10 @@ const QuantityColumn& column_of(const std::string& key, const StudySummary& stud
 /// The same for a column of numbers.
 const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const std::string& option);
 
+/// The columns of quantities of these rows: in place of each list of further layers, the inputs of as many layers as
+/// the longest one has.
+std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters);
+
 class StudyRows {
  public:
   /// All rows of the study that meet the filters, in the order of its points.
@@ -39,7 +43,7 @@ class StudyRows {
   StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters = {});
 
   std::size_t size() const { return table_.rows.size(); }
-  /// All columns of quantities: in place of lists of further layers the inputs of the layers that there are.
+  /// As quantity_columns_of.
   const std::vector<const QuantityColumn*>& columns() const { return columns_; }
   /// @throws std::invalid_argument for an input of a layer that no row has
   const Cell& cell(std::size_t row, const Column& column) const;

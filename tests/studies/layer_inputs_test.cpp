@@ -75,7 +75,7 @@ struct Workshop {
 
 }  // namespace
 
-TEST_CASE("--set replaces one input of a further layer and keeps the others", "[studies][layers]") {
+TEST_CASE("an override replaces one input of a further layer and keeps the others", "[studies][layers]") {
   const Workshop shop;
   const ProgramRun run = shop.solve({std::string(thickness) + "=8 mm", "coating_layers[0].static_young_modulus=9 MPa"});
   REQUIRE(run.status == 0);
@@ -201,6 +201,25 @@ TEST_CASE("queries filter, sort and group by further layers' inputs", "[studies]
   const ProgramRun misspelt = shop.run({"query", "--db", shop.database, "coating_layers[0].thickness=1"});
   CHECK(misspelt.status == 2);
   CHECK_THAT(misspelt.err, Contains("did you mean coating_layers[0].layer_thickness?"));
+}
+
+TEST_CASE("studies whose coatings differ are compared point by point, and exported with columns for them",
+          "[studies][compare][layers]") {
+  const Workshop shop;
+  json study = study_of({{thickness, {"4 mm", "8 mm"}}});
+  REQUIRE(shop.run({"sweep", shop.write(study), "--db", shop.database}).status == 0);
+  study["study"] = "harder tyres";
+  study["set"] = {{modulus, "3 MPa"}};
+  REQUIRE(shop.run({"sweep", shop.write(study), "--db", shop.database}).status == 0);
+  const ProgramRun run = shop.run({"compare", "tyres", "harder tyres", "--db", shop.database});
+  CHECK(run.status == 0);
+  CHECK_THAT(run.out, Contains("coating_layers[0].static_shear_modulus: 2000000 against 3000000"));
+  CHECK_THAT(run.out, Contains("2 points match"));
+  const ProgramRun ignoring = shop.run({"compare", "tyres", "tyres", "--db", shop.database, "--ignore", thickness});
+  CHECK_THAT(ignoring.err, Contains("differ only in inputs that are ignored"));
+  REQUIRE(shop.run({"export", "--db", shop.database, "--study", "tyres", "--out", shop.folder / "out"}).status == 0);
+  const std::string csv = file_text(shop.folder / "out" / "results.csv");
+  CHECK_THAT(csv.substr(0, csv.find('\n')), Contains(std::string(",") + thickness + ","));
 }
 
 TEST_CASE("a further layer's input is the axis or the family of a chart, and named there", "[studies][chart][layers]") {
