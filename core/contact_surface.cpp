@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/medium_shapes.hpp"
+#include "core/moving_shape.hpp"
 #include "core/passage_kernel.hpp"
 #include "core/recently_made.hpp"
 
@@ -65,6 +66,7 @@ struct ShapesKey {
 struct MediumResponse {
   double error;
   std::vector<TimedShape> shapes;
+  std::vector<MovingShape> moving;  // in place of shapes: a sphere's with inertia
 };
 
 ShapesKey shapes_key(const RollingScene& scene, const LayeredMedium& medium) {
@@ -74,8 +76,12 @@ ShapesKey shapes_key(const RollingScene& scene, const LayeredMedium& medium) {
 std::shared_ptr<const MediumResponse> response_of(const ShapesKey& key) {
   static RecentlyMade<ShapesKey, MediumResponse, 16> cache;
   return cache(key, [&] {
+    if (key.indenter == Indenter::sphere && key.wave_speed > 0) {
+      const WaveDirections directions(key.medium, key.wave_speed);
+      return MediumResponse{directions.error(), {}, moving_shapes(key.medium, directions)};
+    }
     const MediumExpansion expansion(key.medium, key.wave_speed);
-    return MediumResponse{expansion.error(), medium_shapes(key.indenter, key.medium, expansion)};
+    return MediumResponse{expansion.error(), medium_shapes(key.indenter, key.medium, expansion), {}};
   });
 }
 
@@ -95,9 +101,13 @@ std::shared_ptr<const std::vector<TimedKernel>> kernels_of(const KernelsKey& key
   static RecentlyMade<KernelsKey, std::vector<TimedKernel>, 8> cache;
   return cache(key, [&] {
     std::vector<TimedKernel> kernels;
-    for (const TimedShape& term : response_of(key.shapes)->shapes)
+    const auto response = response_of(key.shapes);
+    for (const TimedShape& term : response->shapes)
       kernels.push_back(
           {term.time, PassageKernel(key.shapes.indenter, term.shape, key.cell_x, key.cell_y, key.columns, key.rows)});
+    for (const MovingShape& term : response->moving)
+      kernels.push_back({term.time, PassageKernel(term.scales, term.response(key.cell_x, key.cell_y), key.cell_x,
+                                                  key.cell_y, key.columns, key.rows)});
     return kernels;
   });
 }
@@ -114,8 +124,7 @@ double rayleigh_number(const RollingScene& scene) {
 
 bool inertia_included(const RollingScene& scene) {
   if (scene.inertia != Inertia::automatic) return scene.inertia == Inertia::on;
-  if (!scene.tolerance || scene.method == Method::spectral || !(scene.indenter == Indenter::cylinder || scene.period))
-    return false;
+  if (!scene.tolerance || scene.method == Method::spectral) return false;
   const double number = rayleigh_number(scene);
   return number > std::max(inertia_share * *scene.tolerance, negligible_inertia) && number < 1;
 }
@@ -186,8 +195,6 @@ SurfaceCompliance SteadySurface::operator()(const Moduli& moduli, double along, 
 }
 
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
-  if (inertia_included(scene) && scene.indenter == Indenter::sphere)
-    throw std::invalid_argument("inertia = on: for a sphere only with a period");
   const auto table_of = [&](const LayeredMedium& medium) {
     InfluenceTable table(reach_x, reach_y);
     const auto kernels = kernels_of({shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y});

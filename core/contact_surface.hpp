@@ -19,8 +19,7 @@ namespace rollres {
 double rayleigh_number(const RollingScene& scene);
 
 /// Whether the layers' inertia is part of the scene's model: asked for, or by itself where it would change the
-/// resistance by more than a thousandth and more than a tenth of the tolerance given, and the model has it (a cylinder on
-/// a grid, or a periodic train).
+/// resistance by more than a thousandth and more than a tenth of the tolerance given, and the method has it.
 bool inertia_included(const RollingScene& scene);
 
 /// Whether the surface is more than one layer of one material without inertia.
@@ -61,7 +60,6 @@ class SteadySurface {
 };
 
 /// Influence coefficients of a composite surface for a single passage.
-/// @throws std::invalid_argument for a sphere with inertia, which only a periodic train has
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y);
 
 /// Largest relative error of the expansion in retardation times that such coefficients contain (medium_expansion.hpp).

@@ -69,7 +69,7 @@ Coefficients ElasticKernel::operator()(double x, double y) const {
 Coefficients ElasticKernel::sphere(double x, double y) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
-  if (distance(x, y) > shape_.reach()) return sum;
+  if (distance(x, y) > shape_.scales().reach()) return sum;
   const double right = x + 0.5 * cell_x_, left = x - 0.5 * cell_x_;
   const double above = y + 0.5 * cell_y_, below = y - 0.5 * cell_y_;
   const Eigen::Array4d r =  // of the corners
@@ -141,7 +141,7 @@ Eigen::Array4d ElasticKernel::radial_limit(double from_load) const {
 Coefficients ElasticKernel::cylinder(double x) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
-  const double reach = shape_.reach();
+  const double reach = shape_.scales().reach();
   if (std::abs(x) > reach) return sum;
   // A cell across the end of the response ends there.
   const double right = std::min(x + 0.5 * cell_x_, reach), left = std::max(x - 0.5 * cell_x_, -reach);

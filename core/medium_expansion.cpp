@@ -32,6 +32,12 @@ Symbols half_space(const MediumLayer& layer, complex modulus, double wave_speed)
   return scaled(surface_compliance({deep}, std::vector{modulus}, 1, wave_speed), 1);
 }
 
+/// Waves in a layer decay like e^{-k beta z}, slowest at rest.
+double slowest_decay(const MediumLayer& layer, double wave_speed) {
+  const double number = layer.density * wave_speed * wave_speed * layer.material.at_rest();
+  return std::sqrt(1 - std::min(number, rayleigh_number));
+}
+
 struct TimeRange {
   double shortest = INFINITY, longest = 0;
   std::vector<double> exact;  // creep times of the layers
@@ -95,24 +101,31 @@ MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed)
   const double finite = finite_thickness(medium);
   const bool layered = finite > 0;
   if (layered) {
-    highest_ = 18 / medium.front().thickness;
+    highest_ = 18 / (medium.front().thickness * slowest_decay(medium.front(), wave_speed));
     lowest_ = 1e-3 / finite;
     const int panels = static_cast<int>(std::ceil(std::log(highest_ / lowest_) / std::log(panel_ratio)));
     for (int i = 0; i <= panels; ++i) borders_.push_back(std::log(lowest_) + std::log(highest_ / lowest_) * i / panels);
   }
+  const TimeRange range = time_range(medium, wave_speed);
   double per_decade = sparse;
   do {
-    fit(medium, wave_speed, per_decade);
+    fit(medium, wave_speed, range.exact.empty() ? std::vector<double>{0} : retardation_times(range, per_decade));
     error_ = layered ? measured_error(medium, wave_speed) : 0;
     per_decade += denser;
   } while (error_ > wanted_error && per_decade <= dense);
 }
 
-void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, double per_decade) {
-  const TimeRange range = time_range(medium, wave_speed);
-  std::vector<double> times{0}, frequencies{0};
-  if (!range.exact.empty()) {
-    times = retardation_times(range, per_decade);
+MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed, const MediumExpansion& of_faster)
+    : lowest_(of_faster.lowest_), highest_(of_faster.highest_), borders_(of_faster.borders_) {
+  std::vector<double> times;
+  for (const MediumTerm& term : of_faster.terms_) times.push_back(term.time);
+  fit(medium, wave_speed, times);
+  error_ = borders_.empty() ? 0 : measured_error(medium, wave_speed);
+}
+
+void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, const std::vector<double>& times) {
+  std::vector<double> frequencies{0};
+  if (times.size() > 1) {
     frequencies = frequencies_for(times, 0);
     frequencies.push_back(0);
   }

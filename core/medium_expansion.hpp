@@ -26,6 +26,8 @@ class MediumExpansion {
  public:
   /// @param wave_speed V cos, for the inertia [m/s]; 0: without
   MediumExpansion(const LayeredMedium& medium, double wave_speed);
+  /// For slower waves of the same medium, at the times and in the range of wavenumbers of another expansion.
+  MediumExpansion(const LayeredMedium& medium, double wave_speed, const MediumExpansion& of_faster);
 
   const std::vector<MediumTerm>& terms() const { return terms_; }
 
@@ -42,7 +44,7 @@ class MediumExpansion {
   double highest_wavenumber() const { return highest_; }
 
  private:
-  void fit(const LayeredMedium& medium, double wave_speed, double per_decade);
+  void fit(const LayeredMedium& medium, double wave_speed, const std::vector<double>& times);
   double measured_error(const LayeredMedium& medium, double wave_speed) const;
 
   std::vector<MediumTerm> terms_;

@@ -9,13 +9,20 @@ namespace rollres {
 
 PassageKernel::PassageKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y, int columns,
                              int rows)
-    : columns_(columns), rows_(rows), cell_x_(cell_x) {
-  const ElasticKernel kernel(indenter, shape, cell_x, cell_y);
+    : PassageKernel(
+          shape.scales(),
+          [kernel = ElasticKernel(indenter, shape, cell_x, cell_y)](double y) -> ResponseAlong {
+            return [&kernel, y](double x) { return kernel(x, y); };
+          },
+          cell_x, cell_y, columns, rows) {}
 
+PassageKernel::PassageKernel(const ResponseScales& scales, const ElasticResponse& response, double cell_x,
+                             double cell_y, int columns, int rows)
+    : columns_(columns), rows_(rows), cell_x_(cell_x) {
   // Displacements bend at the edge of the loaded cell, in the middle of a cell of nodes: two halves near it, and
   // panels no longer than the surface's finest scale.
   const double half = 0.5 * cell_x;
-  const int parts = std::max(1, static_cast<int>(std::ceil(half / shape.length)));
+  const int parts = std::max(1, static_cast<int>(std::ceil(half / scales.length)));
   const auto split = [&](MemoryRule& rule, double start, double length, int count, int order) {
     for (int part = 0; part < count; ++part) rule.add_panel(start + part * length / count, length / count, order);
   };
@@ -29,21 +36,21 @@ PassageKernel::PassageKernel(Indenter indenter, const SurfaceShape& shape, doubl
   split(cell_rules_[distant], 0, cell_x, 2 * parts - 1, parts > 1 ? 10 : 3);
 
   const double start = columns * cell_x;
-  const double end = shape.rigid_base()
-                         ? shape.reach()
-                         : std::ldexp(std::isinf(shape.extent) ? start : std::max(start, shape.extent), 40);
+  const double end = scales.rigid_base
+                         ? scales.reach()
+                         : std::ldexp(std::isinf(scales.extent) ? start : std::max(start, scales.extent), 40);
   for (double s = 0, length = 0.5 * start; end - start - s > 1e-9 * end; length *= 1.5) {
     // Over a layer the response falls by e^{-0.74 s/H}: the farther, the less it takes.
-    const double kept = std::min({length, end - start - s, 2.5 * shape.grain(start + s)});
-    const bool faint = shape.rigid_base() && start + s > 8.0 / 30 * shape.extent;
+    const double kept = std::min({length, end - start - s, 2.5 * scales.grain(start + s)});
+    const bool faint = scales.rigid_base && start + s > 8.0 / 30 * scales.extent;
     split(tail_rule_, s, kept, 1, faint ? 8 : 12);
     s += kept;
   }
 
   nodes_.reserve(static_cast<std::size_t>((columns + 1) * (rows + 1)));
   for (int row = 0; row <= rows; ++row) {
-    const double y = row * cell_y;
-    for (int column = 0; column <= columns; ++column) nodes_.push_back(kernel(column * cell_x, y));
+    const ResponseAlong kernel = response(row * cell_y);
+    for (int column = 0; column <= columns; ++column) nodes_.push_back(kernel(column * cell_x));
     // Odd coefficients vanish under the load, to the last digit.
     Coefficients& under = nodes_[nodes_.size() - static_cast<std::size_t>(columns) - 1];
     under = 0.5 * (under + coefficient::mirror_x * under);
@@ -53,10 +60,10 @@ PassageKernel::PassageKernel(Indenter indenter, const SurfaceShape& shape, doubl
       const std::vector<double>& points = cell_rules_[rule_of(column, row)].nodes();
       const Coefficients* const node = &nodes_[nodes_.size() - static_cast<std::size_t>(columns - column) - 1];
       samples_.push_back(node[0]);
-      for (std::size_t i = 1; i + 1 < points.size(); ++i) samples_.push_back(kernel(column * cell_x + points[i], y));
+      for (std::size_t i = 1; i + 1 < points.size(); ++i) samples_.push_back(kernel(column * cell_x + points[i]));
       samples_.push_back(node[1]);
     }
-    for (const double s : tail_rule_.nodes()) tail_.push_back(kernel(start + s, y));
+    for (const double s : tail_rule_.nodes()) tail_.push_back(kernel(start + s));
   }
 }
 

@@ -7,6 +7,7 @@
 /// one backward recursion per row of nodes. The elastic values K at the points of the integrals do not depend on
 /// speed or material: one table serves every scene with the same layer and spacing.
 
+#include <functional>
 #include <memory>
 
 #include "core/elastic_kernel.hpp"
@@ -16,8 +17,16 @@
 
 namespace rollres {
 
+/// Displacements of an elastic surface under a cell, for distances y across the motion and then x along it; even or
+/// odd in x as coefficient::mirror_x says.
+using ResponseAlong = std::function<Coefficients(double x)>;
+using ElasticResponse = std::function<ResponseAlong(double y)>;
+
 class PassageKernel {
  public:
+  /// @param rows 0 for a cylinder
+  PassageKernel(const ResponseScales& scales, const ElasticResponse& response, double cell_x, double cell_y,
+                int columns, int rows);
   /// Elastic values for offsets up to `columns` and `rows` (0 for a cylinder) cells of size cell_x by cell_y [m].
   PassageKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y, int columns, int rows);
   PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows)

@@ -98,8 +98,6 @@ std::vector<std::string> check(const RollingScene& scene) {
   if (scene.period && std::isinf(total_thickness(scene)))
     complain("period", *scene.period, "needs a layer of finite thickness");
   if (scene.inertia == Inertia::on) {
-    if (scene.indenter == Indenter::sphere && !scene.period)
-      complain("inertia", name_of(scene.inertia), "for a sphere only with a period");
     if (const double number = in_range ? rayleigh_number(scene) : 0; number >= 1)
       complain("speed", scene.speed,
                "with inertia must be below that of Rayleigh waves on the layer at rest, " +

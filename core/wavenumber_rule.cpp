@@ -1,0 +1,31 @@
+#include "core/wavenumber_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quadrature.hpp"
+
+namespace rollres {
+
+WavenumberFade::WavenumberFade(double r, int order) : from(r > 0 ? (50 + 2 * order) / r : INFINITY), to(3 * from) {}
+
+double WavenumberFade::operator()(double k) const {
+  return std::isinf(from) ? 1 : 0.5 * std::erfc(7 * (2 * (k - from) / (to - from) - 1));
+}
+
+WavenumberRule::WavenumberRule(double lowest, double highest, double r0, double r1, int order) {
+  const WavenumberFade fade(r0, order);
+  const double end = std::min(highest, fade.to);
+  double from = 0;
+  for (double to = lowest; from < end; from = to, to *= 1.6) {
+    to = std::min(to, end);
+    const QuadratureRule gauss = gauss_legendre(10 + static_cast<int>(0.5 * (to - from) * r1));
+    for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
+      const double k = from + (to - from) * gauss.nodes[q];
+      nodes.push_back(k);
+      weights.push_back((to - from) * gauss.weights[q] * fade(k));
+    }
+  }
+}
+
+}  // namespace rollres
