@@ -10,8 +10,6 @@ namespace rollres {
 namespace {
 
 using Eigen::Index;
-using RadialHarmonics = std::vector<ChebyshevTable<6>>;  // of the distance over the length, one for each harmonic
-
 constexpr int table_degree = 15;
 constexpr double panel_growth = 1.6;
 
@@ -84,6 +82,29 @@ class HankelTransform {
   std::vector<Eigen::ArrayXXd> values_;
 };
 
+/// Harmonics as functions of the distance over the length.
+class RadialHarmonics {
+ public:
+  /// @param next_sample at the nodes of one panel after the other
+  template <class Sample>
+  RadialHarmonics(const std::vector<double>& borders, int count, const Sample& next_sample) {
+    std::vector<Harmonics> all((borders.size() - 1) * (table_degree + 1));
+    for (Harmonics& sample : all) sample = next_sample();
+    for (Index n = 0; n < count; ++n) {
+      std::size_t next = 0;
+      tables_.emplace_back(borders, table_degree, [&](double) -> Coefficients { return all[next++].col(n); });
+    }
+  }
+  Harmonics operator()(double r) const {
+    Harmonics at(6, static_cast<Index>(tables_.size()));
+    for (std::size_t n = 0; n < tables_.size(); ++n) at.col(static_cast<Index>(n)) = tables_[n](r);
+    return at;
+  }
+
+ private:
+  std::vector<ChebyshevTable<6>> tables_;
+};
+
 /// Distance over the length beyond which every term's surface is at rest (rigid base), or close to that of the base.
 double table_end(const WaveDirections& directions, const std::vector<Harmonics>& deep, double length, double finite,
                  bool rigid) {
@@ -132,32 +153,23 @@ std::vector<MovingShape> moving_shapes(const LayeredMedium& medium, const WaveDi
       samples.push_back(transform(from + 0.5 * (to - from) * (1 + std::cos(M_PI * (node + 0.5) / (table_degree + 1)))));
   }
 
+  std::vector<double> distances;
+  for (const double border : borders) distances.push_back(border * length);
   const double end = borders.back();
-  std::vector<double> far_borders;
-  for (const double border : borders) far_borders.push_back(border * length);
   for (std::size_t m = 0; m < shapes.size(); ++m) {
-    RadialHarmonics radial;
-    for (Index n = 0; n < directions.harmonics(); ++n) {
-      std::size_t next = 0;
-      radial.emplace_back(borders, table_degree, [&](double) -> Coefficients { return samples[next++][m].col(n); });
-    }
-    const auto harmonics_at = [&](double r) {
-      Harmonics at(6, directions.harmonics());
-      for (Index n = 0; n < at.cols(); ++n) at.col(n) = radial[static_cast<std::size_t>(n)](r);
-      return at;
+    std::size_t next = 0;
+    const RadialHarmonics radial(borders, directions.harmonics(), [&] { return samples[next++][m]; });
+    const Harmonics beyond = base[m] - deep[m];
+    Harmonics tail = radial(end) - beyond / end;
+    if (rigid) tail.setZero();
+    const auto correction = [=](double x, double y) -> Coefficients {
+      const double r = std::sqrt(x * x + y * y) / length;
+      return harmonic_sum(r < end ? radial(r) : Harmonics(beyond / r + tail_at(tail, end / r)), x, y) / length;
     };
     MovingShape& shape = shapes[m];
     shape.scales = {length, end * length, rigid};
-    const Harmonics beyond = base[m] - deep[m];
-    Harmonics tail = harmonics_at(end) - beyond / end;
-    if (rigid) tail.setZero();
     shape.tail = tail / length;
-    shape.correction =
-        std::make_shared<const PanelField>(far_borders, table_degree, [&](double x, double y) -> Coefficients {
-          const double r = std::sqrt(x * x + y * y) / length;
-          const Harmonics at = r < end ? harmonics_at(r) : Harmonics(beyond / r + tail_at(tail, end / r));
-          return harmonic_sum(at, x, y) / length;
-        });
+    shape.correction = std::make_shared<const PanelField>(distances, table_degree, correction);
   }
   return shapes;
 }

@@ -79,13 +79,15 @@ Coefficients ChebyshevPanels::Antiderivative::operator()(double x) const {
   return series.col(0) + t * b1 - b2;
 }
 
-PanelField::PanelField(const std::vector<double>& borders, int degree,
-                       const std::function<Coefficients(double, double)>& value)
-    : panels_(borders, degree) {
+PanelField::PanelField(const std::vector<double>& borders, int degree, Value value)
+    : panels_(borders, degree), value_(std::move(value)), values_(panels_.nodes().size()), sampled_(panels_.count()) {}
+
+void PanelField::sample(std::size_t panel) const {
   const std::vector<double>& nodes = panels_.nodes();
-  for (const double y : nodes) {
-    SixByNodes& row = values_.emplace_back(6, static_cast<Index>(nodes.size()));
-    for (std::size_t i = 0; i < nodes.size(); ++i) row.col(static_cast<Index>(i)) = value(nodes[i], y);
+  const std::size_t each = panels_.nodes_each();
+  for (std::size_t j = panel * each; j < (panel + 1) * each; ++j) {
+    values_[j].resize(6, static_cast<Index>(nodes.size()));
+    for (std::size_t i = 0; i < nodes.size(); ++i) values_[j].col(static_cast<Index>(i)) = value_(nodes[i], nodes[j]);
   }
 }
 
@@ -93,12 +95,15 @@ PanelField::Strip PanelField::strip(double below, double above) const {
   const Eigen::VectorXd to = panels_.integral_weights(std::abs(above)),
                         from = panels_.integral_weights(std::abs(below));
   const double to_sign = above < 0 ? -1 : 1, from_sign = below < 0 ? -1 : 1;
-  SixByNodes along = SixByNodes::Zero(6, static_cast<Index>(values_.size()));
-  for (std::size_t j = 0; j < values_.size(); ++j) {
+  const std::size_t last = panels_.panel_of(std::max(std::abs(below), std::abs(above)));
+  const std::size_t first = below < 0 ? 0 : panels_.panel_of(below);
+  for (std::size_t panel = first; panel <= last; ++panel) std::call_once(sampled_[panel], [&] { sample(panel); });
+  SixByNodes along = SixByNodes::Zero(6, to.size());
+  const std::size_t each = panels_.nodes_each();
+  for (std::size_t j = first * each; j < (last + 1) * each; ++j) {
     // The antiderivative of what is even is odd.
     const auto at = static_cast<Index>(j);
     const double even = to_sign * to(at) - from_sign * from(at), odd = to(at) - from(at);
-    if (even == 0 && odd == 0) continue;
     const Coefficients weights = (coefficient::mirror_y > 0).select(Coefficients::Constant(even), odd);
     along += values_[j].colwise() * weights;
   }
