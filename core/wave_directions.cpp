@@ -38,10 +38,15 @@ Coefficients in_direction(double cosine, const LayerSymbols& c) {
 }
 
 constexpr int most_harmonics = 96;
-constexpr double left_out = 1e-7;  // of the largest harmonic
+constexpr double left_out = 1e-6;  // of the largest harmonic
+
+struct NeededHarmonics {
+  int count = 0;
+  double left_out = 0;
+};
 
 /// Harmonics that a half-space of the layer's material at rest needs, which is nearest to its Rayleigh waves.
-int harmonics_for(const MediumLayer& layer, double speed) {
+NeededHarmonics harmonics_for(const MediumLayer& layer, double speed) {
   constexpr int many = 2 * most_harmonics;
   const LayeredMedium half_space{{INFINITY, layer.poisson_ratio, layer.density, {}}};
   const std::vector<std::complex<double>> modulus{1 / layer.material.at_rest()};
@@ -52,10 +57,10 @@ int harmonics_for(const MediumLayer& layer, double speed) {
     all += weights_of(j, many).colwise() *
            in_direction(cosine, {c.normal.real(), c.longitudinal.real(), c.cross.real(), c.transverse.real()});
   }
-  const double negligible = left_out * all.abs().maxCoeff();
+  const Eigen::ArrayXd sizes = all.abs().colwise().maxCoeff().transpose() / all.abs().maxCoeff();
   int count = most_harmonics;
-  while (count > 2 && all.col(count - 1).abs().maxCoeff() < negligible) --count;
-  return count + 1;
+  while (count > 2 && sizes(count - 1) < left_out) --count;
+  return {count + 1, sizes(count + 1)};
 }
 
 }  // namespace
@@ -66,7 +71,11 @@ int order_of_harmonic(Index coefficient, int n) {
 
 WaveDirections::WaveDirections(const LayeredMedium& medium, double speed) {
   int count = 0;
-  for (const MediumLayer& layer : medium) count = std::max(count, harmonics_for(layer, speed));
+  for (const MediumLayer& layer : medium) {
+    const NeededHarmonics needed = harmonics_for(layer, speed);
+    count = std::max(count, needed.count);
+    left_out_ = std::max(left_out_, needed.left_out);
+  }
   expansions_.emplace_back(medium, speed);
   for (int j = 0; j < count; ++j) {
     cosines_.push_back(std::cos(angle(j, count)));
@@ -97,7 +106,7 @@ Eigen::ArrayXXd WaveDirections::correction(double wavenumber) const {
 }
 
 double WaveDirections::error() const {
-  double largest = 0;
+  double largest = left_out_;
   for (const MediumExpansion& expansion : expansions_) largest = std::max(largest, expansion.error());
   return largest;
 }

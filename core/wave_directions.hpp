@@ -41,7 +41,7 @@ class WaveDirections {
   /// k c_m(k) less its deep part [1/Pa]: a column for each term, in which the harmonics stand one after the other.
   Eigen::ArrayXXd correction(double wavenumber) const;
 
-  /// As of MediumExpansion, for all directions.
+  /// As of MediumExpansion, for all directions, and what the harmonics left out would add.
   double error() const;
   double lowest_wavenumber() const { return fastest().lowest_wavenumber(); }
   double highest_wavenumber() const { return fastest().highest_wavenumber(); }
@@ -53,6 +53,7 @@ class WaveDirections {
   std::vector<MediumExpansion> expansions_;  // along the motion, then of each direction
   std::vector<double> cosines_;              // of the directions
   std::vector<Harmonics> weights_;           // of each direction in the harmonics
+  double left_out_ = 0;
 };
 
 }  // namespace rollres
