@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/quadrature.hpp"
+#include "core/wavenumber_fade.hpp"
 #include "core/wavenumber_rule.hpp"
 
 namespace rollres {

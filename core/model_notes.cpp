@@ -55,9 +55,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
       surface_in_words(scene) + "; " +
       message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
                    inertia(scene, solution));
-  if (is_composite(scene) && !scene.period && expansion_error(scene) > 0)
-    model += message_text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
   const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
+  if (is_composite(scene) && !scene.period && !spectral && expansion_error(scene) > 0)
+    model += message_text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum creep = creep_spectrum(scene);
   const bool elastic =

@@ -85,8 +85,13 @@ class System {
   Eigen::VectorXd points(const Interval& interval, const ChebyshevRule& rule) const {
     return interval.centre() + interval.half_length() * rule.points.array();
   }
+  LayerKernel remembered(Index m) const {
+    return [&correction = *problem_.correction, term = static_cast<std::size_t>(m)](double x) {
+      return correction.memory(term, x);
+    };
+  }
   LayerKernel layer() const {
-    return [this](double x) { return layer_slope_correction(x, problem_.thickness); };
+    return [&correction = *problem_.correction](double x) { return correction.slope(x); };
   }
 
   void collocate_normal() {
@@ -119,9 +124,7 @@ class System {
     for (Index m = 0; m < terms_; ++m) {
       means_.row(m).head(n_) = 0.5 * memory_.memory.col(m).tail(n_).transpose();
       means_.row(m).segment(amplitude_, terms_) = memory_.tails.col(m).transpose();
-      if (problem_.layered())
-        means_.row(m) +=
-            normal_slopes(sources_, std::cref(problem_.memories[static_cast<std::size_t>(m)]), leading_edge);
+      if (problem_.layered()) means_.row(m) += normal_slopes(sources_, remembered(m), leading_edge);
     }
     remember(amplitude_, means_);
   }
@@ -221,8 +224,7 @@ class System {
       mean.segment(zone.amplitude(), terms_) += zone.memory.tails.col(m).transpose();
       mean.segment(amplitude_, terms_) -=
           direction * std::exp((zone.interval.to - edges_.contact.to) / length) * memory_.tails.col(m).transpose();
-      if (problem_.layered())
-        mean += tangential_slopes(sources_, std::cref(problem_.memories[static_cast<std::size_t>(m)]), leading_end);
+      if (problem_.layered()) mean += tangential_slopes(sources_, remembered(m), leading_end);
     }
     remember(zone.amplitude(), means);
     for (Index j = 0; j < terms_; ++j) {
@@ -266,8 +268,9 @@ class System {
           n == 0 ? 0.5 - std::log(2 / half) : 1.0 / static_cast<double>(n + 2) - 1.0 / static_cast<double>(n);
       w += half / 4 * solution_(n) * mean;
     }
+    w += half * memory_.tail_lift.dot(solution_.segment(amplitude_, terms_));
     for (Index q = 0; q < sources_.x.size(); ++q) {
-      const LayerSlopes k = layer_displacement_correction(leading - sources_.x(q), problem_.thickness);
+      const LayerSlopes k = problem_.correction->displacement(leading - sources_.x(q));
       w -= k(0) * sources_.of_pressure.row(q).dot(solution_) + k(2) * sources_.of_shear.row(q).dot(solution_);
     }
     w *= problem_.rubbery_compliance;

@@ -1,17 +1,11 @@
 #include "core/wavenumber_rule.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/quadrature.hpp"
+#include "core/wavenumber_fade.hpp"
 
 namespace rollres {
-
-WavenumberFade::WavenumberFade(double r, int order) : from(r > 0 ? (50 + 2 * order) / r : INFINITY), to(3 * from) {}
-
-double WavenumberFade::operator()(double k) const {
-  return std::isinf(from) ? 1 : 0.5 * std::erfc(7 * (2 * (k - from) / (to - from) - 1));
-}
 
 WavenumberRule::WavenumberRule(double lowest, double highest, double r0, double r1, int order) {
   const WavenumberFade fade(r0, order);

@@ -6,15 +6,6 @@
 
 namespace rollres {
 
-/// At a distance r a smooth function of k matters up to k ~ 50/r only: beyond, it is faded out by a smooth factor whose
-/// transform is below 1e-11 there. Bessel functions of an order oscillate from k ~ order/r only.
-struct WavenumberFade {
-  double from, to;
-
-  explicit WavenumberFade(double r, int order = 0);
-  double operator()(double k) const;
-};
-
 /// Nodes k with weights, fade included, for distances from r0 to r1; in any unit of length.
 struct WavenumberRule {
   /// @param lowest wavenumber at which anything happens   @param highest that matters

@@ -282,3 +282,14 @@ TEST_CASE("a stick between slips in opposite directions is answered, of whatever
     CHECK(solve(gridded).rolling_resistance == Approx(solution.rolling_resistance).epsilon(0.01));
   }
 }
+
+TEST_CASE("the approach of a slow cylinder, whose memories are much shorter than its contact, is that of a fine grid",
+          "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0);
+  scene.friction_coefficient = 0;
+  scene.speed = 1e-4;
+  const RollingSolution limit = solve(scene);
+  REQUIRE(limit.method == Method::spectral);
+  scene.spacing = 0.02e-3;
+  CHECK(solve(scene).approach == Approx(limit.approach).epsilon(2e-6));
+}
