@@ -20,7 +20,7 @@ constexpr double long_wave = 1e-4;
 constexpr double inertia_share = 0.1;
 /// What inertia may take whatever the tolerance, which is one of computing: below it a warning would say nothing
 /// either.
-constexpr double negligible_inertia = 1e-3;
+constexpr double always_negligible_inertia = 1e-3;
 
 /// Speed of Rayleigh waves over that of shear waves, squared (Viktorov 1967): 0.912 for nu = 1/2.
 double rayleigh_square(double poisson_ratio) {
@@ -128,11 +128,15 @@ double rayleigh_number(const RollingScene& scene) {
   return largest;
 }
 
+double negligible_inertia(const RollingScene& scene) {
+  return std::max(inertia_share * scene.tolerance.value_or(0), always_negligible_inertia);
+}
+
 bool inertia_included(const RollingScene& scene) {
   if (scene.inertia != Inertia::automatic) return scene.inertia == Inertia::on;
   if (!scene.tolerance || scene.method == Method::spectral) return false;
   const double number = rayleigh_number(scene);
-  return number > std::max(inertia_share * *scene.tolerance, negligible_inertia) && number < 1;
+  return number > negligible_inertia(scene) && number < 1;
 }
 
 bool is_composite(const RollingScene& scene) {

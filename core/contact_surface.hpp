@@ -18,9 +18,13 @@ namespace rollres {
 /// rest, for the layer of the scene that is nearest to it [1].
 double rayleigh_number(const RollingScene& scene);
 
-/// Whether the layers' inertia is part of the scene's model: asked for, or by itself where it would change the
-/// resistance by more than a thousandth and more than a tenth of the tolerance given, and the method has it.
+/// Whether the layers' inertia is part of the scene's model: asked for, or by itself where a tolerance is given, it is
+/// not negligible by the modulus at rest, and the model has it: below the speed of Rayleigh waves, with a grid.
 bool inertia_included(const RollingScene& scene);
+
+/// rho V^2/G beyond which inertia would change the resistance by more than a thousandth and more than a tenth of the
+/// tolerance given [1].
+double negligible_inertia(const RollingScene& scene);
 
 /// Whether the surface is more than one layer of one material without inertia.
 bool is_composite(const RollingScene& scene);

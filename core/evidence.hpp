@@ -34,6 +34,10 @@ RollingSolution summarise(const ContactProblem& problem, const InfluenceOperator
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution);
 
+/// Why a converged answer is none, as it leaves out inertia that its tolerance asks for: a body faster than Rayleigh
+/// waves on a layer at rest, where the model has no inertia. Empty otherwise.
+std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution);
+
 /// What the model leaves out and why, with the number that justifies it.
 std::string model_of(const RollingScene& scene, const RollingSolution& solution);
 
