@@ -98,9 +98,7 @@ std::vector<double> frequencies_for(const std::vector<double>& times, double off
 }  // namespace
 
 MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed) {
-  const double finite = finite_thickness(medium);
-  const bool layered = finite > 0;
-  if (layered) {
+  if (const double finite = finite_thickness(medium); finite > 0) {
     highest_ = 18 / (medium.front().thickness * slowest_decay(medium.front(), wave_speed));
     lowest_ = 1e-3 / finite;
     const int panels = static_cast<int>(std::ceil(std::log(highest_ / lowest_) / std::log(panel_ratio)));
@@ -110,7 +108,7 @@ MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed)
   double per_decade = sparse;
   do {
     fit(medium, wave_speed, range.exact.empty() ? std::vector<double>{0} : retardation_times(range, per_decade));
-    error_ = layered ? measured_error(medium, wave_speed) : 0;
+    error_ = measured_error(medium, wave_speed);
     per_decade += denser;
   } while (error_ > wanted_error && per_decade <= dense);
 }
@@ -223,9 +221,13 @@ double MediumExpansion::measured_error(const LayeredMedium& medium, double wave_
   std::vector<std::vector<complex>> moduli;
   const std::vector<double> frequencies = frequencies_for(times, 0.5);
   for (const double omega : frequencies) moduli.push_back(moduli_at(medium, omega));
+  const bool layered = !borders_.empty();
+  std::vector<double> wavenumbers{layered ? highest_ : 1};
+  for (double k = 50 * lowest_; k < highest_ / 6; k *= 2) wavenumbers.push_back(k);
   double largest = 0;
-  for (double k = 50 * lowest_; k < highest_ / 6; k *= 2) {
-    const Corrections values = correction(k);
+  for (const double k : wavenumbers) {
+    const Corrections values =
+        layered ? correction(k) : Corrections(Corrections::Zero(4, static_cast<Index>(times.size())));
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
       const Symbols exact = scaled(surface_compliance(medium, moduli[i], k, wave_speed), k);
       Symbols sum = Symbols::Zero();

@@ -201,6 +201,7 @@ TEST_CASE("a tolerance has no answer above the speed of Rayleigh waves, unless i
 TEST_CASE("inertia of a single sphere's layers: its effect is of the order of rho V^2/|G| and takes no energy",
           "[core][layered_scenes]") {
   RollingScene scene = on_one_layer(Indenter::sphere);
+  scene.spacing = 0.25e-3;
   scene.stiffening = 2;
   scene.creep_time = 1e-3;
   for (const double number : {1e-4, 1e-2, 0.1, 0.6}) {
@@ -208,9 +209,10 @@ TEST_CASE("inertia of a single sphere's layers: its effect is of the order of rh
     scene.speed = std::sqrt(number * 1e6 / scene.layer_density);
     scene.inertia = Inertia::on;
     const RollingSolution with = converged(scene);
-    CHECK(with.energy_residual < 1e-6);
     scene.inertia = Inertia::off;
-    const double effect = with.rolling_resistance / converged(scene).rolling_resistance - 1;
+    const RollingSolution without = converged(scene);
+    CHECK(with.energy_residual < 1e-7 + 2 * without.energy_residual);  // slow rolling: of the grid
+    const double effect = with.rolling_resistance / without.rolling_resistance - 1;
     CHECK(effect > 0);
     CHECK(effect < 1.5 * number);
   }
