@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/medium_shapes.hpp"
-#include "core/moving_shape.hpp"
+#include "core/moving_surface.hpp"
 #include "core/passage_kernel.hpp"
 #include "core/recently_made.hpp"
 
@@ -72,7 +72,6 @@ struct ShapesKey {
 struct MediumResponse {
   double error;
   std::vector<TimedShape> shapes;
-  std::vector<MovingShape> moving;  // in place of shapes: a sphere's with inertia
 };
 
 ShapesKey shapes_key(const RollingScene& scene, const LayeredMedium& medium) {
@@ -82,13 +81,21 @@ ShapesKey shapes_key(const RollingScene& scene, const LayeredMedium& medium) {
 std::shared_ptr<const MediumResponse> response_of(const ShapesKey& key) {
   static RecentlyMade<ShapesKey, MediumResponse, 16> cache;
   return cache(key, [&] {
-    if (key.indenter == Indenter::sphere && key.wave_speed > 0) {
-      const WaveDirections directions(key.medium, key.wave_speed);
-      return MediumResponse{directions.error(), {}, moving_shapes(key.medium, directions)};
-    }
     const MediumExpansion expansion(key.medium, key.wave_speed);
-    return MediumResponse{expansion.error(), medium_shapes(key.indenter, key.medium, expansion), {}};
+    return MediumResponse{expansion.error(), medium_shapes(key.indenter, key.medium, expansion)};
   });
+}
+
+/// Of a sphere with inertia.
+bool is_moving(const ShapesKey& key) { return key.indenter == Indenter::sphere && key.wave_speed > 0; }
+
+std::shared_ptr<const MovingSurface> moving_surface(const ShapesKey& key) {
+  static RecentlyMade<ShapesKey, MovingSurface, 16> cache;
+  return cache(key, [&] { return MovingSurface(key.medium, key.wave_speed); });
+}
+
+double expansion_error(const ShapesKey& key) {
+  return is_moving(key) ? moving_surface(key)->error() : response_of(key)->error;
 }
 
 struct KernelsKey {
@@ -111,11 +118,13 @@ std::shared_ptr<const std::vector<TimedKernel>> kernels_of(const KernelsKey& key
     for (const TimedShape& term : response->shapes)
       kernels.push_back(
           {term.time, PassageKernel(key.shapes.indenter, term.shape, key.cell_x, key.cell_y, key.columns, key.rows)});
-    for (const MovingShape& term : response->moving)
-      kernels.push_back({term.time, PassageKernel(term.scales, term.response(key.cell_x, key.cell_y), key.cell_x,
-                                                  key.cell_y, key.columns, key.rows)});
     return kernels;
   });
+}
+
+std::shared_ptr<const InfluenceTable> moving_table(const KernelsKey& key) {
+  static RecentlyMade<KernelsKey, InfluenceTable, 8> cache;
+  return cache(key, [&] { return moving_surface(key.shapes)->table(key.cell_x, key.cell_y, key.columns, key.rows); });
 }
 
 }  // namespace
@@ -278,8 +287,10 @@ double SteadySurface::contrast() const {
 
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
   const auto table_of = [&](const LayeredMedium& medium) {
+    const KernelsKey key{shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y};
+    if (is_moving(key.shapes)) return *moving_table(key);
     InfluenceTable table(reach_x, reach_y);
-    const auto kernels = kernels_of({shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y});
+    const auto kernels = kernels_of(key);
     for (const auto& [time, kernel] : *kernels) {
       CreepSpectrum memory;
       if (time == 0)
@@ -307,9 +318,9 @@ InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& gri
 }
 
 double expansion_error(const RollingScene& scene) {
-  double error = response_of(shapes_key(scene, foundation_of(scene)))->error;
+  double error = expansion_error(shapes_key(scene, foundation_of(scene)));
   if (const LayeredMedium coating = coating_of(scene); !coating.empty())
-    error = std::max(error, response_of(shapes_key(scene, coating))->error);
+    error = std::max(error, expansion_error(shapes_key(scene, coating)));
   return error;
 }
 

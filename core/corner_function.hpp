@@ -19,21 +19,27 @@ Harmonics response_harmonics(const Harmonics& symbols);
 /// sum of harmonics at the direction of (x, y), not both 0; coefficients in the order of elastic_kernel.hpp.
 Coefficients harmonic_sum(const Harmonics& harmonics, double x, double y);
 
+/// What a cell has of the functions that the response of any half-space is made of, averaged.
+struct CellFunctions {
+  /// @param x, y the cell's centre, its sides cell_x and cell_y [m]
+  CellFunctions(double x, double y, double cell_x, double cell_y, Eigen::Index harmonics);
+
+  bool far;          ///< 1/r and its harmonics, as differences of antiderivatives would leave no digits
+  Harmonics values;  ///< near: of the antiderivatives, the logarithms first
+};
+
 class CornerFunction {
  public:
-  CornerFunction() = default;
   /// @param response g_n
   explicit CornerFunction(const Harmonics& response);
 
-  /// F(x, y) but for functions of x or y alone.
-  Coefficients operator()(double x, double y) const;
-
-  /// Average of K over a cell around (x, y), where F's differences leave no digits from K itself.
-  Coefficients average(double x, double y, double cell_x, double cell_y) const;
+  /// Average of K over a cell.
+  Coefficients operator()(const CellFunctions& cell) const {
+    return ((cell.far ? response_ : antiderivative_) * cell.values).rowwise().sum();
+  }
 
  private:
-  Harmonics response_, series_;                                                // of r K and of F/r
-  Coefficients along_ = Coefficients::Zero(), across_ = Coefficients::Zero();  // of the logarithms
+  Harmonics response_, antiderivative_;
 };
 
 }  // namespace rollres

@@ -1,8 +1,9 @@
-#include "core/moving_shape.hpp"
+#include "core/moving_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/passage_rules.hpp"
 #include "core/wavenumber_rule.hpp"
 
 namespace rollres {
@@ -131,18 +132,21 @@ Harmonics tail_at(const Harmonics& tail, double share) {
 
 }  // namespace
 
-std::vector<MovingShape> moving_shapes(const LayeredMedium& medium, const WaveDirections& directions) {
-  const double finite = finite_thickness(medium);
-  const bool rigid = std::isfinite(medium.back().thickness);
-  std::vector<MovingShape> shapes;
+MovingSurface::MovingSurface(const LayeredMedium& medium, double speed) {
+  const WaveDirections directions(medium, speed);
+  error_ = directions.error();
+  harmonics_ = directions.harmonics();
   std::vector<Harmonics> deep, base;
   for (int m = 0; m < directions.terms(); ++m) {
     deep.push_back(response_harmonics(directions.deep(m)));
     base.push_back(response_harmonics(directions.base(m)));
-    shapes.push_back({directions.time(m), {}, CornerFunction(deep.back()), CornerFunction(base.back()), nullptr, {}});
+    terms_.push_back(
+        {speed * directions.time(m), CornerFunction(deep.back()), CornerFunction(base.back()), nullptr, {}});
   }
-  if (finite == 0) return shapes;
+  const double finite = finite_thickness(medium);
+  if (finite == 0) return;
 
+  const bool rigid = std::isfinite(medium.back().thickness);
   const double length = 18 / directions.highest_wavenumber();
   const std::vector<double> borders = panel_borders(table_end(directions, deep, length, finite, rigid));
   std::vector<std::vector<Harmonics>> samples;  // in the order in which a table asks for them
@@ -153,12 +157,13 @@ std::vector<MovingShape> moving_shapes(const LayeredMedium& medium, const WaveDi
       samples.push_back(transform(from + 0.5 * (to - from) * (1 + std::cos(M_PI * (node + 0.5) / (table_degree + 1)))));
   }
 
+  const double end = borders.back();
+  scales_ = {length, end * length, rigid};
   std::vector<double> distances;
   for (const double border : borders) distances.push_back(border * length);
-  const double end = borders.back();
-  for (std::size_t m = 0; m < shapes.size(); ++m) {
+  for (std::size_t m = 0; m < terms_.size(); ++m) {
     std::size_t next = 0;
-    const RadialHarmonics radial(borders, directions.harmonics(), [&] { return samples[next++][m]; });
+    const RadialHarmonics radial(borders, harmonics_, [&] { return samples[next++][m]; });
     const Harmonics beyond = base[m] - deep[m];
     Harmonics tail = radial(end) - beyond / end;
     if (rigid) tail.setZero();
@@ -166,28 +171,70 @@ std::vector<MovingShape> moving_shapes(const LayeredMedium& medium, const WaveDi
       const double r = std::sqrt(x * x + y * y) / length;
       return harmonic_sum(r < end ? radial(r) : Harmonics(beyond / r + tail_at(tail, end / r)), x, y) / length;
     };
-    MovingShape& shape = shapes[m];
-    shape.scales = {length, end * length, rigid};
-    shape.tail = tail / length;
-    shape.correction = std::make_shared<const PanelField>(distances, table_degree, correction);
+    terms_[m].tail = tail / length;
+    terms_[m].correction = std::make_shared<const PanelField>(distances, table_degree, correction);
   }
-  return shapes;
 }
 
-ElasticResponse MovingShape::response(double cell_x, double cell_y) const {
-  return [=, this](double y) -> ResponseAlong {
+/// The responses of all terms to a cell along a row.
+class MovingSurface::RowResponse {
+ public:
+  RowResponse(const MovingSurface& surface, double y, double cell_x, double cell_y)
+      : surface_(surface), y_(y), cell_x_(cell_x), cell_y_(cell_y), end_(0) {
     const double below = y - 0.5 * cell_y, above = y + 0.5 * cell_y;
-    const bool in_table = correction && above <= correction->end();
-    const auto strip = in_table ? correction->strip(below, above) : PanelField::Strip();
-    return [=, this](double x) -> Coefficients {
-      const double distance = std::sqrt(x * x + y * y), left = x - 0.5 * cell_x, right = x + 0.5 * cell_x;
-      if (distance > scales.reach()) return Coefficients::Zero();
-      if (!correction) return deep.average(x, y, cell_x, cell_y);
-      if (in_table && right <= correction->end())
-        return deep.average(x, y, cell_x, cell_y) + strip(left, right) / (cell_x * cell_y);
-      return base.average(x, y, cell_x, cell_y) + harmonic_sum(tail_at(tail, scales.extent / distance), x, y);
-    };
-  };
+    if (!surface.terms_.front().correction || above > surface.terms_.front().correction->end()) return;
+    end_ = surface.terms_.front().correction->end();
+    for (const Term& term : surface.terms_) strips_.push_back(term.correction->strip(below, above));
+  }
+
+  /// At x, for one term after the other.
+  template <class Take>
+  void operator()(double x, const Take& take) const {
+    const double distance = std::sqrt(x * x + y_ * y_), left = x - 0.5 * cell_x_, right = x + 0.5 * cell_x_;
+    const bool at_rest = distance > surface_.scales_.reach(), half_space = std::isinf(surface_.scales_.extent);
+    if (at_rest) {
+      for (std::size_t m = 0; m < surface_.terms_.size(); ++m) take(m, Coefficients::Zero());
+      return;
+    }
+    const CellFunctions cell(x, y_, cell_x_, cell_y_, surface_.harmonics_);
+    for (std::size_t m = 0; m < surface_.terms_.size(); ++m) {
+      const Term& term = surface_.terms_[m];
+      if (half_space)
+        take(m, term.deep(cell));
+      else if (right <= end_)
+        take(m, term.deep(cell) + strips_[m](left, right) / (cell_x_ * cell_y_));
+      else
+        take(m, term.base(cell) + harmonic_sum(tail_at(term.tail, surface_.scales_.extent / distance), x, y_));
+    }
+  }
+
+ private:
+  const MovingSurface& surface_;
+  double y_, cell_x_, cell_y_, end_;  // distances along x up to which the strips go [m]
+  std::vector<PanelField::Strip> strips_;
+};
+
+InfluenceTable MovingSurface::table(double cell_x, double cell_y, int reach_x, int reach_y) const {
+  const PassageRules rules(scales_, cell_x, reach_x);
+  std::vector<PassageRules::Weights> weights;
+  for (const Term& term : terms_)
+    weights.push_back(term.memory > 0 ? rules.weights(term.memory) : PassageRules::Weights());
+  InfluenceTable table(reach_x, reach_y);
+  std::vector<std::vector<Coefficients>> values(terms_.size());
+  for (int row = 0; row <= reach_y; ++row) {
+    const RowResponse response(*this, row * cell_y, cell_x, cell_y);
+    for (auto& of_term : values) of_term.clear();
+    for (const double x : rules.distances(row))
+      response(x, [&](std::size_t m, const Coefficients& value) { values[m].push_back(value); });
+    for (std::size_t m = 0; m < terms_.size(); ++m) {
+      PassageRules::under_load(values[m]);
+      if (terms_[m].memory > 0)
+        rules.add(table, row, 1, weights[m], values[m]);
+      else
+        rules.add(table, row, 1, values[m]);
+    }
+  }
+  return table;
 }
 
 }  // namespace rollres
