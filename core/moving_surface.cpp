@@ -140,8 +140,7 @@ MovingSurface::MovingSurface(const LayeredMedium& medium, double speed) {
   for (int m = 0; m < directions.terms(); ++m) {
     deep.push_back(response_harmonics(directions.deep(m)));
     base.push_back(response_harmonics(directions.base(m)));
-    terms_.push_back(
-        {speed * directions.time(m), CornerFunction(deep.back()), CornerFunction(base.back()), nullptr, {}});
+    terms_.push_back({speed * directions.time(m), CornerFunction(deep.back()), CornerFunction(base.back()), {}});
   }
   const double finite = finite_thickness(medium);
   if (finite == 0) return;
@@ -161,19 +160,31 @@ MovingSurface::MovingSurface(const LayeredMedium& medium, double speed) {
   scales_ = {length, end * length, rigid};
   std::vector<double> distances;
   for (const double border : borders) distances.push_back(border * length);
+  struct Correction {
+    RadialHarmonics within;
+    Harmonics beyond, tail;  // times r; what is left at the end
+  };
+  std::vector<Correction> corrections;
   for (std::size_t m = 0; m < terms_.size(); ++m) {
     std::size_t next = 0;
-    const RadialHarmonics radial(borders, harmonics_, [&] { return samples[next++][m]; });
+    RadialHarmonics within(borders, harmonics_, [&] { return samples[next++][m]; });
     const Harmonics beyond = base[m] - deep[m];
-    Harmonics tail = radial(end) - beyond / end;
+    Harmonics tail = within(end) - beyond / end;
     if (rigid) tail.setZero();
-    const auto correction = [=](double x, double y) -> Coefficients {
-      const double r = std::sqrt(x * x + y * y) / length;
-      return harmonic_sum(r < end ? radial(r) : Harmonics(beyond / r + tail_at(tail, end / r)), x, y) / length;
-    };
     terms_[m].tail = tail / length;
-    terms_[m].correction = std::make_shared<const PanelField>(distances, table_degree, correction);
+    corrections.push_back({std::move(within), beyond, tail});
   }
+  const auto value = [=, corrections = std::move(corrections)](double x, double y) {
+    const double r = std::sqrt(x * x + y * y) / length;
+    Eigen::VectorXd values(6 * static_cast<Index>(corrections.size()));
+    for (std::size_t m = 0; m < corrections.size(); ++m) {
+      const auto& [within, beyond, tail] = corrections[m];
+      const Harmonics at = r < end ? within(r) : Harmonics(beyond / r + tail_at(tail, end / r));
+      values.segment<6>(6 * static_cast<Index>(m)) = harmonic_sum(at, x, y) / length;
+    }
+    return values;
+  };
+  correction_ = std::make_unique<const PanelField>(distances, table_degree, value);
 }
 
 /// The responses of all terms to a cell along a row.
@@ -182,36 +193,38 @@ class MovingSurface::RowResponse {
   RowResponse(const MovingSurface& surface, double y, double cell_x, double cell_y)
       : surface_(surface), y_(y), cell_x_(cell_x), cell_y_(cell_y), end_(0) {
     const double below = y - 0.5 * cell_y, above = y + 0.5 * cell_y;
-    if (!surface.terms_.front().correction || above > surface.terms_.front().correction->end()) return;
-    end_ = surface.terms_.front().correction->end();
-    for (const Term& term : surface.terms_) strips_.push_back(term.correction->strip(below, above));
+    if (!surface.correction_ || above > surface.correction_->end()) return;
+    end_ = surface.correction_->end();
+    strip_ = surface.correction_->strip(below, above);
   }
 
   /// At x, for one term after the other.
   template <class Take>
   void operator()(double x, const Take& take) const {
     const double distance = std::sqrt(x * x + y_ * y_), left = x - 0.5 * cell_x_, right = x + 0.5 * cell_x_;
-    const bool at_rest = distance > surface_.scales_.reach(), half_space = std::isinf(surface_.scales_.extent);
-    if (at_rest) {
-      for (std::size_t m = 0; m < surface_.terms_.size(); ++m) take(m, Coefficients::Zero());
+    const std::size_t count = surface_.terms_.size();
+    if (distance > surface_.scales_.reach()) {
+      for (std::size_t m = 0; m < count; ++m) take(m, Coefficients::Zero());
       return;
     }
     const CellFunctions cell(x, y_, cell_x_, cell_y_, surface_.harmonics_);
-    for (std::size_t m = 0; m < surface_.terms_.size(); ++m) {
-      const Term& term = surface_.terms_[m];
-      if (half_space)
-        take(m, term.deep(cell));
-      else if (right <= end_)
-        take(m, term.deep(cell) + strips_[m](left, right) / (cell_x_ * cell_y_));
-      else
-        take(m, term.base(cell) + harmonic_sum(tail_at(term.tail, surface_.scales_.extent / distance), x, y_));
+    if (!surface_.correction_) {
+      for (std::size_t m = 0; m < count; ++m) take(m, surface_.terms_[m].deep(cell));
+    } else if (right <= end_) {
+      const Eigen::ArrayXd corrections = strip_(left, right).array() / (cell_x_ * cell_y_);
+      for (std::size_t m = 0; m < count; ++m)
+        take(m, surface_.terms_[m].deep(cell) + corrections.segment<6>(6 * static_cast<Index>(m)));
+    } else {
+      const double share = surface_.scales_.extent / distance;
+      for (std::size_t m = 0; m < count; ++m)
+        take(m, surface_.terms_[m].base(cell) + harmonic_sum(tail_at(surface_.terms_[m].tail, share), x, y_));
     }
   }
 
  private:
   const MovingSurface& surface_;
-  double y_, cell_x_, cell_y_, end_;  // distances along x up to which the strips go [m]
-  std::vector<PanelField::Strip> strips_;
+  double y_, cell_x_, cell_y_, end_;  // distance along x up to which the strip goes [m]
+  PanelField::Strip strip_;
 };
 
 InfluenceTable MovingSurface::table(double cell_x, double cell_y, int reach_x, int reach_y) const {

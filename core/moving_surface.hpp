@@ -27,10 +27,9 @@ class MovingSurface {
 
  private:
   struct Term {
-    double memory;                                 // V tau_m [m]
-    CornerFunction deep, base;                     // half-spaces under short and long waves
-    std::shared_ptr<const PanelField> correction;  // to deep, up to the extent; none for a half-space
-    Harmonics tail;                                // of what is left to base at the extent, over a half-space
+    double memory;              // V tau_m [m]
+    CornerFunction deep, base;  // half-spaces under short and long waves
+    Harmonics tail;             // of what the correction has left to base at the extent, over a half-space
   };
   class RowResponse;
 
@@ -38,6 +37,7 @@ class MovingSurface {
   int harmonics_;
   ResponseScales scales_;
   std::vector<Term> terms_;
+  std::unique_ptr<const PanelField> correction_;  // to deep, of all terms, up to the extent; none for a half-space
 };
 
 }  // namespace rollres

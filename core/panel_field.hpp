@@ -1,7 +1,7 @@
 #pragma once
 
-/// The six coefficients as smooth functions of x and y, and their integrals over rectangles: Chebyshev interpolation on
-/// the product of panels in x and in y, which may widen with the distance.
+/// The six coefficients of several surfaces as smooth functions of x and y, and their integrals over rectangles:
+/// Chebyshev interpolation on the product of panels in x and in y, which may widen with the distance.
 
 #include <Eigen/Core>
 #include <functional>
@@ -26,15 +26,19 @@ class ChebyshevPanels {
   /// Weights of the nodes' values in the integral from 0 to 0 <= x <= end.
   Eigen::VectorXd integral_weights(double x) const;
 
-  /// Antiderivative, 0 at 0, by Chebyshev coefficients, of a function given by rows at the nodes.
-  struct Antiderivative {
+  /// Antiderivatives, 0 at 0, by Chebyshev coefficients, of functions given by rows at the nodes.
+  struct Antiderivatives {
     const ChebyshevPanels* panels;
-    Eigen::Array<double, 6, Eigen::Dynamic> coefficients;  // degree + 2 for each panel
-    Coefficients operator()(double x) const;
+    Eigen::MatrixXd coefficients;  // degree + 2 for each panel
+    Eigen::VectorXd operator()(double x) const;
+    /// Of their integrals from left to right, 0 <= left <= right.
+    Eigen::VectorXd between(double left, double right) const;
   };
-  Antiderivative antiderivative(const Eigen::Array<double, 6, Eigen::Dynamic>& values) const;
+  Antiderivatives antiderivatives(const Eigen::MatrixXd& values) const;
 
  private:
+  Eigen::VectorXd images(std::size_t panel, double x) const;
+
   std::vector<double> borders_, nodes_;
   Eigen::MatrixXd integration_;  // coefficients of the antiderivative, 0 at -1, from values at the nodes of [-1, 1]
 };
@@ -42,7 +46,8 @@ class ChebyshevPanels {
 /// Values are taken when a panel across is first asked for, whichever thread asks.
 class PanelField {
  public:
-  using Value = std::function<Coefficients(double x, double y)>;
+  /// The coefficients of one surface after the other.
+  using Value = std::function<Eigen::VectorXd(double x, double y)>;
   /// @param value at x, y >= 0; elsewhere as coefficient::mirror_x and mirror_y say
   PanelField(const std::vector<double>& borders, int degree, Value value);
 
@@ -51,13 +56,12 @@ class PanelField {
   /// Integrals over rectangles with the same two borders in y, while the field lives.
   class Strip {
    public:
-    /// |left|, |right| <= end
-    Coefficients operator()(double left, double right) const { return from_0(right) - from_0(left); }
+    /// |left| <= right <= end
+    Eigen::VectorXd operator()(double left, double right) const;
 
    private:
     friend PanelField;
-    Coefficients from_0(double x) const;
-    ChebyshevPanels::Antiderivative antiderivative_;
+    ChebyshevPanels::Antiderivatives antiderivatives_;
   };
   /// |below|, |above| <= end
   Strip strip(double below, double above) const;
@@ -67,8 +71,8 @@ class PanelField {
 
   ChebyshevPanels panels_;
   Value value_;
-  mutable std::vector<Eigen::Array<double, 6, Eigen::Dynamic>> values_;  // at the nodes along x, for each across
-  mutable std::vector<std::once_flag> sampled_;                          // each panel across
+  mutable std::vector<Eigen::MatrixXd> values_;  // at the nodes along x, for each across
+  mutable std::vector<std::once_flag> sampled_;  // each panel across
 };
 
 }  // namespace rollres
