@@ -19,7 +19,7 @@ constexpr int degree = 11, coefficients = degree + 1;
 constexpr double panel_ratio = 2;  // of the wavenumbers at a panel's ends
 // Rayleigh waves of an incompressible half-space need rho V^2/G = 0.9126, of a compressible one less.
 constexpr double rayleigh_number = 0.9126;
-constexpr double sparse = 5, denser = 2, dense = 9, wanted_error = 1e-5;
+constexpr double denser = 2, dense = 9, wanted_error = 1e-5;
 
 Symbols scaled(const SurfaceCompliance& c, double wavenumber) {
   return wavenumber * Symbols(c.normal, c.longitudinal, c.transverse, c.cross);
@@ -97,7 +97,7 @@ std::vector<double> frequencies_for(const std::vector<double>& times, double off
 
 }  // namespace
 
-MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed) {
+MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed, double per_decade) {
   if (const double finite = finite_thickness(medium); finite > 0) {
     highest_ = 18 / (medium.front().thickness * slowest_decay(medium.front(), wave_speed));
     lowest_ = 1e-3 / finite;
@@ -105,7 +105,6 @@ MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed)
     for (int i = 0; i <= panels; ++i) borders_.push_back(std::log(lowest_) + std::log(highest_ / lowest_) * i / panels);
   }
   const TimeRange range = time_range(medium, wave_speed);
-  double per_decade = sparse;
   do {
     fit(medium, wave_speed, range.exact.empty() ? std::vector<double>{0} : retardation_times(range, per_decade));
     error_ = measured_error(medium, wave_speed);
@@ -118,7 +117,7 @@ MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed,
   std::vector<double> times;
   for (const MediumTerm& term : of_faster.terms_) times.push_back(term.time);
   fit(medium, wave_speed, times);
-  error_ = borders_.empty() ? 0 : measured_error(medium, wave_speed);
+  error_ = measured_error(medium, wave_speed);
 }
 
 void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, const std::vector<double>& times) {

@@ -25,7 +25,8 @@ struct MediumTerm {
 class MediumExpansion {
  public:
   /// @param wave_speed V cos, for the inertia [m/s]; 0: without
-  MediumExpansion(const LayeredMedium& medium, double wave_speed);
+  /// @param per_decade times to begin with; more as the error asks for them
+  MediumExpansion(const LayeredMedium& medium, double wave_speed, double per_decade = 5);
   /// For slower waves of the same medium, at the times and in the range of wavenumbers of another expansion.
   MediumExpansion(const LayeredMedium& medium, double wave_speed, const MediumExpansion& of_faster);
 

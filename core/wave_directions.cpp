@@ -76,7 +76,8 @@ WaveDirections::WaveDirections(const LayeredMedium& medium, double speed) {
     count = std::max(count, needed.count);
     left_out_ = std::max(left_out_, needed.left_out);
   }
-  expansions_.emplace_back(medium, speed);
+  constexpr double fewest_per_decade = 1;  // each takes as many responses as there are directions
+  expansions_.emplace_back(medium, speed, fewest_per_decade);
   for (int j = 0; j < count; ++j) {
     cosines_.push_back(std::cos(angle(j, count)));
     weights_.push_back(weights_of(j, count));
