@@ -137,6 +137,10 @@ double rayleigh_number(const RollingScene& scene) {
   return largest;
 }
 
+bool layers_carry_slower_waves(const RollingScene& scene) {
+  return carries_slower_waves(all_under(scene), scene.speed) || carries_slower_waves(all_on(scene), scene.speed);
+}
+
 double negligible_inertia(const RollingScene& scene) {
   return std::max(inertia_share * scene.tolerance.value_or(0), always_negligible_inertia);
 }

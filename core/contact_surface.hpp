@@ -18,6 +18,10 @@ namespace rollres {
 /// rest, for the layer of the scene that is nearest to it [1].
 double rayleigh_number(const RollingScene& scene);
 
+/// Whether the layers together carry waves slower than the body although its Rayleigh number is below 1: steady motion
+/// with inertia is not modelled there either.
+bool layers_carry_slower_waves(const RollingScene& scene);
+
 /// Whether the layers' inertia is part of the scene's model: asked for, or by itself where a tolerance is given, it is
 /// not negligible by the modulus at rest, and the model has it: below the speed of Rayleigh waves, with a grid.
 bool inertia_included(const RollingScene& scene);

@@ -23,6 +23,13 @@ double inertia(const RollingScene& scene, const RollingSolution& solution) {
 
 }  // namespace
 
+std::string unanswered_inertia(const RollingScene& scene) {
+  if (scene.inertia != Inertia::automatic || !inertia_included(scene) || !layers_carry_slower_waves(scene)) return {};
+  return message_text("inertia may count for a tolerance of ", *scene.tolerance,
+                      ", and with it the speed must be below that of the waves which the layers carry together; "
+                      "inertia = off leaves it out");
+}
+
 std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution) {
   if (scene.inertia != Inertia::automatic || !scene.tolerance || scene.method == Method::spectral) return {};
   const double number = rayleigh_number(scene), mach = inertia(scene, solution);

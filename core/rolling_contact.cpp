@@ -168,15 +168,19 @@ template <class SolveByMethod>
 RollingSolution complete(const RollingScene& scene, const SolveByMethod& solve_by_method) {
   const auto begin = std::chrono::steady_clock::now();
   require_valid(scene);
-  RollingSolution solution = solve_by_method();
-  if (solution.status == Status::converged)
-    if (const std::string reason = unanswered_inertia(scene, solution); !reason.empty()) {
-      const Method method = solution.method;
-      solution = {};
-      solution.status = Status::no_steady_state;
-      solution.method = method;
-      solution.reason = reason;
-    }
+  RollingSolution solution;
+  std::string refused = unanswered_inertia(scene);
+  if (refused.empty()) {
+    solution = solve_by_method();
+    if (solution.status == Status::converged) refused = unanswered_inertia(scene, solution);
+  }
+  if (!refused.empty()) {
+    const Method method = resolved_method(scene);
+    solution = {};
+    solution.status = Status::no_steady_state;
+    solution.method = method;
+    solution.reason = refused;
+  }
   if (solution.status == Status::converged) {
     const std::string note = std::move(solution.model);
     solution.model = model_of(scene, solution) + note;

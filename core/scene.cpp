@@ -118,6 +118,8 @@ std::vector<std::string> check(const RollingScene& scene) {
       complain("speed", scene.speed,
                "with inertia must be below that of Rayleigh waves on the layer at rest, " +
                    message_text(scene.speed / std::sqrt(number)) + " m/s");
+    else if (in_range && layers_carry_slower_waves(scene))
+      complain("speed", scene.speed, "with inertia must be below that of the waves which the layers carry together");
   }
   return broken;
 }

@@ -198,6 +198,27 @@ TEST_CASE("a tolerance has no answer above the speed of Rayleigh waves, unless i
   }
 }
 
+TEST_CASE("a heavy layer slows the waves of a softer one below, and with them the speeds that inertia allows",
+          "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::sphere);
+  scene.friction_coefficient = 0;
+  scene.layer_thickness = 1e-3;
+  scene.layer_density = 8000;
+  *scene.static_shear_modulus *= 10;
+  scene.lower_layers = {zener_layer(infinite, 1e6, 2, 1e-3)};
+  scene.inertia = Inertia::on;
+  scene.speed = 20;  // Rayleigh waves: 33.7 and 30.1 m/s
+  CHECK(rayleigh_number(scene) < 0.5);
+  CHECK(check(scene).empty());
+  scene.speed = 22;
+  REQUIRE(check(scene).size() == 1);
+  CHECK(check(scene)[0] == "speed = 22: with inertia must be below that of the waves which the layers carry together");
+  scene.inertia = Inertia::automatic;
+  scene.spacing.reset();
+  scene.tolerance = 1e-2;
+  CHECK(solve(scene).reason.find("the waves which the layers carry together") != std::string::npos);
+}
+
 TEST_CASE("inertia of a single sphere's layers: its effect is of the order of rho V^2/|G| and takes no energy",
           "[core][layered_scenes]") {
   RollingScene scene = on_one_layer(Indenter::sphere);
