@@ -95,11 +95,11 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
 
   // What a tolerance leaves to choose, and why nothing more is left out.
   if (spectral)
-    model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for a tolerance of ",
+    model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
                           *scene.tolerance);
   else
     model += message_text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
-                          " along the contact, for a tolerance of ", *scene.tolerance);
+                          " along the contact, for an error below ", *scene.tolerance);
   if (std::isfinite(total_thickness(scene)))
     model += message_text("; layer kept: half-length of the contact over H = ",
                           half_length(solution) / total_thickness(scene), ", a half-space would cost as much");

@@ -10,6 +10,7 @@
 #include "core/evidence.hpp"
 #include "core/grid_choice.hpp"
 #include "core/grid_error.hpp"
+#include "core/model_choice.hpp"
 #include "core/nested_newton.hpp"
 #include "core/spectral_contact.hpp"
 
@@ -165,26 +166,30 @@ void require_valid(const RollingScene& scene) {
 
 /// Adds to a method's answer what does not depend on the method.
 template <class SolveByMethod>
-RollingSolution complete(const RollingScene& scene, const SolveByMethod& solve_by_method) {
+RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_by_method) {
   const auto begin = std::chrono::steady_clock::now();
-  require_valid(scene);
+  require_valid(given);
+  const ModelChoice choice = choose_model(given);
+  RollingScene model = choice.scene;
+  model.tolerance = given.tolerance;
   RollingSolution solution;
-  std::string refused = unanswered_inertia(scene);
+  std::string refused = unanswered_inertia(model);
   if (refused.empty()) {
-    solution = solve_by_method();
-    if (solution.status == Status::converged) refused = unanswered_inertia(scene, solution);
+    solution = solve_by_method(choice.scene);
+    if (solution.status == Status::converged) refused = unanswered_inertia(model, solution);
   }
   if (!refused.empty()) {
-    const Method method = resolved_method(scene);
     solution = {};
     solution.status = Status::no_steady_state;
-    solution.method = method;
+    solution.method = resolved_method(model);
     solution.reason = refused;
   }
   if (solution.status == Status::converged) {
     const std::string note = std::move(solution.model);
-    solution.model = model_of(scene, solution) + note;
-    for (std::string& warning : warnings_for(scene, solution)) solution.warnings.push_back(std::move(warning));
+    solution.model = model_of(choice.scene, solution) + note;
+    for (const std::string& decision : choice.decisions) solution.model += "; " + decision;
+    solution.error_estimate += choice.left_out;
+    for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
   }
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
@@ -218,8 +223,8 @@ RollingSolver::~RollingSolver() = default;
 RollingSolver::RollingSolver(RollingSolver&&) noexcept = default;
 RollingSolver& RollingSolver::operator=(RollingSolver&&) noexcept = default;
 
-RollingSolution RollingSolver::solve(const RollingScene& scene) {
-  return complete(scene, [&] {
+RollingSolution RollingSolver::solve(const RollingScene& given) {
+  return complete(given, [&](const RollingScene& scene) {
     const Method method = resolved_method(scene);
     std::string note;
     if (method == Method::spectral) {

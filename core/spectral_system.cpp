@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "core/chebyshev_rule.hpp"
 #include "core/dense_algebra.hpp"
@@ -245,18 +246,38 @@ class System {
       row(zone.amplitude() + j) += exponential(zone.interval, j, x) - images.dot(zone.memory.series.col(j));
   }
 
+  /// What the drive asks of the tractions, and how much.
+  std::pair<RowVectorXd, double> drive_row() const {
+    const RollingScene& scene = problem_.scene;
+    const double half = edges_.contact.half_length();
+    RowVectorXd row = torque_row(sources_) / half;
+    if (scene.drive == Drive::top_force) row -= force_row(problem_, sources_) / half;
+    return {row, scene.drive == Drive::torque ? *scene.driving_torque / scene.radius / half : 0};
+  }
+
   void drive() {
     const RollingScene& scene = problem_.scene;
     auto row = matrix_.row(rotation_);
     if (scene.drive == Drive::rotation) {
       row(rotation_) = 1;
       right_(rotation_) = problem_.rubbery * (*scene.rotation_ratio - 1);
-      return;
+    } else if (const std::optional<std::size_t> zone = redundant_slack()) {
+      row(zones_[*zone].slack()) = 1;
+    } else {
+      const auto [asked, wanted] = drive_row();
+      row = asked;
+      right_(rotation_) = wanted;
     }
-    row = torque_row(sources_) / edges_.contact.half_length();
-    if (scene.drive == Drive::top_force) row -= force_row(problem_, sources_) / edges_.contact.half_length();
-    if (scene.drive == Drive::torque)
-      right_(rotation_) = *scene.driving_torque / scene.radius / edges_.contact.half_length();
+  }
+
+  /// On a surface next to which nothing creeps, the slack of a zone of stick and the rotation are the same to it:
+  /// bounded tractions fix the rotation, and what the slack is elsewhere, the residual of its zone, is what the drive
+  /// lacks.
+  std::optional<std::size_t> redundant_slack() const {
+    if (terms_ > 0 || zones_.empty() || problem_.scene.drive == Drive::rotation) return {};
+    for (std::size_t z = 0; z < zones_.size(); ++z)
+      if (pattern_.slips[z] != 0) return z;
+    return 0;
   }
 
   double approach() const {
@@ -309,10 +330,16 @@ class System {
     for (std::size_t z = 0; z < zones_.size(); ++z) {
       const Stick& zone = zones_[z];
       state.sticks.push_back({solution_.segment(zone.psi, stick_n_), solution_.segment(zone.amplitude(), terms_)});
-      if (pattern_.slips[z] != 0) state.residuals(residual++) = solution_(zone.slack()) / scale;
+      if (pattern_.slips[z] != 0)
+        state.residuals(residual++) = (redundant_slack() == z ? lacking_drive() : solution_(zone.slack())) / scale;
       if (pattern_.slips[z + 1] != 0) state.residuals(residual++) = root_at_leading_end(z) / scale;
     }
     return state;
+  }
+
+  double lacking_drive() const {
+    const auto [row, wanted] = drive_row();
+    return wanted - row.dot(solution_);
   }
 
   /// Bounded slip ahead of a stick: no root of the distance in the shear there, be it the base's or the rest's.
