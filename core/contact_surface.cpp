@@ -272,21 +272,15 @@ void SteadySurface::visit_materials(Visitor visitor) const {
     for (const MediumLayer& layer : *medium) visitor(layer.material);
 }
 
-double SteadySurface::longest_time() const {
-  double longest = 0;
-  visit_materials([&](const CreepSpectrum& material) {
-    for (const CreepSpectrum::Term& term : material.terms) longest = std::max(longest, term.time);
-  });
-  return longest;
-}
-
-double SteadySurface::contrast() const {
-  double softest = INFINITY, hardest = 0;
+double SteadySurface::longest_wave() const {
+  double softest = INFINITY, hardest = 0, time = 0;
   visit_materials([&](const CreepSpectrum& material) {
     softest = std::min(softest, 1 / material.at_rest());
     hardest = std::max(hardest, 1 / material.at_rest());
+    for (const CreepSpectrum::Term& term : material.terms) time = std::max(time, term.time);
   });
-  return hardest / softest;
+  const double thickness = composite_ ? finite_thickness(foundation_) + finite_thickness(coating_) : layer_.thickness;
+  return std::max((std::isinf(thickness) ? 0 : thickness) * std::cbrt(hardest / softest), speed_ * time);
 }
 
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {

@@ -77,8 +77,9 @@ class SteadySurface {
   SurfaceCompliance half_spaces(const Moduli& moduli) const;
 
   double speed() const { return speed_; }  ///< [m/s]
-  double longest_time() const;             ///< of creep, of any layer [s]
-  double contrast() const;                 ///< largest of the layers' moduli at rest over the smallest [1]
+  /// Longest of the lengths over which the surface answers: all thicknesses together, bending of a stiff layer on a
+  /// soft one, and the memories [m].
+  double longest_wave() const;
 
  private:
   bool composite_;
