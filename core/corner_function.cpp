@@ -35,8 +35,6 @@ struct TailSums {
 double even_share(Index j) { return static_cast<double>(2 * j - 1) / 2; }
 double odd_share(Index j) { return static_cast<double>(j); }
 
-/// x asinh(y/|x|), odd in both.
-double x_asinh_of(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
 double x_atan_of(double x, double y) { return x == 0 ? 0 : x * std::atan(y / x); }
 
 /// Harmonics of the direction (x, y)/r: waves of each order, or those that F has in their place.
@@ -61,7 +59,7 @@ void add_corner(double share, double x, double y, Harmonics& values) {
   const double square = x * x + y * y;
   if (square == 0) return;
   const double r = std::sqrt(square), log_r = 0.5 * std::log(square);
-  const double along = share * x_asinh_of(x, y), across = share * x_asinh_of(y, x);
+  const double along = share * x_asinh(x, y), across = share * x_asinh(y, x);
   values.col(0).head<3>() += along;
   values.col(1).head<3>() += across;
   values(uw, 0) += share * x_atan_of(x, y);

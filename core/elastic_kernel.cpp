@@ -13,8 +13,6 @@ namespace {
 
 double distance(double x, double y) { return std::sqrt(x * x + y * y); }
 
-double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
-
 /// Antiderivative over x and y of x/(x^2 + y^2).
 double integrated_cosine(double x, double y) {
   const double square = x * x + y * y;
@@ -35,6 +33,8 @@ QuadratureRule averaging_rule(double cell_over_thickness) {
 }
 
 }  // namespace
+
+double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
 
 ElasticKernel::ElasticKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y)
     : indenter_(indenter), shape_(shape), cell_x_(cell_x), cell_y_(cell_y) {

@@ -99,7 +99,7 @@ std::vector<double> frequencies_for(const std::vector<double>& times, double off
 
 MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed, double per_decade) {
   if (const double finite = finite_thickness(medium); finite > 0) {
-    highest_ = 18 / (medium.front().thickness * slowest_decay(medium.front(), wave_speed));
+    highest_ = decayed / (medium.front().thickness * slowest_decay(medium.front(), wave_speed));
     lowest_ = 1e-3 / finite;
     const int panels = static_cast<int>(std::ceil(std::log(highest_ / lowest_) / std::log(panel_ratio)));
     for (int i = 0; i <= panels; ++i) borders_.push_back(std::log(lowest_) + std::log(highest_ / lowest_) * i / panels);

@@ -43,10 +43,14 @@ class MediumExpansion {
   /// Where corrections begin to tell from the base, and have fallen to e^{-36} [1/m].
   double lowest_wavenumber() const { return lowest_; }
   double highest_wavenumber() const { return highest_; }
+  /// Scale of the corrections: the thickness of the top layer times beta (layered_medium.hpp) at rest [m].
+  double finest_length() const { return decayed / highest_; }
 
  private:
   void fit(const LayeredMedium& medium, double wave_speed, const std::vector<double>& times);
   double measured_error(const LayeredMedium& medium, double wave_speed) const;
+
+  static constexpr double decayed = 18;  // e^{-2 * 18} is nothing
 
   std::vector<MediumTerm> terms_;
   double lowest_ = 0, highest_ = 0, error_ = 0;

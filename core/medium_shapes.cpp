@@ -15,15 +15,6 @@ using Eigen::Index;
 using Corrections = MediumExpansion::Corrections;
 
 constexpr int sampled_degree = 15, table_degree = 9, parts_of_panel = 4;
-constexpr double panel_growth = 1.6;
-
-/// Distances over the length where panels of tables end, the last one beyond `end`. The corrections are singular at
-/// distances of +-2i and more.
-std::vector<double> panel_borders(double end) {
-  std::vector<double> borders{0, 1.5, 3.5, 6.5, 11};
-  while (borders.back() < end) borders.push_back(borders.back() * panel_growth);
-  return borders;
-}
 
 /// A rule of wavenumbers with the corrections there, for distances from r0 to r1 over the length.
 struct SampledRule : WavenumberRule {
@@ -122,7 +113,7 @@ std::vector<TimedShape> medium_shapes(Indenter indenter, const LayeredMedium& me
 
   const double length = medium.front().thickness;
   const bool rigid = std::isfinite(medium.back().thickness), sphere = indenter == Indenter::sphere;
-  const std::vector<double> borders = panel_borders(table_end(expansion, length, finite, rigid));
+  const std::vector<double> borders = distance_panels(table_end(expansion, length, finite, rigid));
   std::vector<Corrections> samples;  // in the order in which a table asks for them
   std::vector<double> fine{0};
   for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {

@@ -12,14 +12,6 @@ namespace {
 
 using Eigen::Index;
 constexpr int table_degree = 15;
-constexpr double panel_growth = 1.6;
-
-/// Distances over the length where panels end, as for an elastic layer: corrections are singular at +-2i and more.
-std::vector<double> panel_borders(double end) {
-  std::vector<double> borders{0, 1.5, 3.5, 6.5, 11};
-  while (borders.back() < end) borders.push_back(borders.back() * panel_growth);
-  return borders;
-}
 
 /// Bessel functions J_0 ... J_{count - 1} by Miller's backward recurrence.
 std::vector<double> bessel_functions(double z, int count) {
@@ -146,8 +138,8 @@ MovingSurface::MovingSurface(const LayeredMedium& medium, double speed) {
   if (finite == 0) return;
 
   const bool rigid = std::isfinite(medium.back().thickness);
-  const double length = 18 / directions.highest_wavenumber();
-  const std::vector<double> borders = panel_borders(table_end(directions, deep, length, finite, rigid));
+  const double length = directions.finest_length();
+  const std::vector<double> borders = distance_panels(table_end(directions, deep, length, finite, rigid));
   std::vector<std::vector<Harmonics>> samples;  // in the order in which a table asks for them
   for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
     const double from = borders[panel], to = borders[panel + 1];

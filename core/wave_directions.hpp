@@ -45,6 +45,7 @@ class WaveDirections {
   double error() const;
   double lowest_wavenumber() const { return fastest().lowest_wavenumber(); }
   double highest_wavenumber() const { return fastest().highest_wavenumber(); }
+  double finest_length() const { return fastest().finest_length(); }
 
  private:
   const MediumExpansion& fastest() const { return expansions_.front(); }

@@ -7,6 +7,13 @@
 
 namespace rollres {
 
+std::vector<double> distance_panels(double end) {
+  constexpr double growth = 1.6;
+  std::vector<double> borders{0, 1.5, 3.5, 6.5, 11};
+  while (borders.back() < end) borders.push_back(borders.back() * growth);
+  return borders;
+}
+
 WavenumberRule::WavenumberRule(double lowest, double highest, double r0, double r1, int order) {
   const WavenumberFade fade(r0, order);
   const double end = std::min(highest, fade.to);
