@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "core/line_passage.hpp"
 #include "core/medium_shapes.hpp"
 #include "core/moving_surface.hpp"
 #include "core/passage_kernel.hpp"
@@ -265,6 +266,13 @@ SurfaceCompliance SteadySurface::half_spaces(const Moduli& moduli) const {
   return coating_.empty() ? below : together(below, deep(coating_, moduli.coating.front()));
 }
 
+SurfaceCompliance SteadySurface::long_waves() const {
+  if (!composite_) return std::isinf(layer_.thickness) ? half_spaces(moduli(0)) : SurfaceCompliance{};
+  if (std::isfinite(foundation_.back().thickness)) return {};
+  return surface_compliance(LayeredMedium{foundation_.back()}, std::vector{1.0 / foundation_.back().material(0)}, 1,
+                            speed_);
+}
+
 template <class Visitor>
 void SteadySurface::visit_materials(Visitor visitor) const {
   visitor(material_);
@@ -284,6 +292,7 @@ double SteadySurface::longest_wave() const {
 }
 
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
+  if (scene.indenter == Indenter::cylinder) return line_passage_table(scene, grid, reach_x);
   const auto table_of = [&](const LayeredMedium& medium) {
     const KernelsKey key{shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y};
     if (is_moving(key.shapes)) return *moving_table(key);
@@ -316,6 +325,7 @@ InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& gri
 }
 
 double expansion_error(const RollingScene& scene) {
+  if (scene.indenter == Indenter::cylinder) return line_expansion_error(scene);
   double error = expansion_error(shapes_key(scene, foundation_of(scene)));
   if (const LayeredMedium coating = coating_of(scene); !coating.empty())
     error = std::max(error, expansion_error(shapes_key(scene, coating)));

@@ -75,6 +75,8 @@ class SteadySurface {
   /// What short waves along the motion see, times their wavenumber: half-spaces of the materials next to the contact
   /// [1/Pa].
   SurfaceCompliance half_spaces(const Moduli& moduli) const;
+  /// And what long waves see: the half-space below, at rest, or nothing over a rigid base [1/Pa].
+  SurfaceCompliance long_waves() const;
 
   double speed() const { return speed_; }  ///< [m/s]
   /// Longest of the lengths over which the surface answers: all thicknesses together, bending of a stiff layer on a

@@ -19,7 +19,6 @@ constexpr int degree = 11, coefficients = degree + 1;
 constexpr double panel_ratio = 2;  // of the wavenumbers at a panel's ends
 // Rayleigh waves of an incompressible half-space need rho V^2/G = 0.9126, of a compressible one less.
 constexpr double rayleigh_number = 0.9126;
-constexpr double denser = 2, dense = 9, wanted_error = 1e-5;
 
 Symbols scaled(const SurfaceCompliance& c, double wavenumber) {
   return wavenumber * Symbols(c.normal, c.longitudinal, c.transverse, c.cross);
@@ -105,11 +104,12 @@ MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed,
     for (int i = 0; i <= panels; ++i) borders_.push_back(std::log(lowest_) + std::log(highest_ / lowest_) * i / panels);
   }
   const TimeRange range = time_range(medium, wave_speed);
-  do {
+  for (;; per_decade += denser) {
     fit(medium, wave_speed, range.exact.empty() ? std::vector<double>{0} : retardation_times(range, per_decade));
     error_ = measured_error(medium, wave_speed);
-    per_decade += denser;
-  } while (error_ > wanted_error && per_decade <= dense);
+    per_decade_ = per_decade;
+    if (!(error_ > wanted_error) || per_decade + denser > most_per_decade) break;
+  }
 }
 
 MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed, const MediumExpansion& of_faster)

@@ -25,7 +25,7 @@ struct MediumTerm {
 class MediumExpansion {
  public:
   /// @param wave_speed V cos, for the inertia [m/s]; 0: without
-  /// @param per_decade times to begin with; more as the error asks for them
+  /// @param per_decade times to begin with; more, up to `most_per_decade`, while the error is beyond `wanted_error`
   MediumExpansion(const LayeredMedium& medium, double wave_speed, double per_decade = 5);
   /// For slower waves of the same medium, at the times and in the range of wavenumbers of another expansion.
   MediumExpansion(const LayeredMedium& medium, double wave_speed, const MediumExpansion& of_faster);
@@ -36,6 +36,10 @@ class MediumExpansion {
   /// cross.
   using Corrections = Eigen::Array<double, 4, Eigen::Dynamic>;
   Corrections correction(double wavenumber) const;
+
+  static constexpr double wanted_error = 1e-5, most_per_decade = 9, denser = 2;
+  /// Times a decade that it ended with.
+  double per_decade() const { return per_decade_; }
 
   /// Largest error of the sum over the compliance, at frequencies and wavenumbers between those it was made from [1].
   double error() const { return error_; }
@@ -53,7 +57,7 @@ class MediumExpansion {
   static constexpr double decayed = 18;  // e^{-2 * 18} is nothing
 
   std::vector<MediumTerm> terms_;
-  double lowest_ = 0, highest_ = 0, error_ = 0;
+  double lowest_ = 0, highest_ = 0, error_ = 0, per_decade_ = 0;
   std::vector<double> borders_;            // of panels in ln k
   std::vector<Corrections> coefficients_;  // Chebyshev, panel by panel
 };

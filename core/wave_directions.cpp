@@ -76,12 +76,18 @@ WaveDirections::WaveDirections(const LayeredMedium& medium, double speed) {
     count = std::max(count, needed.count);
     left_out_ = std::max(left_out_, needed.left_out);
   }
-  constexpr double fewest_per_decade = 1;  // each takes as many responses as there are directions
-  expansions_.emplace_back(medium, speed, fewest_per_decade);
   for (int j = 0; j < count; ++j) {
     cosines_.push_back(std::cos(angle(j, count)));
     weights_.push_back(weights_of(j, count));
-    expansions_.emplace_back(medium, speed * cosines_.back(), fastest());
+  }
+  // Each time takes as many responses as there are directions.
+  using Expansion = MediumExpansion;
+  for (double per_decade = 1; per_decade <= Expansion::most_per_decade; per_decade += Expansion::denser) {
+    expansions_.clear();
+    expansions_.emplace_back(medium, speed, per_decade);
+    for (const double cosine : cosines_) expansions_.emplace_back(medium, speed * cosine, fastest());
+    per_decade = fastest().per_decade();
+    if (!(error() > Expansion::wanted_error + left_out_)) break;
   }
 }
 
