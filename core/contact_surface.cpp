@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 #include "core/line_passage.hpp"
 #include "core/medium_shapes.hpp"
