@@ -69,7 +69,7 @@ void add_material(Command& program, Session& session) {
   command->add_option("--per-decade", words->per_decade, "Rows of the table for each decade of frequency; default 1")
       ->option_text("N")
       ->between(1, 100);
-  command->add_option("--format", words->format, "table (default), csv, json or jsonl")
+  command->add_option("--format", words->format, "table (default), csv, json, jsonl or markdown")
       ->option_text("FORMAT")
       ->one_of(table_formats);
   command->footer("Example: rollres material studies/examples/paper_cylinder.json --out rubber");

@@ -131,7 +131,9 @@ void add_plan(Command& program, Session& session) {
       ->option_text("N")
       ->between(0, most_points);
   CommandOption* const format =
-      command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line): the points alone")
+      command
+          ->add_option("--format", words->format,
+                       "table, csv, json, jsonl (one object a line) or markdown: the points alone")
           ->option_text("FORMAT")
           ->one_of(table_formats);
   command->add_flag("--json", words->json, "print one JSON object: what the file asks for, and its points")

@@ -115,7 +115,7 @@ void add_query(Command& program, Session& session) {
                        "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
                        "resistance, evaluation, study, study_point, fields, provenance")
           ->option_text("STATEMENT");
-  command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line)")
+  command->add_option("--format", words->format, "table, csv, json, jsonl (one object a line) or markdown")
       ->option_text("FORMAT")
       ->one_of(table_formats);
   command->footer(
