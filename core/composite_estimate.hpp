@@ -16,4 +16,12 @@ namespace rollres {
 
 ContactEstimate composite_estimate(const RollingScene& scene);
 
+/// How a surface answers that pressure: A, A' and what it takes of the power, R_r = P^2 loss without friction. By it
+/// two surfaces are compared at one half-width (model_choice.hpp).
+struct HertzResponse {
+  double compliance, slope;  ///< A [m/N], A' [1/N]; of a cylinder [m2/N], [m/N]
+  double loss;               ///< 1/pi int Im c_ww phi^2 k dk or 1/(4 pi^2) int Im c_ww phi^2 k_x dk_x dk_y
+};
+HertzResponse hertz_response(const RollingScene& scene, double half_width);
+
 }  // namespace rollres

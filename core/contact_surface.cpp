@@ -50,6 +50,12 @@ LayeredMedium all_on(const RollingScene& scene) {
   return medium;
 }
 
+/// Of the surface and that of the body: the cross terms are opposite.
+SurfaceCompliance together(const SurfaceCompliance& below, const SurfaceCompliance& body) {
+  return {below.normal + body.normal, below.longitudinal + body.longitudinal, below.cross - body.cross,
+          below.transverse + body.transverse};
+}
+
 LayeredMedium without_inertia(LayeredMedium medium) {
   for (MediumLayer& layer : medium) layer.density = 0;
   return medium;
@@ -139,9 +145,44 @@ double total_thickness(const RollingScene& scene) {
   return sum;
 }
 
+double finite_thickness(const RollingScene& scene) {
+  return finite_thickness(all_under(scene)) + finite_thickness(all_on(scene));
+}
+
+bool has_rigid_base(const RollingScene& scene) {
+  return std::isfinite(scene.lower_layers.empty() ? scene.layer_thickness : scene.lower_layers.back().layer_thickness);
+}
+
+double nearest_interface(const RollingScene& scene) {
+  return std::min(scene.layer_thickness,
+                  scene.coating_layers.empty() ? INFINITY : scene.coating_layers.front().layer_thickness);
+}
+
+CreepSpectrum near_spectrum(const RollingScene& scene) {
+  CreepSpectrum sum;
+  const auto add = [&](const MaterialInputs& material) {
+    const double share = 2 * (1 - material.poisson_ratio);
+    const CreepSpectrum spectrum = creep_spectrum(material);
+    sum.instantaneous += share * spectrum.instantaneous;
+    for (const CreepSpectrum::Term& term : spectrum.terms) sum.terms.push_back({share * term.compliance, term.time});
+  };
+  add(scene);
+  if (scene.coating_layers.empty()) return sum;
+  add(scene.coating_layers.front());
+  std::sort(sum.terms.begin(), sum.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::vector<CreepSpectrum::Term> joined;
+  for (const CreepSpectrum::Term& term : sum.terms) {
+    if (joined.empty() || joined.back().time < term.time)
+      joined.push_back(term);
+    else
+      joined.back().compliance += term.compliance;
+  }
+  sum.terms = std::move(joined);
+  return sum;
+}
+
 std::string surface_in_words(const RollingScene& scene) {
-  const bool half_space =
-      std::isinf(scene.lower_layers.empty() ? scene.layer_thickness : scene.lower_layers.back().layer_thickness);
+  const bool half_space = !has_rigid_base(scene);
   const std::size_t layers = 1 + scene.lower_layers.size() - (half_space ? 1 : 0);
   std::string text = layers == 0   ? ""
                      : layers == 1 ? "one layer bonded to "
@@ -178,11 +219,48 @@ SurfaceCompliance SteadySurface::operator()(const Moduli& moduli, double along, 
   }
   const double wave_speed = k > 0 ? speed_ * along / k : 0;
   if (k == 0) k = long_wave / thickness_;  // the limit, to all digits that matter
-  SurfaceCompliance sum = surface_compliance(foundation_, moduli.foundation, k, wave_speed);
-  if (coating_.empty()) return sum;
-  const SurfaceCompliance body = surface_compliance(coating_, moduli.coating, k, wave_speed);
-  return {sum.normal + body.normal, sum.longitudinal + body.longitudinal, sum.cross - body.cross,
-          sum.transverse + body.transverse};
+  const SurfaceCompliance below = surface_compliance(foundation_, moduli.foundation, k, wave_speed);
+  if (coating_.empty()) return below;
+  return together(below, surface_compliance(coating_, moduli.coating, k, wave_speed));
+}
+
+SurfaceCompliance SteadySurface::half_spaces(const Moduli& moduli) const {
+  if (!composite_) {
+    const LayerSymbols c = half_space_symbols(layer_.poisson_ratio);
+    const std::complex<double>& j = moduli.compliance;
+    return {j * c.normal, j * c.longitudinal, j * c.cross, j * c.transverse};
+  }
+  const auto deep = [&](const LayeredMedium& medium, const std::complex<double>& modulus) {
+    MediumLayer top = medium.front();
+    top.thickness = INFINITY;
+    return surface_compliance(LayeredMedium{top}, std::vector{modulus}, 1, speed_);
+  };
+  const SurfaceCompliance below = deep(foundation_, moduli.foundation.front());
+  return coating_.empty() ? below : together(below, deep(coating_, moduli.coating.front()));
+}
+
+template <class Visitor>
+void SteadySurface::visit_materials(Visitor visitor) const {
+  visitor(material_);
+  for (const LayeredMedium* const medium : {&foundation_, &coating_})
+    for (const MediumLayer& layer : *medium) visitor(layer.material);
+}
+
+double SteadySurface::longest_time() const {
+  double longest = 0;
+  visit_materials([&](const CreepSpectrum& material) {
+    for (const CreepSpectrum::Term& term : material.terms) longest = std::max(longest, term.time);
+  });
+  return longest;
+}
+
+double SteadySurface::contrast() const {
+  double softest = INFINITY, hardest = 0;
+  visit_materials([&](const CreepSpectrum& material) {
+    softest = std::min(softest, 1 / material.at_rest());
+    hardest = std::max(hardest, 1 / material.at_rest());
+  });
+  return hardest / softest;
 }
 
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {

@@ -19,8 +19,8 @@ namespace rollres {
 double rayleigh_number(const RollingScene& scene);
 
 /// Whether the layers' inertia is part of the scene's model: asked for, or by itself where it would change the
-/// resistance by more than a thousandth and more than a tenth of the tolerance given, and the model has it (a cylinder on
-/// a grid, or a periodic train).
+/// resistance by more than a thousandth and more than a tenth of the tolerance given, and the model has it (a cylinder
+/// on a grid, or a periodic train).
 bool inertia_included(const RollingScene& scene);
 
 /// Whether the surface is more than one layer of one material without inertia.
@@ -33,6 +33,19 @@ LayeredMedium coating_of(const RollingScene& scene);
 
 /// Thickness of all layers under and on the body [m]; infinite over a half-space.
 double total_thickness(const RollingScene& scene);
+
+/// Thickness of those that are not infinite [m].
+double finite_thickness(const RollingScene& scene);
+
+/// Whether a rigid base lies below all layers, and not a half-space.
+bool has_rigid_base(const RollingScene& scene);
+
+/// Distance of the nearest face below the surface or inside the body [m]; infinite where both are half-spaces.
+double nearest_interface(const RollingScene& scene);
+
+/// Normal compliance that short waves see, of the half-spaces of the two materials next to the contact, as the spectrum
+/// of creep in shear of the incompressible half-space that yields as much: sum of 2 (1 - nu)/G*. Without inertia.
+CreepSpectrum near_spectrum(const RollingScene& scene);
 
 /// What bounds the surface, top and bottom, in words: "2 bonded layers on a rigid base, coated rigid body".
 std::string surface_in_words(const RollingScene& scene);
@@ -52,12 +65,22 @@ class SteadySurface {
   /// For wavenumbers (along, across) [1/m], not both 0 over a half-space [m/Pa].
   SurfaceCompliance operator()(const Moduli& moduli, double along, double across) const;
 
+  /// What short waves along the motion see, times their wavenumber: half-spaces of the materials next to the contact
+  /// [1/Pa].
+  SurfaceCompliance half_spaces(const Moduli& moduli) const;
+
+  double speed() const { return speed_; }  ///< [m/s]
+  double longest_time() const;             ///< of creep, of any layer [s]
+  double contrast() const;                 ///< largest of the layers' moduli at rest over the smallest [1]
+
  private:
   bool composite_;
   Layer layer_;
   double speed_, thickness_;
   CreepSpectrum material_;
   LayeredMedium foundation_, coating_;
+  template <class Visitor>
+  void visit_materials(Visitor visitor) const;
 };
 
 /// Influence coefficients of a composite surface for a single passage.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/quadrature.hpp"
+#include "core/wavenumber_fade.hpp"
 
 namespace rollres {
 
@@ -23,22 +24,11 @@ std::vector<double> panel_borders(double end) {
   return borders;
 }
 
-/// At a distance r a smooth function of k matters up to k ~ 50/r only: beyond, it is faded out by a smooth factor whose
-/// transform is below 1e-11 there.
-struct Fade {
-  double from, to;
-
-  explicit Fade(double r) : from(r > 0 ? 50 / r : INFINITY), to(3 * from) {}
-  double operator()(double k) const {
-    return std::isinf(from) ? 1 : 0.5 * std::erfc(7 * (2 * (k - from) / (to - from) - 1));
-  }
-};
-
 /// Wavenumbers (times the length) with weights, and the corrections there, for distances from r0 to r1 over the length.
 class WavenumberRule {
  public:
   WavenumberRule(const MediumExpansion& expansion, double length, double r0, double r1) {
-    const Fade fade(r0);
+    const WavenumberFade fade(r0);
     const double end = std::min(expansion.highest_wavenumber() * length, fade.to);
     double from = 0;
     for (double to = expansion.lowest_wavenumber() * length; from < end; from = to, to *= 1.6) {
@@ -77,7 +67,7 @@ Corrections radial_transform(const WavenumberRule& rule, double r) {
 /// has beyond the faded rule.
 Eigen::ArrayXd beyond_fade(const MediumExpansion& expansion, double length, double r0) {
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(static_cast<Index>(expansion.terms().size()));
-  const Fade fade(r0);
+  const WavenumberFade fade(r0);
   const double highest = expansion.highest_wavenumber() * length;
   const QuadratureRule gauss = gauss_legendre(16);
   double from = fade.from;

@@ -55,9 +55,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
       surface_in_words(scene) + "; " +
       message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
                    inertia(scene, solution));
-  if (is_composite(scene) && !scene.period && expansion_error(scene) > 0)
-    model += message_text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
   const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
+  if (is_composite(scene) && !scene.period && !spectral && expansion_error(scene) > 0)
+    model += message_text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum creep = creep_spectrum(scene);
   const bool elastic =
@@ -73,11 +73,11 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
 
   // What a tolerance leaves to choose, and why nothing more is left out.
   if (spectral)
-    model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for a tolerance of ",
+    model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
                           *scene.tolerance);
   else
     model += message_text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
-                          " along the contact, for a tolerance of ", *scene.tolerance);
+                          " along the contact, for an error below ", *scene.tolerance);
   if (std::isfinite(total_thickness(scene)))
     model += message_text("; layer kept: half-length of the contact over H = ",
                           half_length(solution) / total_thickness(scene), ", a half-space would cost as much");

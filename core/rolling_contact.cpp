@@ -10,6 +10,7 @@
 #include "core/evidence.hpp"
 #include "core/grid_choice.hpp"
 #include "core/grid_error.hpp"
+#include "core/model_choice.hpp"
 #include "core/nested_newton.hpp"
 #include "core/spectral_contact.hpp"
 
@@ -165,14 +166,17 @@ void require_valid(const RollingScene& scene) {
 
 /// Adds to a method's answer what does not depend on the method.
 template <class SolveByMethod>
-RollingSolution complete(const RollingScene& scene, const SolveByMethod& solve_by_method) {
+RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_by_method) {
   const auto begin = std::chrono::steady_clock::now();
-  require_valid(scene);
-  RollingSolution solution = solve_by_method();
+  require_valid(given);
+  const ModelChoice choice = choose_model(given);
+  RollingSolution solution = solve_by_method(choice.scene);
   if (solution.status == Status::converged) {
     const std::string note = std::move(solution.model);
-    solution.model = model_of(scene, solution) + note;
-    for (std::string& warning : warnings_for(scene, solution)) solution.warnings.push_back(std::move(warning));
+    solution.model = model_of(choice.scene, solution) + note;
+    for (const std::string& decision : choice.decisions) solution.model += "; " + decision;
+    solution.error_estimate += choice.left_out;
+    for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
   }
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
@@ -206,8 +210,8 @@ RollingSolver::~RollingSolver() = default;
 RollingSolver::RollingSolver(RollingSolver&&) noexcept = default;
 RollingSolver& RollingSolver::operator=(RollingSolver&&) noexcept = default;
 
-RollingSolution RollingSolver::solve(const RollingScene& scene) {
-  return complete(scene, [&] {
+RollingSolution RollingSolver::solve(const RollingScene& given) {
+  return complete(given, [&](const RollingScene& scene) {
     const Method method = resolved_method(scene);
     std::string note;
     if (method == Method::spectral) {

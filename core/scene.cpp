@@ -16,9 +16,30 @@ std::vector<std::string_view> input_keys() {
   return keys;
 }
 
-bool spectral_applies(const RollingScene& scene) {
-  return scene.indenter == Indenter::cylinder && !scene.period && scene.poisson_ratio == 0.5 && !is_composite(scene);
+namespace {
+
+/// The first rule of method spectral that the scene breaks, as a line "key = value: rule"; empty if none.
+std::string broken_for_spectral(const RollingScene& scene) {
+  if (scene.indenter == Indenter::sphere) return "method = spectral: only for a cylinder";
+  if (scene.period) return message_text("period = ", *scene.period, ": not with method \"spectral\"");
+  if (inertia_included(scene)) return "inertia = on: not with method \"spectral\"";
+  // Half-spaces whose pressure moves the surface sideways oscillate at the edges of their sticking contact; and two of
+  // them do so with memories of their own.
+  const auto compressible = [](const MaterialInputs& material) { return material.poisson_ratio < 0.5; };
+  const bool on_body = !scene.coating_layers.empty() && compressible(scene.coating_layers.front());
+  if (!compressible(scene) && !on_body) return {};
+  const std::string key = on_body ? "coating_layers[0].poisson_ratio" : "poisson_ratio";
+  const double value = on_body ? scene.coating_layers.front().poisson_ratio : scene.poisson_ratio;
+  if (scene.friction_coefficient > 0)
+    return message_text(key, " = ", value, ": must be 0.5 with method \"spectral\" and friction");
+  if (!scene.coating_layers.empty())
+    return message_text(key, " = ", value, ": must be 0.5 with method \"spectral\" and a coating");
+  return {};
 }
+
+}  // namespace
+
+bool spectral_applies(const RollingScene& scene) { return broken_for_spectral(scene).empty(); }
 
 Method resolved_method(const RollingScene& scene) {
   if (scene.method != Method::automatic) return scene.method;
@@ -88,12 +109,7 @@ std::vector<std::string> check(const RollingScene& scene) {
   if (scene.approach && std::isinf(total_thickness(scene)) && scene.indenter == Indenter::cylinder)
     complain("approach", *scene.approach, "has no meaning for a cylinder on a half-space; give load");
   if (scene.method == Method::spectral) {
-    if (scene.indenter == Indenter::sphere) complain("method", name_of(scene.method), "only for a cylinder");
-    if (scene.period) complain("period", *scene.period, "not with method \"spectral\"");
-    if (scene.poisson_ratio != 0.5)
-      complain("poisson_ratio", scene.poisson_ratio, "must be 0.5 with method \"spectral\"");
-    if (in_range && is_composite(scene))
-      complain("method", name_of(scene.method), "only for one layer of one material, without inertia");
+    if (std::string rule = in_range ? broken_for_spectral(scene) : ""; !rule.empty()) broken.push_back(std::move(rule));
   }
   if (scene.period && std::isinf(total_thickness(scene)))
     complain("period", *scene.period, "needs a layer of finite thickness");

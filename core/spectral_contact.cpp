@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/contact_surface.hpp"
 #include "core/grid_choice.hpp"
 #include "core/spectral_evidence.hpp"
 #include "core/spectral_field.hpp"
@@ -217,7 +218,7 @@ class SpectralContact {
 
 }  // namespace
 
-SpectralOutcome solve_spectral(const RollingScene& scene) { return solve_spectral(scene, creep_spectrum(scene)); }
+SpectralOutcome solve_spectral(const RollingScene& scene) { return solve_spectral(scene, near_spectrum(scene)); }
 
 SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
   return SpectralContact(scene, creep).run();

@@ -191,8 +191,7 @@ class SpectralAssessment {
     for (std::vector<double>* values : {&fields.u, &fields.w, &fields.pressure, &fields.shear_x, &fields.slip_x})
       values->assign(columns, 0);
     fields.zone.assign(columns, Zone::free);
-    // u from the far end of the panels ahead, where the layer is at rest.
-    double u = 0;
+    double u = field_.displacement_ahead(panels_.front().to);
     const double approach = std::isnan(state_.approach) ? 0 : state_.approach;
     const double rounding = 1e-9 * half_;  // the window may end where the panels do
     int column = grid.columns - 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/chebyshev_rule.hpp"
+#include "core/contact_surface.hpp"
 #include "core/memory_functions.hpp"
 
 namespace rollres {
@@ -149,13 +150,46 @@ SpectralField::Slopes SpectralField::elastic_slopes(double x) const {
       g.u += tail_image(stick_tails_[z], s) - 0.5 * image_sum(state_.sticks[z].coefficients, s, 1);
     }
   }
-  if (problem_.layered())
-    for (Index q = 0; q < state_.sources.size(); ++q) {
-      const LayerSlopes k = layer_slope_correction(x - state_.sources(q), problem_.thickness);
-      g.w -= k(0) * state_.pressure_forces(q) + k(2) * state_.shear_forces(q);
-      g.u += k(1) * state_.shear_forces(q) - k(2) * state_.pressure_forces(q);
-    }
+  if (problem_.local_cross != 0 && std::abs(t) < 1) g.u += problem_.local_cross * pressure(x);
+  if (problem_.layered()) {
+    const Slopes added = sum_of_sources(x, [&](double r) { return problem_.correction->slope(r); });
+    g.w += added.w;
+    g.u += added.u;
+  }
   return g;
+}
+
+template <class Kernel>
+SpectralField::Slopes SpectralField::sum_of_sources(double x, Kernel kernel) const {
+  Slopes sum{0, 0};
+  for (Index q = 0; q < state_.sources.size(); ++q) {
+    const LayerSlopes k = kernel(x - state_.sources(q));
+    sum.w -= k(0) * state_.pressure_forces(q) + k(2) * state_.shear_forces(q);
+    sum.u += k(1) * state_.shear_forces(q) - k(2) * state_.pressure_forces(q);
+  }
+  return sum;
+}
+
+SpectralField::Slopes SpectralField::remembered_ahead(std::size_t term, double x) const {
+  const double length = problem_.creep_length[term];
+  return sum_of_sources(x, [&](double r) -> LayerSlopes {
+    const double half_space = -scaled_exponential_integral(r / length) / (2 * M_PI * length);
+    LayerSlopes k(half_space, half_space, 0, 0);
+    if (problem_.layered()) k += problem_.correction->memory(term, r);
+    return k;
+  });
+}
+
+double SpectralField::displacement_ahead(double x) const {
+  if (!problem_.layered() || !has_rigid_base(problem_.scene)) return 0;
+  const Slopes elastic = sum_of_sources(x, [&](double r) -> LayerSlopes {
+    const double half_space = -std::log(r) / (2 * M_PI);
+    return problem_.correction->displacement(r) + LayerSlopes(half_space, half_space, 0, 0);
+  });
+  double u = problem_.rubbery_compliance * elastic.u;
+  for (std::size_t m = 0; m < problem_.creep_length.size(); ++m)
+    u += problem_.creep_compliance[m] * problem_.creep_length[m] * remembered_ahead(m, x).u;
+  return u;
 }
 
 }  // namespace rollres

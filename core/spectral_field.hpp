@@ -27,7 +27,14 @@ class SpectralField {
   };
   Slopes elastic_slopes(double x) const;
 
+  /// Well ahead of the contact, where points stand for the tractions: means R_{T_term} of those slopes, and the
+  /// displacement u of the surface [m], 0 over a half-space.
+  Slopes remembered_ahead(std::size_t term, double x) const;
+  double displacement_ahead(double x) const;
+
  private:
+  template <class Kernel>
+  Slopes sum_of_sources(double x, Kernel kernel) const;
   struct Tails;  // what lies beyond a density's coefficients
   Eigen::VectorXd mixed_tail() const;
   double tail_density(const Tails& tails, double t) const;

@@ -16,6 +16,7 @@ struct IntervalMemory {
   Eigen::MatrixXd beyond;      // [k, j]: and those of n = order + 1 + k, as many as matter at a distance; perhaps none
   Eigen::MatrixXd memory;      // [n, m]: b_n (memory_functions.hpp), n = 0 ... order
   Eigen::MatrixXd tails;       // [j, m]: R_{T_m} at `to` of the field of the tail
+  Eigen::VectorXd tail_lift;   // [j]: displacement at `to` by the tail, over the half-length
   std::vector<bool> has_tail;  // [j]
 
   IntervalMemory(const SpectralProblem& problem, const Interval& interval, int order);

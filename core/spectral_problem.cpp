@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact_surface.hpp"
 #include "core/lumped_spectrum.hpp"
+#include "core/passage_slopes.hpp"
 
 namespace rollres {
 
@@ -42,11 +44,30 @@ TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible) {
   return tidy;
 }
 
+/// A single incompressible layer remembers as its material does: its corrections are elastic.
+class LayerSlopeCorrection final : public SlopeCorrection {
+ public:
+  LayerSlopeCorrection(double thickness, const std::vector<double>& memory_lengths) : thickness_(thickness) {
+    for (const double length : memory_lengths) memories_.emplace_back(thickness, length);
+  }
+  LayerSlopes slope(double x) const override { return layer_slope_correction(x, thickness_); }
+  LayerSlopes memory(std::size_t term, double x) const override { return memories_[term](x); }
+  LayerSlopes displacement(double x) const override { return layer_displacement_correction(x, thickness_); }
+  double depth() const override { return thickness_; }
+  double reach() const override { return layer_reach * thickness_; }
+
+ private:
+  double thickness_;
+  std::vector<LayerMemory> memories_;
+};
+
+bool single_incompressible(const RollingScene& scene) { return !is_composite(scene) && scene.poisson_ratio == 0.5; }
+
 }  // namespace
 
 SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double half_width)
-    : scene(given), radius(given.radius), thickness(given.layer_thickness) {
-  const double largest = std::isinf(thickness) ? half_width : std::max(half_width, thickness);
+    : scene(given), radius(given.radius) {
+  const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const TidySpectrum tidy =
       tidied(lumped_for(material, scene.speed, 1e-3 * half_width, 1e2 * largest), half_width / scene.speed, negligible);
@@ -59,9 +80,16 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
     creep_length.push_back(scene.speed * term.time);
     creep_compliance.push_back(term.compliance);
     rubbery_compliance += term.compliance;
-    if (layered()) memories.emplace_back(thickness, creep_length.back());
   }
   rubbery = 1 / rubbery_compliance;
+  // u' = c_x/c_ww p where they are local, both in the half-space's ratio
+  local_cross = -0.5 * (1 - 2 * scene.poisson_ratio) / (2 * (1 - scene.poisson_ratio));
+  if (single_incompressible(scene)) {
+    if (std::isfinite(scene.layer_thickness))
+      correction = std::make_shared<LayerSlopeCorrection>(scene.layer_thickness, creep_length);
+  } else if (std::isfinite(nearest_interface(scene))) {
+    correction = std::make_shared<PassageSlopes>(scene, creep);
+  }
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     relaxation_length.push_back(scene.speed * term.time);
     relaxation_modulus.push_back(term.modulus);
@@ -74,8 +102,6 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
                             (creep_m - relaxation_length[static_cast<std::size_t>(j)]);
     }
 }
-
-bool SpectralProblem::layered() const { return std::isfinite(thickness); }
 
 double SpectralProblem::cosine(double x) const { return std::sqrt(std::max(1 - x * x / (radius * radius), 1e-4)); }
 double SpectralProblem::profile(double x) const { return x * x / (radius * (1 + cosine(x))); }

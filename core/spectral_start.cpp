@@ -17,8 +17,8 @@ constexpr std::size_t most_sticks = 3;
 }  // namespace
 
 int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance) {
-  // The layer's corrections are singular at 2 H from the surface: coefficients fall like rate^{-n}.
-  const double distance = 2 * problem.thickness / edges.contact.half_length();
+  // The corrections are singular at twice their depth from the surface: coefficients fall like rate^{-n}.
+  const double distance = problem.layered() ? 2 * problem.correction->depth() / edges.contact.half_length() : INFINITY;
   const double rate = std::isfinite(distance) ? std::log(distance + std::sqrt(distance * distance + 1)) : 5;
   return std::clamp(static_cast<int>(3 - std::log(tolerance) / (2.2 * rate)), 4, 40);
 }

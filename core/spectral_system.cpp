@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "core/chebyshev_rule.hpp"
 #include "core/dense_algebra.hpp"
@@ -85,8 +86,13 @@ class System {
   Eigen::VectorXd points(const Interval& interval, const ChebyshevRule& rule) const {
     return interval.centre() + interval.half_length() * rule.points.array();
   }
+  LayerKernel remembered(Index m) const {
+    return [&correction = *problem_.correction, term = static_cast<std::size_t>(m)](double x) {
+      return correction.memory(term, x);
+    };
+  }
   LayerKernel layer() const {
-    return [this](double x) { return layer_slope_correction(x, problem_.thickness); };
+    return [&correction = *problem_.correction](double x) { return correction.slope(x); };
   }
 
   void collocate_normal() {
@@ -119,9 +125,7 @@ class System {
     for (Index m = 0; m < terms_; ++m) {
       means_.row(m).head(n_) = 0.5 * memory_.memory.col(m).tail(n_).transpose();
       means_.row(m).segment(amplitude_, terms_) = memory_.tails.col(m).transpose();
-      if (problem_.layered())
-        means_.row(m) +=
-            normal_slopes(sources_, std::cref(problem_.memories[static_cast<std::size_t>(m)]), leading_edge);
+      if (problem_.layered()) means_.row(m) += normal_slopes(sources_, remembered(m), leading_edge);
     }
     remember(amplitude_, means_);
   }
@@ -221,8 +225,7 @@ class System {
       mean.segment(zone.amplitude(), terms_) += zone.memory.tails.col(m).transpose();
       mean.segment(amplitude_, terms_) -=
           direction * std::exp((zone.interval.to - edges_.contact.to) / length) * memory_.tails.col(m).transpose();
-      if (problem_.layered())
-        mean += tangential_slopes(sources_, std::cref(problem_.memories[static_cast<std::size_t>(m)]), leading_end);
+      if (problem_.layered()) mean += tangential_slopes(sources_, remembered(m), leading_end);
     }
     remember(zone.amplitude(), means);
     for (Index j = 0; j < terms_; ++j) {
@@ -243,18 +246,38 @@ class System {
       row(zone.amplitude() + j) += exponential(zone.interval, j, x) - images.dot(zone.memory.series.col(j));
   }
 
+  /// What the drive asks of the tractions, and how much.
+  std::pair<RowVectorXd, double> drive_row() const {
+    const RollingScene& scene = problem_.scene;
+    const double half = edges_.contact.half_length();
+    RowVectorXd row = torque_row(sources_) / half;
+    if (scene.drive == Drive::top_force) row -= force_row(problem_, sources_) / half;
+    return {row, scene.drive == Drive::torque ? *scene.driving_torque / scene.radius / half : 0};
+  }
+
   void drive() {
     const RollingScene& scene = problem_.scene;
     auto row = matrix_.row(rotation_);
     if (scene.drive == Drive::rotation) {
       row(rotation_) = 1;
       right_(rotation_) = problem_.rubbery * (*scene.rotation_ratio - 1);
-      return;
+    } else if (const std::optional<std::size_t> zone = redundant_slack()) {
+      row(zones_[*zone].slack()) = 1;
+    } else {
+      const auto [asked, wanted] = drive_row();
+      row = asked;
+      right_(rotation_) = wanted;
     }
-    row = torque_row(sources_) / edges_.contact.half_length();
-    if (scene.drive == Drive::top_force) row -= force_row(problem_, sources_) / edges_.contact.half_length();
-    if (scene.drive == Drive::torque)
-      right_(rotation_) = *scene.driving_torque / scene.radius / edges_.contact.half_length();
+  }
+
+  /// On a surface next to which nothing creeps, the slack of a zone of stick and the rotation are the same to it:
+  /// bounded tractions fix the rotation, and what the slack is elsewhere, the residual of its zone, is what the drive
+  /// lacks.
+  std::optional<std::size_t> redundant_slack() const {
+    if (terms_ > 0 || zones_.empty() || problem_.scene.drive == Drive::rotation) return {};
+    for (std::size_t z = 0; z < zones_.size(); ++z)
+      if (pattern_.slips[z] != 0) return z;
+    return 0;
   }
 
   double approach() const {
@@ -266,8 +289,9 @@ class System {
           n == 0 ? 0.5 - std::log(2 / half) : 1.0 / static_cast<double>(n + 2) - 1.0 / static_cast<double>(n);
       w += half / 4 * solution_(n) * mean;
     }
+    w += half * memory_.tail_lift.dot(solution_.segment(amplitude_, terms_));
     for (Index q = 0; q < sources_.x.size(); ++q) {
-      const LayerSlopes k = layer_displacement_correction(leading - sources_.x(q), problem_.thickness);
+      const LayerSlopes k = problem_.correction->displacement(leading - sources_.x(q));
       w -= k(0) * sources_.of_pressure.row(q).dot(solution_) + k(2) * sources_.of_shear.row(q).dot(solution_);
     }
     w *= problem_.rubbery_compliance;
@@ -306,10 +330,16 @@ class System {
     for (std::size_t z = 0; z < zones_.size(); ++z) {
       const Stick& zone = zones_[z];
       state.sticks.push_back({solution_.segment(zone.psi, stick_n_), solution_.segment(zone.amplitude(), terms_)});
-      if (pattern_.slips[z] != 0) state.residuals(residual++) = solution_(zone.slack()) / scale;
+      if (pattern_.slips[z] != 0)
+        state.residuals(residual++) = (redundant_slack() == z ? lacking_drive() : solution_(zone.slack())) / scale;
       if (pattern_.slips[z + 1] != 0) state.residuals(residual++) = root_at_leading_end(z) / scale;
     }
     return state;
+  }
+
+  double lacking_drive() const {
+    const auto [row, wanted] = drive_row();
+    return wanted - row.dot(solution_);
   }
 
   /// Bounded slip ahead of a stick: no root of the distance in the shear there, be it the base's or the rest's.

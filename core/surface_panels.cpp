@@ -13,6 +13,9 @@ using Eigen::MatrixXd;
 
 namespace {
 
+/// From the contact, in half-lengths, where forces at points stand for the tractions.
+constexpr double distance_of_points = 2;
+
 /// Chebyshev-Lobatto nodes s_k = cos(pi k/last) with everything a panel needs.
 struct PanelRule {
   static constexpr int last = 20, count = last + 1;
@@ -84,13 +87,16 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   double shortest = half, reach = 0.5 * half;
   for (const double length : problem.relaxation_length) shortest = std::min(shortest, length);
   for (const double length : problem.creep_length) reach = std::max(reach, 40 * length);
-  if (problem.layered()) reach = std::max(0.5 * half, std::min(reach, layer_reach * problem.thickness));
+  // Where that is farther than the layer moves, or not known, the memories are begun from forces at points.
+  const bool from_points = problem.layered() && std::isinf(problem.correction->reach());
+  const double far = from_points ? distance_of_points * half : problem.layered() ? problem.correction->reach() : reach;
+  reach = std::max(0.5 * half, std::min(reach, far));
   for (const double end : ends)
     for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= 0.25)
       for (const double border : {end - distance, end + distance})
         if (border < contact.to + 0.5 * half) borders.push_back(border);
   // Ahead, as far as the memories reach and the layer moves, in panels that widen with the distance.
-  double width = std::min(0.5 * half, problem.layered() ? problem.thickness : half), ahead = 0;
+  double width = std::min(0.5 * half, problem.layered() ? problem.correction->depth() : half), ahead = 0;
   for (; ahead < reach; width *= 2) borders.push_back(contact.to + (ahead += width));
   borders.push_back(contact.from - 0.5 * half);
   borders.push_back(contact.from - 1.5 * half);
@@ -126,6 +132,11 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   const PanelRule& rule = panel_rule();
   const Index terms = problem.terms();
   Eigen::ArrayXXd memory = Eigen::ArrayXXd::Zero(terms, 2);  // of w and u at the panel's leading end
+  if (from_points)
+    for (Index m = 0; m < terms; ++m) {
+      const SpectralField::Slopes begin = field.remembered_ahead(static_cast<std::size_t>(m), panels.front().to);
+      memory.row(m) << begin.w, begin.u;
+    }
   double gap = 0;
   for (SurfacePanel& panel : panels) {
     const double half_panel = 0.5 * (panel.to - panel.from);

@@ -6,6 +6,7 @@
 #include "studies/commands.hpp"
 #include "studies/fields_file.hpp"
 #include "studies/scene_file.hpp"
+#include "studies/simpler_models.hpp"
 #include "studies/solution_json.hpp"
 #include "studies/summary.hpp"
 #include "studies/write_file.hpp"
@@ -28,7 +29,11 @@ void run_solve(const SolveOptions& options, bool with_fields, Session& session) 
 
   const RollingSolution solution = session.evaluate(scene);
   session.out << (options.json ? solution_json(scene, solution) + '\n' : summary(scene, solution));
-  if (options.explain && !options.json) session.out << explanation(scene, solution);
+  if (options.explain && !options.json) {
+    session.out << explanation(scene, solution);
+    if (solution.status == Status::converged)
+      session.out << simpler_models_text(scene, solution, simpler_models(scene, solution, session.evaluate));
+  }
   session.out << std::flush;
   if (solution.status != Status::converged) session.status = ExitStatus::no_answer;
   if (!with_fields) return;
@@ -49,8 +54,9 @@ void add_solve(Command& program, Session& session) {
       ->option_text("KEY=VALUE")
       ->one_value_each();
   command->add_flag("--json", options->json, "Print one JSON object");
-  command->add_flag("--explain", options->explain,
-                    "Print what was decided, left out and kept, one to a line, with the number it rests on");
+  command->add_flag(
+      "--explain", options->explain,
+      "Print what was decided, left out and kept, with the number it rests on, and what simpler models answer");
   CommandOption* const fields =
       command->add_option("--fields", options->fields, "Write the surface's fields to DIR/fields.csv and .vti")
           ->option_text("DIR");

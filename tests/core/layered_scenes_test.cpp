@@ -206,6 +206,103 @@ TEST_CASE("scenes of several layers that cannot be are refused", "[core][layered
   RollingScene spectral = scene;
   spectral.spacing.reset();
   spectral.method = Method::spectral;
-  spectral.lower_layers = {like_first(scene, 0.01)};
-  CHECK(first_rule(spectral).find("only for one layer of one material") != std::string::npos);
+  spectral.coating_layers = {like_first(scene, 0.01)};
+  CHECK(first_rule(spectral) == "nothing");
+  spectral.coating_layers[0].poisson_ratio = 0.4;
+  CHECK(first_rule(spectral) ==
+        "coating_layers[0].poisson_ratio = 0.4: must be 0.5 with method \"spectral\" and friction");
+  spectral.friction_coefficient = 0;
+  CHECK(first_rule(spectral) ==
+        "coating_layers[0].poisson_ratio = 0.4: must be 0.5 with method \"spectral\" and a coating");
+  spectral.coating_layers.clear();
+  spectral.inertia = Inertia::on;
+  CHECK(first_rule(spectral) == "inertia = on: not with method \"spectral\"");
+}
+
+namespace {
+
+RollingScene gridless(RollingScene scene) {
+  scene.spacing.reset();
+  return scene;
+}
+
+RollingSolution with_continuous_edges(const RollingScene& scene) {
+  const RollingSolution solution = solve(gridless(scene));
+  INFO(solution.reason << solution.model);
+  REQUIRE(solution.status == Status::converged);
+  CHECK(solution.method == Method::spectral);
+  CHECK(solution.law_violation < 5e-9);
+  CHECK(solution.energy_residual < 1e-7);
+  return solution;
+}
+
+}  // namespace
+
+TEST_CASE("two equal layers roll like one of their thickness, edges of contact being continuous",
+          "[core][layered_scenes]") {
+  const RollingScene one = on_one_layer(Indenter::cylinder);
+  RollingScene two = one;
+  two.layer_thickness = 0.003;
+  two.lower_layers = {like_first(one, 0.007)};
+  for (const double friction : {0.3, 0.0})
+    for (const double speed : {0.005, 0.5, 20.0}) {
+      CAPTURE(friction, speed);
+      RollingScene single = one, split = two;
+      single.friction_coefficient = split.friction_coefficient = friction;
+      single.speed = split.speed = speed;
+      const RollingSolution expected = with_continuous_edges(single), got = with_continuous_edges(split);
+      // 1e-8 is the tolerance that they are solved to.
+      CHECK(got.rolling_resistance == Approx(expected.rolling_resistance).epsilon(3e-8));
+      CHECK(got.approach == Approx(expected.approach).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("layers of different materials: the grid tends to the answer with continuous edges",
+          "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.layer_thickness = 0.005;
+  scene.lower_layers = {zener_layer(0.005, 5e6, 2, 1e-3)};
+  SECTION("on a rigid base, under a coated body") { scene.coating_layers = {zener_layer(0.002, 3e6, 1, 1e-2)}; }
+  SECTION("on a half-space") { scene.lower_layers.push_back(zener_layer(infinite, 3e7, 0, 1e-3)); }
+  SECTION("without friction, compressible") {
+    scene.friction_coefficient = 0;
+    scene.poisson_ratio = 0.35;
+  }
+  SECTION("a nearly elastic layer on one that is not") { scene.stiffening = 0.1; }
+  const RollingSolution limit = with_continuous_edges(scene);
+  scene.spacing = 0.025e-3;  // some 280 nodes: with friction up to 1.2e-4 from continuous edges
+  const RollingSolution grid = converged(scene);
+  CHECK(grid.rolling_resistance == Approx(limit.rolling_resistance).epsilon(2e-4));
+  CHECK(grid.peak_pressure == Approx(limit.peak_pressure).epsilon(1e-3));
+  if (!std::isnan(limit.approach)) CHECK(grid.approach == Approx(limit.approach).epsilon(3e-4));
+  if (scene.friction_coefficient > 0) CHECK(grid.rotation_ratio == Approx(limit.rotation_ratio).epsilon(2e-4));
+}
+
+TEST_CASE("without friction the resistance is continuous as Poisson's ratio tends to a half",
+          "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.friction_coefficient = 0;
+  const double limit = with_continuous_edges(scene).rolling_resistance;
+  double before = 1;
+  for (const double short_of : {0.1, 1e-2, 1e-3, 1e-4, 1e-6}) {
+    scene.poisson_ratio = 0.5 - short_of;
+    const double distance = std::abs(with_continuous_edges(scene).rolling_resistance / limit - 1);
+    CHECK(distance < 1.5 * short_of);
+    CHECK(distance < before);
+    before = distance;
+  }
+}
+
+TEST_CASE("the surface beside a contact without grid is that of the grid", "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.layer_thickness = 0.005;
+  scene.lower_layers = {zener_layer(0.005, 5e6, 2, 1e-3)};
+  const RollingSolution limit = with_continuous_edges(scene);
+  scene.spacing = 0.1e-3;
+  const RollingSolution grid = converged(scene);
+  const auto at_zero = [](const RollingSolution& solution, const std::vector<double>& values) {
+    return values[static_cast<std::size_t>(-solution.fields.grid.first_column)];
+  };
+  CHECK(at_zero(grid, grid.fields.u) == Approx(at_zero(limit, limit.fields.u)).epsilon(2e-3));
+  CHECK(at_zero(grid, grid.fields.w) == Approx(at_zero(limit, limit.fields.w)).epsilon(2e-3));
 }

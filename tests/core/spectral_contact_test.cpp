@@ -109,6 +109,11 @@ TEST_CASE("on an elastic half-space tractive rolling is Carter's", "[core][spect
     // The shear carries a part mu a/R of the load.
     CHECK(solution.driving_torque == Approx(-direction * 0.3 * *scene.load * (1 - stick * stick)).epsilon(1e-5));
     CHECK(solution.contact_area == Approx(2 * a).epsilon(1e-5));
+    RollingScene driven = scene;
+    driven.drive = Drive::torque;
+    driven.rotation_ratio.reset();
+    driven.driving_torque = -direction * 0.3 * *scene.load * (1 - stick * stick);
+    CHECK((spectral(driven).rotation_ratio - 1) / (*scene.rotation_ratio - 1) == Approx(1).epsilon(2e-5));
   }
 }
 
@@ -205,7 +210,7 @@ TEST_CASE("a drive that asks for too much is refused with the friction that it n
   CHECK(refused.status == Status::no_steady_state);
   CHECK(refused.friction_needed == Approx(0.009).epsilon(0.05));
   RollingScene gridded = scene;
-  gridded.spacing = 0.05e-3;
+  gridded.spacing = 0.02e-3;
   CHECK(solve(gridded).friction_needed == Approx(refused.friction_needed).epsilon(0.01));
 }
 
@@ -280,5 +285,42 @@ TEST_CASE("a stick between slips in opposite directions is answered, of whatever
     gridded.spacing = (solution.leading_edge - solution.trailing_edge) / 600;
     // The grid's own error: 0.5 % where R_r is so small a difference
     CHECK(solve(gridded).rolling_resistance == Approx(solution.rolling_resistance).epsilon(0.01));
+  }
+}
+
+TEST_CASE("the approach of a slow cylinder, whose memories are much shorter than its contact, is that of a fine grid",
+          "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0);
+  scene.friction_coefficient = 0;
+  scene.speed = 1e-4;
+  const RollingSolution limit = solve(scene);
+  REQUIRE(limit.method == Method::spectral);
+  scene.spacing = 0.02e-3;
+  CHECK(solve(scene).approach == Approx(limit.approach).epsilon(2e-6));
+}
+
+TEST_CASE("on an elastic layer a driven cylinder has the edges and the borders of every law, whichever drive",
+          "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0.3);
+  scene.material = MaterialModel::elastic;
+  scene.method = Method::spectral;
+  for (const double traction : {0.0, 0.02, -0.1, 0.2}) {
+    scene.drive = Drive::torque;
+    scene.driving_torque = traction * *scene.load * scene.radius;
+    CAPTURE(traction);
+    const RollingSolution driven = spectral(scene);
+    CHECK(driven.law_violation < 5e-9);
+    CHECK(driven.driving_torque == Approx(*scene.driving_torque).margin(1e-9 * *scene.load * scene.radius));
+    // The rotation that it has, as a drive, gives the same torque.
+    RollingScene turned = scene;
+    turned.drive = Drive::rotation;
+    turned.driving_torque.reset();
+    turned.rotation_ratio = driven.rotation_ratio;
+    if (traction != 0) CHECK(spectral(turned).driving_torque == Approx(driven.driving_torque).epsilon(1e-5));
+    RollingScene gridded = scene;
+    gridded.method = Method::newton;
+    gridded.spacing = 0.02e-3;
+    const RollingSolution grid = solve(gridded);
+    CHECK(driven.rotation_ratio - 1 == Approx(grid.rotation_ratio - 1).epsilon(5e-3).margin(1e-5));
   }
 }
