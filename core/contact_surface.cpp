@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "core/line_passage.hpp"
 #include "core/medium_shapes.hpp"
 #include "core/passage_kernel.hpp"
 #include "core/recently_made.hpp"
@@ -239,6 +240,13 @@ SurfaceCompliance SteadySurface::half_spaces(const Moduli& moduli) const {
   return coating_.empty() ? below : together(below, deep(coating_, moduli.coating.front()));
 }
 
+SurfaceCompliance SteadySurface::long_waves() const {
+  if (!composite_) return std::isinf(layer_.thickness) ? half_spaces(moduli(0)) : SurfaceCompliance{};
+  if (std::isfinite(foundation_.back().thickness)) return {};
+  return surface_compliance(LayeredMedium{foundation_.back()}, std::vector{1.0 / foundation_.back().material(0)}, 1,
+                            speed_);
+}
+
 template <class Visitor>
 void SteadySurface::visit_materials(Visitor visitor) const {
   visitor(material_);
@@ -246,26 +254,21 @@ void SteadySurface::visit_materials(Visitor visitor) const {
     for (const MediumLayer& layer : *medium) visitor(layer.material);
 }
 
-double SteadySurface::longest_time() const {
-  double longest = 0;
-  visit_materials([&](const CreepSpectrum& material) {
-    for (const CreepSpectrum::Term& term : material.terms) longest = std::max(longest, term.time);
-  });
-  return longest;
-}
-
-double SteadySurface::contrast() const {
-  double softest = INFINITY, hardest = 0;
+double SteadySurface::longest_wave() const {
+  double softest = INFINITY, hardest = 0, time = 0;
   visit_materials([&](const CreepSpectrum& material) {
     softest = std::min(softest, 1 / material.at_rest());
     hardest = std::max(hardest, 1 / material.at_rest());
+    for (const CreepSpectrum::Term& term : material.terms) time = std::max(time, term.time);
   });
-  return hardest / softest;
+  const double thickness = composite_ ? finite_thickness(foundation_) + finite_thickness(coating_) : layer_.thickness;
+  return std::max((std::isinf(thickness) ? 0 : thickness) * std::cbrt(hardest / softest), speed_ * time);
 }
 
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
   if (inertia_included(scene) && scene.indenter == Indenter::sphere)
     throw std::invalid_argument("inertia = on: for a sphere only with a period");
+  if (scene.indenter == Indenter::cylinder) return line_passage_table(scene, grid, reach_x);
   const auto table_of = [&](const LayeredMedium& medium) {
     InfluenceTable table(reach_x, reach_y);
     const auto kernels = kernels_of({shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y});
@@ -296,6 +299,7 @@ InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& gri
 }
 
 double expansion_error(const RollingScene& scene) {
+  if (scene.indenter == Indenter::cylinder) return line_expansion_error(scene);
   double error = response_of(shapes_key(scene, foundation_of(scene)))->error;
   if (const LayeredMedium coating = coating_of(scene); !coating.empty())
     error = std::max(error, response_of(shapes_key(scene, coating))->error);

@@ -68,10 +68,13 @@ class SteadySurface {
   /// What short waves along the motion see, times their wavenumber: half-spaces of the materials next to the contact
   /// [1/Pa].
   SurfaceCompliance half_spaces(const Moduli& moduli) const;
+  /// And what long waves see: the half-space below, at rest, or nothing over a rigid base [1/Pa].
+  SurfaceCompliance long_waves() const;
 
   double speed() const { return speed_; }  ///< [m/s]
-  double longest_time() const;             ///< of creep, of any layer [s]
-  double contrast() const;                 ///< largest of the layers' moduli at rest over the smallest [1]
+  /// Longest of the lengths over which the surface answers: all thicknesses together, bending of a stiff layer on a
+  /// soft one, and the memories [m].
+  double longest_wave() const;
 
  private:
   bool composite_;

@@ -8,16 +8,15 @@
 ///     normal(x)     = Re 1/pi int_0^inf i s_ww(k) e^{i k x} dk,      s = (k c - k c_deep)/D,
 ///     tangential(x) = Re 1/pi int_0^inf i s_ll(k) e^{i k x} dk,
 ///     cross(x)      = -Re 1/pi int_0^inf s_x(k) e^{i k x} dk,
-/// with a factor 1/(1 - i k T) for the mean over a memory T. The symbols s fall off like e^{-2 k depth}; their
-/// singularities lie on the imaginary axis (memories) and where the layers have theirs, so that panels of k in constant
-/// ratio suit them. Tables over x are made panel by panel, where they are asked for.
+/// with a factor 1/(1 - i k T) for the mean over a memory T (wave_table.hpp).
 
-#include <Eigen/Core>
-#include <array>
+#include <complex>
+#include <span>
 #include <vector>
 
 #include "core/contact_surface.hpp"
 #include "core/slope_correction.hpp"
+#include "core/wave_table.hpp"
 
 namespace rollres {
 
@@ -27,32 +26,27 @@ class PassageSlopes final : public SlopeCorrection {
   /// of its terms in their order
   PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep);
 
-  LayerSlopes slope(double x) const override { return value(slopes_, x) / depth_; }
-  LayerSlopes memory(std::size_t term, double x) const override { return value(first_memory_ + term, x) / depth_; }
+  PassageSlopes(const PassageSlopes&) = delete;
+  PassageSlopes& operator=(const PassageSlopes&) = delete;
+
+  LayerSlopes slope(double x) const override { return table_(slopes_, x / depth_) / depth_; }
+  LayerSlopes memory(std::size_t term, double x) const override {
+    return table_(first_memory_ + term, x / depth_) / depth_;
+  }
   LayerSlopes displacement(double x) const override;
   double depth() const override { return depth_; }
   double reach() const override { return INFINITY; }
 
  private:
   static constexpr std::size_t slopes_ = 0, displacements_ = 1, first_memory_ = 2;
-  /// Chebyshev coefficients of all functions on the panel of distances over the depth and on its mirror image.
-  struct PanelPair {
-    std::array<std::vector<LayerSlopes>, 2> coefficients;  // ahead, behind; [function, term]
-  };
-  struct WaveRule;
-
-  /// @return in units of 1/depth
-  LayerSlopes value(std::size_t function, double x) const;
-  WaveRule wave_rule(double from, double to) const;
-  PanelPair made(double from, double to) const;
+  void transform(double wavenumber, std::span<std::complex<double>> values) const;
 
   SteadySurface surface_;
   CreepSpectrum deep_;
   std::vector<double> memory_lengths_;  // over the depth
-  double depth_, longest_wave_;         // [m]
+  double depth_;                        // [m]
   bool rigid_base_;
-  mutable std::vector<double> borders_{0, 1.2};  // of panels, over the depth
-  mutable std::vector<PanelPair> panels_;        // empty ones are not made yet
+  WaveTable table_;
 };
 
 }  // namespace rollres

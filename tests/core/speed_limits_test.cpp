@@ -159,3 +159,23 @@ TEST_CASE("at a fixed ratio of memory to contact the resistance grows with the p
   CHECK(exponent(line, a, 1. / 5) == Approx(6. / 5).epsilon(0.015));
   CHECK(exponent(sphere, a, 1. / 6) == Approx(7. / 6).epsilon(0.015));
 }
+
+TEST_CASE("at 30 m/s a single passage over a memory of 7.5 m is a train of bodies 200 m apart", "[core][speed_limits]") {
+  RollingScene scene;
+  scene.radius = 0.2;
+  scene.layer_thickness = 0.05;
+  scene.static_shear_modulus = 3e6;
+  scene.stiffening = 1;
+  scene.creep_time = 0.25;
+  scene.speed = 30;
+  scene.load = 2e5;
+  scene.friction_coefficient = 0.2;
+  scene.spacing = 2.5e-3;
+  const RollingSolution passage = solve(scene);
+  scene.period = 200;
+  scene.series_terms = 900000;  // waves down to a tenth of a cell
+  const RollingSolution train = solve(scene);
+  REQUIRE(passage.status == Status::converged);
+  REQUIRE(train.status == Status::converged);
+  CHECK(passage.rolling_resistance == Approx(train.rolling_resistance).epsilon(1e-4));
+}
