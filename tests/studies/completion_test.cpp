@@ -1,8 +1,12 @@
 #include "studies/completion.hpp"
 
+#include <filesystem>
+#include <regex>
+
 #include "studies/slurm_scripts.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
@@ -80,6 +84,11 @@ TEST_CASE("the manual page names every command and option, and man renders it wi
   REQUIRE(page.status == 0);
   CHECK_THAT(page.out, Contains(".SS sweep") && Contains("\\fB\\-\\-shard\\fR \\fII/N\\fR") &&
                            Contains("\\fBlayer_thickness\\fR \\fIH\\fR [m]"));
+  const std::regex example(R"(studies/examples/[a-z_.]+)");
+  for (std::sregex_iterator at(page.out.begin(), page.out.end(), example), end; at != end; ++at) {
+    INFO(at->str());
+    CHECK(std::filesystem::exists(source_directory() / at->str()));
+  }
   if (!installed("man")) {
     WARN("man is not installed");
     return;
