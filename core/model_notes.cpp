@@ -58,6 +58,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
   if (is_composite(scene) && !scene.period && !spectral && expansion_error(scene) > 0)
     model += message_text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
+  if (!sphere)
+    model += message_text("; plane strain: for a cylinder long beside ",
+                          std::max(2 * half_length(solution), finite_thickness(scene)), " m");
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum creep = creep_spectrum(scene);
   const bool elastic =
@@ -77,12 +80,14 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
                           *scene.tolerance);
   else
     model += message_text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
-                          " along the contact, for an error below ", *scene.tolerance);
+                          " along the contact, in a window ",
+                          solution.fields.grid.columns * solution.spacing / (2 * half_length(solution)),
+                          " times as long, for an error below ", *scene.tolerance);
   if (std::isfinite(total_thickness(scene)))
     model += message_text("; layer kept: half-length of the contact over H = ",
                           half_length(solution) / total_thickness(scene), ", a half-space would cost as much");
   else if (!sphere && scene.friction_coefficient == 0 && scene.material == MaterialModel::zener)
-    model += "; closed form of the half-space not used: no faster";
+    model += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
   if (scene.friction_coefficient > 0)
     model += message_text("; friction and its coupling with the pressure kept: friction takes ",
                           std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed)),

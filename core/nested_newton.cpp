@@ -142,12 +142,14 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
       nested.status = Status::converged;
       if (!finer || !finer(nested)) return nested;
       --last;
-      nested.status = Status::not_converged;
     }
     --coarsening;
     // A grid too coarse for its layer may have no solution: the next one then starts afresh.
     ContactLevel next = solved ? solve_level(scene, grids.around(level, coarsening), &level, last_resort())
                                : solve_level(scene, grids.first(coarsening), nullptr, last_resort());
+    // A finer grid for a tolerance's sake that has no solution leaves the one that was found.
+    if (nested.status == Status::converged && !next.outcome.converged) return nested;
+    nested.status = Status::not_converged;
     nested.coarsest_resistance = nested.coarser_resistance;
     nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
     nested.coarser = solved ? std::make_unique<ContactLevel>(std::move(nested.finest)) : nullptr;

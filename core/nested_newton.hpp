@@ -27,7 +27,8 @@ struct NestedOutcome {
   double friction_borne = RollingSolution::absent;   // or so much that the body digs itself in
 };
 
-/// @param finer asked after the finest grid of the series has converged: true to halve the spacing once more
+/// @param finer asked after the finest grid of the series has converged: true to halve the spacing once more, which
+/// leaves what was found where it has no solution
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
 

@@ -133,32 +133,6 @@ Zone SpectralField::zone(double x) const {
   return Zone::slip;
 }
 
-SpectralField::Slopes SpectralField::elastic_slopes(double x) const {
-  const double t = place_in(state_.edges.contact, x);
-  const double tail = tail_image(contact_tails_, t);
-  const VectorXd& phi = state_.pressure.coefficients;
-  Slopes g{0.5 * image_sum(phi, t, 1) + tail, 0};
-  if (state_.pattern.shear) {
-    const Eigen::RowVectorXd slope = base_->slope(x);
-    const double m = base_->direction(x);
-    g.u = friction_ * (slope.head(phi.size()).dot(phi) - m * tail);
-    const VectorXd mixed = mixed_tail();
-    if (mixed.size() > 0)
-      g.u += friction_ * (slope.tail(mixed.size()).dot(mixed) + 0.5 * m * image_sum(mixed, t, phi.size() + 1));
-    for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
-      const double s = place_in(state_.edges.sticks[z], x);
-      g.u += tail_image(stick_tails_[z], s) - 0.5 * image_sum(state_.sticks[z].coefficients, s, 1);
-    }
-  }
-  if (problem_.local_cross != 0 && std::abs(t) < 1) g.u += problem_.local_cross * pressure(x);
-  if (problem_.layered()) {
-    const Slopes added = sum_of_sources(x, [&](double r) { return problem_.correction->slope(r); });
-    g.w += added.w;
-    g.u += added.u;
-  }
-  return g;
-}
-
 template <class Kernel>
 SpectralField::Slopes SpectralField::sum_of_sources(double x, Kernel kernel) const {
   Slopes sum{0, 0};
@@ -168,6 +142,32 @@ SpectralField::Slopes SpectralField::sum_of_sources(double x, Kernel kernel) con
     sum.u += k(1) * state_.shear_forces(q) - k(2) * state_.pressure_forces(q);
   }
   return sum;
+}
+
+SpectralField::Slopes SpectralField::added_slopes(double x) const {
+  if (!problem_.layered()) return {0, 0};
+  return sum_of_sources(x, [&](double r) { return problem_.correction->slope(r); });
+}
+
+SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& added) const {
+  const double t = place_in(state_.edges.contact, x);
+  const double tail = tail_image(contact_tails_, t);
+  const VectorXd& phi = state_.pressure.coefficients;
+  Slopes g{0.5 * image_sum(phi, t, 1) + tail + added.w, added.u};
+  if (state_.pattern.shear) {
+    const Eigen::RowVectorXd slope = base_->slope(x);
+    const double m = base_->direction(x);
+    g.u += friction_ * (slope.head(phi.size()).dot(phi) - m * tail);
+    const VectorXd mixed = mixed_tail();
+    if (mixed.size() > 0)
+      g.u += friction_ * (slope.tail(mixed.size()).dot(mixed) + 0.5 * m * image_sum(mixed, t, phi.size() + 1));
+    for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
+      const double s = place_in(state_.edges.sticks[z], x);
+      g.u += tail_image(stick_tails_[z], s) - 0.5 * image_sum(state_.sticks[z].coefficients, s, 1);
+    }
+  }
+  if (problem_.local_cross != 0 && std::abs(t) < 1) g.u += problem_.local_cross * pressure(x);
+  return g;
 }
 
 SpectralField::Slopes SpectralField::remembered_ahead(std::size_t term, double x) const {

@@ -25,7 +25,10 @@ class SpectralField {
   struct Slopes {
     double w, u;
   };
-  Slopes elastic_slopes(double x) const;
+  Slopes elastic_slopes(double x) const { return elastic_slopes(x, added_slopes(x)); }
+  /// The same with what finite thickness adds, a smooth function of x, known.
+  Slopes elastic_slopes(double x, const Slopes& added) const;
+  Slopes added_slopes(double x) const;
 
   /// Well ahead of the contact, where points stand for the tractions: means R_{T_term} of those slopes, and the
   /// displacement u of the surface [m], 0 over a half-space.

@@ -1,6 +1,7 @@
 #include "core/surface_panels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/dense_algebra.hpp"
@@ -51,6 +52,56 @@ const PanelRule& panel_rule() {
   static const PanelRule rule;
   return rule;
 }
+
+/// What finite thickness adds to the elastic slopes, as Chebyshev series on panels no wider than the depth it comes
+/// from: it is singular at twice that distance from the surface.
+class AddedSlopes {
+ public:
+  /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.
+  AddedSlopes(const SpectralProblem& problem, const SpectralField& field, double from, double to, std::size_t most)
+      : field_(field), layered_(problem.layered()) {
+    if (!layered_) return;
+    const double panels = std::ceil((to - from) / problem.correction->depth());
+    if (panels * count > static_cast<double>(most)) return;
+    from_ = from;
+    width_ = (to - from) / panels;
+    for (int panel = 0; panel < static_cast<int>(panels); ++panel) {
+      std::array<Eigen::Array2d, count> c;
+      c.fill(Eigen::Array2d::Zero());
+      for (int node = 0; node < count; ++node) {
+        const double angle = M_PI * (node + 0.5) / count;
+        const SpectralField::Slopes value = field.added_slopes(from + width_ * (panel + 0.5 + 0.5 * std::cos(angle)));
+        for (int k = 0; k < count; ++k)
+          c[static_cast<std::size_t>(k)] +=
+              (k == 0 ? 1.0 : 2.0) / count * std::cos(k * angle) * Eigen::Array2d(value.w, value.u);
+      }
+      series_.push_back(c);
+    }
+  }
+
+  SpectralField::Slopes operator()(double x) const {
+    if (!layered_) return {0, 0};
+    const double place = (x - from_) / width_;
+    if (!(place >= 0 && place <= static_cast<double>(series_.size()))) return field_.added_slopes(x);
+    const auto panel = std::min(static_cast<std::size_t>(place), series_.size() - 1);
+    const double t = 2 * (place - static_cast<double>(panel)) - 1;
+    Eigen::Array2d b1 = Eigen::Array2d::Zero(), b2 = b1;
+    for (std::size_t k = count - 1; k > 0; --k) {
+      const Eigen::Array2d b0 = series_[panel][k] + 2 * t * b1 - b2;
+      b2 = b1;
+      b1 = b0;
+    }
+    const Eigen::Array2d sum = series_[panel][0] + t * b1 - b2;
+    return {sum(0), sum(1)};
+  }
+
+ private:
+  static constexpr int count = 18;
+  const SpectralField& field_;
+  bool layered_;
+  double from_ = 0, width_ = 1;
+  std::vector<std::array<Eigen::Array2d, count>> series_;
+};
 
 }  // namespace
 
@@ -131,6 +182,8 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
 
   const PanelRule& rule = panel_rule();
   const Index terms = problem.terms();
+  const AddedSlopes added(problem, field, contact.from - 1.5 * half, contact.to + 0.5 * half,
+                          panels.size() * PanelRule::count / 2);
   Eigen::ArrayXXd memory = Eigen::ArrayXXd::Zero(terms, 2);  // of w and u at the panel's leading end
   if (from_points)
     for (Index m = 0; m < terms; ++m) {
@@ -147,7 +200,7 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
     panel.pressure = panel.shear = ArrayXd::Zero(PanelRule::count);
     MatrixXd elastic(PanelRule::count, 2);
     for (int k = 0; k < PanelRule::count; ++k) {
-      const SpectralField::Slopes g = field.elastic_slopes(panel.x(k));
+      const SpectralField::Slopes g = field.elastic_slopes(panel.x(k), added(panel.x(k)));
       elastic.row(k) << g.w, g.u;
       if (panel.zone == Zone::free) continue;
       panel.pressure(k) = field.pressure(panel.x(k));
