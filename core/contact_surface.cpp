@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 #include "core/line_passage.hpp"
 #include "core/medium_shapes.hpp"
+#include "core/moving_surface.hpp"
 #include "core/passage_kernel.hpp"
 #include "core/recently_made.hpp"
 
@@ -20,7 +20,7 @@ constexpr double long_wave = 1e-4;
 constexpr double inertia_share = 0.1;
 /// What inertia may take whatever the tolerance, which is one of computing: below it a warning would say nothing
 /// either.
-constexpr double negligible_inertia = 1e-3;
+constexpr double always_negligible_inertia = 1e-3;
 
 /// Speed of Rayleigh waves over that of shear waves, squared (Viktorov 1967): 0.912 for nu = 1/2.
 double rayleigh_square(double poisson_ratio) {
@@ -86,6 +86,18 @@ std::shared_ptr<const MediumResponse> response_of(const ShapesKey& key) {
   });
 }
 
+/// Of a sphere with inertia.
+bool is_moving(const ShapesKey& key) { return key.indenter == Indenter::sphere && key.wave_speed > 0; }
+
+std::shared_ptr<const MovingSurface> moving_surface(const ShapesKey& key) {
+  static RecentlyMade<ShapesKey, MovingSurface, 16> cache;
+  return cache(key, [&] { return MovingSurface(key.medium, key.wave_speed); });
+}
+
+double expansion_error(const ShapesKey& key) {
+  return is_moving(key) ? moving_surface(key)->error() : response_of(key)->error;
+}
+
 struct KernelsKey {
   ShapesKey shapes;
   double cell_x, cell_y;
@@ -102,11 +114,17 @@ std::shared_ptr<const std::vector<TimedKernel>> kernels_of(const KernelsKey& key
   static RecentlyMade<KernelsKey, std::vector<TimedKernel>, 8> cache;
   return cache(key, [&] {
     std::vector<TimedKernel> kernels;
-    for (const TimedShape& term : response_of(key.shapes)->shapes)
+    const auto response = response_of(key.shapes);
+    for (const TimedShape& term : response->shapes)
       kernels.push_back(
           {term.time, PassageKernel(key.shapes.indenter, term.shape, key.cell_x, key.cell_y, key.columns, key.rows)});
     return kernels;
   });
+}
+
+std::shared_ptr<const InfluenceTable> moving_table(const KernelsKey& key) {
+  static RecentlyMade<KernelsKey, InfluenceTable, 8> cache;
+  return cache(key, [&] { return moving_surface(key.shapes)->table(key.cell_x, key.cell_y, key.columns, key.rows); });
 }
 
 }  // namespace
@@ -119,12 +137,19 @@ double rayleigh_number(const RollingScene& scene) {
   return largest;
 }
 
+bool layers_carry_slower_waves(const RollingScene& scene) {
+  return carries_slower_waves(all_under(scene), scene.speed) || carries_slower_waves(all_on(scene), scene.speed);
+}
+
+double negligible_inertia(const RollingScene& scene) {
+  return std::max(inertia_share * scene.tolerance.value_or(0), always_negligible_inertia);
+}
+
 bool inertia_included(const RollingScene& scene) {
   if (scene.inertia != Inertia::automatic) return scene.inertia == Inertia::on;
-  if (!scene.tolerance || scene.method == Method::spectral || !(scene.indenter == Indenter::cylinder || scene.period))
-    return false;
+  if (!scene.tolerance || scene.method == Method::spectral) return false;
   const double number = rayleigh_number(scene);
-  return number > std::max(inertia_share * *scene.tolerance, negligible_inertia) && number < 1;
+  return number > negligible_inertia(scene) && number < 1;
 }
 
 bool is_composite(const RollingScene& scene) {
@@ -266,12 +291,12 @@ double SteadySurface::longest_wave() const {
 }
 
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
-  if (inertia_included(scene) && scene.indenter == Indenter::sphere)
-    throw std::invalid_argument("inertia = on: for a sphere only with a period");
   if (scene.indenter == Indenter::cylinder) return line_passage_table(scene, grid, reach_x);
   const auto table_of = [&](const LayeredMedium& medium) {
+    const KernelsKey key{shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y};
+    if (is_moving(key.shapes)) return *moving_table(key);
     InfluenceTable table(reach_x, reach_y);
-    const auto kernels = kernels_of({shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y});
+    const auto kernels = kernels_of(key);
     for (const auto& [time, kernel] : *kernels) {
       CreepSpectrum memory;
       if (time == 0)
@@ -300,9 +325,9 @@ InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& gri
 
 double expansion_error(const RollingScene& scene) {
   if (scene.indenter == Indenter::cylinder) return line_expansion_error(scene);
-  double error = response_of(shapes_key(scene, foundation_of(scene)))->error;
+  double error = expansion_error(shapes_key(scene, foundation_of(scene)));
   if (const LayeredMedium coating = coating_of(scene); !coating.empty())
-    error = std::max(error, response_of(shapes_key(scene, coating))->error);
+    error = std::max(error, expansion_error(shapes_key(scene, coating)));
   return error;
 }
 

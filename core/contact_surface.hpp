@@ -18,10 +18,17 @@ namespace rollres {
 /// rest, for the layer of the scene that is nearest to it [1].
 double rayleigh_number(const RollingScene& scene);
 
-/// Whether the layers' inertia is part of the scene's model: asked for, or by itself where it would change the
-/// resistance by more than a thousandth and more than a tenth of the tolerance given, and the model has it (a cylinder
-/// on a grid, or a periodic train).
+/// Whether the layers together carry waves slower than the body although its Rayleigh number is below 1: steady motion
+/// with inertia is not modelled there either.
+bool layers_carry_slower_waves(const RollingScene& scene);
+
+/// Whether the layers' inertia is part of the scene's model: asked for, or by itself where a tolerance is given, it is
+/// not negligible by the modulus at rest, and the model has it: below the speed of Rayleigh waves, with a grid.
 bool inertia_included(const RollingScene& scene);
+
+/// rho V^2/G beyond which inertia would change the resistance by more than a thousandth and more than a tenth of the
+/// tolerance given [1].
+double negligible_inertia(const RollingScene& scene);
 
 /// Whether the surface is more than one layer of one material without inertia.
 bool is_composite(const RollingScene& scene);
@@ -87,7 +94,6 @@ class SteadySurface {
 };
 
 /// Influence coefficients of a composite surface for a single passage.
-/// @throws std::invalid_argument for a sphere with inertia, which only a periodic train has
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y);
 
 /// Largest relative error of the expansion in retardation times that such coefficients contain (medium_expansion.hpp).

@@ -13,8 +13,6 @@ namespace {
 
 double distance(double x, double y) { return std::sqrt(x * x + y * y); }
 
-double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
-
 /// Antiderivative over x and y of x/(x^2 + y^2).
 double integrated_cosine(double x, double y) {
   const double square = x * x + y * y;
@@ -35,6 +33,8 @@ QuadratureRule averaging_rule(double cell_over_thickness) {
 }
 
 }  // namespace
+
+double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
 
 ElasticKernel::ElasticKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y)
     : indenter_(indenter), shape_(shape), cell_x_(cell_x), cell_y_(cell_y) {
@@ -69,7 +69,7 @@ Coefficients ElasticKernel::operator()(double x, double y) const {
 Coefficients ElasticKernel::sphere(double x, double y) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
-  if (distance(x, y) > shape_.reach()) return sum;
+  if (distance(x, y) > shape_.scales().reach()) return sum;
   const double right = x + 0.5 * cell_x_, left = x - 0.5 * cell_x_;
   const double above = y + 0.5 * cell_y_, below = y - 0.5 * cell_y_;
   const Eigen::Array4d r =  // of the corners
@@ -141,7 +141,7 @@ Eigen::Array4d ElasticKernel::radial_limit(double from_load) const {
 Coefficients ElasticKernel::cylinder(double x) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
-  const double reach = shape_.reach();
+  const double reach = shape_.scales().reach();
   if (std::abs(x) > reach) return sum;
   // A cell across the end of the response ends there.
   const double right = std::min(x + 0.5 * cell_x_, reach), left = std::max(x - 0.5 * cell_x_, -reach);

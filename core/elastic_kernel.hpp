@@ -26,6 +26,9 @@ inline const Coefficients mirror_x{{1, 1, 1, -1, -1, 1}};
 inline const Coefficients mirror_y{{1, 1, 1, -1, 1, -1}};
 }  // namespace coefficient
 
+/// x asinh(y/|x|), odd in both.
+double x_asinh(double x, double y);
+
 class ElasticKernel {
  public:
   /// @param cell_x, cell_y size of the loaded cell [m] (cell_y is not used for a cylinder)

@@ -34,6 +34,11 @@ RollingSolution summarise(const ContactProblem& problem, const InfluenceOperator
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution);
 
+/// Why a tolerance has no answer, or the one found without inertia is none: its layers' inertia counts, but the body is
+/// faster than their waves. Empty otherwise.
+std::string unanswered_inertia(const RollingScene& scene);
+std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution);
+
 /// What the model leaves out and why, with the number that justifies it.
 std::string model_of(const RollingScene& scene, const RollingSolution& solution);
 

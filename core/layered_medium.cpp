@@ -121,6 +121,20 @@ std::vector<complex> moduli_at(const LayeredMedium& medium, double omega) {
   return moduli;
 }
 
+bool carries_slower_waves(const LayeredMedium& medium, double speed) {
+  if (medium.size() < 2) return false;
+  double thinnest = INFINITY;
+  for (const MediumLayer& layer : medium) thinnest = std::min(thinnest, layer.thickness);
+  const std::vector<complex> at_rest = moduli_at(medium, 0);
+  const double highest = 20 / thinnest;
+  for (double k = 1e-2 / finite_thickness(medium); k < highest; k *= 1.1) {
+    const SurfaceCompliance c = surface_compliance(medium, at_rest, k, speed);
+    const double normal = c.normal.real(), cross = c.cross.real();
+    if (!(normal > 0 && normal * c.longitudinal.real() > cross * cross && c.transverse.real() > 0)) return true;
+  }
+  return false;
+}
+
 SurfaceCompliance surface_compliance(const LayeredMedium& medium, double wavenumber, double cosine, double speed) {
   return surface_compliance(medium, moduli_at(medium, -wavenumber * cosine * speed), wavenumber, speed * cosine);
 }

@@ -50,6 +50,11 @@ SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<cons
 /// @param cosine of the angle between wave vector and motion   @param speed V [m/s]
 SurfaceCompliance surface_compliance(const LayeredMedium& medium, double wavenumber, double cosine, double speed);
 
+/// Whether the layers at rest together carry waves along the surface that are slower than a speed [m/s] below that of
+/// Rayleigh waves on each: a heavy layer slows those of a softer one below. The response to slower loads of any
+/// wavenumber takes work, that is, its compliance is positive.
+bool carries_slower_waves(const LayeredMedium& medium, double speed);
+
 /// Moduli of the layers at a frequency [rad/s].
 std::vector<std::complex<double>> moduli_at(const LayeredMedium& medium, double omega);
 

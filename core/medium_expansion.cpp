@@ -19,7 +19,6 @@ constexpr int degree = 11, coefficients = degree + 1;
 constexpr double panel_ratio = 2;  // of the wavenumbers at a panel's ends
 // Rayleigh waves of an incompressible half-space need rho V^2/G = 0.9126, of a compressible one less.
 constexpr double rayleigh_number = 0.9126;
-constexpr double sparse = 5, denser = 2, dense = 9, wanted_error = 1e-5;
 
 Symbols scaled(const SurfaceCompliance& c, double wavenumber) {
   return wavenumber * Symbols(c.normal, c.longitudinal, c.transverse, c.cross);
@@ -30,6 +29,12 @@ Symbols half_space(const MediumLayer& layer, complex modulus, double wave_speed)
   MediumLayer deep = layer;
   deep.thickness = INFINITY;
   return scaled(surface_compliance({deep}, std::vector{modulus}, 1, wave_speed), 1);
+}
+
+/// Waves in a layer decay like e^{-k beta z}, slowest at rest.
+double slowest_decay(const MediumLayer& layer, double wave_speed) {
+  const double number = layer.density * wave_speed * wave_speed * layer.material.at_rest();
+  return std::sqrt(1 - std::min(number, rayleigh_number));
 }
 
 struct TimeRange {
@@ -91,28 +96,33 @@ std::vector<double> frequencies_for(const std::vector<double>& times, double off
 
 }  // namespace
 
-MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed) {
-  const double finite = finite_thickness(medium);
-  const bool layered = finite > 0;
-  if (layered) {
-    highest_ = 18 / medium.front().thickness;
+MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed, double per_decade) {
+  if (const double finite = finite_thickness(medium); finite > 0) {
+    highest_ = decayed / (medium.front().thickness * slowest_decay(medium.front(), wave_speed));
     lowest_ = 1e-3 / finite;
     const int panels = static_cast<int>(std::ceil(std::log(highest_ / lowest_) / std::log(panel_ratio)));
     for (int i = 0; i <= panels; ++i) borders_.push_back(std::log(lowest_) + std::log(highest_ / lowest_) * i / panels);
   }
-  double per_decade = sparse;
-  do {
-    fit(medium, wave_speed, per_decade);
-    error_ = layered ? measured_error(medium, wave_speed) : 0;
-    per_decade += denser;
-  } while (error_ > wanted_error && per_decade <= dense);
+  const TimeRange range = time_range(medium, wave_speed);
+  for (;; per_decade += denser) {
+    fit(medium, wave_speed, range.exact.empty() ? std::vector<double>{0} : retardation_times(range, per_decade));
+    error_ = measured_error(medium, wave_speed);
+    per_decade_ = per_decade;
+    if (!(error_ > wanted_error) || per_decade + denser > most_per_decade) break;
+  }
 }
 
-void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, double per_decade) {
-  const TimeRange range = time_range(medium, wave_speed);
-  std::vector<double> times{0}, frequencies{0};
-  if (!range.exact.empty()) {
-    times = retardation_times(range, per_decade);
+MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed, const MediumExpansion& of_faster)
+    : lowest_(of_faster.lowest_), highest_(of_faster.highest_), borders_(of_faster.borders_) {
+  std::vector<double> times;
+  for (const MediumTerm& term : of_faster.terms_) times.push_back(term.time);
+  fit(medium, wave_speed, times);
+  error_ = measured_error(medium, wave_speed);
+}
+
+void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, const std::vector<double>& times) {
+  std::vector<double> frequencies{0};
+  if (times.size() > 1) {
     frequencies = frequencies_for(times, 0);
     frequencies.push_back(0);
   }
@@ -210,9 +220,13 @@ double MediumExpansion::measured_error(const LayeredMedium& medium, double wave_
   std::vector<std::vector<complex>> moduli;
   const std::vector<double> frequencies = frequencies_for(times, 0.5);
   for (const double omega : frequencies) moduli.push_back(moduli_at(medium, omega));
+  const bool layered = !borders_.empty();
+  std::vector<double> wavenumbers{layered ? highest_ : 1};
+  for (double k = 50 * lowest_; k < highest_ / 6; k *= 2) wavenumbers.push_back(k);
   double largest = 0;
-  for (double k = 50 * lowest_; k < highest_ / 6; k *= 2) {
-    const Corrections values = correction(k);
+  for (const double k : wavenumbers) {
+    const Corrections values =
+        layered ? correction(k) : Corrections(Corrections::Zero(4, static_cast<Index>(times.size())));
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
       const Symbols exact = scaled(surface_compliance(medium, moduli[i], k, wave_speed), k);
       Symbols sum = Symbols::Zero();

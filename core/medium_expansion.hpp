@@ -25,7 +25,10 @@ struct MediumTerm {
 class MediumExpansion {
  public:
   /// @param wave_speed V cos, for the inertia [m/s]; 0: without
-  MediumExpansion(const LayeredMedium& medium, double wave_speed);
+  /// @param per_decade times to begin with; more, up to `most_per_decade`, while the error is beyond `wanted_error`
+  MediumExpansion(const LayeredMedium& medium, double wave_speed, double per_decade = 5);
+  /// For slower waves of the same medium, at the times and in the range of wavenumbers of another expansion.
+  MediumExpansion(const LayeredMedium& medium, double wave_speed, const MediumExpansion& of_faster);
 
   const std::vector<MediumTerm>& terms() const { return terms_; }
 
@@ -34,19 +37,27 @@ class MediumExpansion {
   using Corrections = Eigen::Array<double, 4, Eigen::Dynamic>;
   Corrections correction(double wavenumber) const;
 
+  static constexpr double wanted_error = 1e-5, most_per_decade = 9, denser = 2;
+  /// Times a decade that it ended with.
+  double per_decade() const { return per_decade_; }
+
   /// Largest error of the sum over the compliance, at frequencies and wavenumbers between those it was made from [1].
   double error() const { return error_; }
 
   /// Where corrections begin to tell from the base, and have fallen to e^{-36} [1/m].
   double lowest_wavenumber() const { return lowest_; }
   double highest_wavenumber() const { return highest_; }
+  /// Scale of the corrections: the thickness of the top layer times beta (layered_medium.hpp) at rest [m].
+  double finest_length() const { return decayed / highest_; }
 
  private:
-  void fit(const LayeredMedium& medium, double wave_speed, double per_decade);
+  void fit(const LayeredMedium& medium, double wave_speed, const std::vector<double>& times);
   double measured_error(const LayeredMedium& medium, double wave_speed) const;
 
+  static constexpr double decayed = 18;  // e^{-2 * 18} is nothing
+
   std::vector<MediumTerm> terms_;
-  double lowest_ = 0, highest_ = 0, error_ = 0;
+  double lowest_ = 0, highest_ = 0, error_ = 0, per_decade_ = 0;
   std::vector<double> borders_;            // of panels in ln k
   std::vector<Corrections> coefficients_;  // Chebyshev, panel by panel
 };

@@ -5,6 +5,7 @@
 
 #include "core/quadrature.hpp"
 #include "core/wavenumber_fade.hpp"
+#include "core/wavenumber_rule.hpp"
 
 namespace rollres {
 
@@ -14,41 +15,18 @@ using Eigen::Index;
 using Corrections = MediumExpansion::Corrections;
 
 constexpr int sampled_degree = 15, table_degree = 9, parts_of_panel = 4;
-constexpr double panel_growth = 1.6;
 
-/// Distances over the length where panels of tables end, the last one beyond `end`. The corrections are singular at
-/// distances of +-2i and more.
-std::vector<double> panel_borders(double end) {
-  std::vector<double> borders{0, 1.5, 3.5, 6.5, 11};
-  while (borders.back() < end) borders.push_back(borders.back() * panel_growth);
-  return borders;
-}
-
-/// Wavenumbers (times the length) with weights, and the corrections there, for distances from r0 to r1 over the length.
-class WavenumberRule {
- public:
-  WavenumberRule(const MediumExpansion& expansion, double length, double r0, double r1) {
-    const WavenumberFade fade(r0);
-    const double end = std::min(expansion.highest_wavenumber() * length, fade.to);
-    double from = 0;
-    for (double to = expansion.lowest_wavenumber() * length; from < end; from = to, to *= 1.6) {
-      to = std::min(to, end);
-      const QuadratureRule gauss = gauss_legendre(10 + static_cast<int>(0.5 * (to - from) * r1));
-      for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
-        const double k = from + (to - from) * gauss.nodes[q];
-        nodes.push_back(k);
-        weights.push_back((to - from) * gauss.weights[q] * fade(k));
-        values.push_back(expansion.correction(k / length));
-      }
-    }
+/// A rule of wavenumbers with the corrections there, for distances from r0 to r1 over the length.
+struct SampledRule : WavenumberRule {
+  SampledRule(const MediumExpansion& expansion, double length, double r0, double r1)
+      : WavenumberRule(expansion.lowest_wavenumber() * length, expansion.highest_wavenumber() * length, r0, r1) {
+    for (const double k : nodes) values.push_back(expansion.correction(k / length));
   }
-
-  std::vector<double> nodes, weights;
   std::vector<Corrections> values;
 };
 
 /// The corrections' transforms at distance r over the length, for RadialTable: by rows its four functions.
-Corrections radial_transform(const WavenumberRule& rule, double r) {
+Corrections radial_transform(const SampledRule& rule, double r) {
   Corrections sum = Corrections::Zero(4, rule.values.front().cols());
   for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
     const double z = rule.nodes[q] * r, j0 = ::j0(z), j1 = ::j1(z);
@@ -82,7 +60,7 @@ Eigen::ArrayXd beyond_fade(const MediumExpansion& expansion, double length, doub
 
 /// Antiderivatives over x of the corrections, at distance x over the length, for LineTable: rows normal and
 /// longitudinal less their known part e^{-2k}, and cross.
-Corrections line_transform(const MediumExpansion& expansion, const WavenumberRule& rule, double length, double r0,
+Corrections line_transform(const MediumExpansion& expansion, const SampledRule& rule, double length, double r0,
                            double x) {
   const auto count = static_cast<Index>(expansion.terms().size());
   Corrections sum = Corrections::Zero(4, count), known = Corrections::Zero(4, count);
@@ -110,7 +88,7 @@ double table_end(const MediumExpansion& expansion, double length, double finite,
   for (const MediumTerm& term : expansion.terms()) largest = std::max(largest, std::abs(term.deep.transverse));
   double end = 30 * finite / length;
   for (; end < longest * finite / length; end *= 1.3) {
-    const Corrections at = radial_transform(WavenumberRule(expansion, length, end, end), end);
+    const Corrections at = radial_transform(SampledRule(expansion, length, end, end), end);
     double left = 0;
     for (std::size_t m = 0; m < expansion.terms().size(); ++m) {
       const LayerSymbols& deep = expansion.terms()[m].deep;
@@ -135,12 +113,12 @@ std::vector<TimedShape> medium_shapes(Indenter indenter, const LayeredMedium& me
 
   const double length = medium.front().thickness;
   const bool rigid = std::isfinite(medium.back().thickness), sphere = indenter == Indenter::sphere;
-  const std::vector<double> borders = panel_borders(table_end(expansion, length, finite, rigid));
+  const std::vector<double> borders = distance_panels(table_end(expansion, length, finite, rigid));
   std::vector<Corrections> samples;  // in the order in which a table asks for them
   std::vector<double> fine{0};
   for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
     const double from = borders[panel], to = borders[panel + 1];
-    const WavenumberRule rule(expansion, length, from, to);
+    const SampledRule rule(expansion, length, from, to);
     for (int node = 0; node <= sampled_degree; ++node) {
       const double r = from + 0.5 * (to - from) * (1 + std::cos(M_PI * (node + 0.5) / (sampled_degree + 1)));
       samples.push_back(sphere ? radial_transform(rule, r) : line_transform(expansion, rule, length, from, r));

@@ -20,7 +20,24 @@ double inertia(const RollingScene& scene, const RollingSolution& solution) {
   return scene.layer_density * scene.speed * scene.speed /
          std::abs(complex_modulus(scene, scene.speed / half_length(solution)));
 }
+
 }  // namespace
+
+std::string unanswered_inertia(const RollingScene& scene) {
+  if (scene.inertia != Inertia::automatic || !inertia_included(scene) || !layers_carry_slower_waves(scene)) return {};
+  return message_text("inertia may count for a tolerance of ", *scene.tolerance,
+                      ", and with it the speed must be below that of the waves which the layers carry together; "
+                      "inertia = off leaves it out");
+}
+
+std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution) {
+  if (scene.inertia != Inertia::automatic || !scene.tolerance || scene.method == Method::spectral) return {};
+  const double number = rayleigh_number(scene), mach = inertia(scene, solution);
+  if (number < 1 || mach <= negligible_inertia(scene)) return {};
+  return message_text("inertia counts for a tolerance of ", *scene.tolerance, " (ρV²/|G| = ", mach,
+                      "), and with it the speed must be below that of Rayleigh waves on the layer at rest, ",
+                      scene.speed / std::sqrt(number), " m/s; inertia = off leaves it out");
+}
 
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
   std::vector<std::string> warnings;
@@ -34,6 +51,11 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   const double mach = inertia(scene, solution);
   if (mach > 0.01 && !inertia_included(scene))
     warnings.push_back(message_text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
+  if (is_composite(scene) && !scene.period && solution.method != Method::spectral)
+    if (const double error = expansion_error(scene); error > 1e-4)
+      warnings.push_back(message_text("the layers' compliance is expanded in retardation times and directions to ",
+                                      error, " only",
+                                      inertia_included(scene) ? ": the speed is close to that of Rayleigh waves" : ""));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10)
     warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));

@@ -2,17 +2,17 @@
 
 /// Influence coefficients of a single passage (no period), at any speed and for any creep spectrum.
 ///
-/// With T = V tau_m the memory length of a term, its part of the displacement is the elastic one convolved along x,
-///   g(x) = int_0^inf e^{-s/T}/T K(x + s) ds,   g(x) = e^{-a/T} g(x + a) + int_0^a e^{-s/T}/T K(x + s) ds,
-/// one backward recursion per row of nodes. The elastic values K at the points of the integrals do not depend on
-/// speed or material: one table serves every scene with the same layer and spacing.
+/// Each term of the spectrum is the elastic response convolved along x (passage_rules.hpp). The elastic values at the
+/// points of the integrals do not depend on speed or material: one table serves every scene with the same layer and
+/// spacing.
 
 #include <memory>
+#include <vector>
 
 #include "core/elastic_kernel.hpp"
 #include "core/influence.hpp"
 #include "core/material.hpp"
-#include "core/quadrature.hpp"
+#include "core/passage_rules.hpp"
 
 namespace rollres {
 
@@ -30,21 +30,12 @@ class PassageKernel {
   /// Coefficients for offsets up to reach_x columns and reach_y rows.
   InfluenceTable table(const CreepSpectrum& material, double speed, int reach_x, int reach_y) const;
 
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
+  int columns() const { return rules_.columns(); }
+  int rows() const { return static_cast<int>(values_.size()) - 1; }
 
  private:
-  /// Which rule of integration a cell needs: the closer to the loaded cell, the finer.
-  enum CellRule { near, middle, far, distant, rule_count };
-  CellRule rule_of(int column, int row) const;
-
-  int columns_, rows_;
-  double cell_x_;
-  std::array<MemoryRule, rule_count> cell_rules_;
-  MemoryRule tail_rule_;                      // from the last column to the end of the layer's response
-  std::vector<Coefficients> nodes_;           // K at the nodes, x >= 0, row by row
-  std::vector<std::size_t> first_sample_;     // of each cell, row by row
-  std::vector<Coefficients> samples_, tail_;  // K at the points of the cells' rules; of the tail's, row by row
+  PassageRules rules_;
+  std::vector<std::vector<Coefficients>> values_;  // K at the distances of the rules, for each row
 };
 
 /// The kernel for this geometry, from a small cache shared by all threads.

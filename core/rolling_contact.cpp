@@ -170,7 +170,20 @@ RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_b
   const auto begin = std::chrono::steady_clock::now();
   require_valid(given);
   const ModelChoice choice = choose_model(given);
-  RollingSolution solution = solve_by_method(choice.scene);
+  RollingScene model = choice.scene;
+  model.tolerance = given.tolerance;
+  RollingSolution solution;
+  std::string refused = unanswered_inertia(model);
+  if (refused.empty()) {
+    solution = solve_by_method(choice.scene);
+    if (solution.status == Status::converged) refused = unanswered_inertia(model, solution);
+  }
+  if (!refused.empty()) {
+    solution = {};
+    solution.status = Status::no_steady_state;
+    solution.method = resolved_method(model);
+    solution.reason = refused;
+  }
   if (solution.status == Status::converged) {
     const std::string note = std::move(solution.model);
     solution.model = model_of(choice.scene, solution) + note;

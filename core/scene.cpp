@@ -114,12 +114,12 @@ std::vector<std::string> check(const RollingScene& scene) {
   if (scene.period && std::isinf(total_thickness(scene)))
     complain("period", *scene.period, "needs a layer of finite thickness");
   if (scene.inertia == Inertia::on) {
-    if (scene.indenter == Indenter::sphere && !scene.period)
-      complain("inertia", name_of(scene.inertia), "for a sphere only with a period");
     if (const double number = in_range ? rayleigh_number(scene) : 0; number >= 1)
       complain("speed", scene.speed,
                "with inertia must be below that of Rayleigh waves on the layer at rest, " +
                    message_text(scene.speed / std::sqrt(number)) + " m/s");
+    else if (in_range && layers_carry_slower_waves(scene))
+      complain("speed", scene.speed, "with inertia must be below that of the waves which the layers carry together");
   }
   return broken;
 }

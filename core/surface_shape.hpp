@@ -14,6 +14,21 @@
 
 namespace rollres {
 
+/// Lengths over which the response of a surface changes.
+struct ResponseScales {
+  double length = std::numeric_limits<double>::infinity();  ///< the finest scale [m]
+  double extent = std::numeric_limits<double>::infinity();  ///< distance where tables end [m]
+  bool rigid_base = false;                                  ///< whether the surface is at rest beyond
+
+  /// Distance beyond which the surface does not move [m]; infinite where the base is a half-space.
+  double reach() const { return rigid_base ? extent : std::numeric_limits<double>::infinity(); }
+  /// Length over which the response at a distance is smooth [m].
+  double grain(double distance) const {
+    if (distance >= extent) return std::numeric_limits<double>::infinity();
+    return std::min(std::max(length, 0.5 * distance), extent / 30);
+  }
+};
+
 struct SurfaceShape {
   LayerSymbols deep;  ///< symbols times k as k -> infinity: the half-space under short waves [1, or 1/Pa]
   LayerSymbols base;  ///< as k -> 0: that under long waves; 0 over a rigid base
@@ -23,13 +38,7 @@ struct SurfaceShape {
   std::shared_ptr<const LineTable> line;                    ///< of a cylinder
 
   bool rigid_base() const { return std::isfinite(extent) && base == LayerSymbols{}; }
-  /// Distance beyond which the surface does not move [m]; infinite where the base is a half-space.
-  double reach() const { return rigid_base() ? extent : std::numeric_limits<double>::infinity(); }
-  /// Length over which the response at a distance is smooth [m].
-  double grain(double distance) const {
-    if (distance >= extent) return std::numeric_limits<double>::infinity();
-    return std::min(std::max(length, 0.5 * distance), extent / 30);
-  }
+  ResponseScales scales() const { return {length, extent, rigid_base()}; }
 
   bool operator==(const SurfaceShape&) const = default;
 };

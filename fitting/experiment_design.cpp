@@ -1,9 +1,10 @@
 #include "fitting/experiment_design.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "fitting/singular_values.hpp"
 
 namespace rollres {
 
@@ -20,9 +21,9 @@ Eigen::MatrixXd covariance_of(const FitReport& report) {
     const Eigen::VectorXd slope = report.slopes.derivatives.row(static_cast<Eigen::Index>(i)).transpose() / deviation;
     information += slope * slope.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
-  const Eigen::VectorXd inverse = solver.eigenvalues().cwiseMax(hardly_anything).cwiseInverse();
-  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+  const SingularValues svd(information);  // symmetric and not negative: its eigenvalues
+  const Eigen::VectorXd inverse = svd.values.cwiseMax(hardly_anything).cwiseInverse();
+  return svd.v * inverse.asDiagonal() * svd.v.transpose();
 }
 
 double usual_relative_deviation(const FitReport& report) {

@@ -1,10 +1,11 @@
 #include "fitting/fit_errors.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "fitting/singular_values.hpp"
 
 namespace rollres {
 
@@ -74,32 +75,26 @@ FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eig
   if (inside.empty()) return errors;
 
   const Eigen::MatrixXd own = whitened(Eigen::all, inside);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(own, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd values = svd.singularValues();
+  const SingularValues svd(own);
+  const Eigen::VectorXd& values = svd.values;
   const Eigen::Index count = values.size();
-  const double smallest = values[count - 1], rank_limit = 1e-12 * values[0];
-  Eigen::VectorXd inverse_squares(count), inverse(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const bool free = !(values[k] > rank_limit);
-    inverse[k] = free ? 0 : 1 / values[k];
-    inverse_squares[k] = free ? infinite : inverse[k] * inverse[k];
-  }
+  const double smallest = values[count - 1], rank_limit = SingularValues::rank_limit * values[0];
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::MatrixXd part = svd.matrixV().col(k) * svd.matrixV().col(k).transpose();
-    if (std::isfinite(inverse_squares[k]))
-      covariance += inverse_squares[k] * part;
+    const Eigen::MatrixXd part = svd.v.col(k) * svd.v.col(k).transpose();
+    if (values[k] > rank_limit)
+      covariance += part / (values[k] * values[k]);
     else
       covariance += part.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0 : std::copysign(infinite, x); });
   }
   covariance *= errors.scale;
   errors.condition = smallest > rank_limit ? values[0] / smallest : infinite;
   errors.weakest_deviation = smallest > rank_limit ? std::sqrt(errors.scale) / smallest : infinite;
-  const Eigen::VectorXd step = -svd.matrixV() * inverse.asDiagonal() * (svd.matrixU().transpose() * weighted);
+  const Eigen::VectorXd step = -svd.least_squares(weighted);
   for (Eigen::Index a = 0; a < count; ++a) {
     const Eigen::Index j = inside[static_cast<std::size_t>(a)];
     errors.deviations[j] = std::sqrt(covariance(a, a));
-    errors.weakest[j] = svd.matrixV()(a, count - 1);
+    errors.weakest[j] = svd.v(a, count - 1);
     errors.step[j] = step[a];
     for (Eigen::Index b = 0; b < count; ++b) {
       const Eigen::Index k = inside[static_cast<std::size_t>(b)];

@@ -1,7 +1,9 @@
 #include "fitting/quick_profile.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
+#include <optional>
+
+#include "fitting/singular_values.hpp"
 
 namespace rollres {
 
@@ -20,7 +22,7 @@ class LocalParabola {
     slope_ = whitening_.cwiseProduct(slopes.derivatives.col(own));
     for (Eigen::Index j = 0, k = 0; j < slopes.derivatives.cols(); ++j)
       if (j != own) others_.col(k++) = whitening_.cwiseProduct(slopes.derivatives.col(j));
-    if (others_.cols() > 0) solver_.compute(others_);
+    if (others_.cols() > 0) decomposition_.emplace(others_);
   }
 
   const Eigen::VectorXd& whitening() const { return whitening_; }
@@ -52,7 +54,7 @@ class LocalParabola {
   Eigen::VectorXd step(double distance, const std::optional<Bend>& bend = {}) const {
     const Eigen::VectorXd there = (bend ? bent(distance, *bend) : misses_) + distance * slope_;
     Eigen::VectorXd all(others_.cols() + 1), moved;
-    if (others_.cols() > 0) moved = solver_.solve(-there);
+    if (others_.cols() > 0) moved = decomposition_->least_squares(-there);
     for (Eigen::Index j = 0, k = 0; j < all.size(); ++j) all[j] = j == own_ ? distance : moved[k++];
     return all;
   }
@@ -60,7 +62,7 @@ class LocalParabola {
  private:
   /// What the others cannot take away.
   Eigen::VectorXd left(const Eigen::VectorXd& misses) const {
-    return others_.cols() > 0 ? Eigen::VectorXd(misses - others_ * solver_.solve(misses)) : misses;
+    return others_.cols() > 0 ? Eigen::VectorXd(misses - others_ * decomposition_->least_squares(misses)) : misses;
   }
   Eigen::VectorXd bent(double distance, const Bend& bend) const {
     return misses_ + std::pow(distance / bend.distance, 2) * bend.misses;
@@ -69,7 +71,7 @@ class LocalParabola {
   Eigen::Index own_;
   Eigen::VectorXd whitening_, misses_, slope_;
   Eigen::MatrixXd others_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver_;
+  std::optional<SingularValues> decomposition_;  // of others_, if there are any
 };
 
 }  // namespace

@@ -202,31 +202,41 @@ void add_accuracy(Command& program, Session& session) {
       program.add_subcommand("accuracy", "Chart error against time, method by method, over a range of spacings");
   const auto words = std::make_shared<AccuracyWords>();
   AccuracyOptions& options = words->options;
-  command->add_option("scene", words->scenes,
-                      "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
-                      "these two");
+  command
+      ->add_option("scene", words->scenes,
+                   "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
+                   "these two")
+      ->option_text("SCENE");
   command->add_option("--out", words->out, "directory for accuracy.csv and the charts")->required()->option_text("DIR");
-  command->add_option("--methods", words->methods, "methods, separated by commas; left out: all")->delimiter(',');
+  command->add_option("--methods", words->methods, "methods, separated by commas; left out: all")
+      ->option_text("METHOD,...")
+      ->delimiter(',');
   CommandOption* const spacings =
       command->add_option("--spacings", words->spacings, "spacings, with a unit or in m, separated by commas")
+          ->option_text("SPACING,...")
           ->delimiter(',');
   command
       ->add_option("--levels", options.levels,
                    "how many spacings, each 1/sqrt(2) of the last, from 8 nodes along the contact; left out: to 500 "
                    "nodes along a cylinder's, 130 along a sphere's")
+      ->option_text("N")
       ->between(1, 100)
       ->excludes(spacings);
   command->add_option("--repeats", options.repeats, "solutions of which the median time is taken; default 5")
+      ->option_text("N")
       ->between(1, 1000);
   command
       ->add_option("--seconds-limit", options.seconds_limit,
                    "what would take longer is skipped, what takes longer is stopped; default 30")
+      ->option_text("SECONDS")
       ->positive();
   command
       ->add_option("--set", words->overrides, "replace an input of all scenes, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
       ->one_value_each();
-  command->add_option("--format", words->format, "text or markdown")->one_of({"text", "markdown"});
+  command->add_option("--format", words->format, "text or markdown")
+      ->option_text("FORMAT")
+      ->one_of({"text", "markdown"});
   command->add_flag("--json", words->json, "print one JSON object");
   CommandOption* const random =
       command
@@ -237,6 +247,7 @@ void add_accuracy(Command& program, Session& session) {
           ->option_text("N");
   command->add_option("--seed", words->plan.seed, "of the random scenes; default: 1")->needs(random)->option_text("S");
   command->add_option("--tolerances", words->plan.tolerances, "of the random scenes' solutions; default: 1e-2,1e-3")
+      ->option_text("X,...")
       ->delimiter(',')
       ->positive()
       ->needs(random);

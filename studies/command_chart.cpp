@@ -144,30 +144,38 @@ void add_chart(Command& program, Session& session) {
   Command* command = program.add_subcommand("chart", "Draw a stored study as SVG and PNG, through gnuplot");
   const auto words = std::make_shared<ChartWords>();
   StudyChartWishes& wishes = words->wishes;
-  command->add_option("--db", words->database, "database")->required();
-  command->add_option("--study", wishes.study, "study; may be left out if the database holds one");
-  command->add_option("--chart", wishes.chart,
-                      "chart of the study file, by its name or its number; all: every one; left out: the first");
-  command->add_option("--x", wishes.x,
-                      "input or output along x; left out: as the study file says, or its longest axis");
-  command->add_option("--y", wishes.y,
-                      "output along y; left out: as the study file says, or rolling_resistance. With --map: an axis");
-  command->add_option("--family", wishes.family, "axis with one curve for each value; left out: the other axes");
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
+  command->add_option("--study", wishes.study, "study; may be left out if the database holds one")->option_text("NAME");
+  command
+      ->add_option("--chart", wishes.chart,
+                   "chart of the study file, by its name or its number; all: every one; left out: the first")
+      ->option_text("NAME");
+  command->add_option("--x", wishes.x, "input or output along x; left out: as the study file says, or its longest axis")
+      ->option_text("KEY");
+  command
+      ->add_option("--y", wishes.y,
+                   "output along y; left out: as the study file says, or rolling_resistance. With --map: an axis")
+      ->option_text("KEY");
+  command->add_option("--family", wishes.family, "axis with one curve for each value; left out: the other axes")
+      ->option_text("KEY");
   command->add_flag("--shares", wishes.shares,
                     "what of the rolling resistance is lost in the layer and what to friction, stacked");
-  command->add_option("--map", words->map, "contour map of this output over the axes --x and --y")
-      ->option_text("OUTPUT");
+  command->add_option("--map", words->map, "contour map of this output over the axes --x and --y")->option_text("KEY");
   command->add_option("--optimum", words->optimum, "with --map: draw the designs and the optimum of this optimisation")
-      ->option_text("STUDY");
+      ->option_text("NAME");
   command->add_option("--where", words->filters, "show only points with KEY=VALUE, as in query; may be repeated")
+      ->option_text("FILTER")
       ->one_value_each();
   const std::vector<std::string_view> scales{"auto", "linear", "logarithmic"};
   command->add_option("--x-scale", words->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
+      ->option_text("SCALE")
       ->one_of(scales);
-  command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->one_of(scales);
+  command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->option_text("SCALE")->one_of(scales);
   command->add_option("--map-scale", words->map_scale, "of the colours of a map: auto, linear or logarithmic")
+      ->option_text("SCALE")
       ->one_of(scales);
-  command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database");
+  command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database")
+      ->option_text("PATH");
   command->footer(
       "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"
       "Examples: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family "

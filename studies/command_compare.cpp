@@ -125,22 +125,29 @@ void add_compare(Command& program, Session& session) {
   Command* command = program.add_subcommand("compare", "Compare two stored studies point by point");
   const auto words = std::make_shared<CompareWords>();
   command->add_option("studies", words->studies, "names of two studies, or of one that both databases hold")
+      ->option_text("NAME")
       ->required()
       ->expected(1, 2);
-  command->add_option("--db", words->database, "database")->required();
-  command->add_option("--with", words->other_database, "database of the second study; left out: the same");
-  command->add_option("--outputs", words->outputs,
-                      "numbers to compare, separated by commas; left out: rolling_resistance");
-  command->add_option(
-      "--ignore", words->ignored,
-      "inputs that may differ in matching points, separated by commas; those that are one value in each "
-      "study, but not the same, are found by themselves");
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
+  command->add_option("--with", words->other_database, "database of the second study; left out: the same")
+      ->option_text("FILE");
+  command
+      ->add_option("--outputs", words->outputs, "numbers to compare, separated by commas; left out: rolling_resistance")
+      ->option_text("KEY,...");
+  command
+      ->add_option("--ignore", words->ignored,
+                   "inputs that may differ in matching points, separated by commas; those that are one value in each "
+                   "study, but not the same, are found by themselves")
+      ->option_text("KEY,...");
   command
       ->add_option("--within", words->within,
                    "exit status 1 if a relative difference is larger, or a point has an answer in one study only")
+      ->option_text("X")
       ->not_negative();
-  command->add_option("--limit", words->limit, "print this many, the largest first")->not_negative();
-  command->add_option("--format", words->format, "table, csv or json")->one_of({"table", "csv", "json"});
+  command->add_option("--limit", words->limit, "print this many, the largest first")->option_text("N")->not_negative();
+  command->add_option("--format", words->format, "table, csv or json")
+      ->option_text("FORMAT")
+      ->one_of({"table", "csv", "json"});
   command->footer(
       "Exit status 1: nothing matches, or not within.\n"
       "Example: rollres compare spectral newton --db results.db --outputs rolling_resistance,approach --within 1e-3");

@@ -33,9 +33,10 @@ void import_one(const ExportWords& words, Session& session) {
 void add_export(Command& program, Session& session) {
   Command* command = program.add_subcommand("export", "Write a study with its results and provenance into a folder");
   const auto words = std::make_shared<ExportWords>();
-  command->add_option("--study", words->study, "name of the study; may be left out if the database holds one");
-  command->add_option("--db", words->database, "database")->required();
-  command->add_option("--out", words->folder, "folder; made if it is missing")->required();
+  command->add_option("--study", words->study, "name of the study; may be left out if the database holds one")
+      ->option_text("NAME");
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
+  command->add_option("--out", words->folder, "folder; made if it is missing")->option_text("DIR")->required();
   command->footer(
       "README.txt in the folder tells what is what.\n"
       "Example: rollres export --study speed_resistance --db results.db --out speed_resistance");
@@ -45,8 +46,8 @@ void add_export(Command& program, Session& session) {
 void add_import(Command& program, Session& session) {
   Command* command = program.add_subcommand("import", "Bring an exported study into a database");
   const auto words = std::make_shared<ExportWords>();
-  command->add_option("folder", words->folder, "folder that rollres export wrote")->required();
-  command->add_option("--db", words->database, "database; created if it is missing")->required();
+  command->add_option("folder", words->folder, "folder that rollres export wrote")->option_text("DIR")->required();
+  command->add_option("--db", words->database, "database; created if it is missing")->option_text("FILE")->required();
   command->add_flag("--json", words->json, "print one JSON object");
   command->footer(
       "As rollres merge: importing again changes nothing.\n"

@@ -176,8 +176,8 @@ void add_fit(Command& program, Session& session) {
                    "Draw the data N times around the fit, fit them, and count the intervals that hold it")
       ->between(1, 1'000'000)
       ->option_text("N");
-  command->add_option("--seed", words->seed, "Of the draws; default 1");
-  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_option("--seed", words->seed, "Of the draws; default 1")->option_text("S");
+  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->option_text("N")->between(1, 1024);
   command->add_flag("--no-profiles", words->no_profiles, "Leave out the intervals by profile likelihood");
   command->add_flag("--json", words->json, "Print one JSON object");
   command->footer(

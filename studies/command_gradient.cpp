@@ -51,8 +51,11 @@ void add_gradient(Command& program, Session& session) {
       ->option_text("KEY=VALUE")
       ->one_value_each();
   command->add_option("--order", words->options.order, "2 or 4 (default): order of the differences")
+      ->option_text("ORDER")
       ->one_of({"2", "4"});
-  command->add_option("--jobs", words->options.jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_option("--jobs", words->options.jobs, "Threads; default: one for each core")
+      ->option_text("N")
+      ->between(1, 1024);
   command->add_flag("--json", words->json, "Print one JSON object");
   command->footer(
       "Derivatives are by finite differences whose steps suit the noise of the output, which is measured first (8 or "

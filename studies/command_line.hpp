@@ -19,10 +19,28 @@ class Option;
 
 namespace rollres {
 
+/// An option or a positional word, as a manual page or a shell's completion tells it.
+struct OptionWords {
+  std::vector<std::string> names;  ///< {"-h", "--help"}, {"--set"}; a positional word's own: {"scene"}
+  std::string value;               ///< the word for its value, "KEY=VALUE"; empty for a flag
+  std::string meaning;
+  std::vector<std::string> choices;  ///< the values that it takes; empty: any
+  bool positional = false, required = false;
+  bool many = false;  ///< takes several values
+};
+
+/// The program or one of its commands, likewise.
+struct CommandWords {
+  std::string name, meaning;
+  std::string footer;  ///< what the help text ends with
+  std::vector<OptionWords> options;
+  std::vector<CommandWords> commands;
+};
+
 /// An option or a positional word of a command. Its functions return the option, so that they can be chained.
 class CommandOption {
  public:
-  explicit CommandOption(CLI::Option& option) : option_(&option) {}
+  explicit CommandOption(CLI::Option& option);
 
   CommandOption* required();
   /// What the value must be; the help text and the refusal name it. Both ends of `between` are included.
@@ -31,7 +49,8 @@ class CommandOption {
   CommandOption* not_negative();
   CommandOption* one_of(std::span<const std::string_view> names);
   CommandOption* one_of(std::initializer_list<std::string_view> names);
-  /// The word that the help text shows for the value.
+  /// The word that the help text shows for the value. Completion goes by it: after DIR it offers folders, after KEY the
+  /// keys of scenes and solutions; completion.cpp has the list.
   CommandOption* option_text(const std::string& word);
   /// Takes a list apart at this letter.
   CommandOption* delimiter(char letter);
@@ -44,8 +63,12 @@ class CommandOption {
   /// Whether the command line names it; to be asked in the command's callback.
   bool given() const;
 
+  OptionWords words() const;
+
  private:
   CLI::Option* option_;
+  std::string value_;
+  std::vector<std::string> choices_;
 };
 
 /// The program, or one of its commands.
@@ -71,6 +94,8 @@ class Command {
   void callback(std::function<void()> act);
 
   std::string name() const;
+  /// All that was declared up to now.
+  CommandWords words() const;
   const std::vector<std::unique_ptr<Command>>& subcommands() const { return subcommands_; }
 
   /// Reads the words and calls the command's callback; prints the help text or the version if they ask for it.

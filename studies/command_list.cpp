@@ -56,7 +56,7 @@ void list(const ListWords& words, Session& session) {
 void add_list(Command& program, Session& session) {
   Command* command = program.add_subcommand("list", "List the studies of a database and how far they are");
   const auto words = std::make_shared<ListWords>();
-  command->add_option("--db", words->database, "database")->required();
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
   command->add_flag("--json", words->json, "print one JSON object");
   command->footer("Example: rollres list --db results.db");
   command->callback([words, &session] { list(*words, session); });

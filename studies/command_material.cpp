@@ -65,12 +65,14 @@ void add_material(Command& program, Session& session) {
   command->add_option("--set", words->overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
       ->one_value_each();
-  command->add_option("--out", words->chart, "Draw pictures NAME_moduli and NAME_creep")->option_text("NAME");
+  command->add_option("--out", words->chart, "Draw pictures PATH_moduli and PATH_creep")->option_text("PATH");
   command->add_option("--per-decade", words->per_decade, "Rows of the table for each decade of frequency; default 1")
+      ->option_text("N")
       ->between(1, 100);
-  command->add_option("--format", words->format, "table (default), csv, json or jsonl")
+  command->add_option("--format", words->format, "table (default), csv, json, jsonl or markdown")
+      ->option_text("FORMAT")
       ->one_of(table_formats);
-  command->footer("Example: rollres material studies/examples/rubber.json --out rubber");
+  command->footer("Example: rollres material studies/examples/paper_cylinder.json --out rubber");
   command->callback([words, &session] { run_material(*words, session); });
 }
 

@@ -29,8 +29,10 @@ void merge_all(const MergeWords& words, Session& session) {
 void add_merge(Command& program, Session& session) {
   Command* command = program.add_subcommand("merge", "Bring the results of several databases together in one");
   const auto words = std::make_shared<MergeWords>();
-  command->add_option("sources", words->sources, "databases; they are only read")->required();
-  command->add_option("--db", words->database, "database that takes them; created if it is missing")->required();
+  command->add_option("sources", words->sources, "databases; they are only read")->option_text("FILE")->required();
+  command->add_option("--db", words->database, "database that takes them; created if it is missing")
+      ->option_text("FILE")
+      ->required();
   command->add_flag("--json", words->json, "print one JSON object");
   command->footer(
       "Merging again changes nothing. A result that is there stays, unless it had not converged and the new one has.\n"

@@ -156,18 +156,21 @@ void add_optimise(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("optimise", "Find the best values of some inputs, under constraints, or a Pareto front");
   const auto words = std::make_shared<OptimiseWords>();
-  command->add_option("study", words->study, "study file with variables and minimise or maximise")->required();
-  command->add_option("--db", words->database, "database; created if it is missing")->required();
+  command->add_option("study", words->study, "study file with variables and minimise or maximise")
+      ->option_text("STUDY")
+      ->required();
+  command->add_option("--db", words->database, "database; created if it is missing")->option_text("FILE")->required();
   command
       ->add_option("--algorithm", words->algorithm,
                    "bobyqa, cobyla, nelder_mead, subplex, direct_l, crs2, slsqp, mma, ccsaq or lbfgs")
+      ->option_text("ALGORITHM")
       ->one_of(ChoiceNames<Algorithm>::names);
   command->add_option("--max-evaluations", words->evaluations, "most scenes that a search may ask for")
       ->between(1, 100'000'000)
       ->option_text("N");
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->between(1, 1024);
-  command->add_option("--out", words->out, "draw the course of the search, or the front, as NAME.svg and NAME.png")
-      ->option_text("NAME");
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
+  command->add_option("--out", words->out, "draw the course of the search, or the front, as PATH.svg and PATH.png")
+      ->option_text("PATH");
   command->add_flag("--json", words->json, "print the outcome as one JSON object");
   command->footer(
       "Every evaluation is stored and recalled: the same command repeats the run at no cost, or goes on where it was\n"

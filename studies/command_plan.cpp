@@ -124,11 +124,17 @@ void plan(const PlanWords& words, Session& session) {
 void add_plan(Command& program, Session& session) {
   Command* command = program.add_subcommand("plan", "Print the points of a study without solving any");
   const auto words = std::make_shared<PlanWords>();
-  command->add_option("study", words->study, "study file")->required();
-  command->add_option("--db", words->database, "database: tells which points are stored there, and their status");
-  command->add_option("--limit", words->limit, "print no more than this many points")->between(0, most_points);
+  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--db", words->database, "database: tells which points are stored there, and their status")
+      ->option_text("FILE");
+  command->add_option("--limit", words->limit, "print no more than this many points")
+      ->option_text("N")
+      ->between(0, most_points);
   CommandOption* const format =
-      command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line): the points alone")
+      command
+          ->add_option("--format", words->format,
+                       "table, csv, json, jsonl (one object a line) or markdown: the points alone")
+          ->option_text("FORMAT")
           ->one_of(table_formats);
   command->add_flag("--json", words->json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);

@@ -92,22 +92,31 @@ void query(const QueryWords& words, Session& session) {
 void add_query(Command& program, Session& session) {
   Command* command = program.add_subcommand("query", "Find stored evaluations by any input or output");
   const auto words = std::make_shared<QueryWords>();
-  command->add_option("filters", words->filters,
-                      "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study or a "
-                      "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent");
-  command->add_option("--db", words->database, "database")->required();
-  command->add_option("--columns", words->columns, "columns to print, separated by commas");
-  command->add_option("--sort", words->sort, "columns to sort by, separated by commas; --sort=-KEY: largest first");
-  command->add_option("--limit", words->limit, "print no more than this many rows");
-  command->add_option("--aggregate", words->aggregates,
-                      "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
-                      "(of a sample), sum or count and a column; sorted by as min_approach, count");
-  command->add_option("--by", words->by, "columns, separated by commas: one row for each combination of their values");
-  CommandOption* const sql = command->add_option(
-      "--sql", words->sql,
-      "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
-      "resistance, evaluation, study, study_point, fields, provenance");
-  command->add_option("--format", words->format, "table, csv, json or jsonl (one object a line)")
+  command
+      ->add_option("filters", words->filters,
+                   "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study or a "
+                   "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent")
+      ->option_text("FILTER");
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
+  command->add_option("--columns", words->columns, "columns to print, separated by commas")->option_text("KEY,...");
+  command->add_option("--sort", words->sort, "columns to sort by, separated by commas; --sort=-KEY: largest first")
+      ->option_text("KEY,...");
+  command->add_option("--limit", words->limit, "print no more than this many rows")->option_text("N");
+  command
+      ->add_option("--aggregate", words->aggregates,
+                   "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
+                   "(of a sample), sum or count and a column; sorted by as min_approach, count")
+      ->option_text("NUMBER,...");
+  command->add_option("--by", words->by, "columns, separated by commas: one row for each combination of their values")
+      ->option_text("KEY,...");
+  CommandOption* const sql =
+      command
+          ->add_option("--sql", words->sql,
+                       "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
+                       "resistance, evaluation, study, study_point, fields, provenance")
+          ->option_text("STATEMENT");
+  command->add_option("--format", words->format, "table, csv, json, jsonl (one object a line) or markdown")
+      ->option_text("FORMAT")
       ->one_of(table_formats);
   command->footer(
       "Exit status 1: nothing matches.\n"

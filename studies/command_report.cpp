@@ -45,7 +45,7 @@ void add_report(Command& program, Session& session) {
   command
       ->add_option("--optimum", words->wishes.optimum,
                    "optimisation in the same database, to be drawn into a map of the study")
-      ->option_text("STUDY");
+      ->option_text("NAME");
   command->footer(
       "The file needs no network and runs no scripts; pictures are inside.\n"
       "Example: rollres report --db results.db --study speed_resistance --out report.html");

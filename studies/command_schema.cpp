@@ -11,6 +11,7 @@ void add_schema(Command& program, Session& session) {
   Command* command = program.add_subcommand("schema", "Print the JSON schema of a kind of files, for editors");
   const auto what = std::make_shared<std::string>();
   command->add_option("what", *what, "scene, study, fit or optimisation")
+      ->option_text("KIND")
       ->required()
       ->one_of({"scene", "study", "fit", "optimisation"});
   command->footer(

@@ -207,6 +207,7 @@ void add_sensitivity(Command& program, Session& session) {
       ->option_text("KEY=VALUE")
       ->one_value_each();
   auto* const indices = command->add_option("--indices", words->indices, "sobol or morris: over ranges of the inputs")
+                            ->option_text("INDICES")
                             ->one_of({"sobol", "morris"});
   const auto with_indices = [&](CommandOption* option) { return option->needs(indices); };
   with_indices(command->add_option("--range", words->ranges, "range of an input of a scene; may be repeated"))
@@ -217,9 +218,10 @@ void add_sensitivity(Command& program, Session& session) {
       ->between(2, 10'000'000)
       ->option_text("N");
   with_indices(command->add_option("--seed", words->seed, "of the sample; default 0"))->option_text("S");
-  with_indices(command->add_option("--db", words->database, "database; every evaluation is stored and recalled"));
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->between(1, 1024);
-  command->add_option("--out", words->out, "draw bars with their errors as NAME.svg and NAME.png")->option_text("NAME");
+  with_indices(command->add_option("--db", words->database, "database; every evaluation is stored and recalled")
+                   ->option_text("FILE"));
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
+  command->add_option("--out", words->out, "draw bars with their errors as PATH.svg and PATH.png")->option_text("PATH");
   command->add_flag("--json", words->json, "print one JSON object");
   command->footer(
       "Without --indices: d ln output / d ln input for every input that is present and not zero, as rollres gradient\n"

@@ -132,8 +132,10 @@ void show(const ShowWords& words, Session& session) {
 void add_show(Command& program, Session& session) {
   Command* command = program.add_subcommand("show", "Show the results of a study, or one evaluation in full");
   const auto words = std::make_shared<ShowWords>();
-  command->add_option("what", words->what, "name of a study, or number (id) of an evaluation")->required();
-  command->add_option("--db", words->database, "database")->required();
+  command->add_option("what", words->what, "name of a study, or number (id) of an evaluation")
+      ->option_text("NAME|ID")
+      ->required();
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
   command->add_flag("--json", words->json, "print one JSON object");
   CommandOption* const fields =
       command->add_option("--fields", words->fields, "write an evaluation's stored fields to DIR/fields.csv and .vti")

@@ -59,20 +59,31 @@ void slurm(const SlurmWords& words, Session& session) {
 void add_slurm(Command& program, Session& session) {
   Command* command = program.add_subcommand("slurm", "Write the scripts that run a study as a Slurm job array");
   const auto words = std::make_shared<SlurmWords>();
-  command->add_option("study", words->study, "study file")->required();
+  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
   command->add_option("--tasks", words->job.tasks, "number of shards, each a task of the array")
+      ->option_text("N")
       ->required()
       ->between(1, most_shards);
-  command->add_option("--db", words->database, "database that takes the results in the end")->required();
-  command->add_option("--out", words->folder, "folder, seen by all nodes, for scripts, shards and logs")->required();
+  command->add_option("--db", words->database, "database that takes the results in the end")
+      ->option_text("FILE")
+      ->required();
+  command->add_option("--out", words->folder, "folder, seen by all nodes, for scripts, shards and logs")
+      ->option_text("DIR")
+      ->required();
   command->add_option("--throttle", words->job.throttle, "tasks that run at a time; default: no limit")
+      ->option_text("N")
       ->between(1, most_shards);
-  command->add_option("--cores", words->job.cores, "cores for each task; default: 1")->between(1, 1024);
-  command->add_option("--time", words->job.time,
-                      "time limit of a task, as sbatch takes it; a minute before it what is "
-                      "solved is brought back");
-  command->add_option("--partition", words->job.partition, "partition, as sbatch takes it");
-  command->add_option("--program", words->program, "rollres as the nodes see it; default: this one");
+  command->add_option("--cores", words->job.cores, "cores for each task; default: 1")
+      ->option_text("N")
+      ->between(1, 1024);
+  command
+      ->add_option("--time", words->job.time,
+                   "time limit of a task, as sbatch takes it; a minute before it what is "
+                   "solved is brought back")
+      ->option_text("TIME");
+  command->add_option("--partition", words->job.partition, "partition, as sbatch takes it")->option_text("PARTITION");
+  command->add_option("--program", words->program, "rollres as the nodes see it; default: this one")
+      ->option_text("FILE");
   command->footer(
       "Writes array.sh, merge.sh and submit.sh. `sh DIR/submit.sh` submits the array and, after it, the merge; run "
       "again,\n"

@@ -187,7 +187,7 @@ void add_stability(Command& program, Session& session) {
   command->add_option("--methods", words->methods, "the methods to try, with commas between; default: all")
       ->delimiter(',')
       ->one_value_each()
-      ->option_text("METHODS");
+      ->option_text("METHOD,...");
   command->add_option("--indenter", words->indenter, "cylinder, sphere or both (the default)")
       ->one_of({"cylinder", "sphere", "both"})
       ->option_text("INDENTER");

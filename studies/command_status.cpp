@@ -105,11 +105,13 @@ void status(const StatusWords& words, Session& session) {
 void add_status(Command& program, Session& session) {
   Command* command = program.add_subcommand("status", "Tell what of a study is stored, and what is missing");
   const auto words = std::make_shared<StatusWords>();
-  command->add_option("study", words->study, "study file; left out: every study of the database");
-  command->add_option("--db", words->databases,
-                      "database; several are taken together; none: the whole study is missing");
+  command->add_option("study", words->study, "study file; left out: every study of the database")->option_text("STUDY");
+  command
+      ->add_option("--db", words->databases, "database; several are taken together; none: the whole study is missing")
+      ->option_text("FILE");
   CommandOption* const shards =
       command->add_option("--shards", words->shards, "number of shards: tell which have something missing")
+          ->option_text("N")
           ->between(1, most_shards);
   CommandOption* const array =
       command->add_flag("--array", words->array, "print only these shards, as Slurm's --array takes them")

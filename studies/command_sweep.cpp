@@ -91,15 +91,18 @@ void sweep(const SweepWords& words, Session& session) {
 void add_sweep(Command& program, Session& session) {
   Command* command = program.add_subcommand("sweep", "Solve all points of a study and store each as it comes");
   const auto words = std::make_shared<SweepWords>();
-  command->add_option("study", words->study, "study file")->required();
-  command->add_option("--db", words->database, "database; created if it is missing")->required();
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->between(1, 1024);
-  command->add_option("--shard", words->shard,
-                      "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together");
+  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--db", words->database, "database; created if it is missing")->option_text("FILE")->required();
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
+  command
+      ->add_option("--shard", words->shard,
+                   "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together")
+      ->option_text("I/N");
   command
       ->add_option("--retry", words->retry,
                    "solve again what is stored: failed (every point without an answer), not_converged, or all; the new "
                    "answer takes the place of the old one")
+      ->option_text("WHICH")
       ->one_of({"failed", "not_converged", "all"});
   command->add_flag("--fields", words->fields,
                     "store the fields on the surface too, for show --fields; solves points again that have none");

@@ -62,5 +62,7 @@ void add_stability(Command& program, Session& session);
 void add_verify(Command& program, Session& session);
 void add_schema(Command& program, Session& session);
 void add_quantities(Command& program, Session& session);
+void add_manual(Command& program, Session& session);
+void add_completion(Command& program, Session& session);
 
 }  // namespace rollres

@@ -1,14 +1,48 @@
-# The program with its examples and schemas, and the Debian package that `cpack` makes of it all.
+# The program with its examples, schemas, manual page and completions, and the Debian package that `cpack` makes of all.
+
+# Written by the program itself, of what its commands declare. Debian wants manual pages and changes compressed.
+set(written ${CMAKE_BINARY_DIR}/generated)
+set(ROLLRES_MAINTAINER "the rollres developers <rollres@localhost>" CACHE STRING "who answers for the Debian package")
+string(TIMESTAMP today "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(CONFIGURE OUTPUT ${written}/changelog.Debian @ONLY CONTENT "rollres (${PROJECT_VERSION}-1) unstable; urgency=medium
+
+  * Made by cpack; what changed stands in changelog.gz.
+
+ -- ${ROLLRES_MAINTAINER}  ${today}
+")
+find_program(GZIP_PROGRAM gzip REQUIRED)
+add_custom_command(TARGET rollres POST_BUILD
+  COMMAND rollres manual > ${written}/rollres.1
+  COMMAND ${GZIP_PROGRAM} -9nf ${written}/rollres.1
+  COMMAND ${GZIP_PROGRAM} -9nc ${CMAKE_SOURCE_DIR}/CHANGELOG.md > ${written}/changelog.gz
+  COMMAND ${GZIP_PROGRAM} -9nc ${written}/changelog.Debian > ${written}/changelog.Debian.gz
+  COMMAND rollres completion bash > ${written}/rollres.bash
+  COMMAND rollres completion zsh > ${written}/_rollres
+  COMMAND rollres completion fish > ${written}/rollres.fish
+  VERBATIM)
+install(FILES ${written}/rollres.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${written}/rollres.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME rollres
+        COMPONENT program)
+install(FILES ${written}/_rollres DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
+install(FILES ${written}/rollres.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 
 install(TARGETS rollres RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY studies/examples studies/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/rollres COMPONENT program)
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES README.md CITATION.cff ${written}/changelog.gz ${written}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rollres)
-set(CPACK_PACKAGE_CONTACT "the rollres developers <rollres@localhost>")
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_PACKAGE_CONTACT ${ROLLRES_MAINTAINER})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "rolling resistance of a cylinder or sphere on a viscoelastic layer")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "rollres computes the rolling resistance of a rigid cylinder or sphere that
+rolls in steady motion over a viscoelastic layer, with friction, by the
+method of Zehil and Gavin (2013). It sweeps whole studies into an SQLite
+database, draws them, writes reports, finds optima and fits materials to
+measured values.
+.
+The library with its C++ headers is in the package too.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -18,7 +18,7 @@ Filter read_filter(const std::string& text) {
   double value = 0;
   try {
     try {
-      value = si_value(filter.value, quantity.unit);
+      value = is_temperature(quantity) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
     } catch (const std::invalid_argument&) {
       if (quantity.unit_2d.empty()) throw;
       value = si_value(filter.value, quantity.unit_2d);

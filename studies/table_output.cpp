@@ -66,30 +66,61 @@ std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-void write_aligned(std::ostream& out, const Table& table) {
-  std::vector<std::vector<std::string>> lines{table.columns};
-  for (const auto& row : table.rows) {
-    lines.emplace_back();
-    for (const Cell& cell : row) lines.back().push_back(in_words(cell));
-  }
-  std::vector<std::size_t> widths(table.columns.size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
-  auto is_text = [&](std::size_t column) {
-    return std::any_of(table.rows.begin(), table.rows.end(),
-                       [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
-  };
+namespace {
+
+/// The names and then each row as texts; columns that hold texts stand to the left.
+struct WordedTable {
+  std::vector<std::vector<std::string>> lines;
+  std::vector<std::size_t> widths;
   std::vector<bool> left;
-  for (std::size_t i = 0; i < widths.size(); ++i) left.push_back(is_text(i));
-  for (const auto& line : lines) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::string blanks(widths[i] - width(line[i]), ' ');
-      text += (i > 0 ? "  " : "") + (left[i] ? line[i] + blanks : blanks + line[i]);
+
+  explicit WordedTable(const Table& table) : lines{table.columns}, widths(table.columns.size(), 0) {
+    for (const auto& row : table.rows) {
+      lines.emplace_back();
+      for (const Cell& cell : row) lines.back().push_back(in_words(cell));
     }
+    for (const auto& line : lines)
+      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      left.push_back(std::any_of(table.rows.begin(), table.rows.end(),
+                                 [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
+  }
+
+  std::string padded(const std::vector<std::string>& line, std::size_t i) const {
+    const std::string blanks(widths[i] - width(line[i]), ' ');
+    return left[i] ? line[i] + blanks : blanks + line[i];
+  }
+};
+
+}  // namespace
+
+void write_aligned(std::ostream& out, const Table& table) {
+  const WordedTable worded(table);
+  for (const auto& line : worded.lines) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) text += (i > 0 ? "  " : "") + worded.padded(line, i);
     text.erase(text.find_last_not_of(' ') + 1);
     out << text << '\n';
   }
+}
+
+void write_markdown(std::ostream& out, const Table& table) {
+  Table escaped = table;
+  for (auto& row : escaped.rows)
+    for (Cell& cell : row)
+      if (auto* const text = std::get_if<std::string>(&cell))
+        for (std::size_t bar = text->find('|'); bar != std::string::npos; bar = text->find('|', bar + 2))
+          text->insert(bar, "\\");
+  const WordedTable worded(escaped);
+  const auto write_line = [&](const std::vector<std::string>& line) {
+    for (std::size_t i = 0; i < line.size(); ++i) out << "| " << worded.padded(line, i) << ' ';
+    out << "|\n";
+  };
+  write_line(worded.lines.front());
+  for (std::size_t i = 0; i < worded.widths.size(); ++i)
+    out << '|' << std::string(worded.widths[i] + 1, '-') << (worded.left[i] ? '-' : ':');
+  out << "|\n";
+  for (std::size_t i = 1; i < worded.lines.size(); ++i) write_line(worded.lines[i]);
 }
 
 void write_csv(std::ostream& out, const Table& table) {
@@ -126,6 +157,8 @@ void write_table(std::ostream& out, const Table& table, std::string_view format)
     write_json(out, table);
   else if (format == "jsonl")
     write_json_lines(out, table);
+  else if (format == "markdown")
+    write_markdown(out, table);
   else if (!table.rows.empty())
     write_aligned(out, table);
 }

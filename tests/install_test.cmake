@@ -12,6 +12,12 @@ endfunction()
 file(REMOVE_RECURSE ${FOLDER})
 set(prefix "${FOLDER}/a prefix")
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+foreach(file man/man1/rollres.1.gz bash-completion/completions/rollres zsh/vendor-completions/_rollres
+             fish/vendor_completions.d/rollres.fish)
+  if(NOT EXISTS ${prefix}/share/${file})
+    message(FATAL_ERROR "${prefix}/share/${file} is missing")
+  endif()
+endforeach()
 run(${prefix}/bin/rollres solve ${prefix}/share/rollres/examples/paper_cylinder.json --json)
 string(JSON resistance GET "${output}" rolling_resistance)
 

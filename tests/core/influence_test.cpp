@@ -193,7 +193,7 @@ TEST_CASE("the recursion along a row is the fading memory of the elastic kernel"
             for (const double edge : {-0.5 * cell, 0.5 * cell})
               if (edge > x) breaks.push_back(edge);
             // The response of a layer ends at its reach.
-            breaks.push_back(std::min(x + 45 * memory, std::isinf(thickness) ? 1e9 : elastic.shape().reach()));
+            breaks.push_back(std::min(x + 45 * memory, std::isinf(thickness) ? 1e9 : elastic.shape().scales().reach()));
             Coefficients sum = Coefficients::Zero();
             const auto piece = [&](double from, double to) {
               for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {

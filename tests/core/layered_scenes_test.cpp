@@ -169,7 +169,74 @@ TEST_CASE("inertia comes by itself where the tolerance asks for it", "[core][lay
   CHECK_FALSE(inertia_included(scene));
   scene.method = Method::automatic;
   scene.indenter = Indenter::sphere;
-  CHECK_FALSE(inertia_included(scene));
+  CHECK(inertia_included(scene));
+}
+
+TEST_CASE("a tolerance has no answer above the speed of Rayleigh waves, unless inertia is negligible or off",
+          "[core][layered_scenes]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    CAPTURE(name_of(indenter));
+    RollingScene scene = on_one_layer(indenter);
+    scene.friction_coefficient = 0;
+    scene.spacing.reset();
+    scene.tolerance = 2e-2;
+    scene.speed = 31;  // 30.1 m/s are those of Rayleigh waves
+    const RollingSolution refused = solve(scene);
+    CHECK(refused.status == Status::no_steady_state);
+    CHECK(refused.reason.find("below that of Rayleigh waves on the layer at rest, 30.1") != std::string::npos);
+    CHECK(refused.reason.find("inertia = off") != std::string::npos);
+    CHECK(std::isnan(refused.rolling_resistance));
+
+    RollingScene without = scene;
+    without.inertia = Inertia::off;
+    CHECK(converged(without).warnings.size() > 0);
+
+    RollingScene glassy = scene;  // rho V^2/|G| = 1e-3 at the frequency of the contact
+    glassy.stiffening = 1000;
+    glassy.creep_time = 10;
+    CHECK(converged(glassy).model.find("inertia left out") != std::string::npos);
+  }
+}
+
+TEST_CASE("a heavy layer slows the waves of a softer one below, and with them the speeds that inertia allows",
+          "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::sphere);
+  scene.friction_coefficient = 0;
+  scene.layer_thickness = 1e-3;
+  scene.layer_density = 8000;
+  *scene.static_shear_modulus *= 10;
+  scene.lower_layers = {zener_layer(infinite, 1e6, 2, 1e-3)};
+  scene.inertia = Inertia::on;
+  scene.speed = 20;  // Rayleigh waves: 33.7 and 30.1 m/s
+  CHECK(rayleigh_number(scene) < 0.5);
+  CHECK(check(scene).empty());
+  scene.speed = 22;
+  REQUIRE(check(scene).size() == 1);
+  CHECK(check(scene)[0] == "speed = 22: with inertia must be below that of the waves which the layers carry together");
+  scene.inertia = Inertia::automatic;
+  scene.spacing.reset();
+  scene.tolerance = 1e-2;
+  CHECK(solve(scene).reason.find("the waves which the layers carry together") != std::string::npos);
+}
+
+TEST_CASE("inertia of a single sphere's layers: its effect is of the order of rho V^2/|G| and takes no energy",
+          "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::sphere);
+  scene.spacing = 0.25e-3;
+  scene.stiffening = 2;
+  scene.creep_time = 1e-3;
+  for (const double number : {1e-4, 1e-2, 0.1, 0.6}) {
+    CAPTURE(number);
+    scene.speed = std::sqrt(number * 1e6 / scene.layer_density);
+    scene.inertia = Inertia::on;
+    const RollingSolution with = converged(scene);
+    scene.inertia = Inertia::off;
+    const RollingSolution without = converged(scene);
+    CHECK(with.energy_residual < 1e-7 + 2 * without.energy_residual);  // slow rolling: of the grid
+    const double effect = with.rolling_resistance / without.rolling_resistance - 1;
+    CHECK(effect > 0);
+    CHECK(effect < 1.5 * number);
+  }
 }
 
 TEST_CASE("scenes of several layers that cannot be are refused", "[core][layered_scenes]") {
@@ -198,10 +265,6 @@ TEST_CASE("scenes of several layers that cannot be are refused", "[core][layered
   too_fast.speed = 31;
   CHECK(first_rule(too_fast) ==
         "speed = 31: with inertia must be below that of Rayleigh waves on the layer at rest, 30.1 m/s");
-
-  RollingScene sphere = on_one_layer(Indenter::sphere);
-  sphere.inertia = Inertia::on;
-  CHECK(first_rule(sphere) == "inertia = on: for a sphere only with a period");
 
   RollingScene spectral = scene;
   spectral.spacing.reset();

@@ -2,6 +2,7 @@
 
 #include "db/result_store.hpp"
 #include "studies/fields_file.hpp"
+#include "studies/read_filter.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
@@ -84,8 +85,18 @@ TEST_CASE("query prints the answer to SQL in every format, and none as exit stat
   CHECK(as("table").out == "speed  n\n  0.1  2\n  0.5  2\n");
   CHECK(as("csv").out == "speed,n\n0.1,2\n0.5,2\n");
   CHECK(as("jsonl").out == "{\"speed\":0.1,\"n\":2}\n{\"speed\":0.5,\"n\":2}\n");
+  CHECK(as("markdown").out == "| speed | n |\n|------:|--:|\n|   0.1 | 2 |\n|   0.5 | 2 |\n");
+  const char* const with_bar = "SELECT 'a|b' AS text";
+  CHECK(studied.run("query", {"--sql", with_bar, "--format", "markdown"}).out == "| text |\n|------|\n| a\\|b |\n");
   CHECK(Json::parse(as("json").out) == Json::parse(R"([{"speed": 0.1, "n": 2}, {"speed": 0.5, "n": 2}])"));
   CHECK(studied.run("query", {"--sql", "SELECT 1 WHERE 0"}).status == ExitStatus::no_answer);
+}
+
+TEST_CASE("query takes a temperature on any scale", "[studies][commands]") {
+  const Studied studied;
+  CHECK(studied.run("query", {"temperature>200 degC"}).status == 1);  // nothing matches
+  CHECK(read_filter("temperature=20 degC").value == "293.15");
+  CHECK(read_filter("temperature>-4 degF").value == "253.15");
 }
 
 TEST_CASE("query refuses in one line what does not go together", "[studies][commands]") {

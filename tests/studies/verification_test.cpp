@@ -48,6 +48,10 @@ TEST_CASE("rollres verify ends with status 1 where a solver is wrong or has no a
   CHECK(wrong.status == 1);
   CHECK_THAT(wrong.out, Contains("FAIL") && Contains("Hunter (1961)"));
 
+  const ProgramRun summary = run_rollres({"verify", "--summary", "--format", "markdown"}, closed_form);
+  CHECK(summary.status == 1);
+  CHECK_THAT(summary.out, Contains("| source ") && Contains("| Hunter (1961) ") && !Contains("Vτ/a = 0.1,"));
+
   const Evaluate silent = [](const RollingScene&) -> RollingSolution { throw std::runtime_error("no solver today"); };
   const ProgramRun none = run_rollres({"verify", "--json"}, silent);
   CHECK(none.status == 1);

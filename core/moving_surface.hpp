@@ -1,0 +1,43 @@
+#pragma once
+
+/// Influence coefficients of a single sphere that moves on layers with inertia: each retardation time's response is
+/// that of an elastic surface (wave_directions.hpp), a half-space's in closed form plus a smooth correction from
+/// tables, with an exponential memory.
+
+#include <memory>
+#include <vector>
+
+#include "core/corner_function.hpp"
+#include "core/influence.hpp"
+#include "core/panel_field.hpp"
+#include "core/wave_directions.hpp"
+
+namespace rollres {
+
+class MovingSurface {
+ public:
+  /// @param speed V [m/s]
+  MovingSurface(const LayeredMedium& medium, double speed);
+
+  /// As of WaveDirections.
+  double error() const { return error_; }
+
+  /// For offsets of up to reach_x columns and reach_y rows of cells [m].
+  InfluenceTable table(double cell_x, double cell_y, int reach_x, int reach_y) const;
+
+ private:
+  struct Term {
+    double memory;              // V tau_m [m]
+    CornerFunction deep, base;  // half-spaces under short and long waves
+    Harmonics tail;             // of what the correction has left to base at the extent, over a half-space
+  };
+  class RowResponse;
+
+  double error_;
+  int harmonics_;
+  ResponseScales scales_;
+  std::vector<Term> terms_;
+  std::unique_ptr<const PanelField> correction_;  // to deep, of all terms, up to the extent; none for a half-space
+};
+
+}  // namespace rollres
