@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
-#include "db/layer_list.hpp"
+#include "core/scene_input.hpp"
+#include "studies/key_words.hpp"
 #include "studies/readable_number.hpp"
 
 namespace rollres {
@@ -40,10 +42,18 @@ std::string value_text(const Value& value, std::string_view unit) {
     return std::to_string(value);
   else if constexpr (std::is_same_v<Value, std::vector<double>>)
     return list_text(value, unit);
-  else if constexpr (std::is_same_v<Value, BondedLayers>)
-    return value.empty() ? "" : text_of_layers(value);
   else
-    return "";  // texts stand at the top
+    return "";  // texts stand at the top, layers' inputs one by one
+}
+
+/// What the inputs of a further layer are by default.
+std::map<std::string_view, std::string> usual_layer() {
+  std::map<std::string_view, std::string> texts;
+  const BondedLayer layer;
+  visit_layer_inputs(layer, [&](const Quantity& quantity, const auto& value) {
+    texts[quantity.key] = value_text(value, quantity.unit);
+  });
+  return texts;
 }
 
 std::string aligned(const std::vector<Line>& lines) {
@@ -79,9 +89,12 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   if (!solution.model.empty()) text += "model    " + solution.model + '\n';
 
   std::vector<Line> inputs, outputs;
-  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-    inputs.push_back({std::string(quantity.key), std::string(quantity.symbol),
-                      value_text(value, quantity.unit_for(scene.indenter))});
+  const std::map<std::string_view, std::string> usual = usual_layer();
+  visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+    const std::string shown = value_text(value, quantity.unit_for(scene.indenter));
+    const std::optional<LayerKey> layered = layer_key(quantity.key);
+    if (!layered || shown != usual.at(layered->input))
+      inputs.push_back({std::string(quantity.key), std::string(symbol_beside_name(quantity)), shown});
   });
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "core/material.hpp"
 #include "core/scene_input.hpp"
@@ -84,6 +85,15 @@ TEST_CASE("an override replaces one input of a further layer and keeps the other
   CHECK(coating["static_young_modulus"] == 9e6);
   CHECK_FALSE(coating.contains("static_shear_modulus"));  // its place was taken
   CHECK(coating["creep_time"] == 5e-3);
+}
+
+TEST_CASE("the words for a solved scene name its layers' inputs by the keys that an override takes",
+          "[studies][layers]") {
+  const Workshop shop;
+  const ProgramRun run = shop.run({"solve", shop.write(coated_scene())});
+  CHECK_THAT(std::regex_replace(run.out, std::regex(" +"), " "),
+             Contains("coating_layers[0].layer_thickness H 12 mm\n"));
+  CHECK_THAT(run.out, !Contains("coating_layers[0].poisson_ratio"));  // at its default
 }
 
 TEST_CASE("an override of a layer that is not there, or of what it has not, is refused", "[studies][layers]") {
