@@ -13,6 +13,7 @@
 #include "studies/study_chart.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -143,6 +144,14 @@ TEST_CASE("further layers' inputs are axes: lists, intervals, choices, zips, sam
   varied["constraints"] = {"coating_layers[0].layer_thickness >= 5 mm",
                            "coating_layers[0].layer_thickness/radius<1.5e-1 + .1"};
   CHECK(shop.points(varied).size() == 8);
+}
+
+TEST_CASE("the example of a tyre varies its thickness and its modulus", "[studies][examples][layers]") {
+  const auto scenes = points(read_study(source_directory() / "studies/examples/tyre_design.json"));
+  REQUIRE(scenes.size() == 17 * 17);
+  CHECK(scenes.front().coating_layers[0].layer_thickness == 4e-3);
+  CHECK(scenes.back().coating_layers[0].layer_thickness == 20e-3);
+  CHECK(*scenes.back().coating_layers[0].static_shear_modulus == 10e6);
 }
 
 TEST_CASE("axes of layers that a scene has not are refused by name", "[studies][layers]") {
