@@ -5,10 +5,8 @@
 #include <memory>
 
 #include "core/line_passage.hpp"
-#include "core/medium_shapes.hpp"
-#include "core/moving_surface.hpp"
-#include "core/passage_kernel.hpp"
 #include "core/recently_made.hpp"
+#include "core/sphere_passage.hpp"
 
 namespace rollres {
 
@@ -62,69 +60,33 @@ LayeredMedium without_inertia(LayeredMedium medium) {
   return medium;
 }
 
-struct ShapesKey {
-  Indenter indenter;
+struct SurfaceKey {
   LayeredMedium medium;
   double wave_speed;  // 0 without inertia, whatever the speed
-  bool operator==(const ShapesKey&) const = default;
+  bool operator==(const SurfaceKey&) const = default;
 };
 
-struct MediumResponse {
-  double error;
-  std::vector<TimedShape> shapes;
-};
-
-ShapesKey shapes_key(const RollingScene& scene, const LayeredMedium& medium) {
-  return {scene.indenter, medium, inertia_included(scene) ? scene.speed : 0};
+SurfaceKey surface_key(const RollingScene& scene, const LayeredMedium& medium) {
+  return {medium, inertia_included(scene) ? scene.speed : 0};
 }
 
-std::shared_ptr<const MediumResponse> response_of(const ShapesKey& key) {
-  static RecentlyMade<ShapesKey, MediumResponse, 16> cache;
-  return cache(key, [&] {
-    const MediumExpansion expansion(key.medium, key.wave_speed);
-    return MediumResponse{expansion.error(), medium_shapes(key.indenter, key.medium, expansion)};
-  });
+std::shared_ptr<const SpherePassage> sphere_passage(const SurfaceKey& key) {
+  static RecentlyMade<SurfaceKey, SpherePassage, 16> cache;
+  return cache(key, [&] { return SpherePassage(key.medium, key.wave_speed); });
 }
 
-/// Of a sphere with inertia.
-bool is_moving(const ShapesKey& key) { return key.indenter == Indenter::sphere && key.wave_speed > 0; }
-
-std::shared_ptr<const MovingSurface> moving_surface(const ShapesKey& key) {
-  static RecentlyMade<ShapesKey, MovingSurface, 16> cache;
-  return cache(key, [&] { return MovingSurface(key.medium, key.wave_speed); });
-}
-
-double expansion_error(const ShapesKey& key) {
-  return is_moving(key) ? moving_surface(key)->error() : response_of(key)->error;
-}
-
-struct KernelsKey {
-  ShapesKey shapes;
-  double cell_x, cell_y;
+struct TableKey {
+  SurfaceKey surface;
+  double speed, cell_x, cell_y;
   int columns, rows;
-  bool operator==(const KernelsKey&) const = default;
+  bool operator==(const TableKey&) const = default;
 };
 
-struct TimedKernel {
-  double time;
-  PassageKernel kernel;
-};
-
-std::shared_ptr<const std::vector<TimedKernel>> kernels_of(const KernelsKey& key) {
-  static RecentlyMade<KernelsKey, std::vector<TimedKernel>, 8> cache;
+std::shared_ptr<const InfluenceTable> sphere_table(const TableKey& key) {
+  static RecentlyMade<TableKey, InfluenceTable, 8> cache;
   return cache(key, [&] {
-    std::vector<TimedKernel> kernels;
-    const auto response = response_of(key.shapes);
-    for (const TimedShape& term : response->shapes)
-      kernels.push_back(
-          {term.time, PassageKernel(key.shapes.indenter, term.shape, key.cell_x, key.cell_y, key.columns, key.rows)});
-    return kernels;
+    return sphere_passage(key.surface)->table(key.speed, key.cell_x, key.cell_y, key.columns, key.rows);
   });
-}
-
-std::shared_ptr<const InfluenceTable> moving_table(const KernelsKey& key) {
-  static RecentlyMade<KernelsKey, InfluenceTable, 8> cache;
-  return cache(key, [&] { return moving_surface(key.shapes)->table(key.cell_x, key.cell_y, key.columns, key.rows); });
 }
 
 }  // namespace
@@ -293,41 +255,29 @@ double SteadySurface::longest_wave() const {
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
   if (scene.indenter == Indenter::cylinder) return line_passage_table(scene, grid, reach_x);
   const auto table_of = [&](const LayeredMedium& medium) {
-    const KernelsKey key{shapes_key(scene, medium), grid.spacing_x, grid.spacing_y, reach_x, reach_y};
-    if (is_moving(key.shapes)) return *moving_table(key);
-    InfluenceTable table(reach_x, reach_y);
-    const auto kernels = kernels_of(key);
-    for (const auto& [time, kernel] : *kernels) {
-      CreepSpectrum memory;
-      if (time == 0)
-        memory.instantaneous = 1;
-      else
-        memory.terms.push_back({1, time});
-      kernel.add_to(table, memory, scene.speed);
-    }
-    return table;
+    return sphere_table({surface_key(scene, medium), scene.speed, grid.spacing_x, grid.spacing_y, reach_x, reach_y});
   };
-  InfluenceTable sum = table_of(foundation_of(scene));
+  InfluenceTable sum = *table_of(foundation_of(scene));
   const LayeredMedium coating = coating_of(scene);
   if (coating.empty()) return sum;
-  const InfluenceTable body = table_of(coating);
+  const std::shared_ptr<const InfluenceTable> body = table_of(coating);
   const auto add = [](std::vector<double>& to, const std::vector<double>& from, double sign) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] += sign * from[i];
   };
-  add(sum.ww, body.ww, 1);
-  add(sum.uu, body.uu, 1);
-  add(sum.vv, body.vv, 1);
-  add(sum.uv, body.uv, 1);
-  add(sum.uw, body.uw, -1);
-  add(sum.vw, body.vw, -1);
+  add(sum.ww, body->ww, 1);
+  add(sum.uu, body->uu, 1);
+  add(sum.vv, body->vv, 1);
+  add(sum.uv, body->uv, 1);
+  add(sum.uw, body->uw, -1);
+  add(sum.vw, body->vw, -1);
   return sum;
 }
 
 double expansion_error(const RollingScene& scene) {
   if (scene.indenter == Indenter::cylinder) return line_expansion_error(scene);
-  double error = expansion_error(shapes_key(scene, foundation_of(scene)));
+  double error = sphere_passage(surface_key(scene, foundation_of(scene)))->error();
   if (const LayeredMedium coating = coating_of(scene); !coating.empty())
-    error = std::max(error, expansion_error(shapes_key(scene, coating)));
+    error = std::max(error, sphere_passage(surface_key(scene, coating))->error());
   return error;
 }
 

@@ -69,10 +69,10 @@ int order_of_harmonic(Index coefficient, int n) {
   return coefficient == coefficient::uw || coefficient == coefficient::vw ? 2 * n + 1 : 2 * n;
 }
 
-WaveDirections::WaveDirections(const LayeredMedium& medium, double speed) {
+WaveDirections::WaveDirections(const LayeredMedium& medium, double wave_speed) {
   int count = 0;
   for (const MediumLayer& layer : medium) {
-    const NeededHarmonics needed = harmonics_for(layer, speed);
+    const NeededHarmonics needed = harmonics_for(layer, wave_speed);
     count = std::max(count, needed.count);
     left_out_ = std::max(left_out_, needed.left_out);
   }
@@ -84,8 +84,13 @@ WaveDirections::WaveDirections(const LayeredMedium& medium, double speed) {
   using Expansion = MediumExpansion;
   for (double per_decade = 1; per_decade <= Expansion::most_per_decade; per_decade += Expansion::denser) {
     expansions_.clear();
-    expansions_.emplace_back(medium, speed, per_decade);
-    for (const double cosine : cosines_) expansions_.emplace_back(medium, speed * cosine, fastest());
+    expansions_.emplace_back(medium, wave_speed, per_decade);
+    for (const double cosine : cosines_) {
+      if (wave_speed == 0)
+        expansions_.push_back(MediumExpansion(fastest()));
+      else
+        expansions_.emplace_back(medium, wave_speed * cosine, fastest());
+    }
     per_decade = fastest().per_decade();
     if (!(error() > Expansion::wanted_error + left_out_)) break;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A layered medium with inertia under a load that moves in steady motion, wave vector by wave vector.
+/// A layered medium under a load that moves in steady motion, wave vector by wave vector.
 ///
 /// A wave at the angle phi to the motion moves at V cos phi: with inertia the compliance depends on the direction. Each
 /// direction has its expansion in retardation times (medium_expansion.hpp), at times common to all, so that
@@ -27,8 +27,9 @@ int order_of_harmonic(Eigen::Index coefficient, int n);
 
 class WaveDirections {
  public:
-  /// @param speed V, below that of Rayleigh waves on any of the layers [m/s]
-  WaveDirections(const LayeredMedium& medium, double speed);
+  /// @param wave_speed V, below that of Rayleigh waves on any of the layers [m/s]; 0: without inertia, where all
+  /// directions are the same
+  WaveDirections(const LayeredMedium& medium, double wave_speed);
 
   int harmonics() const { return static_cast<int>(cosines_.size()); }
   int terms() const { return static_cast<int>(fastest().terms().size()); }

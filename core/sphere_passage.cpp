@@ -1,4 +1,4 @@
-#include "core/moving_surface.hpp"
+#include "core/sphere_passage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -124,15 +124,15 @@ Harmonics tail_at(const Harmonics& tail, double share) {
 
 }  // namespace
 
-MovingSurface::MovingSurface(const LayeredMedium& medium, double speed) {
-  const WaveDirections directions(medium, speed);
+SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
+  const WaveDirections directions(medium, wave_speed);
   error_ = directions.error();
   harmonics_ = directions.harmonics();
   std::vector<Harmonics> deep, base;
   for (int m = 0; m < directions.terms(); ++m) {
     deep.push_back(response_harmonics(directions.deep(m)));
     base.push_back(response_harmonics(directions.base(m)));
-    terms_.push_back({speed * directions.time(m), CornerFunction(deep.back()), CornerFunction(base.back()), {}});
+    terms_.push_back({directions.time(m), CornerFunction(deep.back()), CornerFunction(base.back()), {}});
   }
   const double finite = finite_thickness(medium);
   if (finite == 0) return;
@@ -180,9 +180,9 @@ MovingSurface::MovingSurface(const LayeredMedium& medium, double speed) {
 }
 
 /// The responses of all terms to a cell along a row.
-class MovingSurface::RowResponse {
+class SpherePassage::RowResponse {
  public:
-  RowResponse(const MovingSurface& surface, double y, double cell_x, double cell_y)
+  RowResponse(const SpherePassage& surface, double y, double cell_x, double cell_y)
       : surface_(surface), y_(y), cell_x_(cell_x), cell_y_(cell_y), end_(0) {
     const double below = y - 0.5 * cell_y, above = y + 0.5 * cell_y;
     if (!surface.correction_ || above > surface.correction_->end()) return;
@@ -214,16 +214,16 @@ class MovingSurface::RowResponse {
   }
 
  private:
-  const MovingSurface& surface_;
+  const SpherePassage& surface_;
   double y_, cell_x_, cell_y_, end_;  // distance along x up to which the strip goes [m]
   PanelField::Strip strip_;
 };
 
-InfluenceTable MovingSurface::table(double cell_x, double cell_y, int reach_x, int reach_y) const {
+InfluenceTable SpherePassage::table(double speed, double cell_x, double cell_y, int reach_x, int reach_y) const {
   const PassageRules rules(scales_, cell_x, reach_x);
   std::vector<PassageRules::Weights> weights;
   for (const Term& term : terms_)
-    weights.push_back(term.memory > 0 ? rules.weights(term.memory) : PassageRules::Weights());
+    weights.push_back(term.time > 0 ? rules.weights(speed * term.time) : PassageRules::Weights());
   InfluenceTable table(reach_x, reach_y);
   std::vector<std::vector<Coefficients>> values(terms_.size());
   for (int row = 0; row <= reach_y; ++row) {
@@ -233,7 +233,7 @@ InfluenceTable MovingSurface::table(double cell_x, double cell_y, int reach_x, i
       response(x, [&](std::size_t m, const Coefficients& value) { values[m].push_back(value); });
     for (std::size_t m = 0; m < terms_.size(); ++m) {
       PassageRules::under_load(values[m]);
-      if (terms_[m].memory > 0)
+      if (terms_[m].time > 0)
         rules.add(table, row, 1, weights[m], values[m]);
       else
         rules.add(table, row, 1, values[m]);

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Influence coefficients of a single sphere that moves on layers with inertia: each retardation time's response is
-/// that of an elastic surface (wave_directions.hpp), a half-space's in closed form plus a smooth correction from
-/// tables, with an exponential memory.
+/// Influence coefficients of a sphere in a single passage over any layers, with inertia or without: each retardation
+/// time's response is that of an elastic surface (wave_directions.hpp), a half-space's in closed form plus a smooth
+/// correction from tables, with an exponential memory.
 
 #include <memory>
 #include <vector>
@@ -14,20 +14,21 @@
 
 namespace rollres {
 
-class MovingSurface {
+class SpherePassage {
  public:
-  /// @param speed V [m/s]
-  MovingSurface(const LayeredMedium& medium, double speed);
+  /// @param wave_speed V, for the inertia [m/s]; 0: without
+  SpherePassage(const LayeredMedium& medium, double wave_speed);
 
   /// As of WaveDirections.
   double error() const { return error_; }
 
-  /// For offsets of up to reach_x columns and reach_y rows of cells [m].
-  InfluenceTable table(double cell_x, double cell_y, int reach_x, int reach_y) const;
+  /// At a speed [m/s], which with inertia is that of the waves, for offsets of up to reach_x columns and reach_y rows
+  /// of cells [m].
+  InfluenceTable table(double speed, double cell_x, double cell_y, int reach_x, int reach_y) const;
 
  private:
   struct Term {
-    double memory;              // V tau_m [m]
+    double time;                // tau_m [s]
     CornerFunction deep, base;  // half-spaces under short and long waves
     Harmonics tail;             // of what the correction has left to base at the extent, over a half-space
   };
