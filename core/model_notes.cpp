@@ -15,10 +15,14 @@ double half_length(const RollingSolution& solution) {
   return 0.5 * (std::isnan(solution.spacing) ? length : length + solution.spacing);
 }
 
-/// rho V^2 / |G*| at the frequency V / half-length.
+/// rho V^2 / |G*| at the frequency V / half-length, of the layer where it is largest.
 double inertia(const RollingScene& scene, const RollingSolution& solution) {
-  return scene.layer_density * scene.speed * scene.speed /
-         std::abs(complex_modulus(scene, scene.speed / half_length(solution)));
+  const double frequency = scene.speed / half_length(solution), square = scene.speed * scene.speed;
+  double largest = scene.layer_density * square / std::abs(complex_modulus(scene, frequency));
+  for (const BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
+    for (const BondedLayer& layer : *layers)
+      largest = std::max(largest, layer.layer_density * square / std::abs(complex_modulus(layer, frequency)));
+  return largest;
 }
 
 }  // namespace
