@@ -140,8 +140,8 @@ ValueTable thinned(const ValueTable& table, std::size_t size) {
   return few;
 }
 
-/// Bounds of |f''|, |f'''|, |f''''|, |f^(5)|. A fourth or fifth difference that noise hides is taken to be no larger than f
-/// and its lower derivatives: the scaled variable has that meaning.
+/// Bounds of |f''|, |f'''|, |f''''|, |f^(5)|. A fourth or fifth difference that noise hides is taken to be no larger
+/// than f and its lower derivatives: the scaled variable has that meaning.
 std::array<double, 4> derivative_bounds(const ValueTable& table, double centre, double noise) {
   std::array<double, 4> bounds{};
   double usual = std::max(std::abs(centre), derivative_size(table, 1, noise).size);

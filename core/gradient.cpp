@@ -159,8 +159,7 @@ int Gradient::evaluations() const {
 Gradient gradient(const Objective& objective, std::span<const double> point, const Calibration& calibration,
                   const GradientOptions& options) {
   require_inside(objective, point);
-  require(options.order == 1 || options.order == 2 || options.order == 4, "order", options.order,
-          "must be 1, 2 or 4");
+  require(options.order == 1 || options.order == 2 || options.order == 4, "order", options.order, "must be 1, 2 or 4");
   Gradient answer{{point.begin(), point.end()}, calibration.centre, {}};
   answer.inputs.resize(point.size());
   if (answer.point != calibration.point || !answer.centre.found()) answer.centre = value_at(objective, point);

@@ -1,8 +1,8 @@
 #pragma once
 
 /// JSON schemas (draft-07) of the files that the program reads, for editors: made from the list of inputs and from the
-/// keys of each file, so that they hold what the readers accept. What joins several keys with their values, such as a unit that
-/// fits the quantity, is left to the readers.
+/// keys of each file, so that they hold what the readers accept. What joins several keys with their values, such as a
+/// unit that fits the quantity, is left to the readers.
 
 #include <string>
 

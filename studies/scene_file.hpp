@@ -2,8 +2,8 @@
 
 /// Scene files: one flat JSON object, its keys those of `visit_inputs`. A number is SI, or a text with a unit ("5 mm");
 /// layer_thickness may be "infinite"; lists of them stand in [ ]; "master_curve_file" names a CSV file, relative to the
-/// scene's, in place of the lists that it holds (master_curve_file.hpp); texts under "comment" and "$schema" are ignored. Nothing else is accepted: every
-/// refusal is one line that names file, key, value and rule.
+/// scene's, in place of the lists that it holds (master_curve_file.hpp); texts under "comment" and "$schema" are
+/// ignored. Nothing else is accepted: every refusal is one line that names file, key, value and rule.
 
 #include <filesystem>
 #include <string>

@@ -93,8 +93,7 @@ TEST_CASE("the spectrum of a fractional Zener solid meets its modulus to 1e-7 of
   CHECK(creep_spectrum(FractionalZener{2e6, 9, 0.1, 1}).terms.size() == 1);
 }
 
-TEST_CASE("a master curve drawn from a Prony series is fitted within 3 %, from few rows or many",
-          "[core][material]") {
+TEST_CASE("a master curve drawn from a Prony series is fitted within 3 %, from few rows or many", "[core][material]") {
   const PronySeries series = wide_series(25);
   for (const int rows_per_decade : {2, 10}) {
     CAPTURE(rows_per_decade);

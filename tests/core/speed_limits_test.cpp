@@ -160,7 +160,8 @@ TEST_CASE("at a fixed ratio of memory to contact the resistance grows with the p
   CHECK(exponent(sphere, a, 1. / 6) == Approx(7. / 6).epsilon(0.015));
 }
 
-TEST_CASE("at 30 m/s a single passage over a memory of 7.5 m is a train of bodies 200 m apart", "[core][speed_limits]") {
+TEST_CASE("at 30 m/s a single passage over a memory of 7.5 m is a train of bodies 200 m apart",
+          "[core][speed_limits]") {
   RollingScene scene;
   scene.radius = 0.2;
   scene.layer_thickness = 0.05;
