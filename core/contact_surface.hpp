@@ -8,7 +8,6 @@
 
 #include <string>
 
-#include "core/influence.hpp"
 #include "core/layered_medium.hpp"
 #include "core/scene.hpp"
 
@@ -92,11 +91,5 @@ class SteadySurface {
   template <class Visitor>
   void visit_materials(Visitor visitor) const;
 };
-
-/// Influence coefficients of a composite surface for a single passage.
-InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y);
-
-/// Largest relative error of the expansion in retardation times that such coefficients contain (medium_expansion.hpp).
-double expansion_error(const RollingScene& scene);
 
 }  // namespace rollres

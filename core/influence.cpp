@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/composite_table.hpp"
 #include "core/contact_surface.hpp"
 #include "core/lumped_spectrum.hpp"
 #include "core/material.hpp"

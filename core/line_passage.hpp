@@ -8,6 +8,7 @@
 /// response is expanded in fixed retardation times (medium_expansion.hpp).
 
 #include "core/contact_surface.hpp"
+#include "core/influence.hpp"
 
 namespace rollres {
 

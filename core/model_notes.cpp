@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/composite_table.hpp"
 #include "core/contact_surface.hpp"
 #include "core/evidence.hpp"
 #include "core/material.hpp"

@@ -15,7 +15,7 @@ namespace rollres {
 enum class Status {
   converged,        ///< every law of contact holds at every node within the solver's tolerance
   no_steady_state,  ///< the drive asks for more traction than friction can give, or friction makes the body dig itself
-                    ///< in; `reason` says what is needed or borne
+                    ///< in, or it is faster than the waves of layers whose inertia counts; `reason` says which
   not_converged     ///< no answer; `reason` says in which state the solver stopped
 };
 template <>

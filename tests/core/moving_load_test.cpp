@@ -7,6 +7,7 @@
 
 #include "core/contact_surface.hpp"
 #include "core/corner_function.hpp"
+#include "core/influence.hpp"
 #include "core/panel_field.hpp"
 #include "core/quadrature.hpp"
 #include "tests/catch.hpp"
@@ -81,8 +82,9 @@ TEST_CASE("corner functions are the double antiderivatives of what falls like 1/
   const CornerFunction corner(g);
   for (const auto& [x, y] : {std::pair{1.0, 0.0}, {2.0, -1.0}, {-1.5, 0.2}, {0.1, 3.0}, {0.0, -0.9}, {1e4, 3e3}}) {
     CAPTURE(x, y);
-    const Coefficients expected = cell_average(
-        x, y, 0.8, 0.6, [&](double px, double py) { return harmonic_sum(g, px, py) / std::hypot(px, py); });
+    const Coefficients expected = cell_average(x, y, 0.8, 0.6, [&](double px, double py) -> Coefficients {
+      return harmonic_sum(g, px, py) / std::hypot(px, py);
+    });
     const CellFunctions cell(x, y, 0.8, 0.6, g.cols());
     CHECK((corner(cell) - expected).abs().maxCoeff() < 1e-8 * expected.abs().maxCoeff());
   }
