@@ -151,8 +151,8 @@ FigureText traction_lines(const Figure& figure, const FigureSource& source, cons
   if (friction > 0) {
     const std::string bound = "lw 1.5 dt (2,3) lc rgb '#444444'";
     plot.lines.push_back({"τ_xz", fields.shear_x, 1, "lw 2.5 lc rgb '#0072B2'"});
-    plot.lines.push_back({"-μ σ_z", fields.pressure, friction, bound});
-    plot.lines.push_back({"±μ σ_z", fields.pressure, -friction, bound});
+    plot.lines.push_back({"-μσ_z", fields.pressure, friction, bound});
+    plot.lines.push_back({"±μσ_z", fields.pressure, -friction, bound});
   }
   return line_figure(figure, source, files, plot);
 }
