@@ -27,7 +27,7 @@ Indenter indenter_of(const StudyRows& rows, std::size_t row) {
 
 /// A cell with its own unit.
 std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
-  return value_in_words(rows.cell(row, column), column.quantity.unit_for(indenter_of(rows, row)));
+  return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(indenter_of(rows, row)));
 }
 
 /// "speed = 50 mm/s, load = 20 kN/m"
@@ -162,7 +162,9 @@ std::string scene_section(const ReportSource& source) {
     const Quantity& q = column.quantity;
     const std::string key = in_words(q.key), symbol(symbol_beside_name(q)), meaning(q.meaning);
     const std::set<Cell> values = source.rows.values(column);
-    const auto shown = [&](const Cell& cell) { return value_in_words(cell, q.unit_for(indenter_of(source.rows, 0))); };
+    const auto shown = [&](const Cell& cell) {
+      return value_in_words(q, cell, q.unit_for(indenter_of(source.rows, 0)));
+    };
     if (values.size() > 1) {
       constexpr std::size_t few = 8;
       std::string list;

@@ -191,7 +191,7 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
       const bool named = families.size() > 1 && families[i]->type != "TEXT";
       curve.label += i == 0 ? "" : ", ";
       if (named) curve.label += (symbol.empty() ? in_words(key) : std::string(symbol)) + " = ";
-      curve.label += value_in_words(values[i], unit_in(rows, *families[i]));
+      curve.label += value_in_words(families[i]->quantity, values[i], unit_in(rows, *families[i]));
     }
     for (const Cell& place : places) {
       const auto found = points.find(place);

@@ -123,10 +123,10 @@ StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
     const auto line = std::lower_bound(field.y.begin(), field.y.end(), at_y) - field.y.begin();
     const auto node = static_cast<std::size_t>(line) * field.x.size() + static_cast<std::size_t>(column);
     if (request.nodes[node] != MapNode::not_computed)
-      throw std::invalid_argument(study.name + ": several points at " + key_of(*axes.x) + " = " +
-                                  value_in_words(Cell(at_x), unit_in(rows, *axes.x)) + ", " + key_of(*axes.y) + " = " +
-                                  value_in_words(Cell(at_y), unit_in(rows, *axes.y)) +
-                                  "; fix the other axes with --where");
+      throw std::invalid_argument(
+          study.name + ": several points at " + key_of(*axes.x) + " = " +
+          value_in_words(axes.x->quantity, Cell(at_x), unit_in(rows, *axes.x)) + ", " + key_of(*axes.y) + " = " +
+          value_in_words(axes.y->quantity, Cell(at_y), unit_in(rows, *axes.y)) + "; fix the other axes with --where");
     const double number = rows.number(row, value) / v.unit.factor;
     request.nodes[node] = state_of(rows, row, number);
     if (request.nodes[node] == MapNode::answered) field.values[node] = number;

@@ -105,6 +105,13 @@ std::string value_in_words(const Cell& cell, std::string_view unit) {
   return "none";
 }
 
+std::string value_in_words(const Quantity& quantity, const Cell& cell, std::string_view unit) {
+  const auto* const number = std::get_if<double>(&cell);
+  if (!number || unit != "K" || !quantity.key.ends_with("temperature")) return value_in_words(cell, unit);
+  constexpr double ice = 273.15;
+  return short_number(*number - ice, 5) + " °C";
+}
+
 ChartAxis described(const QuantityColumn& column) {
   return {.name = in_words(column.quantity.key), .symbol = std::string(symbol_beside_name(column.quantity))};
 }
@@ -142,7 +149,8 @@ std::string common_inputs(const StudyRows& rows) {
     if (!column->is_input) continue;
     const auto values = rows.values(*column);
     if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
-    lines += "\n" + std::string(column->quantity.key) + " = " + value_in_words(*values.begin(), unit_in(rows, *column));
+    lines += "\n" + std::string(column->quantity.key) + " = " +
+             value_in_words(column->quantity, *values.begin(), unit_in(rows, *column));
   }
   return lines;
 }

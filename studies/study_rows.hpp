@@ -65,6 +65,8 @@ std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column);
 
 /// A value as people read it; "none" if it is absent.
 std::string value_in_words(const Cell& cell, std::string_view unit);
+/// The same of a quantity, whose temperatures people read in degrees Celsius.
+std::string value_in_words(const Quantity& quantity, const Cell& cell, std::string_view unit);
 
 /// Name and symbol of a column.
 ChartAxis described(const QuantityColumn& column);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "studies/study_rows.hpp"
 #include "studies/sweep.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
@@ -289,4 +290,12 @@ TEST_CASE("shares of the losses are stacked up to the rolling resistance", "[stu
 
   CHECK_THAT(message_of([&] { stored_chart(store, {.shares = true}); }), Contains("of one curve, not of 2"));
   CHECK_THAT(message_of([&] { stored_chart(store, {.y = "approach", .shares = true}); }), Contains("y = approach"));
+}
+
+TEST_CASE("curves at several temperatures are named in degrees Celsius, differences of temperature in kelvin",
+          "[studies][chart]") {
+  const QuantityColumn& temperature = *find_quantity_column("temperature");
+  CHECK(value_in_words(temperature.quantity, Cell(253.15), "K") == "-20 °C");
+  CHECK(value_in_words(temperature.quantity, Cell(295.65), "K") == "22.5 °C");
+  CHECK(value_in_words(find_quantity_column("wlf_c2")->quantity, Cell(137.64), "K") == "137.64 K");
 }
