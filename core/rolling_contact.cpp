@@ -10,6 +10,7 @@
 #include "core/evidence.hpp"
 #include "core/grid_choice.hpp"
 #include "core/grid_error.hpp"
+#include "core/message_text.hpp"
 #include "core/model_choice.hpp"
 #include "core/nested_newton.hpp"
 #include "core/spectral_contact.hpp"
@@ -78,6 +79,13 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
   }
   solution.status = nested.status;
   solution.reason = nested.reason;
+  if (nested.status == Status::not_converged && scene.period && nested.finest.problem) {
+    // Without waves as short as two cells the nodes do not tell neighbours apart.
+    const double shortest = *scene.period / scene.series_terms, spacing = nested.finest.problem->grid.spacing_x;
+    if (shortest > 2 * spacing)
+      solution.reason += message_text("; series_terms = ", scene.series_terms, " keeps waves down to ", shortest,
+                                      " m, longer than two cells of ", spacing, " m");
+  }
   solution.friction_needed = nested.friction_needed;
   solution.friction_borne = nested.friction_borne;
   solution.iterations = nested.finest.outcome.iterations;

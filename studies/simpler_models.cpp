@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/contact_surface.hpp"
+#include "core/grid_choice.hpp"
 #include "core/material.hpp"
 #include "core/reference_hunter.hpp"
 #include "core/reference_solutions.hpp"
@@ -55,13 +56,23 @@ class ModelsBeside {
   void without_layers() {
     const bool approach_needed = scene_.approach && scene_.indenter == Indenter::cylinder;
     if (!scene_.lower_layers.empty())
-      solve("the first layer on a rigid base", [](RollingScene& s) { s.lower_layers.clear(); });
+      solve_like("the first layer on a rigid base", [](RollingScene& s) { s.lower_layers.clear(); });
     if (std::isfinite(scene_.layer_thickness) && !approach_needed && !scene_.period)
-      solve("a half-space of the first layer", [](RollingScene& s) {
+      solve_like("a half-space of the first layer", [](RollingScene& s) {
         s.layer_thickness = INFINITY;
         s.lower_layers.clear();
       });
-    if (!scene_.coating_layers.empty()) solve("without coating", [](RollingScene& s) { s.coating_layers.clear(); });
+    if (!scene_.coating_layers.empty())
+      solve_like("without coating", [](RollingScene& s) { s.coating_layers.clear(); });
+  }
+
+  /// A model whose contact would be of quite another size tells nothing, and may take long.
+  void solve_like(const std::string& name, const std::function<void(RollingScene&)>& change) {
+    constexpr double widest_ratio = 5;
+    RollingScene simpler = scene_;
+    change(simpler);
+    const double ratio = estimate_contact(simpler).half_width / estimate_contact(scene_).half_width;
+    if (ratio > 1 / widest_ratio && ratio < widest_ratio) solve(name, change);
   }
 
   void inertia() {
