@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/medium_expansion.hpp"
 #include "core/passage_kernel.hpp"
+#include "core/recently_made.hpp"
 #include "core/wave_table.hpp"
 
 namespace rollres {
@@ -39,13 +41,25 @@ struct NearSpectra {
     for (const MediumTerm& term : expansion.terms()) add(term, cross_sign);
     error = std::max(error, expansion.error());
   }
-
-  explicit NearSpectra(const RollingScene& scene) {
-    const double wave_speed = inertia_included(scene) ? scene.speed : 0;
-    add(foundation_of(scene), wave_speed, 1);
-    add(coating_of(scene), wave_speed, -1);
-  }
 };
+
+struct NearSpectraKey {
+  LayeredMedium foundation, coating;
+  double wave_speed;  // 0 without inertia, whatever the speed
+  bool operator==(const NearSpectraKey&) const = default;
+};
+
+/// The same for all grids of a scene.
+std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene) {
+  static RecentlyMade<NearSpectraKey, NearSpectra, 16> cache;
+  const NearSpectraKey key{foundation_of(scene), coating_of(scene), inertia_included(scene) ? scene.speed : 0};
+  return cache(key, [&] {
+    NearSpectra spectra;
+    spectra.add(key.foundation, key.wave_speed, 1);
+    spectra.add(key.coating, key.wave_speed, -1);
+    return spectra;
+  });
+}
 
 /// What the layers add to the displacements under a line force spread over a cell.
 class AddedDisplacements {
@@ -93,20 +107,20 @@ class AddedDisplacements {
 }  // namespace
 
 double line_expansion_error(const RollingScene& scene) {
-  return inertia_included(scene) ? NearSpectra(scene).error : 0;
+  return inertia_included(scene) ? near_spectra(scene)->error : 0;
 }
 
 InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x) {
   const double cell = grid.spacing_x;
-  const NearSpectra near(scene);
+  const std::shared_ptr<const NearSpectra> near = near_spectra(scene);
   const auto half_space = [&](double poisson_ratio, const CreepSpectrum& spectrum) {
     return shared_passage_kernel(Indenter::cylinder, Layer(INFINITY, poisson_ratio), cell, grid.spacing_y, reach_x, 0)
         ->table(spectrum, scene.speed, reach_x, 0);
   };
   InfluenceTable table(reach_x, 0);
-  table.ww = half_space(0.5, near.normal).ww;
-  table.uu = half_space(0.5, near.longitudinal).uu;
-  table.uw = half_space(0, near.cross).uw;
+  table.ww = half_space(0.5, near->normal).ww;
+  table.uu = half_space(0.5, near->longitudinal).uu;
+  table.uw = half_space(0, near->cross).uw;
   if (std::isinf(nearest_interface(scene))) return table;
   const AddedDisplacements added(scene, cell);
   for (int column = -reach_x; column <= reach_x; ++column) {

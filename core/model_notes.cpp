@@ -83,8 +83,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
       message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
                    inertia(scene, solution));
   const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
-  if (is_composite(scene) && !scene.period && !spectral && expansion_error(scene) > 0)
-    model += message_text("; memories expanded in fixed retardation times, to ", expansion_error(scene));
+  if (is_composite(scene) && !scene.period && !spectral)
+    if (const double error = expansion_error(scene); error > 0)
+      model += message_text("; memories expanded in fixed retardation times, to ", error);
   if (!sphere)
     model += message_text("; plane strain: for a cylinder long beside ",
                           std::max(2 * half_length(solution), finite_thickness(scene)), " m");
