@@ -184,20 +184,15 @@ SurfaceCompliance SteadySurface::half_spaces(const Moduli& moduli) const {
     const std::complex<double>& j = moduli.compliance;
     return {j * c.normal, j * c.longitudinal, j * c.cross, j * c.transverse};
   }
-  const auto deep = [&](const LayeredMedium& medium, const std::complex<double>& modulus) {
-    MediumLayer top = medium.front();
-    top.thickness = INFINITY;
-    return surface_compliance(LayeredMedium{top}, std::vector{modulus}, 1, speed_);
-  };
-  const SurfaceCompliance below = deep(foundation_, moduli.foundation.front());
-  return coating_.empty() ? below : together(below, deep(coating_, moduli.coating.front()));
+  const SurfaceCompliance below = half_space_compliance(foundation_.front(), moduli.foundation.front(), speed_);
+  if (coating_.empty()) return below;
+  return together(below, half_space_compliance(coating_.front(), moduli.coating.front(), speed_));
 }
 
 SurfaceCompliance SteadySurface::long_waves() const {
   if (!composite_) return std::isinf(layer_.thickness) ? half_spaces(moduli(0)) : SurfaceCompliance{};
   if (std::isfinite(foundation_.back().thickness)) return {};
-  return surface_compliance(LayeredMedium{foundation_.back()}, std::vector{1.0 / foundation_.back().material(0)}, 1,
-                            speed_);
+  return half_space_compliance(foundation_.back(), 1.0 / foundation_.back().material(0), speed_);
 }
 
 template <class Visitor>

@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "core/chebyshev_series.hpp"
 #include "core/layer_compliance.hpp"
 #include "core/memory_functions.hpp"
 #include "core/quadrature.hpp"
@@ -28,13 +30,7 @@ Panel find_panel(double r) {
 }
 
 LayerSlopes clenshaw(const LayerSlopes* c, double t) {
-  LayerSlopes b1 = LayerSlopes::Zero(), b2 = LayerSlopes::Zero();
-  for (int k = degree; k > 0; --k) {
-    const LayerSlopes b0 = c[k] + 2 * t * b1 - b2;
-    b2 = b1;
-    b1 = b0;
-  }
-  return c[0] + t * b1 - b2;
+  return chebyshev_sum(std::span<const LayerSlopes>(c, terms), t);
 }
 
 /// The corrections for H = 1, r > 0, by quadrature over wavenumbers.

@@ -108,6 +108,11 @@ SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<cons
   return {.normal = -c(1, 1), .longitudinal = -c(0, 0), .cross = -c(0, 1), .transverse = -below.transverse};
 }
 
+SurfaceCompliance half_space_compliance(const MediumLayer& layer, complex modulus, double wave_speed) {
+  const LayeredMedium half_space{{INFINITY, layer.poisson_ratio, layer.density, {}}};
+  return surface_compliance(half_space, {&modulus, 1}, 1, wave_speed);
+}
+
 double finite_thickness(const LayeredMedium& medium) {
   double sum = 0;
   for (const MediumLayer& layer : medium)

@@ -46,6 +46,9 @@ struct SurfaceCompliance {
 SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<const std::complex<double>> moduli,
                                      double wavenumber, double wave_speed);
 
+/// The half-space of one layer's material, times the wavenumber: the same at any [1/Pa].
+SurfaceCompliance half_space_compliance(const MediumLayer& layer, std::complex<double> modulus, double wave_speed);
+
 /// In steady motion: with the moduli at the frequency -k V cos.
 /// @param cosine of the angle between wave vector and motion   @param speed V [m/s]
 SurfaceCompliance surface_compliance(const LayeredMedium& medium, double wavenumber, double cosine, double speed);

@@ -26,9 +26,7 @@ Symbols scaled(const SurfaceCompliance& c, double wavenumber) {
 
 /// k c of the half-space of one layer's material, the same at any wavenumber.
 Symbols half_space(const MediumLayer& layer, complex modulus, double wave_speed) {
-  MediumLayer deep = layer;
-  deep.thickness = INFINITY;
-  return scaled(surface_compliance({deep}, std::vector{modulus}, 1, wave_speed), 1);
+  return scaled(half_space_compliance(layer, modulus, wave_speed), 1);
 }
 
 /// Waves in a layer decay like e^{-k beta z}, slowest at rest.

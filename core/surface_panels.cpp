@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "core/chebyshev_series.hpp"
 #include "core/dense_algebra.hpp"
 
 namespace rollres {
@@ -85,13 +87,7 @@ class AddedSlopes {
     if (!(place >= 0 && place <= static_cast<double>(series_.size()))) return field_.added_slopes(x);
     const auto panel = std::min(static_cast<std::size_t>(place), series_.size() - 1);
     const double t = 2 * (place - static_cast<double>(panel)) - 1;
-    Eigen::Array2d b1 = Eigen::Array2d::Zero(), b2 = b1;
-    for (std::size_t k = count - 1; k > 0; --k) {
-      const Eigen::Array2d b0 = series_[panel][k] + 2 * t * b1 - b2;
-      b2 = b1;
-      b1 = b0;
-    }
-    const Eigen::Array2d sum = series_[panel][0] + t * b1 - b2;
+    const Eigen::Array2d sum = chebyshev_sum(std::span<const Eigen::Array2d>(series_[panel]), t);
     return {sum(0), sum(1)};
   }
 

@@ -48,12 +48,11 @@ struct NeededHarmonics {
 /// Harmonics that a half-space of the layer's material at rest needs, which is nearest to its Rayleigh waves.
 NeededHarmonics harmonics_for(const MediumLayer& layer, double speed) {
   constexpr int many = 2 * most_harmonics;
-  const LayeredMedium half_space{{INFINITY, layer.poisson_ratio, layer.density, {}}};
-  const std::vector<std::complex<double>> modulus{1 / layer.material.at_rest()};
+  const double modulus = 1 / layer.material.at_rest();
   Harmonics all = Harmonics::Zero(6, many);
   for (int j = 0; j < many; ++j) {
     const double cosine = std::cos(angle(j, many));
-    const SurfaceCompliance c = surface_compliance(half_space, modulus, 1, speed * cosine);
+    const SurfaceCompliance c = half_space_compliance(layer, modulus, speed * cosine);
     all += weights_of(j, many).colwise() *
            in_direction(cosine, {c.normal.real(), c.longitudinal.real(), c.cross.real(), c.transverse.real()});
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/chebyshev_series.hpp"
 #include "core/quadrature.hpp"
 #include "core/wavenumber_fade.hpp"
 
@@ -36,16 +37,6 @@ struct PanelNodes {
 const PanelNodes& panel_nodes() {
   static const PanelNodes nodes;
   return nodes;
-}
-
-LayerSlopes clenshaw(const LayerSlopes* c, double t) {
-  LayerSlopes b1 = LayerSlopes::Zero(), b2 = LayerSlopes::Zero();
-  for (int k = degree; k > 0; --k) {
-    const LayerSlopes b0 = c[k] + 2 * t * b1 - b2;
-    b2 = b1;
-    b1 = b0;
-  }
-  return c[0] + t * b1 - b2;
 }
 
 }  // namespace
@@ -113,7 +104,8 @@ LayerSlopes WaveTable::operator()(std::size_t function, double x) const {
   const double from = borders_[panel], to = borders_[panel + 1];
   PanelPair& pair = panels_[panel];
   if (pair.coefficients[0].empty()) pair = made(from, to);
-  return clenshaw(&pair.coefficients[x < 0 ? 1 : 0][function * terms], 2 * (r - from) / (to - from) - 1);
+  const std::span<const LayerSlopes> all(pair.coefficients[x < 0 ? 1 : 0]);
+  return chebyshev_sum(all.subspan(function * terms, terms), 2 * (r - from) / (to - from) - 1);
 }
 
 }  // namespace rollres
