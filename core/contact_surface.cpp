@@ -195,20 +195,16 @@ SurfaceCompliance SteadySurface::long_waves() const {
   return half_space_compliance(foundation_.back(), 1.0 / foundation_.back().material(0), speed_);
 }
 
-template <class Visitor>
-void SteadySurface::visit_materials(Visitor visitor) const {
-  visitor(material_);
-  for (const LayeredMedium* const medium : {&foundation_, &coating_})
-    for (const MediumLayer& layer : *medium) visitor(layer.material);
-}
-
 double SteadySurface::longest_wave() const {
   double softest = INFINITY, hardest = 0, time = 0;
-  visit_materials([&](const CreepSpectrum& material) {
+  const auto take = [&](const CreepSpectrum& material) {
     softest = std::min(softest, 1 / material.at_rest());
     hardest = std::max(hardest, 1 / material.at_rest());
     for (const CreepSpectrum::Term& term : material.terms) time = std::max(time, term.time);
-  });
+  };
+  take(material_);
+  for (const LayeredMedium* const medium : {&foundation_, &coating_})
+    for (const MediumLayer& layer : *medium) take(layer.material);
   const double thickness = composite_ ? finite_thickness(foundation_) + finite_thickness(coating_) : layer_.thickness;
   return std::max((std::isinf(thickness) ? 0 : thickness) * std::cbrt(hardest / softest), speed_ * time);
 }

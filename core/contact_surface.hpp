@@ -88,8 +88,6 @@ class SteadySurface {
   double speed_, thickness_;
   CreepSpectrum material_;
   LayeredMedium foundation_, coating_;
-  template <class Visitor>
-  void visit_materials(Visitor visitor) const;
 };
 
 }  // namespace rollres

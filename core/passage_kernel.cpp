@@ -7,27 +7,22 @@
 
 namespace rollres {
 
-PassageKernel::PassageKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y, int columns,
-                             int rows)
-    : rules_(shape.scales(), cell_x, columns) {
-  const ElasticKernel kernel(indenter, shape, cell_x, cell_y);
+PassageKernel::PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows)
+    : rules_(surface_shape(indenter, layer).scales(), cell_x, columns) {
+  const ElasticKernel kernel(indenter, layer, cell_x, cell_y);
   for (int row = 0; row <= rows; ++row)
     values_.push_back(rules_.values(row, [&](double x) { return kernel(x, row * cell_y); }));
 }
 
 InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed, int reach_x, int reach_y) const {
   InfluenceTable table(reach_x, reach_y);
-  add_to(table, material, speed);
-  return table;
-}
-
-void PassageKernel::add_to(InfluenceTable& table, const CreepSpectrum& material, double speed) const {
   const auto values = [&](int row) -> const auto& { return values_[static_cast<std::size_t>(row)]; };
   for (int row = 0; row <= table.reach_y(); ++row) rules_.add(table, row, material.instantaneous, values(row));
   for (const CreepSpectrum::Term& term : material.terms) {
     const PassageRules::Weights weights = rules_.weights(speed * term.time);
     for (int row = 0; row <= table.reach_y(); ++row) rules_.add(table, row, term.compliance, weights, values(row));
   }
+  return table;
 }
 
 namespace {

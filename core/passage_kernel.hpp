@@ -19,15 +19,10 @@ namespace rollres {
 class PassageKernel {
  public:
   /// Elastic values for offsets up to `columns` and `rows` (0 for a cylinder) cells of size cell_x by cell_y [m].
-  PassageKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y, int columns, int rows);
-  PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows)
-      : PassageKernel(indenter, surface_shape(indenter, layer), cell_x, cell_y, columns, rows) {}
+  PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows);
 
-  /// Adds the coefficients for a material and a speed [m/s].
-  /// @param table for offsets up to at most those the object was made for
-  void add_to(InfluenceTable& table, const CreepSpectrum& material, double speed) const;
-
-  /// Coefficients for offsets up to reach_x columns and reach_y rows.
+  /// Coefficients for a material and a speed [m/s].
+  /// @param reach_x, reach_y offsets in columns and rows, up to those the object was made for
   InfluenceTable table(const CreepSpectrum& material, double speed, int reach_x, int reach_y) const;
 
   int columns() const { return rules_.columns(); }
