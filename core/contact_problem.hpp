@@ -16,10 +16,9 @@
 #include "core/contact_state.hpp"
 #include "core/scene.hpp"
 #include "core/solution.hpp"
+#include "core/vector.hpp"
 
 namespace rollres {
-
-using Vector = Eigen::VectorXd;
 
 /// A linear functional of the tractions: sum(of_pressure * p) + sum(of_shear_x * tau_x).
 struct Resultant {

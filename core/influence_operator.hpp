@@ -9,9 +9,9 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "core/contact_problem.hpp"
 #include "core/influence.hpp"
 #include "core/surface_transform.hpp"
+#include "core/vector.hpp"
 
 namespace rollres {
 

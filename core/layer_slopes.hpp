@@ -12,13 +12,11 @@
 ///     even
 /// with the tables in units of 1/H. Beyond `layer_reach` the layer is at rest: the corrections cancel the half-space.
 
-#include <Eigen/Core>
 #include <vector>
 
-namespace rollres {
+#include "core/wave_table.hpp"
 
-/// normal, tangential, cross, and 0 [1/m for unit force and modulus]
-using LayerSlopes = Eigen::Array4d;
+namespace rollres {
 
 /// x/H where the response has decayed to e^{-0.74 x/H} = 1e-15.
 constexpr double layer_reach = 48;

@@ -8,6 +8,7 @@
 #include "core/grid_choice.hpp"
 #include "core/material.hpp"
 #include "core/message_text.hpp"
+#include "core/scene_rules.hpp"
 
 namespace rollres {
 

@@ -13,6 +13,7 @@
 #include "core/message_text.hpp"
 #include "core/model_choice.hpp"
 #include "core/nested_newton.hpp"
+#include "core/scene_rules.hpp"
 #include "core/spectral_contact.hpp"
 
 namespace rollres {

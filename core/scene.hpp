@@ -151,17 +151,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   visitor(Q{"slip_rule", "", "", "active_set in 3D: how nodes change between stick and slip"}, scene.slip_rule);
 }
 
-/// Whether method spectral can be asked: a single cylinder on an incompressible layer.
-bool spectral_applies(const RollingScene& scene);
-
-/// The method that solves the scene first: its own, or what `automatic` stands for.
-Method resolved_method(const RollingScene& scene);
-
 /// Keys of all inputs, in the order of the list.
 std::vector<std::string_view> input_keys();
-
-/// Every rule the scene breaks, each as one line "key = value: rule" (ranges, and what must go together:
-/// load or approach, spacing or tolerance, driving_torque with drive torque, ...). Empty: the scene can be solved.
-std::vector<std::string> check(const RollingScene& scene);
 
 }  // namespace rollres

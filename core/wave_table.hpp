@@ -7,15 +7,17 @@
 /// positive axis, relative to k, so that panels of k in constant ratio suit it; the functions are singular at +-2i, so
 /// that panels of x may widen with the distance.
 
+#include <Eigen/Core>
 #include <array>
 #include <complex>
 #include <functional>
 #include <span>
 #include <vector>
 
-#include "core/layer_slopes.hpp"
-
 namespace rollres {
+
+/// normal, tangential, cross, and 0 [1/m for unit force and modulus]
+using LayerSlopes = Eigen::Array4d;
 
 class WaveTable {
  public:

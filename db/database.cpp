@@ -7,7 +7,6 @@
 #include <array>
 #include <thread>
 
-#include "db/schema.hpp"
 #include "db/sqlite.hpp"
 
 namespace rollres {
@@ -119,12 +118,9 @@ void migrate(SQLite::Database& connection, const std::string& name, std::span<co
 
 }  // namespace
 
-Database::Database(const std::filesystem::path& file, Access access) : Database(file, access, schema_migrations()) {}
-
-Database::Database(const std::filesystem::path& file, Access access, std::span<const Migration> migrations)
-    : name_(file.string()) {
+Database::Database(const std::filesystem::path& file, Access access, const Schema& schema) : name_(file.string()) {
   if (file.empty()) throw std::invalid_argument("db = : must name a file");
-  const int newest = static_cast<int>(migrations.size());
+  const int newest = static_cast<int>(schema.migrations.size());
   const std::filesystem::path place = std::filesystem::absolute(file);  // never a special name such as ":memory:"
   std::error_code none;
   if (std::filesystem::is_regular_file(place, none) && std::filesystem::file_size(place, none) == 1)
@@ -137,7 +133,7 @@ Database::Database(const std::filesystem::path& file, Access access, std::span<c
         throw std::runtime_error(name_ + ": an empty file, no database of rollres");
       if (number(*connection_, "PRAGMA user_version") < newest && !is_read_only(*connection_)) {
         connection_.reset();
-        { Database migrated(file, Access::write, migrations); }
+        { Database migrated(file, Access::write, schema); }
         connection_ = open_for_reading(place);
       }
       return;
@@ -147,8 +143,8 @@ Database::Database(const std::filesystem::path& file, Access access, std::span<c
     connection_->exec("PRAGMA foreign_keys = ON");
     choose_journal(*connection_, place);
     if (found == Found::nothing || number(*connection_, "PRAGMA user_version") < newest)
-      migrate(*connection_, name_, migrations);
-    add_missing_columns(*connection_);
+      migrate(*connection_, name_, schema.migrations);
+    if (schema.complete) schema.complete(*connection_);
   });
 }
 

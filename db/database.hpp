@@ -26,19 +26,23 @@ enum class Access { read, write };
 /// Brings the tables from one version of the schema to the next; runs inside a transaction.
 using Migration = void (*)(SQLite::Database&);
 
+/// What the tables of a file are to be.
+struct Schema {
+  std::span<const Migration> migrations;  ///< from an empty file; the schema's version is their number
+  Migration complete = nullptr;           ///< what every writer adds to a file of that version; none if null
+};
+
 class Database {
  public:
   static constexpr int application_id = 0x726f6c6c;  // "roll"
   static constexpr std::chrono::seconds patience{60};
 
-  /// Opens `file`; with Access::write creates it if it is missing or empty. Either migrates it; a reader who may not
-  /// write it reads an older file as it is.
+  /// Opens `file`; with Access::write creates it if it is missing or empty. Either migrates it to `schema`, the present
+  /// one of which `open_database` takes (schema.hpp); a reader who may not write it reads an older file as it is.
   /// @throws std::invalid_argument if `file` is empty
   /// @throws std::runtime_error naming the file: it is missing (read), damaged, of another program, written by a newer
   ///         version, read-only (write) or locked for longer than `patience`
-  Database(const std::filesystem::path& file, Access access);
-  /// The same with other migrations than this version's (schema.hpp): the schema's version is their number.
-  Database(const std::filesystem::path& file, Access access, std::span<const Migration> migrations);
+  Database(const std::filesystem::path& file, Access access, const Schema& schema);
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
   ~Database();

@@ -13,4 +13,10 @@ std::string digest(std::string_view text) {
   return digits;
 }
 
+std::string twelve_digits(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::scientific, 11);
+  return {text, end.ptr};
+}
+
 }  // namespace rollres

@@ -2,6 +2,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "core/scene_rules.hpp"
 #include "db/digest.hpp"
 #include "db/result_store.hpp"
 
@@ -31,12 +32,6 @@ std::string canonical(const BondedLayers& layers) {
 }
 
 }  // namespace
-
-std::string twelve_digits(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::scientific, 11);
-  return {text, end.ptr};
-}
 
 std::string evaluation_key(const RollingScene& given, std::string_view solver) {
   RollingScene scene = given;

@@ -210,7 +210,7 @@ void extract_study(const std::filesystem::path& source, const std::string& study
   remove_part();
   try {
     {
-      const Database extract(part, Access::write);
+      const Database extract = open_database(part, Access::write);
       merge(extract, source, study);
       naming(file.string(), [&] { extract.connection().exec("PRAGMA journal_mode = delete"); });
     }

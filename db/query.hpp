@@ -11,11 +11,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/quantity.hpp"
 #include "db/database.hpp"
+#include "db/table.hpp"
 
 namespace rollres {
 
@@ -38,14 +38,6 @@ struct Query {
   std::vector<std::string> columns = {};  ///< empty: all
   std::vector<std::string> sort = {};     ///< "-speed": from large to small; the first counts most, absent ones last
   std::optional<std::int64_t> limit = {};
-};
-
-/// Absent, a count, a number or a text.
-using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
-
-struct Table {
-  std::vector<std::string> columns;
-  std::vector<std::vector<Cell>> rows;
 };
 
 /// Reads the whole answer at once, so that no reader holds up a writer.

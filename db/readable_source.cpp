@@ -35,7 +35,7 @@ std::filesystem::path temporary_folder() {
 
 ReadableSource::ReadableSource(const std::filesystem::path& file) {
   if (!of_older_schema(file)) {
-    database_.emplace(file, Access::read);
+    database_.emplace(open_database(file, Access::read));
     return;
   }
   copy_ = temporary_folder();
@@ -47,7 +47,7 @@ ReadableSource::ReadableSource(const std::filesystem::path& file) {
       copy.bind(1, (copy_ / "copy.db").string());
       copy.exec();
     });
-    database_.emplace(copy_ / "copy.db", Access::read);
+    database_.emplace(open_database(copy_ / "copy.db", Access::read));
   } catch (...) {
     std::filesystem::remove_all(copy_);
     throw;

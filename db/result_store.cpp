@@ -147,7 +147,7 @@ struct ResultStore::Parts {
 };
 
 ResultStore::ResultStore(const std::filesystem::path& file, Access access)
-    : parts_(std::make_unique<Parts>(Parts{Database(file, access)})) {}
+    : parts_(std::make_unique<Parts>(Parts{open_database(file, access)})) {}
 
 ResultStore::ResultStore(ResultStore&&) noexcept = default;
 ResultStore::~ResultStore() = default;

@@ -19,9 +19,6 @@
 
 namespace rollres {
 
-/// A number as it is told from others: rounded to 12 significant digits, without a sign of zero. "1.00000000000e-01"
-std::string twelve_digits(double value);
-
 /// What makes two evaluations the same: all inputs, numbers rounded to 12 significant digits (so that 0.1 + 0.2 is
 /// 0.3), and the solver; the method is the one that solves the scene, named or not. An input at its default value is
 /// left out, so that a scene keeps its key when inputs are added.

@@ -126,4 +126,8 @@ void add_missing_columns(SQLite::Database& connection) {
   transaction.commit();
 }
 
+Database open_database(const std::filesystem::path& file, Access access) {
+  return Database(file, access, {schema_migrations(), add_missing_columns});
+}
+
 }  // namespace rollres

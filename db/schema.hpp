@@ -65,6 +65,10 @@ std::vector<Column> columns_of(SQLite::Database& connection, const std::string& 
 /// From an empty file to the present schema, one step for each version.
 std::span<const Migration> schema_migrations();
 
+/// Opens a database of this version's schema.
+/// @throws as Database
+Database open_database(const std::filesystem::path& file, Access access);
+
 /// Gives evaluation the columns of quantities that this version knows and the file does not; its rows hold NULL there.
 void add_missing_columns(SQLite::Database& connection);
 

@@ -9,7 +9,7 @@
 #include <new>
 #include <vector>
 
-#include "db/result_store.hpp"
+#include "db/digest.hpp"
 
 namespace rollres {
 

@@ -13,6 +13,7 @@
 #include "core/gradient.hpp"
 #include "core/parallel.hpp"
 #include "core/scene_input.hpp"
+#include "core/scene_rules.hpp"
 
 namespace rollres {
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/grid_choice.hpp"
+#include "core/scene_rules.hpp"
 #include "studies/accuracy_reference.hpp"
 #include "studies/power_law.hpp"
 #include "studies/progress.hpp"

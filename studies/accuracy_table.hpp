@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "db/query.hpp"
+#include "db/table.hpp"
 #include "studies/accuracy.hpp"
 #include "studies/chart.hpp"
 

@@ -1,6 +1,7 @@
 #include <memory>
 #include <ostream>
 
+#include "db/schema.hpp"
 #include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/export_study.hpp"
@@ -22,7 +23,7 @@ void export_one(const ExportWords& words, Session& session) {
 }
 
 void import_one(const ExportWords& words, Session& session) {
-  const Database into(words.database, Access::write);
+  const Database into = open_database(words.database, Access::write);
   MergeOutput output(session, words.database, words.json);
   output.add(words.folder, [&] { return import_study(words.folder, into); });
   output.print();

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "db/schema.hpp"
 #include "fitting/statistics.hpp"
 #include "studies/command_line.hpp"
 #include "studies/commands.hpp"
@@ -74,7 +75,7 @@ void fit_resistance(const FitWords& words, Session& session) {
   context.solved = recall.solved();
   context.recalled = recall.recalled();
   context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  save_fit(Database(words.database, Access::write), fit_record(report, context));
+  save_fit(open_database(words.database, Access::write), fit_record(report, context));
   if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
 
   const bool known = report.slopes.found() && !report.interrupted;
@@ -144,7 +145,7 @@ void fit_moduli(const FitWords& words, Session& session) {
                      .data_digest = file.data_digest,
                      .output_unit = "Pa"};
   context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  save_fit(Database(words.database, Access::write), fit_record(found.report, context));
+  save_fit(open_database(words.database, Access::write), fit_record(found.report, context));
   if (found.report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
   if (words.json)
     session.out << text_of(json_of(found.report, context), 2) << '\n';

@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "db/merge.hpp"
+#include "db/schema.hpp"
 #include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/merge_output.hpp"
@@ -18,7 +19,7 @@ struct MergeWords {
 };
 
 void merge_all(const MergeWords& words, Session& session) {
-  const Database into(words.database, Access::write);
+  const Database into = open_database(words.database, Access::write);
   MergeOutput output(session, words.database, words.json);
   for (const std::string& source : words.sources) output.add(source, [&] { return merge(into, source); });
   output.print();

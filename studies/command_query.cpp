@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "db/query.hpp"
+#include "db/schema.hpp"
 #include "studies/command_line.hpp"
 #include "studies/commands.hpp"
 #include "studies/read_filter.hpp"
@@ -77,7 +78,7 @@ void query(const QueryWords& words, Session& session) {
   if (grouped && !words.columns.empty())
     throw std::invalid_argument("--columns = " + words.columns + ": has no place beside --aggregate and --by");
   const StopSignal signal;
-  Database database(words.database, Access::read);
+  Database database = open_database(words.database, Access::read);
   database.stop_when(signal.requested());
   const Table table = words.with_sql ? run_sql(database, words.sql) : (grouped ? groups : rows)(words, database);
   write_table(session.out, table, words.format);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "db/query.hpp"
 #include "db/result_store.hpp"
+#include "db/table.hpp"
 
 namespace rollres {
 

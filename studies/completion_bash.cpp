@@ -1,7 +1,7 @@
 #include <map>
 
 #include "studies/completion.hpp"
-#include "studies/slurm_scripts.hpp"
+#include "studies/shell_word.hpp"
 
 namespace rollres {
 

@@ -1,5 +1,5 @@
 #include "studies/completion.hpp"
-#include "studies/slurm_scripts.hpp"
+#include "studies/shell_word.hpp"
 
 namespace rollres {
 

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/scene_rules.hpp"
+
 namespace rollres {
 
 RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene, Fields fields) noexcept {

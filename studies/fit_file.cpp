@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/scene_input.hpp"
+#include "core/scene_rules.hpp"
 #include "db/digest.hpp"
 #include "db/result_store.hpp"
 #include "fitting/closed_form_start.hpp"

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "core/scene_input.hpp"
+#include "core/scene_rules.hpp"
 #include "studies/progress.hpp"
 #include "studies/readable_number.hpp"
 #include "studies/table_json.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/gradient.hpp"
-#include "db/query.hpp"
+#include "db/table.hpp"
 #include "studies/strict_json.hpp"
 
 namespace rollres {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "db/query.hpp"
+#include "db/table.hpp"
 #include "studies/chart.hpp"
 #include "studies/optimise.hpp"
 #include "studies/pareto.hpp"

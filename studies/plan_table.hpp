@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "db/query.hpp"
 #include "db/result_store.hpp"
+#include "db/table.hpp"
 #include "studies/study.hpp"
 
 namespace rollres {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/grid_choice.hpp"
+#include "core/scene_rules.hpp"
 
 namespace rollres {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/rolling_contact.hpp"
-#include "db/query.hpp"
+#include "db/table.hpp"
 #include "studies/sweep.hpp"
 
 namespace rollres {

@@ -7,7 +7,7 @@
 #include "studies/readable_number.hpp"
 #include "studies/report_sections.hpp"
 #include "studies/scene_inputs.hpp"
-#include "studies/slurm_scripts.hpp"
+#include "studies/shell_word.hpp"
 #include "studies/stored_optimum.hpp"
 #include "studies/study_provenance.hpp"
 

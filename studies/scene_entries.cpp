@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/scene_input.hpp"
+#include "core/scene_rules.hpp"
 #include "studies/layer_entries.hpp"
 #include "studies/master_curve_file.hpp"
 #include "studies/units.hpp"

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "core/scene_input.hpp"
+#include "core/scene_rules.hpp"
 #include "studies/design_file.hpp"
 #include "studies/scene_file.hpp"
 #include "studies/study_axes.hpp"

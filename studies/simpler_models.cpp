@@ -9,6 +9,7 @@
 #include "core/material.hpp"
 #include "core/reference_hunter.hpp"
 #include "core/reference_solutions.hpp"
+#include "core/scene_rules.hpp"
 #include "studies/readable_number.hpp"
 
 namespace rollres {

@@ -42,12 +42,6 @@ std::string variables(const SlurmJob& job) {
 
 }  // namespace
 
-std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return word + "'";
-}
-
 std::string array_script(const SlurmJob& job) {
   return "#!/bin/sh\n" + option("job-name", plain_name(job.name)) + output_file(job, "shard-%a-%A.txt") +
          option("cpus-per-task", std::to_string(job.cores)) + option("time", job.time) +

@@ -30,7 +30,4 @@ std::string merge_script(const SlurmJob& job);
 /// while the jobs of the last time are in the queue.
 std::string submit_script(const SlurmJob& job);
 
-/// A text as one word of the shell.
-std::string shell_word(const std::string& text);
-
 }  // namespace rollres

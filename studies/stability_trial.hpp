@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/rolling_contact.hpp"
-#include "db/query.hpp"
+#include "db/table.hpp"
 
 namespace rollres {
 

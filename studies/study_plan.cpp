@@ -2,6 +2,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/scene_rules.hpp"
 #include "studies/scene_inputs.hpp"
 #include "studies/study.hpp"
 #include "studies/study_axes.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "db/query.hpp"
+#include "db/table.hpp"
 #include "studies/strict_json.hpp"
 
 namespace rollres {

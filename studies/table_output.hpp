@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "db/query.hpp"
+#include "db/table.hpp"
 
 namespace rollres {
 

@@ -6,6 +6,7 @@
 #include "core/contact_estimate.hpp"
 #include "core/objective.hpp"
 #include "core/rolling_contact.hpp"
+#include "core/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 

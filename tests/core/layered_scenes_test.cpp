@@ -5,6 +5,7 @@
 
 #include "core/contact_surface.hpp"
 #include "core/rolling_contact.hpp"
+#include "core/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 

@@ -9,6 +9,7 @@
 #include "core/number_list.hpp"
 #include "core/prony_series.hpp"
 #include "core/relaxation.hpp"
+#include "core/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/core/rubber.hpp"

@@ -16,7 +16,7 @@ using namespace rollres;
 namespace {
 
 std::string opening(const std::filesystem::path& file, Access access) {
-  return message_of([&] { Database database(file, access); });
+  return message_of([&] { Database database = open_database(file, access); });
 }
 
 Evaluation evaluation(const RollingScene& scene) { return {evaluation_key(scene), scene, closed_form(scene)}; }
@@ -142,7 +142,7 @@ TEST_CASE("an older schema is migrated once, also by a reader, and keeps its row
   std::vector<Migration> longer(schema_migrations().begin(), schema_migrations().end());
   longer.push_back(next);
   for (const Access access : {Access::read, Access::write, Access::read}) {
-    Database database(file, access, longer);
+    Database database(file, access, {longer, add_missing_columns});
     CHECK(database.connection().execAndGet("SELECT count(*) FROM novelty").getInt() == 0);
     CHECK(database.connection().execAndGet("SELECT count(*) FROM evaluation").getInt() == 5);
     CHECK(database.connection().execAndGet("PRAGMA user_version").getInt() == static_cast<int>(longer.size()));
@@ -152,7 +152,9 @@ TEST_CASE("an older schema is migrated once, also by a reader, and keeps its row
     connection.exec("nonsense");
   };
   longer.push_back(broken);
-  CHECK(message_of([&] { Database(file, Access::write, longer); }).starts_with(file.string() + ": near \"nonsense\""));
+  CHECK(message_of([&] {
+          Database(file, Access::write, {longer, add_missing_columns});
+        }).starts_with(file.string() + ": near \"nonsense\""));
   SQLite::Database plain(file.string());
   CHECK_FALSE(plain.tableExists("half"));
   CHECK(plain.execAndGet("PRAGMA user_version").getInt() == static_cast<int>(longer.size()) - 1);

@@ -36,7 +36,7 @@ void fill(const std::filesystem::path& file, const std::vector<Evaluation>& eval
 }
 
 MergeReport merge_into(const std::filesystem::path& file, const std::filesystem::path& source) {
-  return merge(Database(file, Access::write), source);
+  return merge(open_database(file, Access::write), source);
 }
 
 /// Everything that stands in a file, as text.

@@ -23,7 +23,7 @@ std::string text_in(SQLite::Database& connection, const std::string& query) {
 class FirstSchema {
  public:
   FirstSchema() : file_(folder_.path / "first.db") {
-    { Database(file_, Access::write, schema_migrations().first(1)); }
+    { Database(file_, Access::write, {schema_migrations().first(1), add_missing_columns}); }
     const auto model = folder_.path / "model.db";
     {
       ResultStore store(model);
@@ -138,7 +138,7 @@ TEST_CASE("a file of the first schema that may not be written is read as it is",
 TEST_CASE("the views hold what is plotted: every point, those with an answer, and few columns of these",
           "[db][migration]") {
   const FirstSchema first;
-  const Database database(first.file(), Access::read);
+  const Database database = open_database(first.file(), Access::read);
   SQLite::Database& connection = database.connection();
   auto count = [&](const std::string& view) { return connection.execAndGet("SELECT count(*) FROM " + view).getInt(); };
   CHECK(count("result") == 6);

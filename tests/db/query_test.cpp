@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "db/result_store.hpp"
+#include "db/schema.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
@@ -224,7 +225,7 @@ TEST_CASE("SQL may ask anything, and change nothing", "[db][query]") {
   }
   const std::string before = file_text(file);
   {
-    const Database database(file, Access::read);
+    const Database database = open_database(file, Access::read);
     auto ask = [&](const std::string& sql) { return run_sql(database, sql); };
     CHECK(ask("SELECT speed AS v, count(*) FROM evaluation -- a remark\n;;").columns ==
           std::vector<std::string>{"v", "count(*)"});
@@ -254,7 +255,7 @@ TEST_CASE("SQL may ask anything, and change nothing", "[db][query]") {
 TEST_CASE("a question ends when a stop is asked for", "[db][query]") {
   const TemporaryDirectory folder;
   { ResultStore created(folder / "a.db"); }
-  Database database(folder / "a.db", Access::read);
+  Database database = open_database(folder / "a.db", Access::read);
   std::atomic<bool> stop = false;
   database.stop_when(stop);
   CHECK(run_sql(database, "SELECT 1").rows.size() == 1);

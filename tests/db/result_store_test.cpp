@@ -1,4 +1,5 @@
 #include "db/result_store.hpp"
+#include "core/scene_rules.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 

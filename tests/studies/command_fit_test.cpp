@@ -4,6 +4,7 @@
 
 #include "db/fit_store.hpp"
 #include "db/query.hpp"
+#include "db/schema.hpp"
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 #include "tests/source_directory.hpp"
@@ -74,7 +75,7 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   CHECK(again["solved"] == 0);
   CHECK(again["parameters"] == answer["parameters"]);
 
-  const auto stored = find_fit(Database(files.database(), Access::read), "half space");
+  const auto stored = find_fit(open_database(files.database(), Access::read), "half space");
   REQUIRE(stored);
   CHECK(stored->status == answer["status"]);
   CHECK(stored->parameters[0].value == time["value"].get<double>());

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <regex>
 
-#include "studies/slurm_scripts.hpp"
+#include "studies/shell_word.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"

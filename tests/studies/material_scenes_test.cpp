@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/rolling_contact.hpp"
+#include "core/scene_rules.hpp"
 #include "db/result_store.hpp"
 #include "studies/scene_file.hpp"
 #include "studies/solution_json.hpp"

@@ -2,7 +2,7 @@
 #include <regex>
 #include <set>
 
-#include "studies/slurm_scripts.hpp"
+#include "studies/shell_word.hpp"
 #include "studies/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "db/fit_store.hpp"
+#include "db/schema.hpp"
 #include "studies/html.hpp"
 #include "studies/sweep.hpp"
 #include "tests/catch.hpp"
@@ -145,9 +146,9 @@ TEST_CASE("a fit of the study's name is in its report, and has one of its own wi
   parameter.value = 0.25;
   parameter.flag = "<flag>";
   fit.data = {{"data.csv, line 2", 100, 1, 101, 1, 0.5}, {"data.csv, line 3", 120, 1, 116, -4, 0.5}};
-  save_fit(Database(file, Access::write), fit);
+  save_fit(open_database(file, Access::write), fit);
   fit.name = "alone";
-  save_fit(Database(file, Access::write), fit);
+  save_fit(open_database(file, Access::write), fit);
 
   ResultStore store(file, Access::read);
   const StudyReport both = study_report(store, {.study = "rubber"});

@@ -1,4 +1,5 @@
 #include "studies/scene_file.hpp"
+#include "core/scene_rules.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -7,6 +7,7 @@
 
 #include "db/merge.hpp"
 #include "db/result_store.hpp"
+#include "db/schema.hpp"
 #include "studies/predicted_cost.hpp"
 #include "studies/study_status.hpp"
 #include "studies/sweep.hpp"
@@ -138,7 +139,7 @@ TEST_CASE("sixteen merged shards are the table of one sweep, and the status know
   CHECK(whole.shards_missing.empty());
   CHECK(study_status(study, {}, 3).missing == 200);
 
-  const Database all(folder / "all", Access::write);
+  const Database all = open_database(folder / "all", Access::write);
   for (const auto& file : files) CHECK(merge(all, file).conflicts.empty());
   CHECK(stored_rows(folder / "all", study.name).size() == 200);
   CHECK(stored_rows(folder / "all", study.name) == stored_rows(folder / "alone", study.name));

@@ -2,6 +2,7 @@
 
 #include "db/result_store.hpp"
 #include "studies/commands.hpp"
+#include "studies/shell_word.hpp"
 #include "studies/slurm_scripts.hpp"
 #include "tests/catch.hpp"
 #include "tests/studies/one_node_slurm.hpp"

@@ -8,6 +8,7 @@
 
 #include "core/contact_estimate.hpp"
 #include "core/grid_choice.hpp"
+#include "core/scene_rules.hpp"
 #include "studies/solution_json.hpp"
 #include "tests/catch.hpp"
 

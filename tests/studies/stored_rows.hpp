@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "db/query.hpp"
+#include "db/schema.hpp"
 
 /// The rows of a study without what differs from run to run.
 inline std::vector<std::vector<rollres::Cell>> stored_rows(const std::filesystem::path& file,
                                                            const std::string& study) {
   using namespace rollres;
-  const Database database(file, Access::read);
+  const Database database = open_database(file, Access::read);
   const Query query{.filters = {{"study", Comparison::equal, study}}};
   Query lasting = query;
   for (const std::string& column : run_query(database, query).columns)

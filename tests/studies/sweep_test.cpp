@@ -1,4 +1,5 @@
 #include "studies/sweep.hpp"
+#include "db/schema.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sys/resource.h>
@@ -161,7 +162,7 @@ TEST_CASE("a sweep killed at any moment and started again has each point once an
     kill(child, SIGKILL);
     wait_for(child);
     if (!std::filesystem::exists(file) || std::filesystem::file_size(file) == 0) continue;
-    const int now = message_of([&] { Database(file, Access::read); }) == "nothing"
+    const int now = message_of([&] { open_database(file, Access::read); }) == "nothing"
                         ? count(file, "SELECT count(*) FROM evaluation")
                         : 0;
     CHECK(now >= before);
@@ -263,7 +264,7 @@ TEST_CASE("readers in a loop never make a sweep fail", "[studies][sweep]") {
   std::vector<std::string> trouble;
   std::thread reader([&] {
     while (!done) {
-      const std::string message = message_of([&] { run_query(Database(file, Access::read), {}); });
+      const std::string message = message_of([&] { run_query(open_database(file, Access::read), {}); });
       if (message != "nothing") trouble.push_back(message);
       ++read;
     }
