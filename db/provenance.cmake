@@ -5,7 +5,7 @@ execute_process(COMMAND git describe --always --dirty --abbrev=12 --exclude=* WO
 if(failed OR NOT git_hash)
   set(git_hash unknown)
 endif()
-file(GLOB sources RELATIVE ${SOURCE} ${SOURCE}/core/*.hpp ${SOURCE}/core/*.cpp)
+file(GLOB_RECURSE sources RELATIVE ${SOURCE} ${SOURCE}/core/*.hpp ${SOURCE}/core/*.cpp)
 set(digests)
 foreach(source IN LISTS sources)
   file(SHA256 ${SOURCE}/${source} digest)

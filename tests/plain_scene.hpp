@@ -3,8 +3,8 @@
 #include <exception>
 #include <string>
 
-#include "core/scene.hpp"
-#include "core/solution.hpp"
+#include "core/scene/scene.hpp"
+#include "core/scene/solution.hpp"
 
 /// What `work` throws, or "nothing".
 template <class Work>

@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
-#include "core/influence_operator.hpp"
-#include "core/material.hpp"
-#include "core/passage_kernel.hpp"
+#include "core/convolution/influence_operator.hpp"
+#include "core/influence/passage_kernel.hpp"
+#include "core/material/material.hpp"
 #include "tests/benchmark/scenes.hpp"
 
 namespace rollres {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "core/contact_problem.hpp"
-#include "core/grid_choice.hpp"
-#include "studies/scene_file.hpp"
+#include "core/estimate/grid_choice.hpp"
+#include "core/newton/contact_problem.hpp"
+#include "studies/scene_io/scene_file.hpp"
 
 namespace rollres::timed {
 

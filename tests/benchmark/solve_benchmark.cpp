@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "core/passage_kernel.hpp"
-#include "core/rolling_contact.hpp"
+#include "core/influence/passage_kernel.hpp"
+#include "core/solve/rolling_contact.hpp"
 #include "tests/benchmark/scenes.hpp"
 
 namespace rollres {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/passage_kernel.hpp"
-#include "studies/sweep.hpp"
+#include "core/influence/passage_kernel.hpp"
+#include "studies/run/sweep.hpp"
 #include "tests/benchmark/scenes.hpp"
 #include "tests/studies/temporary_directory.hpp"
 

@@ -2,10 +2,10 @@
 
 // Scenes and evidence shared by the tests of the paper's algorithms.
 
-#include "core/active_set.hpp"
-#include "core/contact_problem.hpp"
-#include "core/evidence.hpp"
-#include "core/grid_choice.hpp"
+#include "core/estimate/grid_choice.hpp"
+#include "core/newton/contact_problem.hpp"
+#include "core/newton/evidence.hpp"
+#include "core/paper_method/active_set.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 namespace rollres::test {

@@ -2,7 +2,7 @@
 
 /// The two examples of Zehil and Gavin (2013), sections 5.1 and 5.2, as scenes.
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 
 namespace rollres {
 

@@ -2,7 +2,7 @@
 
 /// A filled rubber's master curve (data file measured_dma of the public project perssonmodelling), E' and E".
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 
 namespace rollres {
 

@@ -5,10 +5,10 @@
 #include <random>
 #include <vector>
 
-#include "core/reference_hunter.hpp"
-#include "fitting/closed_form_start.hpp"
-#include "fitting/fit.hpp"
-#include "fitting/resistance_fit.hpp"
+#include "core/reference/reference_hunter.hpp"
+#include "fitting/fit/closed_form_start.hpp"
+#include "fitting/fit/fit.hpp"
+#include "fitting/fit/resistance_fit.hpp"
 #include "tests/plain_scene.hpp"
 
 /// Hunter's closed form in place of a solver.

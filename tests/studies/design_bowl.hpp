@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "studies/design.hpp"
+#include "studies/optimise/design.hpp"
 #include "tests/plain_scene.hpp"
 
 /// A closed form in place of a solver, over x = log20(H / 1 mm) and y = log10(G0 / 1 MPa) in the unit box:

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/commands.hpp"
+#include "studies/program/commands.hpp"
 
 /// What one run of the program left behind.
 struct ProgramRun {

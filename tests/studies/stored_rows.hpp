@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "db/query.hpp"
-#include "db/schema.hpp"
+#include "db/queries/query.hpp"
+#include "db/rows/schema.hpp"
 
 /// The rows of a study without what differs from run to run.
 inline std::vector<std::vector<rollres::Cell>> stored_rows(const std::filesystem::path& file,

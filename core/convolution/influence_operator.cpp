@@ -1,0 +1,112 @@
+#include "core/convolution/influence_operator.hpp"
+
+#include "core/convolution/influence_terms.hpp"
+#include "core/convolution/iterative_influence.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Coefficients for offsets up to +-reach_x columns and reach_y rows, times `factor`.
+Vector coefficients(const InfluenceTable& table, const std::vector<double>& component, int reach_x, int reach_y,
+                    double factor) {
+  const Eigen::Index width = 2 * reach_x + 1;
+  Vector values(width * (reach_y + 1));
+  for (int row = 0; row <= reach_y; ++row)
+    values.segment(row * width, width) =
+        factor * Eigen::Map<const Vector>(component.data() + table.index(-reach_x, row), width);
+  return values;
+}
+
+InfluenceSpectra transform_coefficients(const InfluenceTable& table, const SurfaceGrid& half, bool sphere,
+                                        bool friction, SurfaceTransform<double>& transform) {
+  InfluenceSpectra spectra;
+  const std::size_t size = transform.size().quarter_size();
+  const int reach_x = half.columns, reach_y = 2 * (half.rows - 1);
+  const double factor = half.cell_area() / transform.size().points();
+  const auto pass = [&](const std::vector<double>& even, Spectrum<double>& of_even, const std::vector<double>* odd,
+                        Spectrum<double>* of_odd, const std::vector<double>* second, Spectrum<double>* of_second) {
+    Vector values[3];
+    values[0] = coefficients(table, even, reach_x, reach_y, factor);
+    if (odd) values[1] = coefficients(table, *odd, reach_x, reach_y, factor);
+    if (second) values[2] = coefficients(table, *second, reach_x, reach_y, factor);
+    for (Spectrum<double>* spectrum : {&of_even, of_odd, of_second})
+      if (spectrum) {
+        spectrum->re.resize(size);
+        spectrum->im.resize(size);
+      }
+    const auto keep = [](Spectrum<double>& to, const WavenumberBlock<double>& block, const double* re,
+                         const double* im) {
+      std::copy(re, re + block.count, to.re.begin() + static_cast<std::ptrdiff_t>(block.first));
+      std::copy(im, im + block.count, to.im.begin() + static_cast<std::ptrdiff_t>(block.first));
+    };
+    transform.transform({&values[0], &values[1], &values[2], 2 * reach_x + 1, reach_y + 1}, -reach_x,
+                        [&](const WavenumberBlock<double>& block) {
+                          keep(of_even, block, block.even_re, block.even_im);
+                          if (of_odd) keep(*of_odd, block, block.odd_re, block.odd_im);
+                          if (of_second) keep(*of_second, block, block.second_re, block.second_im);
+                        });
+  };
+  if (!friction) {
+    pass(table.ww, spectra.ww, nullptr, nullptr, nullptr, nullptr);
+  } else if (!sphere) {
+    pass(table.ww, spectra.ww, nullptr, nullptr, &table.uu, &spectra.uu);
+    pass(table.uw, spectra.uw, nullptr, nullptr, nullptr, nullptr);
+  } else {
+    pass(table.ww, spectra.ww, &table.uv, &spectra.uv, &table.uu, &spectra.uu);
+    pass(table.vv, spectra.vv, &table.vw, &spectra.vw, &table.uw, &spectra.uw);
+  }
+  return spectra;
+}
+
+}  // namespace
+
+InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& half,
+                                     bool friction)
+    : scene_(scene),
+      grid_(half),
+      sphere_(scene.indenter == Indenter::sphere),
+      friction_(friction),
+      padded_(padded_size(half.columns, half.rows, 1)),
+      transform_(std::make_unique<SurfaceTransform<double>>(padded_)) {
+  spectra_ = transform_coefficients(table, half, sphere_, friction, *transform_);
+  if (!friction) {
+    transform_.reset();
+    even_transform_ = std::make_unique<EvenTransform<double>>(padded_);
+  }
+  self_normal_ = table(Direction::w, Direction::w, 0) * half.cell_area();
+  self_slip_ =
+      (table(Direction::u, Direction::u, 0) - table(Direction::u, Direction::u, 1)) * half.cell_area() / half.spacing_x;
+}
+
+InfluenceOperator::~InfluenceOperator() = default;
+
+template <>
+IterativeInfluence<float>& InfluenceOperator::iterative() const {
+  if (!single_) single_ = std::make_unique<IterativeInfluence<float>>(scene_, grid_, padded_, spectra_, friction_);
+  return *single_;
+}
+
+template <>
+IterativeInfluence<double>& InfluenceOperator::iterative() const {
+  if (!double_) double_ = std::make_unique<IterativeInfluence<double>>(scene_, grid_, padded_, spectra_, friction_);
+  return *double_;
+}
+
+Displacements InfluenceOperator::apply(const Vector& pressure, const Vector& shear_x, const Vector& shear_y) const {
+  Displacements moved;
+  const int columns = grid_.columns + 1;
+  if (shear_x.size() == 0) {
+    if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<double>>(padded_);
+    even_transform_->convolve(-pressure, grid_.columns, grid_.rows, spectra_.ww, moved.w, columns);
+    return moved;
+  }
+  const InfluenceTerms<double> terms{spectra_.ww, spectra_.uw, spectra_.vw, spectra_.uw,
+                                     spectra_.vw, spectra_.uu, spectra_.uv, spectra_.vv};
+  transform_->convolve({&pressure, &shear_y, &shear_x, grid_.columns, grid_.rows},
+                       [&](const WavenumberBlock<double>& block) { terms.multiply(block, sphere_); },
+                       {&moved.w, sphere_ ? &moved.v : nullptr, &moved.u, columns, grid_.rows});
+  return moved;
+}
+
+}  // namespace rollres

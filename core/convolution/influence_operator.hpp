@@ -1,0 +1,68 @@
+#pragma once
+
+/// Surface displacements from surface tractions: convolution with the influence coefficients by fast Fourier
+/// transform on a padded grid.
+///
+/// On a sphere's half grid p, tau_x, w and u are even in y, tau_y and v odd, so that one complex transform carries all
+/// three tractions and one all three displacements (surface_transform.hpp).
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "core/convolution/surface_transform.hpp"
+#include "core/influence/influence.hpp"
+#include "core/numerics/vector.hpp"
+
+namespace rollres {
+
+template <class Real>
+class IterativeInfluence;
+
+/// Displacements at the grid's nodes and one column beyond, x running fastest: size (columns + 1) * rows [m].
+struct Displacements {
+  Vector w, u, v;
+};
+
+/// Transforms of the influence coefficients [m/Pa], normalised for the inverse transform; without friction ww only,
+/// without v for a cylinder.
+struct InfluenceSpectra {
+  Spectrum<double> ww, uu, vv, uv, uw, vw;
+};
+
+/// An operator serves one thread at a time (it keeps work space).
+class InfluenceOperator {
+ public:
+  /// @param half grid as of ContactProblem   @param friction false: only w from p will be wanted
+  InfluenceOperator(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& half, bool friction);
+  ~InfluenceOperator();
+
+  /// Tractions [Pa] on the grid. Empty shear: only w is computed; shear_y is empty for a cylinder.
+  Displacements apply(const Vector& pressure, const Vector& shear_x, const Vector& shear_y) const;
+
+  /// Displacement w at a node from unit pressure on its own cell, taken positive [m/Pa].
+  double self_normal() const { return self_normal_; }
+  /// Change of slip along x at a node for unit shear traction on its own cell, taken positive [1/Pa].
+  double self_slip() const { return self_slip_; }
+
+  /// What an iterative solution of the linearised laws asks for, in either precision; made when first asked for.
+  template <class Real>
+  IterativeInfluence<Real>& iterative() const;
+  /// Whether iterations in single precision have reached what they were asked for so far.
+  bool single_precision_suffices() const { return single_precision_suffices_; }
+  void demand_double_precision() const { single_precision_suffices_ = false; }
+
+ private:
+  RollingScene scene_;
+  SurfaceGrid grid_;
+  bool sphere_, friction_;
+  PaddedSize padded_;
+  InfluenceSpectra spectra_;
+  mutable std::unique_ptr<SurfaceTransform<double>> transform_;
+  mutable std::unique_ptr<EvenTransform<double>> even_transform_;
+  mutable bool single_precision_suffices_ = true;
+  mutable std::unique_ptr<IterativeInfluence<float>> single_;
+  mutable std::unique_ptr<IterativeInfluence<double>> double_;
+  double self_normal_ = 0, self_slip_ = 0;
+};
+
+}  // namespace rollres

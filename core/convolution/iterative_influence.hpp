@@ -1,0 +1,55 @@
+#pragma once
+
+/// The influence operator as GMRES asks for it, in single or double precision, with an approximate inverse for
+/// preconditioning.
+///
+/// Slips, du/dx and dv/dx by forward differences, are convolved as such: taken from displacements afterwards they
+/// would lose the digits that single precision does not have to spare.
+
+#include <Eigen/Core>
+
+#include "core/convolution/influence_operator.hpp"
+
+namespace rollres {
+
+template <class Real>
+class IterativeInfluence {
+ public:
+  using Field = Eigen::Matrix<Real, Eigen::Dynamic, 1>;  // on the half grid
+
+  struct Response {
+    Field w;               // [m]
+    Field slip_x, slip_y;  // [1]
+  };
+  struct Tractions {
+    Field pressure, shear_x, shear_y;  // [Pa]
+  };
+
+  /// @param padded size of the spectra
+  IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded,
+                     const InfluenceSpectra& spectra, bool friction);
+
+  /// Displacement w and change of slip from tractions [Pa]. Empty shear: only w is computed; shear_y is empty for
+  /// a cylinder.
+  void apply(const Tractions& tractions, Response& response);
+
+  /// Approximately the pressure that gives -w and the shear that gives minus the slip, by the reciprocal of the
+  /// layer's symbols on the whole padded grid [Pa]; slips may be empty. The symbols are those of the layer and not of
+  /// the truncated coefficients, whose jump at the ends of the window can put a zero among them.
+  void approximate_inverse(const Response& wanted, Tractions& tractions);
+
+ private:
+  void prepare_inverses(const RollingScene& scene, bool friction);
+  EvenTransform<Real>& even_transform();
+
+  SurfaceGrid grid_;
+  bool sphere_;
+  PaddedSize padded_;
+  std::unique_ptr<SurfaceTransform<Real>> transform_;
+  std::unique_ptr<EvenTransform<Real>> even_transform_;
+  Spectrum<Real> ww_, uw_, vw_;  // of displacements
+  Spectrum<Real> slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_;
+  Spectrum<Real> inverse_ww_, inverse_xx_, inverse_xy_, inverse_yy_;
+};
+
+}  // namespace rollres

@@ -1,0 +1,173 @@
+#include "core/derivatives/objective.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "core/material/material.hpp"
+#include "core/scene/scene_input.hpp"
+
+namespace rollres {
+
+namespace {
+
+template <class Value>
+constexpr bool is_real = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>;
+
+[[noreturn]] void refuse_key(std::string_view kind, std::string_view key, const std::vector<std::string_view>& known) {
+  const std::string nearest = nearest_name(known, key);
+  throw std::invalid_argument(std::string(key) + ": unknown " + std::string(kind) +
+                              (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
+}
+
+[[noreturn]] void refuse_value(std::string_view key, double value, const std::string& rule) {
+  std::ostringstream message;
+  message << key << " = " << value << ": " << rule;
+  throw std::invalid_argument(message.str());
+}
+
+/// What an input that is zero is compared with.
+double natural_size(const RollingScene& scene, const Quantity& quantity) {
+  const std::string_view unit = quantity.unit_for(scene.indenter);
+  if (unit == "Pa") return static_modulus(scene);
+  if (unit == "s") return scene.radius / scene.speed;
+  if (quantity.key == "driving_torque" && scene.load) return *scene.load * scene.radius;
+  return 1;
+}
+
+Variable variable_of(const RollingScene& base, const Quantity& quantity, const std::optional<double>& value,
+                     const InputChoice& choice) {
+  if (!value) throw std::invalid_argument(choice.key + ": must be in the scene to be varied");
+  if (std::isinf(*value)) throw std::invalid_argument(choice.key + " = \"infinite\": must be finite to be varied");
+  const Range& range = quantity.range;
+  if (!range.contains(*value)) refuse_value(choice.key, *value, range.rule());
+  for (const std::optional<double>& bound : {choice.lowest, choice.highest})
+    if (bound && std::isnan(*bound)) refuse_value(choice.key, *bound, "a bound must be a number");
+
+  Variable variable{quantity, range.lowest, range.highest, false, 1};
+  if (range.lowest_excluded) variable.lowest = std::nextafter(range.lowest, range.highest);
+  if (choice.lowest) variable.lowest = std::max(variable.lowest, *choice.lowest);
+  if (choice.highest) variable.highest = std::min(variable.highest, *choice.highest);
+  if (!(*value >= variable.lowest && *value <= variable.highest))
+    refuse_value(choice.key, *value, "must be inside its bounds");
+  if (variable.lowest == variable.highest) refuse_value(choice.key, *value, "must have room between its bounds");
+
+  const bool positive_quantity = range.lowest == 0 && (range.lowest_excluded || quantity.unit != "1");
+  variable.logarithmic = choice.logarithmic.value_or(positive_quantity && *value > 0);
+  if (variable.logarithmic && !(*value > 0 && variable.lowest >= 0))
+    refuse_value(choice.key, *value, "must be > 0 within its bounds to be varied in its logarithm");
+  variable.size = *value != 0 ? std::abs(*value) : natural_size(base, quantity);
+  return variable;
+}
+
+}  // namespace
+
+double Variable::scaled(double value) const { return logarithmic ? std::log(value) : value / size; }
+
+double Variable::value(double scaled) const {
+  return std::clamp(logarithmic ? std::exp(scaled) : scaled * size, lowest, highest);
+}
+
+double Variable::scaled_step(double from, double value) const {
+  return logarithmic ? std::log1p((value - from) / from) : (value - from) / size;
+}
+
+std::vector<Variable> variables_of(const RollingScene& base, const std::vector<InputChoice>& inputs) {
+  std::vector<Variable> variables;
+  for (const InputChoice& choice : inputs) {
+    for (const Variable& earlier : variables)
+      if (earlier.quantity.key == choice.key) throw std::invalid_argument(choice.key + ": input given twice");
+    const bool known = visit_input(base, choice.key, [&](const Quantity& quantity, const auto& value) {
+      if constexpr (is_real<std::decay_t<decltype(value)>>)
+        variables.push_back(variable_of(base, quantity, value, choice));
+      else
+        throw std::invalid_argument(choice.key + ": must be an input that is a real number");
+    });
+    if (known) continue;
+    if (const std::string why = absent_layer(base, choice.key); !why.empty())
+      throw std::invalid_argument(choice.key + ": " + why);
+    refuse_key("input", choice.key, keys_like(choice.key));
+  }
+  return variables;
+}
+
+Quantity real_output(std::string_view key) {
+  std::optional<Quantity> output;
+  const RollingSolution solution;
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    if (quantity.key != key) return;
+    if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, double>)
+      throw std::invalid_argument(std::string(key) + ": must be an output that is a real number");
+    output = quantity;
+  });
+  if (!output) refuse_key("output", key, output_keys());
+  return *output;
+}
+
+Objective objective(const RollingScene& base, const std::vector<InputChoice>& inputs, std::string_view output,
+                    Evaluate evaluate) {
+  return {base, variables_of(base, inputs), real_output(output), std::move(evaluate)};
+}
+
+std::vector<double> base_point(const Objective& objective) {
+  std::vector<double> point;
+  for (const Variable& variable : objective.variables)
+    visit_input(objective.base, variable.quantity.key, [&](const Quantity&, const auto& value) {
+      if constexpr (is_real<std::decay_t<decltype(value)>>) point.push_back(std::optional<double>(value).value());
+    });
+  return point;
+}
+
+RollingScene scene_at(const Objective& objective, std::span<const double> point) {
+  assert(point.size() == objective.variables.size());
+  RollingScene scene = objective.base;
+  for (std::size_t i = 0; i < point.size(); ++i)
+    visit_input(scene, objective.variables[i].quantity.key, [&](const Quantity&, auto& value) {
+      if constexpr (is_real<std::decay_t<decltype(value)>>) value = point[i];
+    });
+  // One method for all points: the spectral one takes incompressible layers only.
+  const bool varies_compressibility =
+      std::any_of(objective.variables.begin(), objective.variables.end(),
+                  [](const Variable& variable) { return decides_spectral(variable.quantity.key); });
+  if (varies_compressibility && scene.method == Method::automatic) scene.method = Method::newton;
+  return scene;
+}
+
+void require_inside(const Objective& objective, std::span<const double> point) {
+  if (point.size() != objective.variables.size())
+    refuse_value("size of the point", static_cast<double>(point.size()), "must be the number of inputs that vary");
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Variable& variable = objective.variables[i];
+    if (!(std::isfinite(point[i]) && point[i] >= variable.lowest && point[i] <= variable.highest))
+      refuse_value(variable.quantity.key, point[i], "must be inside its bounds");
+    if (variable.logarithmic && !(point[i] > 0))
+      refuse_value(variable.quantity.key, point[i], "must be > 0 to be varied in its logarithm");
+  }
+}
+
+ObjectiveValue value_at(const Objective& objective, std::span<const double> point) {
+  ObjectiveValue answer;
+  try {
+    const RollingSolution solution = objective.evaluate(scene_at(objective, point));
+    answer.status = solution.status;
+    answer.reason = solution.reason;
+    if (solution.status == Status::converged) {
+      visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+          if (quantity.key == objective.output.key) answer.value = value;
+      });
+      answer.reason = std::isfinite(answer.value) ? "" : std::string(objective.output.key) + ": absent from the answer";
+    } else if (answer.reason.empty()) {
+      answer.reason = name_of(solution.status);
+    }
+  } catch (const std::invalid_argument& error) {
+    answer = {.reason = error.what()};
+  }
+  return answer;
+}
+
+}  // namespace rollres

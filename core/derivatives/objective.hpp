@@ -1,0 +1,81 @@
+#pragma once
+
+/// An objective: named inputs of a scene -> one of its named outputs, for gradients, fits and optimisers.
+///
+/// A point is the list of the inputs' values in SI units. Steps are taken in scaled variables, in which a change by 1
+/// is a large one: ln x for quantities that cannot be zero, x over its size for the others.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/solve/rolling_contact.hpp"
+
+namespace rollres {
+
+/// An input that varies, as a caller names it; what is left out follows from the quantity.
+struct InputChoice {
+  std::string key;
+  std::optional<double> lowest = {}, highest = {};  ///< bounds [SI]; default: the quantity's range
+  std::optional<bool> logarithmic = {};             ///< default: if it has a unit, or must be positive, and is not zero
+};
+
+/// An input that varies.
+struct Variable {
+  Quantity quantity;
+  double lowest, highest;  ///< values from lowest to highest [SI] are allowed, both included
+  bool logarithmic;        ///< the scaled variable is ln x, otherwise x / size
+  double size;             ///< [SI] the base scene's value, or a natural unit where that is zero
+
+  double scaled(double value) const;
+  double value(double scaled) const;
+  /// scaled(value) - scaled(from), without cancellation.
+  double scaled_step(double from, double value) const;
+  /// d value / d scaled [SI].
+  double slope(double value) const { return logarithmic ? value : size; }
+};
+
+struct Objective {
+  RollingScene base;
+  std::vector<Variable> variables;
+  Quantity output;
+  Evaluate evaluate;  ///< called by several threads at once where a function is given several jobs
+};
+
+/// @param inputs  keys of inputs that are real numbers and present in `base`
+/// @param output  key of an output that is a real number
+/// @throws std::invalid_argument naming key, value and rule
+Objective objective(const RollingScene& base, const std::vector<InputChoice>& inputs, std::string_view output,
+                    Evaluate evaluate);
+
+/// The inputs that vary, for a scene. @throws std::invalid_argument naming key, value and rule
+std::vector<Variable> variables_of(const RollingScene& base, const std::vector<InputChoice>& inputs);
+
+/// The output with this key. @throws std::invalid_argument if there is none that is a real number
+Quantity real_output(std::string_view key);
+
+/// The base scene's values of the inputs that vary [SI].
+std::vector<double> base_point(const Objective& objective);
+
+/// The base scene with the values of `point` [SI].
+RollingScene scene_at(const Objective& objective, std::span<const double> point);
+
+/// @throws std::invalid_argument naming the first value outside its bounds
+void require_inside(const Objective& objective, std::span<const double> point);
+
+/// The output at one point, or why there is none.
+struct ObjectiveValue {
+  double value = RollingSolution::absent;  ///< [SI]; NaN without an answer
+  Status status = Status::not_converged;
+  std::string reason = {};  ///< empty for an answer
+
+  bool found() const { return reason.empty() && status == Status::converged; }
+};
+
+/// Evaluates one point. A scene that breaks a rule (std::invalid_argument of `evaluate`) and an output that the answer
+/// lacks are failures with a reason; other exceptions are left to the caller.
+ObjectiveValue value_at(const Objective& objective, std::span<const double> point);
+
+}  // namespace rollres

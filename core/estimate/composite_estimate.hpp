@@ -1,0 +1,27 @@
+#pragma once
+
+/// A cheap estimate of the contact on a composite surface (contact_surface.hpp): Hertz's pressure, its width the one of
+/// least potential energy.
+///
+/// With the pressure's transform P phi(k a), phi(z) = 2 J1(z)/z for a cylinder and 3 j1(z)/z for a sphere, and the
+/// compliance c(k) = |c_ww(k)| at the frequency k V, the energy under a load P is
+///   E(a) = P^2 A(a)/2 + P a^2/(n R),  A(a) = 1/pi int c phi^2 dk (n = 8)  or  1/2pi int c phi^2 k dk (n = 5):
+/// dE/da = 0 gives P = -2 a/(n' R A'(a)), n' = 4 or 5/2, and the approach is P A + a^2/(n R). Exact on a half-space,
+/// within about 30 % for a thin layer.
+
+#include "core/estimate/contact_estimate.hpp"
+#include "core/scene/scene.hpp"
+
+namespace rollres {
+
+ContactEstimate composite_estimate(const RollingScene& scene);
+
+/// How a surface answers that pressure: A, A' and what it takes of the power, R_r = P^2 loss without friction. By it
+/// two surfaces are compared at one half-width (model_choice.hpp).
+struct HertzResponse {
+  double compliance, slope;  ///< A [m/N], A' [1/N]; of a cylinder [m2/N], [m/N]
+  double loss;               ///< 1/pi int Im c_ww phi^2 k dk or 1/(4 pi^2) int Im c_ww phi^2 k_x dk_x dk_y
+};
+HertzResponse hertz_response(const RollingScene& scene, double half_width);
+
+}  // namespace rollres

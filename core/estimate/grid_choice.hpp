@@ -1,0 +1,24 @@
+#pragma once
+
+/// Which nodes a scene needs: spacing and window, from closed-form estimates of its contact.
+
+#include "core/estimate/contact_estimate.hpp"
+#include "core/scene/scene.hpp"
+#include "core/scene/solution.hpp"
+
+namespace rollres {
+
+/// Contact of the scene if its layer were elastic with the modulus it has at the frequency V / half-width.
+ContactEstimate estimate_contact(const RollingScene& scene);
+
+/// Spacing for a scene that gives none: about 120 nodes along a cylinder's contact, 40 along a sphere's; with a
+/// tolerance, a first spacing from which to refine.
+double default_spacing(const RollingScene& scene);
+
+/// Half grid (rows y >= 0 for a sphere) with a node at the origin that covers |x|, |y| <= half_width.
+SurfaceGrid window(Indenter indenter, double spacing, double half_width);
+
+/// Largest half-width a window may have: beyond it a body of this radius has no lower surface.
+inline double widest_window(const RollingScene& scene) { return 0.98 * scene.radius; }
+
+}  // namespace rollres

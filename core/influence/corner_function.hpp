@@ -1,0 +1,45 @@
+#pragma once
+
+/// A half-space that is not the same in all directions, under a force spread uniformly over a rectangle.
+///
+/// Symbols that fall like 1/k have responses that fall like 1/r: with Fourier series of the angle theta,
+///   K = g(theta)/r,   g = sum g_n cos 2n theta (ww, uu, vv), sum g_n sin 2n theta (uv), sum g_n cos (2n+1) theta (uw)
+///   or sum g_n sin (2n+1) theta (vw).
+/// Their double antiderivatives F over x and y, whose differences over the corners of a rectangle are its response, are
+/// closed forms: logarithms as in Love's (1929), and r times a Fourier series.
+
+#include "core/influence/elastic_kernel.hpp"
+#include "core/influence/wave_directions.hpp"
+
+namespace rollres {
+
+/// Fourier coefficients of r K from those of k times the symbol.
+Harmonics response_harmonics(const Harmonics& symbols);
+
+/// sum of harmonics at the direction of (x, y), not both 0; coefficients in the order of elastic_kernel.hpp.
+Coefficients harmonic_sum(const Harmonics& harmonics, double x, double y);
+
+/// What a cell has of the functions that the response of any half-space is made of, averaged.
+struct CellFunctions {
+  /// @param x, y the cell's centre, its sides cell_x and cell_y [m]
+  CellFunctions(double x, double y, double cell_x, double cell_y, Eigen::Index harmonics);
+
+  bool far;          ///< 1/r and its harmonics, as differences of antiderivatives would leave no digits
+  Harmonics values;  ///< near: of the antiderivatives, the logarithms first
+};
+
+class CornerFunction {
+ public:
+  /// @param response g_n
+  explicit CornerFunction(const Harmonics& response);
+
+  /// Average of K over a cell.
+  Coefficients operator()(const CellFunctions& cell) const {
+    return ((cell.far ? response_ : antiderivative_) * cell.values).rowwise().sum();
+  }
+
+ private:
+  Harmonics response_, antiderivative_;
+};
+
+}  // namespace rollres

@@ -1,0 +1,45 @@
+#pragma once
+
+/// Influence coefficients: the displacements of surface nodes for unit forces at surface nodes.
+///
+/// A nodal force is spread uniformly over its cell. The coefficients depend on the offset between receiving and
+/// loaded node only; they contain the layer, the material and the speed, so that a sum over nodes is the whole
+/// steady-state response of the layer (Zehil and Gavin 2013, eq. 5).
+
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "core/scene/solution.hpp"
+
+namespace rollres {
+
+/// Direction of a displacement or of a force on the layer: w up, u along x, v along y.
+enum class Direction { w, u, v };
+
+class InfluenceTable {
+ public:
+  InfluenceTable() = default;
+  /// Zeros for offsets up to +-reach_x columns and +-reach_y rows (reach_y = 0 and no v for a cylinder).
+  InfluenceTable(int reach_x, int reach_y);
+
+  int reach_x() const { return reach_x_; }
+  int reach_y() const { return reach_y_; }
+
+  /// Displacement at a node `columns` and `rows` away from (positive: at larger x and y than) a unit force
+  /// [m/N; cylinder: m2/N].
+  double operator()(Direction displacement, Direction force, int columns, int rows = 0) const;
+
+  /// Independent components as stored, rows 0 to reach_y: C_uv and C_vw are odd in y, the others even;
+  /// C_wu = -C_uw, C_wv = -C_vw, C_vu = C_uv.
+  std::vector<double> ww, uu, vv, uv, uw, vw;
+  int index(int columns, int rows) const { return rows * (2 * reach_x_ + 1) + columns + reach_x_; }
+
+ private:
+  int reach_x_ = 0, reach_y_ = 0;
+};
+
+/// Coefficients between all nodes of `grid` and one column beyond it (for differences along x).
+/// @throws std::invalid_argument if the scene's layer or material is not one this program knows
+InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid);
+
+}  // namespace rollres

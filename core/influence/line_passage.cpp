@@ -1,0 +1,136 @@
+#include "core/influence/line_passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/influence/passage_kernel.hpp"
+#include "core/numerics/recently_made.hpp"
+#include "core/surface/medium_expansion.hpp"
+#include "core/surface/wave_table.hpp"
+
+namespace rollres {
+
+namespace {
+
+using complex = std::complex<double>;
+
+/// What the half-spaces next to the contact remember, as spectra of creep in shear of half-spaces that yield as much:
+/// incompressible ones, and for the cross term one with Poisson's ratio 0.
+struct NearSpectra {
+  CreepSpectrum normal, longitudinal, cross;
+  double error = 0;
+
+  void add(const MediumTerm& term, double cross_sign) {
+    const auto put = [&](CreepSpectrum& spectrum, double compliance) {
+      if (term.time == 0)
+        spectrum.instantaneous += compliance;
+      else
+        spectrum.terms.push_back({compliance, term.time});
+    };
+    put(normal, 2 * term.deep.normal);
+    put(longitudinal, 2 * term.deep.longitudinal);
+    put(cross, -2 * cross_sign * term.deep.cross);
+  }
+
+  void add(const LayeredMedium& medium, double wave_speed, double cross_sign) {
+    if (medium.empty()) return;
+    MediumLayer top = medium.front();
+    top.thickness = INFINITY;
+    const MediumExpansion expansion({top}, wave_speed);
+    for (const MediumTerm& term : expansion.terms()) add(term, cross_sign);
+    error = std::max(error, expansion.error());
+  }
+};
+
+struct NearSpectraKey {
+  LayeredMedium foundation, coating;
+  double wave_speed;  // 0 without inertia, whatever the speed
+  bool operator==(const NearSpectraKey&) const = default;
+};
+
+/// The same for all grids of a scene.
+std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene) {
+  static RecentlyMade<NearSpectraKey, NearSpectra, 16> cache;
+  const NearSpectraKey key{foundation_of(scene), coating_of(scene), inertia_included(scene) ? scene.speed : 0};
+  return cache(key, [&] {
+    NearSpectra spectra;
+    spectra.add(key.foundation, key.wave_speed, 1);
+    spectra.add(key.coating, key.wave_speed, -1);
+    return spectra;
+  });
+}
+
+/// What the layers add to the displacements under a line force spread over a cell.
+class AddedDisplacements {
+ public:
+  AddedDisplacements(const RollingScene& scene, double cell)
+      : surface_(scene),
+        depth_(nearest_interface(scene)),
+        cell_(cell),
+        at_rest_(surface_.half_spaces(surface_.moduli(0))),
+        long_waves_(surface_.long_waves()),
+        table_(1, 0.1 * depth_ / surface_.longest_wave(),
+               [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {}
+  AddedDisplacements(const AddedDisplacements&) = delete;
+  AddedDisplacements& operator=(const AddedDisplacements&) = delete;
+
+  LayerSlopes operator()(double x) const {
+    LayerSlopes sum = table_(0, x / depth_);
+    const double logarithm = std::log(x * x + 4 * depth_ * depth_) / (2 * M_PI);
+    sum(0) += (at_rest_.normal - long_waves_.normal).real() * logarithm;
+    sum(1) += (at_rest_.longitudinal - long_waves_.longitudinal).real() * logarithm;
+    return sum;
+  }
+
+ private:
+  /// Long waves are taken out of it as e^{-2k}/k, whose transform is the logarithm.
+  void transform(double k, std::span<complex> values) const {
+    constexpr complex i(0, 1);
+    const double along = k / depth_, half_cell = 0.5 * along * cell_;
+    const double spread = half_cell < 1e-4 ? 1 : std::sin(half_cell) / half_cell;
+    const SteadySurface::Moduli moduli = surface_.moduli(along);
+    const SurfaceCompliance c = surface_(moduli, along, 0), deep = surface_.half_spaces(moduli);
+    const double fade = std::exp(-2 * k), scale = 1 / (M_PI * k);
+    values[0] = scale * (spread * (along * c.normal - deep.normal) + fade * (at_rest_.normal - long_waves_.normal));
+    values[1] = scale * (spread * (along * c.longitudinal - deep.longitudinal) +
+                         fade * (at_rest_.longitudinal - long_waves_.longitudinal));
+    values[2] = i * scale * spread * (along * c.cross - deep.cross);
+  }
+
+  SteadySurface surface_;
+  double depth_, cell_;
+  SurfaceCompliance at_rest_, long_waves_;
+  WaveTable table_;
+};
+
+}  // namespace
+
+double line_expansion_error(const RollingScene& scene) {
+  return inertia_included(scene) ? near_spectra(scene)->error : 0;
+}
+
+InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x) {
+  const double cell = grid.spacing_x;
+  const std::shared_ptr<const NearSpectra> near = near_spectra(scene);
+  const auto half_space = [&](double poisson_ratio, const CreepSpectrum& spectrum) {
+    return shared_passage_kernel(Indenter::cylinder, Layer(INFINITY, poisson_ratio), cell, grid.spacing_y, reach_x, 0)
+        ->table(spectrum, scene.speed, reach_x, 0);
+  };
+  InfluenceTable table(reach_x, 0);
+  table.ww = half_space(0.5, near->normal).ww;
+  table.uu = half_space(0.5, near->longitudinal).uu;
+  table.uw = half_space(0, near->cross).uw;
+  if (std::isinf(nearest_interface(scene))) return table;
+  const AddedDisplacements added(scene, cell);
+  for (int column = -reach_x; column <= reach_x; ++column) {
+    const auto at = static_cast<std::size_t>(table.index(column, 0));
+    const LayerSlopes values = added(column * cell);
+    table.ww[at] += values(0);
+    table.uu[at] += values(1);
+    table.uw[at] += values(2);
+  }
+  return table;
+}
+
+}  // namespace rollres

@@ -1,0 +1,92 @@
+#include "core/influence/periodic_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "core/influence/elastic_kernel.hpp"
+#include "core/numerics/fft.hpp"
+#include "core/surface/layer_compliance.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Average of e^{ikx} over a cell.
+double cell_factor(double wavenumber, double cell) {
+  const double z = 0.5 * wavenumber * cell;
+  return z == 0 ? 1 : std::sin(z) / z;
+}
+
+int wrapped(int n, int size) { return ((n % size) + size) % size; }
+
+}  // namespace
+
+InfluenceTable periodic_table(const CreepSpectrum& material, double speed, const Layer& layer, double period, int terms,
+                              double cell_x, double cell_y, int reach_x, int reach_y) {
+  const auto symbols = [&](double along) -> SymbolsAcross {
+    return [&layer, along, compliance = material(-along * speed)](double across) -> SurfaceCompliance {
+      const LayerSymbols c = layer_symbols(std::hypot(along, across), layer);
+      return {compliance * c.normal, compliance * c.longitudinal, compliance * c.cross, compliance * c.transverse};
+    };
+  };
+  return periodic_table(symbols, period, terms, cell_x, cell_y, reach_x, reach_y);
+}
+
+InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int terms, double cell_x, double cell_y,
+                              int reach_x, int reach_y) {
+  using complex = std::complex<double>;
+  const bool sphere = reach_y > 0;
+  const int columns = std::max(static_cast<int>(std::lround(period / cell_x)), 2 * reach_x + 1);
+  const int rows = sphere ? std::max(static_cast<int>(std::lround(period / cell_y)), 2 * reach_y + 1) : 1;
+  const double step_x = 2 * M_PI / (columns * cell_x), step_y = sphere ? 2 * M_PI / (rows * cell_y) : 0;
+  const int half = columns / 2 + 1, terms_y = sphere ? terms : 0;
+
+  // Spectra by rows of ky; kx >= 0 only, as the coefficients are real.
+  std::array<FftBuffer<complex>, 6> spectra;
+  const int components = sphere ? 6 : 3;
+  for (auto& spectrum : spectra) spectrum = FftBuffer<complex>(static_cast<std::size_t>(rows * half));
+  constexpr std::array<std::size_t, 3> line_components{coefficient::ww, coefficient::uu, coefficient::uw};
+  const double area = columns * cell_x * (sphere ? rows * cell_y : 1.0);
+
+  for (int n = -terms; n <= terms; ++n) {
+    const int column = wrapped(n, columns);
+    if (column >= half) continue;
+    const double kx = n * step_x;
+    const double scale = cell_factor(kx, cell_x) / area;
+    const SymbolsAcross across = symbols(kx);
+    for (int m = -terms_y; m <= terms_y; ++m) {
+      const double ky = m * step_y, k = std::hypot(kx, ky);
+      const SurfaceCompliance c = across(ky);
+      const double lx = k > 0 ? kx / k : 0, ly = k > 0 ? ky / k : 0;
+      const double factor = scale * cell_factor(ky, cell_y);
+      const complex i_factor(0, factor);
+      const auto at = static_cast<std::size_t>(wrapped(m, rows) * half + column);
+      using namespace coefficient;
+      spectra[ww][at] += factor * c.normal;
+      spectra[uu][at] += factor * (k > 0 ? lx * lx * c.longitudinal + ly * ly * c.transverse : c.longitudinal);
+      spectra[uw][at] += i_factor * lx * c.cross;
+      if (!sphere) continue;
+      spectra[vv][at] += factor * (k > 0 ? ly * ly * c.longitudinal + lx * lx * c.transverse : c.transverse);
+      spectra[uv][at] += factor * lx * ly * (c.longitudinal - c.transverse);
+      spectra[vw][at] += i_factor * ly * c.cross;
+    }
+  }
+
+  InfluenceTable table(reach_x, reach_y);
+  const std::array<std::vector<double>*, 6> targets{&table.ww, &table.uu, &table.vv, &table.uv, &table.uw, &table.vw};
+  FftBuffer<double> field(static_cast<std::size_t>(rows * columns));
+  const FftPlan plan(columns, rows);
+  for (int component = 0; component < components; ++component) {
+    const std::size_t c =
+        sphere ? static_cast<std::size_t>(component) : line_components[static_cast<std::size_t>(component)];
+    plan.inverse(spectra[c], field);
+    for (int row = 0; row <= reach_y; ++row)
+      for (int column = -reach_x; column <= reach_x; ++column)
+        (*targets[c])[static_cast<std::size_t>(table.index(column, row))] =
+            field[static_cast<std::size_t>(wrapped(row, rows) * columns + wrapped(column, columns))];
+  }
+  return table;
+}
+
+}  // namespace rollres

@@ -1,0 +1,255 @@
+#include "core/material/master_curve.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/messages/message_text.hpp"
+#include "core/numerics/nonnegative_least_squares.hpp"
+#include "core/numerics/recently_made.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double times_per_decade = 2;   // ripples of G" below 0.1 %
+constexpr double decades_beyond = 0.75;  // of the measured band, at either end
+/// Misfit that a smoother spectrum may add, relative to the least one and absolute.
+constexpr double added_misfit = 1.1, bearable_misfit = 0.05;
+/// Smallest share of the lowest storage modulus that stays at rest where nothing says it.
+constexpr double least_rest = 0.1;
+/// A row is an outlier beyond so many times the usual misfit, and this one.
+constexpr double outlier_ratio = 5, outlier_misfit = 0.05;
+
+std::string row_name(const MasterCurve& curve, std::size_t row) {
+  return message_text("row ", row + 1, " (", curve.frequencies[row], " Hz)");
+}
+
+/// Rows by frequency.
+std::vector<std::size_t> rows_in_order(const MasterCurve& curve) {
+  std::vector<std::size_t> order(curve.frequencies.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return curve.frequencies[a] < curve.frequencies[b]; });
+  return order;
+}
+
+std::vector<std::string> remarks_on_rows(const MasterCurve& curve, const std::vector<std::size_t>& order) {
+  std::vector<std::string> remarks;
+  for (std::size_t row = 1; row < curve.frequencies.size(); ++row)
+    if (curve.frequencies[row] < curve.frequencies[row - 1])
+      remarks.push_back("master curve: " + row_name(curve, row) + " is out of the order of frequencies");
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const std::size_t before = order[i - 1], row = order[i];
+    if (curve.frequencies[row] == curve.frequencies[before])
+      remarks.push_back("master curve: " + row_name(curve, row) + " has the frequency of row " +
+                        std::to_string(before + 1) + "; both count");
+    else if (curve.storage[row] < curve.storage[before])
+      remarks.push_back("master curve: " + row_name(curve, row) +
+                        message_text(": the storage modulus falls from ", curve.storage[before], " to ",
+                                     curve.storage[row], " Pa, as no passive material's does"));
+  }
+  return remarks;
+}
+
+/// A linear least squares problem in the scaled moduli: rows of relative storage and loss, then bends of the spectrum.
+class SpectrumProblem {
+ public:
+  SpectrumProblem(const MasterCurve& curve, const std::vector<std::size_t>& order) : curve_(curve) {
+    const double lowest = omega(order.front()), highest = omega(order.back());
+    const double decades = std::log10(highest / lowest) + 2 * decades_beyond;
+    const int count = std::max(3, static_cast<int>(std::ceil(decades * times_per_decade)) + 1);
+    for (int j = 0; j < count; ++j)
+      times_.push_back(std::pow(10.0, -decades_beyond + decades * j / (count - 1)) / highest);
+    // Moduli in parts of the loss modulus where they act, so that bends count alike over all decades.
+    for (const double time : times_) scale_.push_back(loss_between(1 / time, order));
+    rest_ = curve.static_modulus;
+    if (rest_ == 0) rest_ = least_rest * *std::min_element(curve.storage.begin(), curve.storage.end());
+    reduce();
+  }
+
+  /// Bends weigh `smoothness`.
+  PronySeries solve(double smoothness) const {
+    const Index terms = std::ssize(times_), bends = terms - 2;
+    MatrixXd a = MatrixXd::Zero(triangle_.rows() + bends, triangle_.cols());
+    VectorXd b = VectorXd::Zero(a.rows());
+    a.topRows(triangle_.rows()) = triangle_;
+    b.head(triangle_.rows()) = wanted_;
+    for (Index i = 0; i < bends; ++i) a.block(triangle_.rows() + i, i, 1, 3) << smoothness, -2 * smoothness, smoothness;
+    const VectorXd moduli = nonnegative_least_squares(a, b);
+    PronySeries series{rest_, {}};
+    if (curve_.static_modulus == 0) series.static_modulus += rest_ * moduli(terms);
+    for (Index j = 0; j < terms; ++j)
+      if (const auto k = static_cast<std::size_t>(j); moduli(j) > 0)
+        series.terms.push_back({moduli(j) * scale_[k], times_[k]});
+    return series;
+  }
+
+  double misfit(const PronySeries& series, std::size_t row) const {
+    const std::complex<double> measured(curve_.storage[row], curve_.loss[row]);
+    return std::abs(complex_modulus(series, omega(row)) - measured) / std::abs(measured);
+  }
+
+  double rms_misfit(const PronySeries& series) const {
+    double sum = 0;
+    for (std::size_t row = 0; row < curve_.frequencies.size(); ++row) sum += std::pow(misfit(series, row), 2);
+    return std::sqrt(sum / static_cast<double>(curve_.frequencies.size()));
+  }
+
+  double least_rest_modulus() const { return rest_; }
+
+ private:
+  double omega(std::size_t row) const { return 2 * std::numbers::pi * curve_.frequencies[row]; }
+
+  double size(std::size_t row) const { return std::hypot(curve_.storage[row], curve_.loss[row]); }
+
+  /// The loss modulus of a row, or a small part of |G*| where there is next to none.
+  double loss(std::size_t row) const { return std::max(curve_.loss[row], 1e-3 * size(row)); }
+
+  /// The same between the rows, interpolated in logarithms.
+  double loss_between(double at, const std::vector<std::size_t>& order) const {
+    std::size_t above = 0;
+    while (above < order.size() && omega(order[above]) < at) ++above;
+    if (above == 0) return loss(order.front());
+    if (above == order.size()) return loss(order.back());
+    const std::size_t a = order[above - 1], b = order[above];
+    return loss(a) * std::pow(loss(b) / loss(a), std::log(at / omega(a)) / std::log(omega(b) / omega(a)));
+  }
+
+  /// The rows of the table as a triangle with the same least squares: its size is that of the spectrum.
+  void reduce() {
+    const Index rows = std::ssize(curve_.frequencies), terms = std::ssize(times_);
+    const bool unknown_rest = curve_.static_modulus == 0;
+    MatrixXd a(2 * rows, terms + (unknown_rest ? 1 : 0) + 1);
+    for (Index i = 0; i < rows; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      // The loss is the smaller of the two and matters as much: between |G*| and itself is what it is compared with.
+      const double storage_size = size(row), loss_size = std::sqrt(size(row) * loss(row));
+      for (Index j = 0; j < terms; ++j) {
+        const auto k = static_cast<std::size_t>(j);
+        const std::complex<double> part = complex_modulus(PronySeries{0, {{scale_[k], times_[k]}}}, omega(row));
+        a(2 * i, j) = part.real() / storage_size;
+        a(2 * i + 1, j) = part.imag() / loss_size;
+      }
+      if (unknown_rest) a.col(terms).segment(2 * i, 2) << rest_ / storage_size, 0;
+      a.col(a.cols() - 1).segment(2 * i, 2) << (curve_.storage[row] - rest_) / storage_size,
+          curve_.loss[row] / loss_size;
+    }
+    if (a.rows() > a.cols()) {
+      const Eigen::HouseholderQR<MatrixXd> qr(a);
+      a = qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>();
+    }
+    triangle_ = a.leftCols(a.cols() - 1) / std::sqrt(static_cast<double>(rows));
+    wanted_ = a.col(a.cols() - 1) / std::sqrt(static_cast<double>(rows));
+  }
+
+  const MasterCurve& curve_;
+  std::vector<double> times_, scale_;
+  double rest_;  // [Pa], at least
+  MatrixXd triangle_;
+  VectorXd wanted_;
+};
+
+/// How often a sequence of positive values turns from rising to falling or back, by more than a tenth.
+int turns(const std::vector<double>& values) {
+  constexpr double noticeable = 1.1;
+  int count = 0, direction = 0;                        // neither rises nor falls as yet
+  double low = values.front(), high = values.front();  // since the last turn
+  for (const double value : values) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+    const bool fell = direction >= 0 && value * noticeable < high, rose = direction <= 0 && value > noticeable * low;
+    if (!fell && !rose) continue;
+    if (direction != 0) ++count;
+    direction = fell ? -1 : 1;
+    low = high = value;
+  }
+  return count;
+}
+
+/// Turns of the loss tangent within the measured band beyond those of the table.
+int waves(const PronySeries& series, const MasterCurve& curve, const std::vector<std::size_t>& order) {
+  constexpr int points_per_decade = 10;
+  const double lowest = curve.frequencies[order.front()], highest = curve.frequencies[order.back()];
+  const int count = static_cast<int>(std::ceil(points_per_decade * std::log10(highest / lowest)));
+  std::vector<double> fitted, measured;
+  for (int i = 0; i <= count; ++i) {
+    const double frequency = lowest * std::pow(highest / lowest, static_cast<double>(i) / count);
+    const std::complex<double> modulus = complex_modulus(series, 2 * std::numbers::pi * frequency);
+    fitted.push_back(modulus.imag() / modulus.real());
+  }
+  for (const std::size_t row : order) measured.push_back(curve.loss[row] / curve.storage[row]);
+  return std::max(0, turns(fitted) - turns(measured));
+}
+
+struct SmoothSeries {
+  PronySeries series;
+  int waves;  // left, as fewer would cost too much misfit
+};
+
+SmoothSeries smooth_series(const SpectrumProblem& problem, const MasterCurve& curve,
+                           const std::vector<std::size_t>& order) {
+  constexpr double least = 1e-4, factor = 3;
+  constexpr int weights = 10;
+  PronySeries series = problem.solve(least);
+  const double bound = added_misfit * problem.rms_misfit(series) + bearable_misfit;
+  SmoothSeries smooth{series, waves(series, curve, order)};
+  for (int i = 1; i < weights && smooth.waves > 0; ++i) {
+    series = problem.solve(least * std::pow(factor, i));
+    if (problem.rms_misfit(series) > bound) break;
+    smooth = {series, waves(series, curve, order)};
+  }
+  return smooth;
+}
+
+}  // namespace
+
+std::string MasterCurveFit::in_words() const {
+  return message_text("master curve as ", series.terms.size(), " Prony terms, misfit ", 100 * rms_misfit, " % rms and ",
+                      100 * largest_misfit, " % at most (at ", worst_frequency, " Hz)");
+}
+
+MasterCurveFit fit_master_curve(const MasterCurve& curve) {
+  const std::vector<std::size_t> order = rows_in_order(curve);
+  MasterCurveFit fit{.series = {}, .remarks = remarks_on_rows(curve, order)};
+  const SpectrumProblem problem(curve, order);
+  const SmoothSeries smooth = smooth_series(problem, curve, order);
+  fit.series = smooth.series;
+  fit.rms_misfit = problem.rms_misfit(fit.series);
+  std::vector<double> misfits;
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    misfits.push_back(problem.misfit(fit.series, row));
+    if (misfits.back() < fit.largest_misfit) continue;
+    fit.largest_misfit = misfits.back();
+    fit.worst_frequency = curve.frequencies[row];
+  }
+  std::vector<double> sorted = misfits;
+  std::nth_element(sorted.begin(), sorted.begin() + std::ssize(sorted) / 2, sorted.end());
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t row = 0; row < order.size(); ++row)
+    if (misfits[row] > std::max(outlier_ratio * usual, outlier_misfit))
+      fit.remarks.push_back("master curve: " + row_name(curve, row) + " is an outlier: " +
+                            message_text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
+  if (smooth.waves > 0)
+    fit.remarks.push_back(
+        message_text("master curve: the loss tangent of the fit turns more often than the table's (by ", smooth.waves,
+                     "): rows are missing, or storage and loss do not belong to one linear material"));
+  if (curve.static_modulus == 0 && fit.series.static_modulus <= problem.least_rest_modulus())
+    fit.remarks.push_back(
+        message_text("master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,
+                     " Pa, a tenth of the lowest storage modulus; static_shear_modulus gives it where it is known"));
+  return fit;
+}
+
+std::shared_ptr<const MasterCurveFit> shared_master_curve_fit(const MasterCurve& curve) {
+  static RecentlyMade<MasterCurve, MasterCurveFit, 8> cache;
+  return cache(curve, [&] { return fit_master_curve(curve); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,111 @@
+#include "core/material/material.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "core/material/fractional_zener.hpp"
+#include "core/material/master_curve.hpp"
+#include "core/material/material_scale.hpp"
+#include "core/material/prony_series.hpp"
+#include "core/messages/message_text.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::vector<double> all_as_shear(const MaterialInputs& layer, std::vector<double> listed) {
+  for (double& modulus : listed) modulus = as_shear(layer, modulus);
+  return listed;
+}
+
+PronySeries prony_series(const MaterialInputs& layer) {
+  PronySeries series{given_static_modulus(layer), {}};
+  for (std::size_t j = 0; j < layer.relaxation_times.size(); ++j)
+    series.terms.push_back({as_shear(layer, layer.relaxation_moduli[j]), layer.relaxation_times[j]});
+  return ordered(std::move(series));
+}
+
+std::shared_ptr<const MasterCurveFit> fit_of(const MaterialInputs& layer) {
+  const bool at_rest = layer.static_shear_modulus || layer.static_young_modulus;
+  return shared_master_curve_fit({layer.frequencies, all_as_shear(layer, layer.storage_moduli),
+                                  all_as_shear(layer, layer.loss_moduli), at_rest ? given_static_modulus(layer) : 0});
+}
+
+CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
+  switch (layer.material) {
+    case MaterialModel::zener:
+      return creep_spectrum(FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time});
+    case MaterialModel::fractional_zener:
+      return creep_spectrum(
+          FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time, layer.fractional_order});
+    case MaterialModel::prony:
+      return creep_spectrum(prony_series(layer));
+    case MaterialModel::master_curve:
+      return creep_spectrum(fit_of(layer)->series);
+    case MaterialModel::elastic:
+      break;
+  }
+  return {.instantaneous = 1 / given_static_modulus(layer), .terms = {}};
+}
+
+}  // namespace
+
+std::complex<double> CreepSpectrum::operator()(double omega) const {
+  std::complex<double> sum = instantaneous;
+  for (const Term& term : terms) sum += term.compliance / std::complex<double>(1, omega * term.time);
+  return sum;
+}
+
+double CreepSpectrum::at_rest() const {
+  double sum = instantaneous;
+  for (const Term& term : terms) sum += term.compliance;
+  return sum;
+}
+
+CreepSpectrum creep_spectrum(const MaterialInputs& layer) {
+  CreepSpectrum spectrum = spectrum_at_reference(layer);
+  if (const double shift = time_shift(layer); shift != 1)
+    for (CreepSpectrum::Term& term : spectrum.terms) term.time *= shift;
+  return spectrum;
+}
+
+std::complex<double> complex_modulus(const MaterialInputs& layer, double omega) {
+  return 1.0 / creep_spectrum(layer)(omega);
+}
+
+double static_modulus(const MaterialInputs& layer) {
+  const bool given = layer.static_shear_modulus || layer.static_young_modulus;
+  return given ? given_static_modulus(layer) : 1 / creep_spectrum(layer).at_rest();
+}
+
+std::string material_route(const MaterialInputs& layer) {
+  std::string route;
+  if (layer.material == MaterialModel::prony)
+    route = message_text<5>("Prony series of ", prony_series(layer).terms.size(), " terms, exact");
+  if (layer.material == MaterialModel::master_curve) route = fit_of(layer)->in_words();
+  if (layer.material == MaterialModel::fractional_zener)
+    route = layer.fractional_order == 1
+                ? "fractional Zener solid of order 1: a Zener solid"
+                : message_text<5>("fractional Zener solid as ", creep_spectrum(layer).terms.size(),
+                                  " exponentials, 1/G* to 1e-7");
+  if (layer.temperature && layer.material != MaterialModel::elastic)
+    route +=
+        message_text<5>(route.empty() ? "" : "; ", "times at ", *layer.temperature, " K: ", time_shift(layer),
+                        " of those at ", *layer.reference_temperature, " K (", layer.wlf_c1 ? "WLF" : "Arrhenius", ")");
+  return route;
+}
+
+std::vector<std::string> material_warnings(const MaterialInputs& layer) {
+  std::vector<std::string> warnings;
+  if (layer.material == MaterialModel::master_curve) warnings = fit_of(layer)->remarks;
+  if (layer.temperature && layer.wlf_c1) {
+    const double above = *layer.temperature - *layer.reference_temperature;
+    if (above < -0.8 * *layer.wlf_c2)
+      warnings.push_back(message_text<5>("temperature = ", *layer.temperature,
+                                         " K: is close to where WLF has no meaning (",
+                                         *layer.reference_temperature - *layer.wlf_c2, " K)"));
+  }
+  return warnings;
+}
+
+}  // namespace rollres

@@ -1,0 +1,70 @@
+#include "core/material/prony_series.hpp"
+
+#include <algorithm>
+
+#include "core/numerics/bracketed_root.hpp"
+
+namespace rollres {
+
+std::complex<double> complex_modulus(const PronySeries& series, double omega) {
+  std::complex<double> modulus = series.static_modulus;
+  for (const PronySeries::Term& term : series.terms) {
+    const std::complex<double> turn(0, omega * term.time);
+    modulus += term.modulus * turn / (1.0 + turn);
+  }
+  return modulus;
+}
+
+PronySeries ordered(PronySeries series) {
+  std::sort(series.terms.begin(), series.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::vector<PronySeries::Term> terms;
+  for (const PronySeries::Term& term : series.terms) {
+    if (term.modulus == 0) continue;
+    if (!terms.empty() && terms.back().time == term.time)
+      terms.back().modulus += term.modulus;
+    else
+      terms.push_back(term);
+  }
+  series.terms = std::move(terms);
+  return series;
+}
+
+CreepSpectrum creep_spectrum(const PronySeries& series) {
+  const std::vector<PronySeries::Term>& terms = series.terms;
+  double glassy = series.static_modulus;
+  for (const PronySeries::Term& term : terms) glassy += term.modulus;
+  CreepSpectrum creep{.instantaneous = 1 / glassy, .terms = {}};
+  // With s = -1/lambda the modulus has its poles at lambda = time_j and one zero above each. Written with
+  // u = lambda / time_j - 1 for the pole below the zero, u has all its digits even when zero and pole nearly coincide.
+  for (std::size_t j = 0; j < terms.size(); ++j) {
+    const double pole = terms[j].time;
+    // u G(lambda), without its pole; negative at 0, positive for a large u or at the next pole.
+    const auto modulus_times_u = [&](double u) {
+      double sum = series.static_modulus;
+      for (std::size_t k = 0; k < terms.size(); ++k)
+        if (k != j) sum -= terms[k].modulus * terms[k].time / (pole * (1 + u) - terms[k].time);
+      return u * sum - terms[j].modulus;
+    };
+    double u;
+    if (terms.size() == 1) {
+      u = terms[j].modulus / series.static_modulus;
+    } else if (j + 1 == terms.size()) {
+      double high = terms[j].modulus / series.static_modulus;
+      while (modulus_times_u(high) < 0) high *= 2;
+      u = bracketed_root(modulus_times_u, 0, high);
+    } else {
+      const double limit = terms[j + 1].time / pole - 1;
+      u = bracketed_root([&](double v) { return (limit - v) * modulus_times_u(v); }, 0, limit * (1 - 1e-15));
+    }
+    const double time = pole * (1 + u);
+    double slope = 0;  // lambda dG/ds at the zero
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const double distance = k == j ? u * pole : time - terms[k].time;
+      slope += terms[k].modulus * (terms[k].time / distance) * (time / distance);
+    }
+    creep.terms.push_back({1 / slope, time});
+  }
+  return creep;
+}
+
+}  // namespace rollres

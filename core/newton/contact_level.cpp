@@ -1,0 +1,145 @@
+#include "core/newton/contact_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/estimate/grid_choice.hpp"
+
+namespace rollres {
+
+ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid) {
+  ContactLevel level;
+  const bool sphere = scene.indenter == Indenter::sphere;
+  level.problem = std::make_unique<ContactProblem>(scene, grid);
+  level.table = std::make_unique<InfluenceTable>(influence_table(scene, mirrored(grid, sphere)));
+  level.influence = std::make_unique<InfluenceOperator>(scene, *level.table, grid, level.problem->friction);
+  return level;
+}
+
+ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate& estimate) {
+  ContactUnknowns guess;
+  const SurfaceGrid& grid = problem.grid;
+  guess.pressure = Vector::Zero(grid.size());
+  const bool adhesive = problem.scene.adhesion_threshold > 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const double y = problem.sphere ? grid.y(row) : 0, r = std::hypot(grid.x(column), y) / estimate.half_width;
+      if (adhesive)
+        guess.pressure(grid.index(column, row)) = 1;
+      else if (r < 1)
+        guess.pressure(grid.index(column, row)) = std::sqrt(1 - r * r);
+    }
+  const Vector none = Vector::Zero(grid.size());
+  const double load = problem.load(guess.pressure, none);
+  if (load > 0) guess.pressure *= estimate.load / load;
+  guess.approach = problem.scene.approach.value_or(std::isfinite(estimate.approach) ? estimate.approach : 0);
+  return guess;
+}
+
+namespace {
+
+/// Bilinear values on a finer grid, zero outside the coarser one.
+Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceGrid& to, bool sphere, double parity) {
+  Vector result(to.size());
+  const auto at = [&](int column, int row) {
+    double sign = 1;
+    if (row < 0) {
+      row = -row;
+      sign = parity;
+    }
+    if (column < 0 || column >= from.columns || row >= from.rows) return 0.0;
+    return sign * values(from.index(column, row));
+  };
+  for (int row = 0; row < to.rows; ++row)
+    for (int column = 0; column < to.columns; ++column) {
+      const double x = (to.x(column) - from.origin_x) / from.spacing_x - from.first_column;
+      const double y = sphere ? to.y(row) / from.spacing_y : 0;
+      const double left = std::floor(x), below = std::floor(y), fx = x - left, fy = y - below;
+      const int c = static_cast<int>(left), r = static_cast<int>(below);
+      double value = (1 - fx) * at(c, r) + fx * at(c + 1, r);
+      if (fy > 0) value = (1 - fy) * value + fy * ((1 - fx) * at(c, r + 1) + fx * at(c + 1, r + 1));
+      result(to.index(column, row)) = value;
+    }
+  return result;
+}
+
+}  // namespace
+
+namespace {
+
+/// Pressure inside and minus the gap outside join at the contact's edge [Pa].
+Vector signed_pressure(const ContactLevel& level) {
+  return level.outcome.unknowns.pressure - level.outcome.gap.cwiseMax(0) / level.influence->self_normal();
+}
+
+}  // namespace
+
+ContactUnknowns transfer(const ContactLevel& coarse, const ContactLevel& similar_coarse,
+                         const ContactLevel& similar_fine, const SurfaceGrid& to) {
+  const bool sphere = coarse.problem->sphere;
+  const auto combine = [&](const Vector& of_coarse, const Vector& of_similar_coarse, const Vector& of_similar_fine,
+                           double parity) {
+    return Vector(interpolate(of_coarse, coarse.problem->grid, to, sphere, parity) +
+                  interpolate(of_similar_fine, similar_fine.problem->grid, to, sphere, parity) -
+                  interpolate(of_similar_coarse, similar_coarse.problem->grid, to, sphere, parity));
+  };
+  ContactUnknowns start;
+  const ContactUnknowns &c = coarse.outcome.unknowns, &sc = similar_coarse.outcome.unknowns,
+                        &sf = similar_fine.outcome.unknowns;
+  start.pressure =
+      combine(signed_pressure(coarse), signed_pressure(similar_coarse), signed_pressure(similar_fine), 1).cwiseMax(0);
+  start.approach = c.approach + sf.approach - sc.approach;
+  start.rotation_ratio = c.rotation_ratio + sf.rotation_ratio - sc.rotation_ratio;
+  if (c.shear_x.size() > 0) start.shear_x = combine(c.shear_x, sc.shear_x, sf.shear_x, 1);
+  if (c.shear_y.size() > 0) start.shear_y = combine(c.shear_y, sc.shear_y, sf.shear_y, -1);
+  return start;
+}
+
+ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to) {
+  const SurfaceGrid& grid = from.problem->grid;
+  const bool sphere = from.problem->sphere;
+  ContactUnknowns start = from.outcome.unknowns;
+  // Pressure inside and gap outside join at the contact's edge: their interpolated sign tells the finer contact.
+  const Vector sign = interpolate(signed_pressure(from), grid, to, sphere, 1);
+  start.pressure = (sign.array() > 0).select(interpolate(start.pressure, grid, to, sphere, 1), 0.0);
+  if (start.shear_x.size() > 0) start.shear_x = interpolate(start.shear_x, grid, to, sphere, 1);
+  if (start.shear_y.size() > 0) start.shear_y = interpolate(start.shear_y, grid, to, sphere, -1);
+  return start;
+}
+
+SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double margin) {
+  const SurfaceGrid& grid = level.problem->grid;
+  double leading = -INFINITY, trailing = INFINITY, half_width = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (level.outcome.zone[static_cast<std::size_t>(grid.index(column, row))] != Zone::free) {
+        leading = std::max(leading, grid.x(column));
+        trailing = std::min(trailing, grid.x(column));
+        if (level.problem->sphere) half_width = std::max(half_width, grid.y(row));
+      }
+  const double widest = widest_window(level.problem->scene);
+  SurfaceGrid next = like;
+  // Columns beyond the origin, and rows, that reach as far as a distance from under the axis.
+  const auto cells = [&](double distance, double origin, double spacing) {
+    return static_cast<int>(std::ceil((std::clamp(distance, -widest, widest) - origin) / spacing - 1e-9));
+  };
+  next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x);
+  next.columns = cells(leading + margin, like.origin_x, like.spacing_x) - next.first_column + 1;
+  next.first_row = 0;
+  next.rows = level.problem->sphere ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
+  return next;
+}
+
+double resistance(const ContactLevel& level) {
+  const ContactProblem& problem = *level.problem;
+  const ContactUnknowns& x = level.outcome.unknowns;
+  if (!problem.friction) {
+    const Vector none = Vector::Zero(x.pressure.size());
+    return problem.sphere ? problem.torque(x.pressure, none) / problem.scene.radius
+                          : problem.driving_force(x.pressure, none);
+  }
+  return problem.driving_force(x.pressure, x.shear_x) +
+         problem.torque(x.pressure, x.shear_x) * x.rotation_ratio / problem.scene.radius;
+}
+
+}  // namespace rollres

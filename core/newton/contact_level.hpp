@@ -1,0 +1,42 @@
+#pragma once
+
+/// One grid with all that belongs to it: the discretised problem, its coefficients, its operator, its solution.
+
+#include <memory>
+
+#include "core/estimate/contact_estimate.hpp"
+#include "core/newton/grid_error.hpp"
+#include "core/newton/newton_contact.hpp"
+
+namespace rollres {
+
+struct ContactLevel {
+  std::unique_ptr<ContactProblem> problem;
+  std::unique_ptr<InfluenceTable> table;
+  std::unique_ptr<InfluenceOperator> influence;
+  NewtonOutcome outcome;
+  double rolling_resistance = 0;
+  GridError error;
+};
+
+/// A level without a solution yet, on a half grid.
+ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid);
+
+/// Pressure like an elliptical dome over the estimated contact, without shear. With adhesion the contact peels from the
+/// widest one, so that the whole window begins in contact.
+ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate& estimate);
+
+/// The solution of a level, interpolated to a finer grid.
+ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to);
+
+/// The same, with what the step from a coarse to a fine grid changed in a similar scene.
+ContactUnknowns transfer(const ContactLevel& coarse, const ContactLevel& similar_coarse,
+                         const ContactLevel& similar_fine, const SurfaceGrid& to);
+
+/// Grid with the spacings and the origin of `like` that leaves `margin` [m] around the level's contact.
+SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double margin);
+
+/// Rolling resistance of the level's solution [N] (per metre for a cylinder).
+double resistance(const ContactLevel& level);
+
+}  // namespace rollres

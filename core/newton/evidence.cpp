@@ -1,0 +1,282 @@
+#include "core/newton/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Slope at `at` of the polynomial through the given points (Fornberg 1988, for the first derivative).
+double slope_through(double at, const double* x, const double* values, int count) {
+  double slope = 0;
+  for (int i = 0; i < count; ++i) {  // derivative of the i-th Lagrange polynomial, summed over the left-out factor
+    double derivative = 0;
+    for (int skipped = 0; skipped < count; ++skipped) {
+      if (skipped == i) continue;
+      double product = 1 / (x[i] - x[skipped]);
+      for (int k = 0; k < count; ++k)
+        if (k != i && k != skipped) product *= (at - x[k]) / (x[i] - x[k]);
+      derivative += product;
+    }
+    slope += derivative * values[i];
+  }
+  return slope;
+}
+
+class Assessment {
+ public:
+  Assessment(const ContactProblem& given_problem, const InfluenceOperator& influence, const ContactUnknowns& given,
+             const std::vector<Zone>& given_zone)
+      : problem_(given_problem),
+        unknowns_(given),
+        zone_(given_zone),
+        moved_(influence.apply(given.pressure, shear_or_zero(given.shear_x), lateral_shear(given))) {}
+
+  RollingSolution run() {
+    measure_contact();
+    sum_forces();
+    measure_slip();
+    check_laws();
+    balance_power();
+    keep_fields();
+    return std::move(s_);
+  }
+
+ private:
+  // Without friction the shear is zero, but the pressure moves the surface sideways all the same.
+  Vector shear_or_zero(const Vector& shear) const {
+    return shear.size() > 0 ? shear : Vector(Vector::Zero(problem_.grid.size()));
+  }
+  Vector lateral_shear(const ContactUnknowns& given) const {
+    return problem_.sphere ? shear_or_zero(given.shear_y) : Vector();
+  }
+  Eigen::Index moved_index(Eigen::Index node) const {
+    const Eigen::Index columns = problem_.grid.columns;
+    return node / columns * (columns + 1) + node % columns;
+  }
+  bool contact(Eigen::Index node) const { return zone_[static_cast<std::size_t>(node)] != Zone::free; }
+  double shear_x(Eigen::Index node) const { return problem_.friction ? unknowns_.shear_x(node) : 0; }
+  double shear_y(Eigen::Index node) const { return unknowns_.shear_y.size() > 0 ? unknowns_.shear_y(node) : 0; }
+  /// How often a node of the half grid stands on the whole one.
+  int count(Eigen::Index node) const {
+    return problem_.sphere && problem_.grid.first_row + node / problem_.grid.columns > 0 ? 2 : 1;
+  }
+
+  void measure_contact() {
+    const SurfaceGrid& grid = problem_.grid;
+    double leading = -INFINITY, trailing = INFINITY, half_width = 0;
+    s_.peak_pressure = 0;
+    if (problem_.friction) s_.peak_shear_x = 0;
+    if (problem_.friction && problem_.sphere) s_.peak_shear_y = 0;
+    for (Eigen::Index i = 0; i < grid.size(); ++i) {
+      if (!contact(i)) continue;
+      s_.contact_nodes += count(i);
+      if (zone_[static_cast<std::size_t>(i)] == Zone::slip) s_.slip_nodes += count(i);
+      const double x = grid.x(static_cast<int>(i % grid.columns));
+      leading = std::max(leading, x);
+      trailing = std::min(trailing, x);
+      if (problem_.sphere) half_width = std::max(half_width, grid.y(static_cast<int>(i / grid.columns)));
+      s_.peak_pressure = std::max(s_.peak_pressure, unknowns_.pressure(i));
+      if (problem_.friction) s_.peak_shear_x = std::max(s_.peak_shear_x, std::abs(shear_x(i)));
+      if (problem_.friction && problem_.sphere) s_.peak_shear_y = std::max(s_.peak_shear_y, std::abs(shear_y(i)));
+    }
+    s_.leading_edge = leading;
+    s_.trailing_edge = trailing;
+    if (problem_.sphere) s_.half_width = half_width;
+    s_.contact_area = s_.contact_nodes * grid.cell_area();
+    s_.spacing = grid.spacing_x;
+    half_length_ = std::max(0.5 * (leading - trailing + grid.spacing_x), grid.spacing_x);
+    const bool undefined = !problem_.sphere && std::isinf(total_thickness(problem_.scene));
+    s_.approach = undefined ? RollingSolution::absent : unknowns_.approach;
+  }
+
+  void sum_forces() {
+    const Vector none = Vector::Zero(problem_.grid.size());
+    const Vector& shear = problem_.friction ? unknowns_.shear_x : none;
+    const RollingScene& scene = problem_.scene;
+    s_.load = problem_.load(unknowns_.pressure, shear);
+    s_.mean_pressure = s_.load / s_.contact_area;
+    if (problem_.friction) {
+      s_.driving_torque = problem_.torque(unknowns_.pressure, shear);
+      s_.driving_force = problem_.driving_force(unknowns_.pressure, shear);
+      s_.rotation_ratio = unknowns_.rotation_ratio;
+      s_.rotation_speed = unknowns_.rotation_ratio * scene.speed / scene.radius;
+      s_.rolling_resistance = s_.driving_force + s_.driving_torque * s_.rotation_speed / scene.speed;
+    } else {
+      // The pressure passes through the axis: it is the driving force alone that overcomes its horizontal part.
+      s_.driving_torque = 0;
+      s_.driving_force = problem_.sphere ? problem_.torque(unknowns_.pressure, none) / scene.radius
+                                         : problem_.driving_force(unknowns_.pressure, none);
+      s_.rolling_resistance = s_.driving_force;
+    }
+    s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
+  }
+
+  /// Slip over speed at contact nodes, by the scene's stencil for the paper's method, forward otherwise.
+  void measure_slip() {
+    if (!problem_.friction) return;
+    const SurfaceGrid& grid = problem_.grid;
+    slip_x_ = slip_y_ = slope_u_ = slope_v_ = Vector::Zero(grid.size());
+    const bool own_stencil = problem_.scene.method == Method::active_set;
+    const SlipStencil stencil = own_stencil ? problem_.scene.slip_stencil : SlipStencil::forward;
+    for (Eigen::Index i = 0; i < grid.size(); ++i) {
+      if (!contact(i)) continue;
+      const Eigen::Index at = moved_index(i), column = i % grid.columns;
+      const Eigen::Index right = stencil == SlipStencil::backward && column > 0 ? at : at + 1;
+      const Eigen::Index left = stencil == SlipStencil::forward || column == 0 ? at : at - 1;
+      const double distance = static_cast<double>(right - left) * grid.spacing_x;
+      slope_u_(i) = (moved_.u(right) - moved_.u(left)) / distance;
+      slip_x_(i) = 1 + slope_u_(i) - unknowns_.rotation_ratio * problem_.rolling_radius(i);
+      if (!problem_.sphere) continue;
+      slope_v_(i) = (moved_.v(right) - moved_.v(left)) / distance;
+      slip_y_(i) = slope_v_(i);
+    }
+  }
+
+  void check_laws() {
+    const RollingScene& scene = problem_.scene;
+    const double gap_scale = half_length_ * half_length_ / (2 * scene.radius);
+    const double slip_scale = half_length_ / scene.radius;
+    const double pressure_scale = std::max(s_.peak_pressure, 1e-300);
+    const double shear_scale = std::max(scene.friction_coefficient * pressure_scale, 1e-300);
+    double worst = s_.contact_nodes > 0 ? 0 : 1;
+    const auto violated = [&](double amount) { worst = std::max(worst, std::isnan(amount) ? INFINITY : amount); };
+    for (Eigen::Index i = 0; i < problem_.grid.size(); ++i) {
+      const double gap = problem_.profile(i) - unknowns_.approach - moved_.w(moved_index(i));
+      const double pressure = unknowns_.pressure(i), shear = std::hypot(shear_x(i), shear_y(i));
+      if (!contact(i)) {
+        violated(std::abs(pressure) / pressure_scale);
+        violated(shear / shear_scale);
+        violated(-gap / gap_scale);
+        continue;
+      }
+      violated(std::abs(gap) / gap_scale);
+      violated((-pressure - scene.adhesion_threshold) / pressure_scale);
+      if (!problem_.friction) continue;
+      const double bound = scene.friction_coefficient * std::abs(pressure);
+      // On a sphere's axis tau_y and the lateral slip vanish by symmetry.
+      const double sx = slip_x_(i), sy = slip_y_(i), slip = std::hypot(sx, sy);
+      if (zone_[static_cast<std::size_t>(i)] == Zone::stick) {
+        violated((shear - bound) / shear_scale);
+        violated(slip / slip_scale);
+      } else {
+        violated(std::abs(shear - bound) / shear_scale);
+        violated(std::hypot(shear_x(i) * slip - bound * sx, shear_y(i) * slip - bound * sy) /
+                 (shear_scale * std::max(slip_scale, slip)));
+      }
+    }
+    if (scene.load) violated(std::abs(s_.load - *scene.load) / *scene.load);
+    if (scene.approach) violated(std::abs(unknowns_.approach - *scene.approach) / *scene.approach);
+    if (problem_.friction && !problem_.rotation_given())
+      violated(std::abs(problem_.drive(unknowns_.pressure, unknowns_.shear_x) - problem_.drive_target) / s_.load);
+    s_.law_violation = worst;
+  }
+
+  /// dw/dx at a contact node from the nodes of its row that are in contact without interruption.
+  double slope_w(Eigen::Index node) const {
+    const Eigen::Index columns = problem_.grid.columns, column = node % columns, row_start = node - column;
+    Eigen::Index first = column, last = column;
+    while (last - first < 4) {
+      const bool left = first > 0 && contact(row_start + first - 1);
+      const bool right = last + 1 < columns && contact(row_start + last + 1);
+      if (!left && !right) break;
+      if (right && (!left || last - column <= column - first))
+        ++last;
+      else
+        --first;
+    }
+    double x[5], w[5];
+    int points = 0;
+    for (Eigen::Index c = first; c <= last; ++c, ++points) {
+      x[points] = problem_.grid.x(static_cast<int>(c));
+      w[points] = moved_.w(moved_index(row_start + c));
+    }
+    if (points > 1) return slope_through(problem_.grid.x(static_cast<int>(column)), x, w, points);
+    const Eigen::Index at = moved_index(node);  // a single node: the surface on both sides
+    return column > 0 ? (moved_.w(at + 1) - moved_.w(at - 1)) / (2 * problem_.grid.spacing_x)
+                      : (moved_.w(at + 1) - moved_.w(at)) / problem_.grid.spacing_x;
+  }
+
+  void balance_power() {
+    const RollingScene& scene = problem_.scene;
+    const double speed = scene.speed, area = problem_.grid.cell_area(), radius = scene.radius;
+    double layer = 0, geometry = 0, friction = 0;  // powers over V
+    for (Eigen::Index i = 0; i < problem_.grid.size(); ++i) {
+      if (!contact(i)) continue;
+      const double weight = area * count(i), x = problem_.grid.x(static_cast<int>(i % problem_.grid.columns));
+      const double force_w = -weight * unknowns_.pressure(i);
+      const double height = radius - problem_.profile(i);
+      layer -= force_w * slope_w(i);
+      if (!problem_.sphere) geometry += force_w * (x / height - x / radius);
+      if (!problem_.friction) {
+        if (problem_.sphere) geometry += force_w * (x / height - x / radius);
+        continue;
+      }
+      const double force_u = weight * shear_x(i), force_v = weight * shear_y(i);
+      layer -= force_u * slope_u_(i) + force_v * slope_v_(i);
+      friction += force_u * slip_x_(i) + force_v * slip_y_(i);
+      const double ratio = unknowns_.rotation_ratio;
+      if (problem_.sphere)
+        geometry += force_w * (x / height - ratio * x / radius) +
+                    ratio * force_u * (problem_.rolling_radius(i) - height / radius);
+      else
+        geometry -= force_u * (1 - height / radius);
+    }
+    s_.viscous_loss = speed * (layer + geometry);
+    s_.frictional_loss = speed * friction;
+    const double power = s_.rolling_resistance * speed;
+    const double least = 1e-6 * s_.load * speed * half_length_ / radius;  // an elastic layer resists with nothing
+    s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss) / std::max(std::abs(power), least);
+  }
+
+  void keep_fields() {
+    const SurfaceGrid& half = problem_.grid;
+    const bool sphere = problem_.sphere;
+    SurfaceFields& fields = s_.fields;
+    fields.grid = mirrored(half, sphere);
+    const auto keep = [&](const Vector& values, double parity) {
+      const Vector whole = mirrored(half, sphere, values, parity);
+      return std::vector<double>(whole.data(), whole.data() + whole.size());
+    };
+    const auto at_nodes = [&](const Vector& moved) {
+      Vector values(half.size());
+      for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = moved(moved_index(i));
+      return values;
+    };
+    const Vector zero = Vector::Zero(half.size());
+    fields.w = keep(at_nodes(moved_.w), 1);
+    fields.pressure = keep(unknowns_.pressure, 1);
+    fields.u = keep(at_nodes(moved_.u), 1);
+    fields.shear_x = keep(problem_.friction ? unknowns_.shear_x : zero, 1);
+    fields.slip_x = keep(problem_.friction ? slip_x_ : zero, 1);
+    if (sphere) {
+      fields.v = keep(at_nodes(moved_.v), -1);
+      fields.shear_y = keep(problem_.friction ? unknowns_.shear_y : zero, -1);
+      fields.slip_y = keep(problem_.friction ? slip_y_ : zero, -1);
+    }
+    Vector zones(half.size());
+    for (Eigen::Index i = 0; i < zones.size(); ++i) zones(i) = static_cast<double>(zone_[static_cast<std::size_t>(i)]);
+    const Vector whole = mirrored(half, sphere, zones, 1);
+    for (const double value : whole) fields.zone.push_back(static_cast<Zone>(static_cast<int>(value)));
+  }
+
+  const ContactProblem& problem_;
+  const ContactUnknowns& unknowns_;
+  const std::vector<Zone>& zone_;
+  Displacements moved_;
+  Vector slip_x_, slip_y_, slope_u_, slope_v_;
+  double half_length_ = 0;
+  RollingSolution s_;
+};
+
+}  // namespace
+
+RollingSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
+                          const ContactUnknowns& unknowns, const std::vector<Zone>& zone) {
+  return Assessment(problem, influence, unknowns, zone).run();
+}
+
+}  // namespace rollres

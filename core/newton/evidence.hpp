@@ -1,0 +1,45 @@
+#pragma once
+
+/// From tractions to a solution: fields, resultants, losses, and how well every law of contact holds.
+///
+/// Nothing here comes from a method's own residual: displacements and slip are recomputed from the tractions and the
+/// influence coefficients. The laws are checked against the zone that the method claims for each node:
+///   free:   p = tau = 0 and no penetration;
+///   stick:  gap = 0, no tension beyond the adhesion threshold, |tau| <= mu |p|, slip = 0;
+///   slip:   gap = 0, |tau| = mu |p|, tau |slip| = mu |p| slip;
+/// and the load and the drive by their sums. Gaps are measured by l^2/(2R) (l half the contact's length), slips by
+/// l/R, pressures by the largest pressure p0, shear by mu p0, forces by the load; `law_violation` is the largest.
+///
+/// Power balance: R_r V = Q V + T Omega is what the drive gives; the layer takes
+///   -V sum(F_W dw/dx + F_U du/dx + F_V dv/dx)
+/// and friction sum(F_t . w_t). The equilibrium of Zehil and Gavin keeps terms of second order in the slope (lever
+/// arms sqrt(R^2 - x^2), and Omega x in place of V dw/dx) that the linear layer does not know; their power, in closed
+/// form, is counted with the layer's. dw/dx is taken from the displacements of contact nodes, by differences of up to
+/// fourth order from inside the contact, so that `energy_residual` falls with the spacing at that order.
+
+#include "core/convolution/influence_operator.hpp"
+#include "core/newton/contact_problem.hpp"
+#include "core/newton/newton_system.hpp"
+#include "core/scene/contact_state.hpp"
+
+namespace rollres {
+
+/// All outputs but those that only the caller knows (status, reason, iterations, seconds, method, model, warnings,
+/// error_estimate).
+/// @param influence with all components, also without friction (the fields want u and v)
+/// @param zone the method's claim for every node of the (half) grid
+RollingSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
+                          const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
+
+/// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
+std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution);
+
+/// Why a tolerance has no answer, or the one found without inertia is none: its layers' inertia counts, but the body is
+/// faster than their waves. Empty otherwise.
+std::string unanswered_inertia(const RollingScene& scene);
+std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution);
+
+/// What the model leaves out and why, with the number that justifies it.
+std::string model_of(const RollingScene& scene, const RollingSolution& solution);
+
+}  // namespace rollres

@@ -1,0 +1,192 @@
+#include "core/newton/grid_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/material/material.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Moments of the creep spectrum, relative to the compliance at rest: A [s] and B [s2] of equation (2).
+struct CreepMoments {
+  double rest = 0, first = 0, second = 0;
+};
+
+CreepMoments creep_moments(const CreepSpectrum& creep) {
+  CreepMoments moments{.rest = creep.instantaneous};
+  for (const CreepSpectrum::Term& term : creep.terms) moments.rest += term.compliance;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    moments.first += term.compliance * term.time / moments.rest;
+    moments.second += term.compliance * term.time * term.time / moments.rest;
+  }
+  return moments;
+}
+
+/// Slopes of the squared pressure at the ends of a row's contact, summed [Pa2/m]: extrapolated from inside, as memories
+/// distort the pressure beside the edge, and nodes there share the load of an edge that lies between them.
+double edge_slopes(const Vector& pressure, Eigen::Index first, Eigen::Index last, double spacing) {
+  const auto square = [&](Eigen::Index i) { return pressure(i) * pressure(i); };
+  const Eigen::Index count = last - first + 1, step = std::max<Eigen::Index>(1, count / 8);
+  if (count < 6) {  // as of an ellipse
+    double largest = 0;
+    for (Eigen::Index i = first; i <= last; ++i) largest = std::max(largest, square(i));
+    return 8 * largest / (static_cast<double>(count) * spacing);
+  }
+  const auto end = [&](Eigen::Index edge, Eigen::Index inward) {
+    const double near = square(edge + 2 * inward) - square(edge + inward);
+    const double far = square(edge + 3 * inward) - square(edge + 2 * inward);
+    const double steps_to_edge = 1.5 + 0.25 / static_cast<double>(step);
+    return std::max(0.0, near + steps_to_edge * (near - far)) / (static_cast<double>(step) * spacing);
+  };
+  return end(first, step) + end(last, -step);
+}
+
+/// Integrals over the contact that the estimates are made of.
+struct ContactIntegrals {
+  double edges = 0;        // Delta
+  double edge_slopes = 0;  // int sum |d(p^2)/dx| dy
+  double roughness = 0;    // int int (dp/dx)^2 dx dy
+  double half_length = 0;  // [m]
+  double pressure = 0;     // int int p dx dy [N]
+};
+
+ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
+                                   const Vector& gap) {
+  ContactIntegrals sums;
+  const SurfaceGrid& grid = problem.grid;
+  const double spacing = grid.spacing_x;
+  for (int row = 0; row < grid.rows; ++row) {
+    const double width = grid.spacing_y * (problem.sphere && grid.first_row + row > 0 ? 2 : 1);
+    const Eigen::Index start = grid.index(0, row), end = start + grid.columns - 1;
+    Eigen::Index first = -1, last = -1;
+    for (Eigen::Index i = start; i <= end; ++i) {
+      if (zone[static_cast<std::size_t>(i)] == Zone::free) continue;
+      if (first < 0) first = i;
+      last = i;
+      sums.pressure += width * spacing * pressure(i);
+      if (i == start || i == end) continue;
+      sums.edges += 0.5 * width * pressure(i) * (std::max(gap(i + 1), 0.0) - std::max(gap(i - 1), 0.0));
+    }
+    if (first < 0) continue;
+    sums.half_length = std::max(sums.half_length, 0.5 * static_cast<double>(last - first + 1) * spacing);
+    sums.edge_slopes += width * edge_slopes(pressure, first, last, spacing);
+    for (Eigen::Index i = std::max(first, start + 1); i <= std::min(last + 1, end); ++i)
+      sums.roughness += width * std::pow(pressure(i) - pressure(i - 1), 2) / spacing;
+  }
+  return sums;
+}
+
+/// Share of friction in the loss up to which the viscous loss alone is mended: beyond, errors of both balance.
+constexpr double negligible_friction = 0.01;
+constexpr double least_share = 0.05;    // of the slow limit, below which the grid is left alone
+constexpr double largest_second = 0.5;  // second term of equation (2) over the first, beyond which it is not used
+
+/// Warns where a memory shorter than a cell may cost more than a hundredth of the rolling resistance.
+void warn_of_memory(const GridError& error, RollingSolution& solution) {
+  const double lost = (1 - error.slow_share) * error.unresolved / std::abs(solution.rolling_resistance);
+  if (lost > 0.01)
+    solution.warnings.push_back("unresolved memory: the memory length Vτ = " + message_text(error.memory_length) +
+                                " m is short against the spacing " + message_text(solution.spacing) +
+                                " m, and may cost " + message_text(lost) + " of the rolling resistance");
+}
+
+}  // namespace
+
+double GridError::estimate(double resistance, double last_change) const {
+  // Calibrated on random scenes (`rollres accuracy --random`): a sphere's contact has more edge.
+  const double own = std::abs(edges), change = sphere ? last_change : 0.5 * last_change;
+  const double changed = (sphere ? 1.5 : 1.2) * (std::isnan(last_change) ? 2 * own : own + change);
+  const double viscous = std::min(1.0, std::abs(slow_loss / resistance));
+  return (1 - slow_share * viscous) * changed + (1 - slow_share) * unresolved + slow_share * slow_error;
+}
+
+GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
+                     const Vector& gap) {
+  const RollingScene& scene = problem.scene;
+  const CreepSpectrum creep = creep_spectrum(scene);
+  const CreepMoments moments = creep_moments(creep);
+  const ContactIntegrals sums = contact_integrals(problem, pressure, zone, gap);
+  GridError error;
+  error.sphere = problem.sphere;
+  error.edges = sums.edges;
+  for (const CreepSpectrum::Term& term : creep.terms)
+    if (term.compliance > 0) error.memory_length = std::max(error.memory_length, scene.speed * term.time);
+  if (moments.first == 0) return error;
+
+  const double limit = scene.speed * moments.first * sums.pressure / scene.radius;
+  const double modulus = 2 / (moments.rest * (1 - scene.poisson_ratio));
+  const double second = scene.speed * scene.speed * (moments.second - 0.5 * moments.first * moments.first) * M_PI /
+                        (4 * modulus) * sums.edge_slopes / limit;
+  const bool composite = is_composite(scene);  // which has no moments of one material
+  if (!composite) error.slow_loss = limit * (1 - std::min(second, largest_second));
+
+  constexpr double of_grid = 0.7;
+  const double spacing = problem.grid.spacing_x;
+  const double lost =
+      of_grid * (1 - scene.poisson_ratio) * moments.rest * scene.radius * spacing * sums.roughness / sums.pressure;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    const double memory = scene.speed * term.time, over = memory / sums.half_length, cells = memory / spacing;
+    error.unresolved += scene.speed * term.compliance * term.time / moments.rest * sums.pressure / scene.radius * lost /
+                        (1 + over * over) / (1 + cells * (3 + 4 * cells));
+  }
+  if (composite || second >= largest_second || scene.adhesion_threshold > 0) return error;
+  // Measured against exact solutions: the slopes at the edges are known to a tenth (less over a thin layer), and change
+  // with the memory; the rest is what friction adds at steep edges.
+  const double softening = 1 - creep.instantaneous / moments.rest;
+  const double edges = std::clamp(0.1 * sums.half_length / scene.layer_thickness, 0.1, 2.0);
+  const double slope = scene.friction_coefficient > 0 ? sums.half_length / scene.radius : 0;
+  error.slow_error =
+      limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.2 * slope * slope);
+  const double square = error.unresolved * error.unresolved;
+  // None where the grid resolves the memories well: the edges' slopes jump with the nodes, which a smooth answer must
+  // not.
+  error.slow_share =
+      std::max(0.0, square / (square + error.slow_error * error.slow_error) - least_share) / (1 - least_share);
+  return error;
+}
+
+void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolution& solution) {
+  const double friction = std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed));
+  if (friction > 0) error.slow_share *= std::clamp(2 - friction / negligible_friction, 0.0, 1.0);
+  warn_of_memory(error, solution);
+  if (error.slow_share <= 0) return;
+  const SurfaceFields& fields = solution.fields;
+  const SurfaceGrid& grid = fields.grid;
+  double sheared = 0;
+  if (scene.friction_coefficient > 0)
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 1; column + 1 < grid.columns; ++column) {
+        const auto i = static_cast<std::size_t>(grid.index(column, row));
+        if (fields.zone[i - 1] == Zone::free || fields.zone[i] == Zone::free || fields.zone[i + 1] == Zone::free)
+          continue;
+        const auto bend = [&](const std::vector<double>& moved) {
+          return (moved[i + 1] - 2 * moved[i] + moved[i - 1]) / (grid.spacing_x * grid.spacing_x);
+        };
+        sheared += fields.shear_x[i] * bend(fields.u);
+        if (!fields.v.empty()) sheared += fields.shear_y[i] * bend(fields.v);
+      }
+  const CreepMoments moments = creep_moments(creep_spectrum(scene));
+  const double loss = error.slow_loss + scene.speed * moments.first * grid.cell_area() * sheared;
+  const double change = error.slow_share * (loss - solution.viscous_loss / scene.speed);
+  solution.viscous_loss += change * scene.speed;
+  solution.rolling_resistance += change;
+  solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
+  const double ratio = std::isnan(solution.rotation_ratio) ? 0 : solution.rotation_ratio;
+  if (scene.drive == Drive::top_force && scene.friction_coefficient > 0) {
+    solution.driving_force += change / (1 + ratio);
+    solution.driving_torque += change / (1 + ratio) * scene.radius;
+  } else {
+    solution.driving_force += change;
+  }
+  if (error.slow_share > 0.01)
+    solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +
+                      message_text(error.slow_share) +
+                      ", as Vτ/spacing = " + message_text(error.memory_length / solution.spacing);
+}
+
+}  // namespace rollres

@@ -1,0 +1,91 @@
+#include "core/newton/grid_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/estimate/grid_choice.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr double coarsest_cells_on_half_width = 4;
+
+int coarsenings(double cells_on_half_width) {
+  int count = 0;
+  while (std::ldexp(cells_on_half_width, -count - 1) >= coarsest_cells_on_half_width) ++count;
+  return count;
+}
+
+double expected_half_width(const RollingScene& scene) {
+  return std::min(estimate_contact(scene).half_width, 0.7 * scene.radius);
+}
+
+/// Room around a contact found on a grid of spacing `from`, for one of spacing `to` [m].
+double margin(double from, double to) { return from > to ? 1.5 * from + 2 * to : 4 * to; }
+
+/// The elliptical contact with the level's moments of pressure.
+struct PressureEllipse {
+  double centre = 0, half_length = 0, half_width = 0;  // [m]
+};
+
+PressureEllipse pressure_ellipse(const ContactLevel& level) {
+  const SurfaceGrid& grid = level.problem->grid;
+  double sum = 0, first = 0, second_x = 0, second_y = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const double p = level.outcome.unknowns.pressure(grid.index(column, row)) * (row > 0 ? 2 : 1);
+      const double x = grid.x(column), y = grid.y(row);
+      sum += p;
+      first += p * x;
+      second_x += p * x * x;
+      second_y += p * y * y;
+    }
+  // Of p0 sqrt(1 - r^2) over an ellipse each second moment is a fifth of the squared half-axis.
+  const double centre = first / sum;
+  return {centre, std::sqrt(5 * (second_x / sum - centre * centre)), std::sqrt(5 * second_y / sum)};
+}
+
+}  // namespace
+
+GridSeries fixed_grids(const RollingScene& scene, double spacing) {
+  const double half_width = expected_half_width(scene), widest = widest_window(scene);
+  GridSeries series;
+  series.coarsest = coarsenings(half_width / spacing);
+  series.first = [=, indenter = scene.indenter](int coarsening) {
+    const double own = std::ldexp(spacing, coarsening);
+    return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));
+  };
+  series.around = [spacing](const ContactLevel& level, int coarsening) {
+    SurfaceGrid grid = level.problem->grid;
+    const double from = grid.spacing_x, own = std::ldexp(spacing, coarsening);
+    grid.spacing_x = own;
+    if (level.problem->sphere) grid.spacing_y = own;
+    return follow(level, grid, margin(from, own));
+  };
+  return series;
+}
+
+GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width) {
+  const double half_width = expected_half_width(scene), widest = widest_window(scene);
+  GridSeries series;
+  series.coarsest = coarsenings(cells_on_half_width);
+  // Observed order: 1.6.
+  series.share_left = 0.4;
+  series.first = [=, indenter = scene.indenter](int coarsening) {
+    const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
+    return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));
+  };
+  series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
+    SurfaceGrid grid = level.problem->grid;
+    const double from = std::max(grid.spacing_x, grid.spacing_y), cells = std::ldexp(cells_on_half_width, -coarsening);
+    const PressureEllipse ellipse = pressure_ellipse(level);
+    grid.origin_x = ellipse.centre;
+    grid.spacing_x = ellipse.half_length / cells;
+    grid.spacing_y = ellipse.half_width / cells;
+    return follow(level, grid, margin(from, std::max(grid.spacing_x, grid.spacing_y)));
+  };
+  return series;
+}
+
+}  // namespace rollres

@@ -1,0 +1,87 @@
+#include "core/newton/law_rows.hpp"
+
+#include <cmath>
+
+namespace rollres {
+
+template <class Real>
+LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
+    : contacts_(static_cast<Eigen::Index>(laws.contact.size())),
+      components_(!problem.friction ? 1
+                  : problem.sphere  ? 3
+                                    : 2),
+      approach_unknown_(problem.load_given()),
+      rotation_unknown_(problem.friction && !problem.rotation_given()),
+      force_scale_(problem.load.of_pressure.maxCoeff() * std::sqrt(static_cast<double>(laws.contact.size()))),
+      friction_(static_cast<Real>(problem.scene.friction_coefficient)) {
+  border_ = (approach_unknown_ ? 1 : 0) + (rotation_unknown_ ? 1 : 0);
+  const auto gathered = [&](const Vector& field, double factor) {
+    VectorR values(contacts_);
+    for (Eigen::Index i = 0; i < contacts_; ++i)
+      values(i) = static_cast<Real>(field(laws.contact[static_cast<std::size_t>(i)]) * factor);
+    return values;
+  };
+  const double per_force = 1 / force_scale_;
+  load_ = gathered(problem.load.of_pressure, per_force);
+  if (components_ == 1) return;
+  load_shear_ = gathered(problem.load.of_shear_x, per_force);
+  drive_ = gathered(problem.drive.of_pressure, per_force);
+  drive_shear_ = gathered(problem.drive.of_shear_x, per_force);
+  rolling_radius_ = gathered(problem.rolling_radius, 1);
+  direction_x_ = laws.direction_x.cast<Real>();
+  direction_y_ = laws.direction_y.cast<Real>();
+  beta_ = laws.beta.cast<Real>();
+  for (Eigen::Index i = 0; i < contacts_; ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    sticks_.push_back(laws.zone[c] == Zone::stick);
+    on_axis_.push_back(problem.sphere && problem.grid.first_row + laws.contact[c] / problem.grid.columns == 0);
+  }
+}
+
+template <class Real>
+auto LawRows<Real>::border_rows(const VectorR& x) const -> VectorR {
+  VectorR rows(border_);
+  const auto pressure = x.head(contacts_);
+  Eigen::Index at = 0;
+  if (components_ == 1) {
+    if (approach_unknown_) rows(at) = load_.dot(pressure);
+    return rows;
+  }
+  const auto shear = x.segment(contacts_, contacts_);
+  if (approach_unknown_) rows(at++) = load_.dot(pressure) + load_shear_.dot(shear);
+  if (rotation_unknown_) rows(at) = drive_.dot(pressure) + drive_shear_.dot(shear);
+  return rows;
+}
+
+template <class Real>
+auto LawRows<Real>::operator()(const VectorR& x, const ScaledResponse<Real>& response) const -> VectorR {
+  const Eigen::Index n = contacts_, first = components_ * n;
+  VectorR rows(unknowns());
+  const Real approach = approach_unknown_ ? x(first) : Real(0);
+  rows.head(n) = -(response.w.array() + approach).matrix();
+  if (border_ > 0) rows.tail(border_) = border_rows(x);
+  if (components_ == 1) return rows;
+
+  const Real rotation = rotation_unknown_ ? x(unknowns() - 1) : Real(0);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Real slip_x = response.slip_x(i) - rolling_radius_(i) * rotation;
+    const Real slip_y = components_ > 2 ? response.slip_y(i) : Real(0);
+    const Real tx = x(n + i), ty = components_ > 2 ? x(2 * n + i) : Real(0);
+    Real row_x = -slip_x, row_y = -slip_y;
+    if (!sticks(i)) {
+      const Real nx = direction_x_(i), ny = direction_y_(i), beta = beta_(i), bound = friction_ * x(i);
+      const Real qx = tx + slip_x, qy = ty + slip_y, along = nx * qx + ny * qy;
+      row_x = tx - nx * bound - beta * (qx - nx * along);
+      row_y = ty - ny * bound - beta * (qy - ny * along);
+    }
+    rows(n + i) = row_x;
+    // On the axis of symmetry tau_y vanishes.
+    if (components_ > 2) rows(2 * n + i) = on_axis(i) ? ty : row_y;
+  }
+  return rows;
+}
+
+template class LawRows<double>;
+template class LawRows<float>;
+
+}  // namespace rollres

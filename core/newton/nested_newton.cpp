@@ -1,0 +1,203 @@
+#include "core/newton/nested_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/estimate/grid_choice.hpp"
+#include "core/newton/newton_starts.hpp"
+#include "core/newton/sliding_limit.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Violation of the laws on grids that only give a start, and R_r for the estimate of the error.
+constexpr double start_tolerance = 1e-8;
+
+NewtonOptions options_for(const RollingScene& scene) {
+  NewtonOptions options;
+  options.dense = scene.method == Method::newton_dense;
+  if (scene.indenter == Indenter::cylinder) options.dense_unknowns = 300;
+  return options;
+}
+
+std::string describe_failure(const ContactLevel& level) {
+  std::ostringstream text;
+  if (level.outcome.reached_border) {
+    text << "the contact spreads to the edge of the body (more than 0.98 R): the load or the approach is too large "
+            "for this body";
+    return text.str();
+  }
+  text << "stopped after " << level.outcome.iterations << " Newton iterations at spacing "
+       << level.problem->grid.spacing_x << " m with the laws of contact violated by " << level.outcome.residual
+       << " of the largest pressure";
+  return text.str();
+}
+
+void refuse(NestedOutcome& nested, const RollingScene& scene, double needed) {
+  nested.status = Status::no_steady_state;
+  nested.reason = too_much_traction(needed, scene.friction_coefficient);
+  nested.friction_needed = needed;
+}
+
+void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double borne) {
+  std::ostringstream text;
+  text << "friction makes the body dig itself in until the contact spreads to the edge of the body (more than 0.98 R): "
+          "bears a friction coefficient of at most "
+       << borne << ", has " << scene.friction_coefficient;
+  nested.status = Status::no_steady_state;
+  nested.reason = text.str();
+  nested.friction_borne = borne;
+}
+
+/// What is asked of a level that is solved.
+void measure(ContactLevel& level) {
+  level.rolling_resistance = resistance(level);
+  level.error = grid_error(*level.problem, level.outcome.unknowns.pressure, level.outcome.zone, level.outcome.gap);
+}
+
+/// The smallest grid that holds two of the same spacing: a window may grow, but never moves away from what it held.
+SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
+  SurfaceGrid both = a;
+  both.first_column = std::min(a.first_column, b.first_column);
+  both.columns = std::max(a.first_column + a.columns, b.first_column + b.columns) - both.first_column;
+  both.rows = std::max(a.rows, b.rows);
+  return both;
+}
+
+}  // namespace
+
+ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort) {
+  NewtonOptions options = options_for(scene);
+  if (!last_resort) options.tolerance = std::max(options.tolerance, start_tolerance);
+  const ContactEstimate estimate = estimate_contact(scene);
+  ContactLevel level;
+  for (int growth = 0; growth < 12; ++growth) {
+    level = make_level(scene, grid);
+    const ContactProblem& problem = *level.problem;
+    if (coarser && scene.adhesion_threshold == 0)
+      level.outcome = newton_contact(problem, *level.table, *level.influence, transfer(*coarser, grid), options);
+    // Safer and slower, one after the other.
+    const ContactUnknowns guess = first_guess(problem, estimate);
+    const double reach = -grid.x(0);
+    const bool widest = reach >= widest_window(scene) && grid.x(grid.columns - 1) >= widest_window(scene);
+    const auto attempt = [&](const auto& method) {
+      if (level.outcome.converged || (level.outcome.reached_border && !widest)) return;
+      NewtonOutcome outcome = method(problem, level, guess, options);
+      // Of several failures the first one is kept.
+      if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
+    };
+    attempt(solve_cold);
+    if (problem.friction && (last_resort || !problem.rotation_given())) attempt(solve_by_rotation);
+    if (problem.friction && last_resort && !level.outcome.converged &&
+        (problem.rotation_given() || sliding_limit(scene, grid) != SlidingLimit::not_enough)) {
+      if (problem.sphere) attempt(solve_by_friction);
+      attempt(solve_by_pivots);
+    }
+    if (!level.outcome.reached_border || widest) break;
+    grid = cover(grid, follow(level, grid, std::max(4 * grid.spacing_x, 0.4 * reach)));
+  }
+  return level;
+}
+
+double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
+  const double last = std::abs(coarser_resistance - finest.rolling_resistance);
+  const double before = 0.5 * std::abs(coarsest_resistance - coarser_resistance);
+  return error.estimate(resistance, share_left * (before > last ? before : last)) / std::abs(resistance);
+}
+
+double NestedOutcome::error_estimate() const { return error_estimate(finest.error, finest.rolling_resistance); }
+
+NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
+                           const std::function<bool(const NestedOutcome&)>& finer) {
+  NestedOutcome nested;
+  nested.share_left = grids.share_left;
+  int coarsening = grids.coarsest, last = 0;
+  const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
+  bool sliding_checked = !drive_may_fail;
+  const auto last_resort = [&] { return coarsening == last && grids.last_resort; };
+  nested.finest = solve_level(scene, grids.first(coarsening), nullptr, last_resort());
+  for (;;) {
+    const ContactLevel& level = nested.finest;
+    if (level.outcome.reached_border) break;
+    const bool solved = level.outcome.converged;
+    if (solved) measure(nested.finest);
+    if (!solved && !sliding_checked) {
+      sliding_checked = true;
+      // No steady state on a coarse grid: most likely none on the finest; it alone decides.
+      if (sliding_limit(scene, level.problem->grid) == SlidingLimit::not_enough) {
+        coarsening = last;
+        const double needed = friction_needed(scene, grids.first(coarsening));
+        if (needed > scene.friction_coefficient) {
+          refuse(nested, scene, needed);
+          return nested;
+        }
+        nested.finest = solve_level(scene, grids.first(coarsening), nullptr, true);
+        continue;
+      }
+    }
+    if (coarsening == last) {
+      if (!solved) break;
+      nested.status = Status::converged;
+      if (!finer || !finer(nested)) return nested;
+      --last;
+    }
+    --coarsening;
+    // A grid too coarse for its layer may have no solution: the next one then starts afresh.
+    ContactLevel next = solved ? solve_level(scene, grids.around(level, coarsening), &level, last_resort())
+                               : solve_level(scene, grids.first(coarsening), nullptr, last_resort());
+    // A finer grid for a tolerance's sake that has no solution leaves the one that was found.
+    if (nested.status == Status::converged && !next.outcome.converged) return nested;
+    nested.status = Status::not_converged;
+    nested.coarsest_resistance = nested.coarser_resistance;
+    nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
+    nested.coarser = solved ? std::make_unique<ContactLevel>(std::move(nested.finest)) : nullptr;
+    nested.finest = std::move(next);
+  }
+  if (drive_may_fail && !nested.finest.outcome.reached_border) {
+    const double needed = friction_needed(scene, nested.finest.problem->grid);
+    if (needed > scene.friction_coefficient) {
+      refuse(nested, scene, needed);
+      return nested;
+    }
+  }
+  if (scene.friction_coefficient > 0 && nested.finest.outcome.reached_border) {
+    const double borne = friction_borne(scene, grids.first(coarsening));
+    if (!std::isnan(borne)) {
+      refuse_digging(nested, scene, borne);
+      return nested;
+    }
+  }
+  nested.reason = describe_failure(nested.finest);
+  return nested;
+}
+
+NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene, const GridSeries& grids) {
+  constexpr int most_iterations = 8;  // beyond, a cold start is as fast
+  NewtonOptions options = options_for(scene);
+  options.most_iterations = most_iterations;
+  const auto solve_around = [&](const ContactLevel& level, int coarsening, const auto& start) {
+    ContactLevel next = make_level(scene, grids.around(level, coarsening));
+    next.outcome = newton_contact(*next.problem, *next.table, *next.influence, start(next.problem->grid), options);
+    next.outcome.converged = next.outcome.converged && !next.outcome.reached_border;
+    if (next.outcome.converged) measure(next);
+    return next;
+  };
+  NestedOutcome nested;
+  nested.share_left = grids.share_left;
+  if (similar.coarser) {
+    nested.coarser = std::make_unique<ContactLevel>(
+        solve_around(*similar.coarser, 1, [&](const SurfaceGrid& grid) { return transfer(*similar.coarser, grid); }));
+    if (!nested.coarser->outcome.converged) return nested;
+    nested.coarser_resistance = nested.coarser->rolling_resistance;
+  }
+  nested.finest = solve_around(similar.finest, 0, [&](const SurfaceGrid& grid) {
+    return similar.coarser ? transfer(*nested.coarser, *similar.coarser, similar.finest, grid)
+                           : transfer(similar.finest, grid);
+  });
+  if (nested.finest.outcome.converged) nested.status = Status::converged;
+  return nested;
+}
+
+}  // namespace rollres

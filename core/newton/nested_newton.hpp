@@ -1,0 +1,44 @@
+#pragma once
+
+/// The Newton method on nested grids (grid_series.hpp). Windows follow the contact; where a level fails, safer starts
+/// are tried.
+
+#include <functional>
+
+#include "core/newton/grid_series.hpp"
+
+namespace rollres {
+
+struct NestedOutcome {
+  ContactLevel finest;
+  std::unique_ptr<ContactLevel> coarser;  // the level before the finest, if there was one
+  /// Rolling resistance at twice and at four times the finest spacing; NaN if there was no such level.
+  double coarser_resistance = RollingSolution::absent, coarsest_resistance = RollingSolution::absent;
+  /// Estimated relative error of a rolling resistance (grid_error.hpp), by the change at the last halving of the
+  /// spacing, or half the change before if that is larger (the edges of the contact move by whole cells, so that one
+  /// change alone may be small by chance), times the series' share.
+  double error_estimate(const GridError& error, double resistance) const;
+  /// The same of what the finest grid itself says.
+  double error_estimate() const;
+  double share_left = 1;  // of the series
+  Status status = Status::not_converged;
+  std::string reason;
+  double friction_needed = RollingSolution::absent;  // with no_steady_state: too little friction for the drive,
+  double friction_borne = RollingSolution::absent;   // or so much that the body digs itself in
+};
+
+/// @param finer asked after the finest grid of the series has converged: true to halve the spacing once more, which
+/// leaves what was found where it has no solution
+NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
+                           const std::function<bool(const NestedOutcome&)>& finer = {});
+
+/// Solves a scene from the solution of a similar one on the same series of grids: the finest and, for the estimate of
+/// the error, the one before. May fail where solve_nested would not.
+NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene, const GridSeries& grids);
+
+/// Solves on one window, which grows until the contact keeps clear of its border.
+/// @param coarser tried first if not null   @param last_resort whether to follow the path of solutions also where the
+/// rotation is given
+ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort);
+
+}  // namespace rollres

@@ -1,0 +1,72 @@
+#pragma once
+
+/// The solutions of a contact problem as a path in the rotation ratio omega.
+///
+/// With friction the rotation ratio and the drive's force are two coordinates of one curve of solutions, which runs
+/// from the body that slides backwards (omega -> -infinity) to the one that spins forwards (+infinity): for a given
+/// rotation a solution exists, by Brouwer's theorem, for any friction (the tangential law, given the pressure, is
+/// monotone; the normal law, given the shear, is; and both are bounded by the load). Where shear lifts or drags down
+/// much of the contact (thin layers, friction near or above one) the solution is not unique: the curve folds back in
+/// omega. Within one set of active laws it is smooth (a cylinder's straight); folds are mostly kinks, where a node
+/// changes its law.
+///
+/// The path is followed by steps in omega. Where the Newton method fails it goes along the tangent to the next kink,
+/// where the first node changes its law, and on along the tangent of the new laws, in whatever direction omega then
+/// moves: for a cylinder these are the pivots of a parametric linear complementarity problem.
+
+#include <optional>
+
+#include "core/newton/contact_level.hpp"
+
+namespace rollres {
+
+class RotationPath {
+ public:
+  /// @param problem the level's, or one with another drive or friction on the same grid
+  /// @param frictionless tractions without friction, from which a first solution is sought at several rotations
+  RotationPath(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& frictionless,
+               const NewtonOptions& options);
+
+  bool started() const { return here_.converged; }
+  const NewtonOutcome& here() const { return here_; }
+  double ratio() const { return here_.unknowns.rotation_ratio; }
+  /// Goes the way in which omega grows (1) or falls (-1) at first: by steps in omega, fast, or by pivots, surely.
+  void head(int direction, bool pivoting) {
+    direction_ = direction;
+    pivoting_ = pivoting;
+    tangent_.reset();
+  }
+  int direction() const { return direction_; }
+  /// Goes on to another point, but not beyond `limit` if omega passes that. False at a dead end.
+  bool advance(double limit);
+
+  /// The solution at a given rotation, if the Newton method finds it from the start given.
+  std::optional<NewtonOutcome> solve_at(double ratio, const ContactUnknowns& start) const;
+
+  bool pivoting() const { return pivoting_; }
+  int iterations() const { return iterations_; }
+
+ private:
+  bool step(double limit);
+  bool pivot(double limit);
+  /// Moves part of the way to the kink; not further off the tangent than `reach` times that.
+  bool creep(double amount, double reach);
+  /// The solution near a predicted one, as far along the tangent; no other branch within `reach` of the largest
+  /// traction.
+  std::optional<NewtonOutcome> land(const ContactUnknowns& predicted, double reach);
+  ActiveLaws laws_at(const ContactUnknowns& x) const;
+  std::optional<ContactUnknowns> tangent(const ActiveLaws& laws, const ContactUnknowns& measure);
+
+  const ContactLevel* level_;
+  NewtonOptions options_;
+  ContactProblem turning_;  // rotation given
+  ContactProblem freely_;   // rotation unknown, the drive's row a measure of progress
+  NewtonOutcome here_;
+  std::optional<ContactUnknowns> tangent_;  // after a pivot
+  int direction_ = 1;
+  double step_ = 1e-3;  // the strains under the body set the scale of the creepage
+  bool pivoting_ = false;
+  mutable int iterations_ = 0;
+};
+
+}  // namespace rollres

@@ -1,0 +1,119 @@
+#include "core/newton/surface_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/convolution/influence_operator.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Columns and rows from the first to the last in contact.
+struct ContactFrame {
+  int first_column, last_column, last_row;
+
+  explicit ContactFrame(const SurfaceFields& fields) : first_column(fields.grid.columns), last_column(0), last_row(0) {
+    const SurfaceGrid& grid = fields.grid;
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) {
+        if (fields.zone[static_cast<std::size_t>(grid.index(column, row))] == Zone::free) continue;
+        first_column = std::min(first_column, column);
+        last_column = std::max(last_column, column);
+        last_row = std::max(last_row, row);
+      }
+  }
+};
+
+/// Half grid (rows y >= 0 of a sphere) over the margin around the contact.
+SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, double margin) {
+  const SurfaceGrid& given = fields.grid;
+  const ContactFrame contact(fields);
+  const double half_length = 0.5 * given.spacing_x * (contact.last_column - contact.first_column + 1);
+  const auto cells = [](double length, double spacing) { return static_cast<int>(std::ceil(length / spacing)); };
+  int ahead = cells(margin * half_length, given.spacing_x), aside = cells(margin * half_length, given.spacing_y);
+  const int contact_columns = contact.last_column - contact.first_column + 1;
+  const int top_row = given.first_row + contact.last_row;
+  if (scene.period) {  // the coefficients reach half a period
+    const auto most = [&](double spacing) { return (static_cast<int>(std::lround(*scene.period / spacing)) - 1) / 2; };
+    ahead = std::clamp((most(given.spacing_x) - contact_columns) / 2, 0, ahead);
+    aside = std::clamp((most(given.spacing_y) - 1) / 2 - top_row, 0, aside);
+  }
+  SurfaceGrid half = given;
+  half.first_column = given.first_column + contact.first_column - ahead;
+  half.columns = contact_columns + 2 * ahead;
+  half.first_row = 0;
+  half.rows = scene.indenter == Indenter::sphere ? top_row + aside + 1 : 1;
+  return half;
+}
+
+}  // namespace
+
+SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& solution, double margin) {
+  const SurfaceFields& given = solution.fields;
+  if (solution.method == Method::spectral) return given;
+  const bool sphere = scene.indenter == Indenter::sphere;
+  const SurfaceGrid half = half_window(scene, given, margin);
+
+  SurfaceFields wide;
+  wide.grid = mirrored(half, sphere);
+  const SurfaceGrid &from = given.grid, &to = wide.grid;
+  const auto continued = [&](const auto& values, auto beyond) {
+    std::vector all(values.empty() ? 0 : static_cast<std::size_t>(to.size()), beyond);
+    if (values.empty()) return all;
+    for (int row = 0; row < to.rows; ++row)
+      for (int column = 0; column < to.columns; ++column) {
+        const int old_row = row + to.first_row - from.first_row;
+        const int old_column = column + to.first_column - from.first_column;
+        if (old_row < 0 || old_row >= from.rows || old_column < 0 || old_column >= from.columns) continue;
+        all[static_cast<std::size_t>(to.index(column, row))] =
+            values[static_cast<std::size_t>(from.index(old_column, old_row))];
+      }
+    return all;
+  };
+  wide.pressure = continued(given.pressure, 0.0);
+  wide.shear_x = continued(given.shear_x, 0.0);
+  wide.shear_y = continued(given.shear_y, 0.0);
+  wide.slip_x = continued(given.slip_x, 0.0);
+  wide.slip_y = continued(given.slip_y, 0.0);
+  wide.zone = continued(given.zone, Zone::free);
+
+  const auto upper = [&](const std::vector<double>& values) {
+    const Eigen::Map<const Vector> whole(values.data(), static_cast<Eigen::Index>(values.size()));
+    return Vector(whole.tail(std::min<Eigen::Index>(whole.size(), half.size())));
+  };
+  const InfluenceOperator influence(scene, influence_table(scene, to), half, true);
+  const Displacements moved = influence.apply(upper(wide.pressure), upper(wide.shear_x), upper(wide.shear_y));
+  const auto whole = [&](const Vector& values, double parity) {
+    Vector kept(half.size());
+    for (int row = 0; row < half.rows; ++row)
+      kept.segment(half.index(0, row), half.columns) = values.segment(row * (half.columns + 1), half.columns);
+    const Vector all = mirrored(half, sphere, kept, parity);
+    return std::vector<double>(all.begin(), all.end());
+  };
+  wide.w = whole(moved.w, 1);
+  wide.u = whole(moved.u, 1);
+  if (sphere) wide.v = whole(moved.v, -1);
+  return wide;
+}
+
+SurfaceVelocity surface_velocity(const RollingScene& scene, const SurfaceFields& fields) {
+  const SurfaceGrid& grid = fields.grid;
+  const SlipStencil stencil = scene.method == Method::active_set ? scene.slip_stencil : SlipStencil::forward;
+  const auto rate = [&](const std::vector<double>& moved) {
+    std::vector<double> velocity(moved.size());
+    for (int node = 0; node < static_cast<int>(moved.size()); ++node) {
+      const int column = node % grid.columns, last = grid.columns - 1;
+      const bool left = column > 0 && (stencil != SlipStencil::forward || column == last);
+      const bool right = column < last && (stencil != SlipStencil::backward || column == 0);
+      if (!left && !right) continue;  // a single column tells no slope
+      const auto ahead = static_cast<std::size_t>(node + right), behind = static_cast<std::size_t>(node - left);
+      velocity[static_cast<std::size_t>(node)] =
+          -scene.speed * (moved[ahead] - moved[behind]) / (static_cast<double>(ahead - behind) * grid.spacing_x);
+    }
+    return velocity;
+  };
+  return {rate(fields.u), rate(fields.v)};
+}
+
+}  // namespace rollres

@@ -1,0 +1,113 @@
+#include "core/paper_method/active_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "core/paper_method/normal_contact.hpp"
+#include "core/paper_method/stick_slip.hpp"
+
+namespace rollres {
+
+namespace {
+
+bool touches_border(const SurfaceGrid& grid, const std::vector<int>& contact) {
+  for (const int node : contact) {
+    const int column = node % grid.columns, row = node / grid.columns;
+    if (column == 0 || column == grid.columns - 1) return true;
+    if (grid.rows > 1 && (row == 0 || row == grid.rows - 1)) return true;
+  }
+  return false;
+}
+
+bool touches_rim(const RollingScene& scene, const SurfaceGrid& grid, const std::vector<int>& contact) {
+  const double margin = std::max(grid.spacing_x, grid.rows > 1 ? grid.spacing_y : 0);
+  for (const int node : contact) {
+    const double y = grid.rows > 1 ? grid.y(node / grid.columns) : 0;
+    if (std::hypot(grid.x(node % grid.columns), y) + margin >= scene.radius) return true;
+  }
+  return false;
+}
+
+template <class StickSlipSolver>
+ContactState combined_loop(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid) {
+  const bool frictionless = scene.friction_coefficient == 0, sphere = scene.indenter == Indenter::sphere;
+  NormalContactSolver normal_solver(scene, table, grid);
+  std::optional<StickSlipSolver> stick_slip_solver;
+  if (!frictionless) stick_slip_solver.emplace(scene, table, grid);
+
+  ContactState state;
+  state.grid = grid;
+  NormalContact normal;
+  StickSlip tangential;
+  tangential.force_x.setZero(grid.size());
+  if (sphere) tangential.force_y.setZero(grid.size());
+
+  constexpr int pass_limit = 60;
+  int failures = 0;               // of the tangential problem, in a row
+  double inner_tolerance = 1e-4;  // of the tangential problem; follows the change from pass to pass
+  for (int pass = 1;; ++pass) {
+    NormalContact next = normal_solver.solve(tangential.force_x, tangential.force_y, normal.contact);
+    state.iterations += next.iterations;
+    double change = pass == 1 ? 1 : (next.force - normal.force).cwiseAbs().maxCoeff();
+    bool same = next.contact == normal.contact;
+    normal = std::move(next);
+    state.reached_border = touches_border(grid, normal.contact);
+    if (!normal.converged || state.reached_border || touches_rim(scene, grid, normal.contact)) {
+      state.reason = !normal.converged      ? normal.reason
+                     : state.reached_border ? "the contact reached the border of the grid"
+                                            : "the contact is as wide as the body";
+      break;
+    }
+    if (frictionless) {
+      state.status = Status::converged;
+      break;
+    }
+    StickSlip found = stick_slip_solver->solve(normal.contact, normal.force, inner_tolerance);
+    state.iterations += found.iterations;
+    change = std::max(change, (found.force_x - tangential.force_x).cwiseAbs().maxCoeff());
+    if (sphere) change = std::max(change, (found.force_y - tangential.force_y).cwiseAbs().maxCoeff());
+    same = same && found.zone == tangential.zone;
+    tangential = std::move(found);
+    const double largest = normal.force.cwiseAbs().maxCoeff();
+    inner_tolerance = std::clamp(1e-3 * change / largest, 1e-11, inner_tolerance);
+    if (same && change < 1e-10 * largest) {
+      state.status = tangential.status;
+      state.reason = tangential.reason;
+      state.friction_needed = tangential.friction_needed;
+      break;
+    }
+    failures = tangential.status == Status::not_converged ? failures + 1 : 0;
+    if (failures == 3) {
+      state.reason = tangential.reason;
+      break;
+    }
+    if (pass == pass_limit) {
+      std::ostringstream text;
+      text << "normal and tangential problem did not settle in " << pass << " passes: forces still change by "
+           << change / largest << " of the largest, zones " << (same ? "stay" : "change");
+      state.reason = text.str();
+      break;
+    }
+  }
+  state.approach = normal.approach;
+  state.rotation_ratio = frictionless ? std::numeric_limits<double>::quiet_NaN() : tangential.rotation_ratio;
+  const double area = grid.cell_area();
+  state.pressure = -normal.force / area;
+  state.shear_x = tangential.force_x / area;
+  if (sphere) state.shear_y = tangential.force_y / area;
+  state.zone.assign(grid.size(), Zone::free);
+  for (const int node : normal.contact)
+    state.zone[node] = frictionless || tangential.zone.empty() ? Zone::slip : tangential.zone[node];
+  return state;
+}
+
+}  // namespace
+
+ContactState solve_active_set(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& candidate) {
+  return scene.indenter == Indenter::sphere ? combined_loop<SurfaceStickSlip>(scene, table, candidate)
+                                            : combined_loop<LineStickSlip>(scene, table, candidate);
+}
+
+}  // namespace rollres

@@ -1,0 +1,124 @@
+#include <cmath>
+#include <limits>
+
+#include "core/paper_method/stick_slip.hpp"
+
+namespace rollres {
+
+TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& on_grid)
+    : sphere(scene.indenter == Indenter::sphere),
+      grid(on_grid),
+      stencil(scene.slip_stencil),
+      friction(scene.friction_coefficient),
+      slip_threshold(scene.slip_threshold),
+      radius(scene.radius),
+      driving_torque(scene.drive == Drive::torque ? scene.driving_torque.value_or(0) : 0),
+      drive(scene.drive) {
+  if (drive == Drive::rotation) given_rotation = scene.rotation_ratio;
+  const Direction directions[] = {Direction::w, Direction::u, Direction::v};
+  const int components = sphere ? 2 : 1;
+  for (int i = 0; i < components; ++i)
+    for (int j = 0; j < components + 1; ++j) {
+      forward_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], SlipStencil::forward);
+      chosen_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], stencil);
+    }
+  scale = std::abs(forward_[0][1](0, 0));
+  x_.resize(grid.size());
+  roll.setOnes(grid.size());
+  moment_arm.setZero(grid.size());
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const int node = grid.index(column, row);
+      const double x = grid.x(column) / radius, y = sphere ? grid.y(row) / radius : 0;
+      x_[node] = grid.x(column);
+      if (x * x + y * y >= 1) continue;
+      roll[node] = std::sqrt(1 - y * y);
+      const double height = std::sqrt(1 - x * x - y * y);  // cos(phi), q_R / R
+      if (drive == Drive::top_force)
+        moment_arm[node] = 1 + height;
+      else
+        moment_arm[node] = sphere ? height : 1;
+    }
+}
+
+void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eigen::VectorXd& normal_force) {
+  contact = in_contact;
+  normal_force_ = normal_force;
+  limit = friction * normal_force.cwiseAbs();
+  const double normal_moment = x_.dot(normal_force) / radius;
+  if (drive == Drive::top_force)
+    moment = sphere ? -normal_moment : normal_moment;
+  else
+    moment = -driving_torque / radius - (sphere ? normal_moment : 0);
+}
+
+double TangentialProblem::element(int row, int column) const {
+  const int size = grid.size(), rotation = rotation_index();
+  if (row == rotation) return column < size ? scale * moment_arm[column] : 0;
+  if (column == rotation) return row < size ? -scale * roll[row] : 0;
+  return forward_[row / size][1 + column / size](row % size, column % size);
+}
+
+Eigen::VectorXd TangentialProblem::slip(int component, const std::vector<int>& nodes, const std::vector<int>& loaded,
+                                        const Eigen::VectorXd& force_x, const Eigen::VectorXd& force_y,
+                                        bool forward) const {
+  const auto& kernels = forward ? forward_[component] : chosen_[component];
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(nodes.size()), component == 0 ? 1 : 0);
+  kernels[0].add(nodes, contact, normal_force_, values);
+  kernels[1].add(nodes, loaded, force_x, values);
+  if (sphere) kernels[2].add(nodes, loaded, force_y, values);
+  return values;
+}
+
+bool TangentialProblem::solve_sticking(SubsetSolver& system, const std::vector<int>& stick,
+                                       const std::vector<int>& slip_nodes, StickSlip& state) const {
+  const auto n = static_cast<Eigen::Index>(stick.size());
+  const int components = sphere ? 2 : 1;
+  std::vector<int> unknowns;
+  for (int component = 0; component < components; ++component)
+    for (const int node : stick) unknowns.push_back(component * grid.size() + node);
+  if (!given_rotation) unknowns.push_back(rotation_index());
+  Eigen::VectorXd rhs(static_cast<Eigen::Index>(unknowns.size()));
+  for (int component = 0; component < components; ++component)
+    rhs.segment(component * n, n) = -slip(component, stick, slip_nodes, state.force_x, state.force_y, true);
+  if (given_rotation) {
+    rhs.head(n) += *given_rotation * roll(stick);
+  } else {
+    double borne = 0;
+    for (const int node : slip_nodes) borne += moment_arm[node] * state.force_x[node];
+    rhs[rhs.size() - 1] = scale * (moment - borne);
+  }
+  const Eigen::VectorXd solution = system.solve(unknowns, rhs);
+  ++state.iterations;
+  if (!solution.allFinite()) return false;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    state.force_x[stick[k]] = solution[k];
+    if (sphere) state.force_y[stick[k]] = solution[n + k];
+  }
+  state.rotation_ratio = given_rotation ? *given_rotation : scale * solution[solution.size() - 1];
+  return true;
+}
+
+std::optional<double> TangentialProblem::friction_needed() const {
+  if (given_rotation) return {};
+  const double bearable = moment_arm.dot(limit);
+  if (std::abs(moment) < bearable) return {};
+  return friction * std::abs(moment) / bearable;
+}
+
+StickSlip TangentialProblem::all_sliding(double needed) const {
+  StickSlip state;
+  const double sense = moment < 0 ? -1 : 1;
+  state.force_x = sense * limit;
+  if (sphere) state.force_y.setZero(grid.size());
+  state.zone.assign(grid.size(), Zone::free);
+  for (const int node : contact) state.zone[node] = Zone::slip;
+  state.rotation_ratio = std::numeric_limits<double>::quiet_NaN();
+  state.status = Status::no_steady_state;
+  state.friction_needed = needed;
+  state.reason = "the drive asks for more traction than friction can give: a friction coefficient of about " +
+                 std::to_string(needed) + " is needed";
+  return state;
+}
+
+}  // namespace rollres

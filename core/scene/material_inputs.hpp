@@ -1,0 +1,101 @@
+#pragma once
+
+/// Inputs of a layer's material, as a plain value.
+
+#include <optional>
+#include <vector>
+
+#include "core/scene/quantity.hpp"
+
+namespace rollres {
+
+enum class MaterialModel {
+  zener,             ///< G0, f, tau: one exponential
+  elastic,           ///< G0
+  prony,             ///< G0 and a list of relaxation times and moduli (generalised Maxwell solid)
+  fractional_zener,  ///< G0, f, tau and the order of its spring-pot
+  master_curve       ///< a table of storage and loss moduli
+};
+template <>
+struct ChoiceNames<MaterialModel> {
+  static constexpr std::array<std::string_view, 5> names{"zener", "elastic", "prony", "fractional_zener",
+                                                         "master_curve"};
+};
+
+/// What the moduli in a layer's lists are: G, or E = 2 (1 + nu) G.
+enum class ListedModuli { shear, young };
+template <>
+struct ChoiceNames<ListedModuli> {
+  static constexpr std::array<std::string_view, 2> names{"shear", "young"};
+};
+
+/// Base of a scene and of whatever else has a layer's material. What the model does not need is ignored.
+struct MaterialInputs {
+  double poisson_ratio = 0.5;  // nu [1]
+  MaterialModel material = MaterialModel::zener;
+  std::optional<double> static_shear_modulus;  // G0 = G'(0) [Pa]; this or
+  std::optional<double> static_young_modulus;  // E0 = 2 (1 + nu) G0 [Pa]; a master curve needs neither
+  double stiffening = 0;                       // f = G'(infinity)/G'(0) - 1 [1]
+  double creep_time = 0;                       // tau [s]
+  double fractional_order = 1;                 // [1]
+  std::vector<double> relaxation_times;        // [s], of a Prony series
+  std::vector<double> relaxation_moduli;       // [Pa], as many
+  std::vector<double> frequencies;             // [Hz], of a master curve, at the reference temperature
+  std::vector<double> storage_moduli;          // G' or E' [Pa], as many
+  std::vector<double> loss_moduli;             // G" or E" [Pa], as many
+  ListedModuli listed_moduli = ListedModuli::shear;
+  std::optional<double> temperature;            // [K]; all times above are those at
+  std::optional<double> reference_temperature;  // [K]
+  std::optional<double> wlf_c1, wlf_c2;         // [1], [K]; the shift law, or
+  std::optional<double> activation_energy;      // [J/mol]
+
+  bool operator==(const MaterialInputs&) const = default;
+};
+
+/// Walks the inputs of a layer's material as `visit_inputs` does those of a scene; a list is a std::vector<double>,
+/// its quantity and range those of each value.
+template <class Inputs, class Visitor>
+void visit_material_inputs(Inputs& layer, Visitor&& visitor) {
+  using Q = Quantity;
+  visitor(Q{"poisson_ratio", "ν", "1", "Poisson's ratio of the layer", {.lowest = 0.0, .highest = 0.5}},
+          layer.poisson_ratio);
+  visitor(Q{"material", "", "", "model of the layer's material"}, layer.material);
+  visitor(Q{"static_shear_modulus", "G0", "Pa", "shear modulus at rest, G'(0)", positive}, layer.static_shear_modulus);
+  visitor(Q{"static_young_modulus", "E0", "Pa", "Young's modulus at rest, 2 (1 + ν) G0, in place of G0", positive},
+          layer.static_young_modulus);
+  visitor(Q{"stiffening", "f", "1", "G'(∞)/G'(0) - 1", not_negative}, layer.stiffening);
+  visitor(Q{"creep_time", "τ", "s", "creep (retardation) time", not_negative}, layer.creep_time);
+  visitor(Q{"fractional_order",
+            "",
+            "1",
+            "order of the spring-pot of a fractional Zener solid; 1: a dashpot",
+            {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}},
+          layer.fractional_order);
+  visitor(Q{"relaxation_times", "τ_j", "s", "relaxation times of a Prony series", positive}, layer.relaxation_times);
+  visitor(Q{"relaxation_moduli", "g_j", "Pa", "moduli of a Prony series: G(t) = G0 + Σ g_j e^(-t/τ_j)", not_negative},
+          layer.relaxation_moduli);
+  visitor(Q{"frequencies", "", "Hz", "frequencies of a master curve", positive}, layer.frequencies);
+  visitor(Q{"storage_moduli", "G'", "Pa", "storage moduli of a master curve", positive}, layer.storage_moduli);
+  visitor(Q{"loss_moduli", "G\"", "Pa", "loss moduli of a master curve", not_negative}, layer.loss_moduli);
+  visitor(Q{"listed_moduli", "", "", "what the moduli in lists are: G, or E = 2 (1 + ν) G"}, layer.listed_moduli);
+  visitor(Q{"temperature", "", "K", "temperature of the layer; shifts all its times by the shift law", positive},
+          layer.temperature);
+  visitor(Q{"reference_temperature", "", "K", "temperature at which the material was given", positive},
+          layer.reference_temperature);
+  visitor(Q{"wlf_c1", "c1", "1", "of the shift law log10 a = -c1 (T - T_ref)/(c2 + T - T_ref)", positive},
+          layer.wlf_c1);
+  visitor(Q{"wlf_c2", "c2", "K", "of the same law (Williams, Landel and Ferry)", positive}, layer.wlf_c2);
+  visitor(Q{"activation_energy", "", "J/mol", "of the shift law ln a = E_a/R (1/T - 1/T_ref) (Arrhenius)", positive},
+          layer.activation_energy);
+}
+
+/// The inputs that a material cannot do without, beside the modulus at rest.
+std::vector<std::string_view> needed_inputs(MaterialModel material);
+
+/// Whether a material needs static_shear_modulus or static_young_modulus.
+inline bool needs_static_modulus(MaterialModel material) { return material != MaterialModel::master_curve; }
+
+/// Every rule that the inputs break together, each as one line "key = value: rule"; ranges are left to the caller.
+std::vector<std::string> check_material(const MaterialInputs& layer);
+
+}  // namespace rollres

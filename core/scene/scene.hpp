@@ -1,0 +1,157 @@
+#pragma once
+
+/// A scene: a rigid cylinder or sphere in steady motion over a viscoelastic layer, as a plain value.
+///
+/// The body of radius R moves at speed V along +x; the frame moves with it, x = 0 lies under its axis and the leading
+/// edge of the contact at x > 0. The layer of thickness H is bonded to a rigid base. All numbers are SI.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/bonded_layer.hpp"
+#include "core/scene/quantity.hpp"
+
+namespace rollres {
+
+/// What drives the body.
+enum class Drive {
+  top_force,  ///< a horizontal force Q at the top of the body, so that T = Q R
+  torque,     ///< the torque T about its axis is given (`driving_torque`)
+  free,       ///< T = 0: the body is pulled at its axis
+  rotation    ///< R Omega / V is given (`rotation_ratio`); 0 is a locked, sliding body
+};
+template <>
+struct ChoiceNames<Drive> {
+  static constexpr std::array<std::string_view, 4> names{"top_force", "torque", "free", "rotation"};
+};
+
+enum class Method {
+  automatic,     ///< spectral for a cylinder, newton for a sphere, with a spacing or where spectral does not apply
+  newton,        ///< coupled semi-smooth Newton method (newton_contact.hpp)
+  newton_dense,  ///< the same with dense linear algebra: the second route
+  active_set,    ///< the algorithms of Zehil and Gavin (2013), normal and tangential problem in turn
+  spectral       ///< continuous edges of contact, without a grid (spectral_contact.hpp); cylinder
+};
+template <>
+struct ChoiceNames<Method> {
+  static constexpr std::array<std::string_view, 5> names{"automatic", "newton", "newton_dense", "active_set",
+                                                         "spectral"};
+};
+
+/// Whether the method solves on a grid, and takes a spacing.
+inline bool on_grid(Method method) { return method != Method::automatic && method != Method::spectral; }
+
+/// Difference that turns surface displacements into slip along a row of nodes.
+enum class SlipStencil { forward, central, backward };
+template <>
+struct ChoiceNames<SlipStencil> {
+  static constexpr std::array<std::string_view, 3> names{"forward", "central", "backward"};
+};
+
+enum class Resticking { on, off };
+template <>
+struct ChoiceNames<Resticking> {
+  static constexpr std::array<std::string_view, 2> names{"on", "off"};
+};
+
+/// How the zones of stick and slip change in 3D (stick_slip.hpp).
+enum class SlipRule { projected, printed };
+template <>
+struct ChoiceNames<SlipRule> {
+  static constexpr std::array<std::string_view, 2> names{"projected", "printed"};
+};
+
+/// Whether the layers' inertia is part of the model.
+enum class Inertia {
+  automatic,  ///< where it matters to a given tolerance, of a cylinder or in a periodic train
+  off,
+  on
+};
+template <>
+struct ChoiceNames<Inertia> {
+  static constexpr std::array<std::string_view, 3> names{"automatic", "off", "on"};
+};
+
+struct RollingScene : MaterialInputs {
+  Indenter indenter = Indenter::cylinder;
+  double radius = 0;            // R [m]
+  double layer_thickness = 0;   // H [m]; infinity for a half-space
+  double layer_density = 1000;  // rho [kg/m3]
+  BondedLayers lower_layers;    // bonded under the first, from above; under the last a rigid base
+  BondedLayers coating_layers;  // bonded on the body, from its surface inwards to a rigid core
+  Inertia inertia = Inertia::automatic;
+  double speed = 0;                 // V [m/s]
+  std::optional<double> load;       // P [N/m] or [N]; this or
+  std::optional<double> approach;   // d [m]
+  double friction_coefficient = 0;  // mu [1]
+  Drive drive = Drive::top_force;
+  std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"
+  std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
+  double adhesion_threshold = 0;         // [Pa]
+  std::optional<double> spacing;         // a [m]; this or
+  std::optional<double> tolerance;       // [1]; neither: 1e-8 (spectral) or the program's own grid
+  Method method = Method::automatic;
+  std::optional<double> period;                     // L [m]; absent: a single passage
+  int series_terms = 2000;                          // [1], with period: wavenumbers kept in each direction
+  SlipStencil slip_stencil = SlipStencil::forward;  // active_set
+  double slip_threshold = 1e-9;                     // w_th / V [1], active_set
+  Resticking resticking = Resticking::on;           // active_set in 2D
+  SlipRule slip_rule = SlipRule::projected;         // active_set in 3D
+};
+
+/// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double>, an
+/// enumeration with ChoiceNames or, for lists, std::vector<double> or BondedLayers. Works on const and non-const
+/// scenes.
+template <class Scene, class Visitor>
+void visit_inputs(Scene& scene, Visitor&& visitor) {
+  using Q = Quantity;
+  visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
+  visitor(Q{"radius", "R", "m", "radius of the body", positive}, scene.radius);
+  visit_layer_inputs(scene, visitor);
+  visitor(Q{"lower_layers", "", "", "layers bonded under the first, from above, each an object; a rigid base below"},
+          scene.lower_layers);
+  visitor(Q{"coating_layers", "", "", "layers bonded on the body, from its surface inwards, each an object"},
+          scene.coating_layers);
+  visitor(Q{"inertia", "", "", "whether the layers' inertia counts; automatic: where a tolerance asks for it"},
+          scene.inertia);
+  visitor(Q{"speed", "V", "m/s", "speed of the body along +x", positive}, scene.speed);
+  visitor(Q{"load", "P", "N", "vertical load, downwards", positive, "N/m"}, scene.load);
+  visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface, in place of a load", positive},
+          scene.approach);
+  visitor(Q{"friction_coefficient", "μ", "1", "Coulomb friction; 0: frictionless", not_negative},
+          scene.friction_coefficient);
+  visitor(Q{"drive", "", "", "what drives the body"}, scene.drive);
+  visitor(Q{"driving_torque", "T", "N.m", "torque about the body's axis, clockwise, with drive \"torque\"", any_number,
+            "N"},
+          scene.driving_torque);
+  visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed, with drive \"rotation\"; 0: locked"},
+          scene.rotation_ratio);
+  visitor(Q{"adhesion_threshold", "", "Pa", "largest tension that a node bears before it lets go", not_negative},
+          scene.adhesion_threshold);
+  visitor(Q{"spacing", "a", "m", "distance between nodes", positive}, scene.spacing);
+  visitor(Q{"tolerance",
+            "",
+            "1",
+            "wanted relative error of the rolling resistance, in place of a spacing",
+            {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}},
+          scene.tolerance);
+  visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"},
+          scene.method);
+  visitor(Q{"period", "L", "m", "distance of a periodic train of bodies; absent: a single passage", positive},
+          scene.period);
+  visitor(
+      Q{"series_terms", "", "1", "wavenumbers kept in each direction, with a period", {.lowest = 8, .highest = 1e6}},
+      scene.series_terms);
+  visitor(Q{"slip_stencil", "", "", "active_set: difference that gives the slip"}, scene.slip_stencil);
+  visitor(
+      Q{"slip_threshold", "w_th/V", "1", "active_set: slip speed over speed below which a node sticks", not_negative},
+      scene.slip_threshold);
+  visitor(Q{"resticking", "", "", "active_set in 2D: whether a slipping node may stick again"}, scene.resticking);
+  visitor(Q{"slip_rule", "", "", "active_set in 3D: how nodes change between stick and slip"}, scene.slip_rule);
+}
+
+/// Keys of all inputs, in the order of the list.
+std::vector<std::string_view> input_keys();
+
+}  // namespace rollres

@@ -1,0 +1,146 @@
+#pragma once
+
+/// The answer to a scene, as a plain value, with the evidence for it.
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/scene/quantity.hpp"
+#include "core/scene/scene.hpp"
+
+namespace rollres {
+
+enum class Status {
+  converged,        ///< every law of contact holds at every node within the solver's tolerance
+  no_steady_state,  ///< the drive asks for more traction than friction can give, or friction makes the body dig itself
+                    ///< in, or it is faster than the waves of layers whose inertia counts; `reason` says which
+  not_converged     ///< no answer; `reason` says in which state the solver stopped
+};
+template <>
+struct ChoiceNames<Status> {
+  static constexpr std::array<std::string_view, 3> names{"converged", "no_steady_state", "not_converged"};
+};
+
+/// Nodes at (x(i), y(j)); arrays over them have x running fastest: index = j * columns + i.
+struct SurfaceGrid {
+  double spacing_x = 0, spacing_y = 0;  // [m]; spacing_y is 1 m (per metre) for a cylinder
+  double origin_x = 0, origin_y = 0;    // position of node (first_column = 0, first_row = 0) [m]
+  int first_column = 0, first_row = 0;
+  int columns = 0, rows = 0;
+
+  double x(int column) const { return origin_x + spacing_x * (first_column + column); }
+  double y(int row) const { return origin_y + spacing_y * (first_row + row); }
+  int size() const { return columns * rows; }
+  int index(int column, int row) const { return row * columns + column; }
+  double cell_area() const { return spacing_x * spacing_y; }  // [m2]; [m] per metre of length for a cylinder
+};
+
+enum class Zone : signed char { free, stick, slip };
+template <>
+struct ChoiceNames<Zone> {
+  static constexpr std::array<std::string_view, 3> names{"free", "stick", "slip"};
+};
+
+/// Fields on the surface of the layer. Tractions act on the layer; v, shear_y and slip_y are empty for a cylinder.
+struct SurfaceFields {
+  SurfaceGrid grid;
+  std::vector<double> u, v, w;           // displacements along x, y, z [m]
+  std::vector<double> pressure;          // -sigma_z [Pa], > 0 in compression
+  std::vector<double> shear_x, shear_y;  // tau_xz, tau_yz [Pa]
+  std::vector<double> slip_x, slip_y;    // velocity of the body relative to the layer over V [1]; 0 outside
+  std::vector<Zone> zone;
+};
+
+/// Absent numbers (not applicable, or not computed) are NaN.
+struct RollingSolution {
+  static constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+  double rolling_resistance = absent;
+  double rolling_resistance_coefficient = absent;
+  double driving_force = absent;
+  double driving_torque = absent;
+  double rotation_speed = absent;
+  double rotation_ratio = absent;
+  double approach = absent;
+  double load = absent;
+  double leading_edge = absent, trailing_edge = absent, half_width = absent;
+  double contact_area = absent;
+  double mean_pressure = absent, peak_pressure = absent;
+  double peak_shear_x = absent, peak_shear_y = absent;
+  int contact_nodes = 0, slip_nodes = 0;
+  double viscous_loss = absent, frictional_loss = absent;
+  double energy_residual = absent;
+  double law_violation = absent;
+  double friction_needed = absent;
+  double friction_borne = absent;
+  double error_estimate = absent;
+  double spacing = absent;
+  int iterations = 0;
+  double seconds = absent;
+  Method method = Method::newton;
+  std::string model;
+  Status status = Status::not_converged;
+  std::string reason;
+  std::vector<std::string> warnings;
+
+  SurfaceFields fields;  // not a scalar output: not visited
+};
+
+/// Walks the outputs: `visitor(quantity, value)`, value being double, int, an enumeration with ChoiceNames,
+/// std::string or std::vector<std::string>. An output that is also an input (load, approach, driving_torque,
+/// rotation_ratio, spacing, method) has the same key: it is the value found or used.
+template <class Solution, class Visitor>
+void visit_outputs(Solution& solution, Visitor&& visitor) {
+  using Q = Quantity;
+  auto& s = solution;
+  visitor(Q{"rolling_resistance", "R_r", "N", "rolling resistance Q + T Ω / V", any_number, "N/m"},
+          s.rolling_resistance);
+  visitor(Q{"rolling_resistance_coefficient", "R_r/P", "1", "rolling resistance over load"},
+          s.rolling_resistance_coefficient);
+  visitor(Q{"driving_force", "Q", "N", "horizontal force that drives the body", any_number, "N/m"}, s.driving_force);
+  visitor(Q{"driving_torque", "T", "N.m", "torque that drives the body, clockwise", any_number, "N"}, s.driving_torque);
+  visitor(Q{"rotation_speed", "Ω", "rad/s", "rotational speed of the body"}, s.rotation_speed);
+  visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed"}, s.rotation_ratio);
+  visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface"}, s.approach);
+  visitor(Q{"load", "P", "N", "vertical load", any_number, "N/m"}, s.load);
+  visitor(Q{"leading_edge", "x+", "m", "largest x of a contact node"}, s.leading_edge);
+  visitor(Q{"trailing_edge", "x-", "m", "smallest x of a contact node"}, s.trailing_edge);
+  visitor(Q{"half_width", "b", "m", "largest y of a contact node (sphere)"}, s.half_width);
+  visitor(Q{"contact_area", "A", "m2", "area of contact (cylinder: its length along x)", any_number, "m"},
+          s.contact_area);
+  visitor(Q{"mean_pressure", "p_m", "Pa", "load over area of contact"}, s.mean_pressure);
+  visitor(Q{"peak_pressure", "p_0", "Pa", "largest pressure"}, s.peak_pressure);
+  visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
+  visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere)"}, s.peak_shear_y);
+  visitor(Q{"contact_nodes", "", "1", "nodes in contact"}, s.contact_nodes);
+  visitor(Q{"slip_nodes", "", "1", "nodes in contact that slip"}, s.slip_nodes);
+  visitor(Q{"viscous_loss", "", "W", "power lost in the layer", any_number, "W/m"}, s.viscous_loss);
+  visitor(Q{"frictional_loss", "", "W", "power lost to friction", any_number, "W/m"}, s.frictional_loss);
+  visitor(Q{"energy_residual", "", "1", "what the power balance misses, over R_r V"}, s.energy_residual);
+  visitor(Q{"law_violation", "", "1", "largest relative violation of a law of contact at any node"}, s.law_violation);
+  visitor(Q{"friction_needed", "", "1", "least friction coefficient with a steady state, where there is none"},
+          s.friction_needed);
+  visitor(Q{"friction_borne", "", "1",
+            "largest friction coefficient with a steady state, where under more the body digs itself in"},
+          s.friction_borne);
+  visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
+  visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
+  visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);
+  visitor(Q{"seconds", "", "s", "wall time of the solution"}, s.seconds);
+  visitor(Q{"method", "", "", "solver"}, s.method);
+  visitor(Q{"model", "", "", "what was left out and why"}, s.model);
+  visitor(Q{"status", "", "", "converged, no_steady_state or not_converged"}, s.status);
+  visitor(Q{"reason", "", "", "why there is no answer"}, s.reason);
+  visitor(Q{"warnings", "", "", "what to mind when using the answer"}, s.warnings);
+}
+
+/// The reason of `no_steady_state`.
+/// @param needed, given friction coefficients [1]
+std::string too_much_traction(double needed, double given);
+
+/// Keys of all outputs, in the order of the list.
+std::vector<std::string_view> output_keys();
+
+}  // namespace rollres

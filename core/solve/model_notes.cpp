@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/influence/composite_table.hpp"
+#include "core/material/material.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/newton/evidence.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+namespace {
+
+double half_length(const RollingSolution& solution) {
+  const double length = solution.leading_edge - solution.trailing_edge;
+  return 0.5 * (std::isnan(solution.spacing) ? length : length + solution.spacing);
+}
+
+/// rho V^2 / |G*| at the frequency V / half-length, of the layer where it is largest.
+double inertia(const RollingScene& scene, const RollingSolution& solution) {
+  const double frequency = scene.speed / half_length(solution), square = scene.speed * scene.speed;
+  double largest = scene.layer_density * square / std::abs(complex_modulus(scene, frequency));
+  for (const BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
+    for (const BondedLayer& layer : *layers)
+      largest = std::max(largest, layer.layer_density * square / std::abs(complex_modulus(layer, frequency)));
+  return largest;
+}
+
+}  // namespace
+
+std::string unanswered_inertia(const RollingScene& scene) {
+  if (scene.inertia != Inertia::automatic || !inertia_included(scene) || !layers_carry_slower_waves(scene)) return {};
+  return message_text("inertia may count for a tolerance of ", *scene.tolerance,
+                      ", and with it the speed must be below that of the waves which the layers carry together; "
+                      "inertia = off leaves it out");
+}
+
+std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution) {
+  if (scene.inertia != Inertia::automatic || !scene.tolerance || scene.method == Method::spectral) return {};
+  const double number = rayleigh_number(scene), mach = inertia(scene, solution);
+  if (number < 1 || mach <= negligible_inertia(scene)) return {};
+  return message_text("inertia counts for a tolerance of ", *scene.tolerance, " (ρV²/|G| = ", mach,
+                      "), and with it the speed must be below that of Rayleigh waves on the layer at rest, ",
+                      scene.speed / std::sqrt(number), " m/s; inertia = off leaves it out");
+}
+
+std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
+  std::vector<std::string> warnings;
+  const double strain = solution.approach / total_thickness(scene);
+  if (strain > 0.1)
+    warnings.push_back(message_text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
+  const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
+  if (slope > 0.3)
+    warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
+                                    " is not small: displacements are taken as small"));
+  const double mach = inertia(scene, solution);
+  if (mach > 0.01 && !inertia_included(scene))
+    warnings.push_back(message_text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
+  if (is_composite(scene) && !scene.period && solution.method != Method::spectral)
+    if (const double error = expansion_error(scene); error > 1e-4)
+      warnings.push_back(message_text("the layers' compliance is expanded in retardation times and directions to ",
+                                      error, " only",
+                                      inertia_included(scene) ? ": the speed is close to that of Rayleigh waves" : ""));
+  const double across = 2 * half_length(solution) / solution.spacing;
+  if (across < 10)
+    warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
+  for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
+  if (scene.spacing && solution.method == Method::spectral)
+    warnings.push_back(
+        message_text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
+  if (scene.period)
+    for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
+      const double left = std::exp(-*scene.period / (scene.speed * term.time));
+      if (left > 1e-4)
+        warnings.push_back(message_text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left));
+    }
+  return warnings;
+}
+
+std::string model_of(const RollingScene& scene, const RollingSolution& solution) {
+  std::string model =
+      surface_in_words(scene) + "; " +
+      message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
+                   inertia(scene, solution));
+  const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
+  if (is_composite(scene) && !scene.period && !spectral)
+    if (const double error = expansion_error(scene); error > 0)
+      model += message_text("; memories expanded in fixed retardation times, to ", error);
+  if (!sphere)
+    model += message_text("; plane strain: for a cylinder long beside ",
+                          std::max(2 * half_length(solution), finite_thickness(scene)), " m");
+  if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
+  const CreepSpectrum creep = creep_spectrum(scene);
+  const bool elastic =
+      std::all_of(creep.terms.begin(), creep.terms.end(), [](const auto& term) { return term.compliance == 0; });
+  if (!is_composite(scene) && (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0)))
+    model += "; elastic: no relaxation (f = 0 or τ = 0)";
+  if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
+  if (spectral) model += "; continuous edges of contact, no grid";
+  if (!spectral && !scene.spacing && sphere && solution.method != Method::active_set)
+    model += "; grid tied to the contact";
+  model += scene.period ? message_text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
+  if (!scene.tolerance) return model;
+
+  // What a tolerance leaves to choose, and why nothing more is left out.
+  if (spectral)
+    model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
+                          *scene.tolerance);
+  else
+    model += message_text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
+                          " along the contact, in a window ",
+                          solution.fields.grid.columns * solution.spacing / (2 * half_length(solution)),
+                          " times as long, for an error below ", *scene.tolerance);
+  if (std::isfinite(total_thickness(scene)))
+    model += message_text("; layer kept: half-length of the contact over H = ",
+                          half_length(solution) / total_thickness(scene), ", a half-space would cost as much");
+  else if (!sphere && scene.friction_coefficient == 0 && scene.material == MaterialModel::zener)
+    model += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
+  if (scene.friction_coefficient > 0)
+    model += message_text("; friction and its coupling with the pressure kept: friction takes ",
+                          std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed)),
+                          " of R_r, and which drive it can bear is not known without it");
+  return model;
+}
+
+}  // namespace rollres

@@ -1,0 +1,268 @@
+#include "core/solve/rolling_contact.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/estimate/grid_choice.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/newton/evidence.hpp"
+#include "core/newton/grid_error.hpp"
+#include "core/newton/nested_newton.hpp"
+#include "core/paper_method/active_set.hpp"
+#include "core/solve/model_choice.hpp"
+#include "core/spectral/spectral_contact.hpp"
+#include "core/surface/scene_rules.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Nodes in contact beyond which a tolerance is given up.
+constexpr int most_nodes_2d = 20000, most_nodes_3d = 250000;
+
+/// Cells on the half-width of a sphere's contact. No sum of two squares lies within 1.2 % of the default's square, nor
+/// of half and of a quarter of it: where the contact is an ellipse, no node is near its edge. With a tolerance as many
+/// as an ordinary scene needs.
+double tied_cells(const RollingScene& scene) {
+  constexpr double by_default = 19.532;
+  if (!scene.tolerance) return by_default;
+  constexpr double tolerance_by_default = 2.2e-3, order = 1.7;  // as estimated for random scenes
+  constexpr double fewest = 8.37;                               // with a grid of half as many, to tell the error
+  return std::max(fewest, by_default * std::pow(tolerance_by_default / *scene.tolerance, 1 / order));
+}
+
+GridSeries grids_of(const RollingScene& scene) {
+  if (scene.indenter == Indenter::sphere && !scene.spacing) return tied_grids(scene, tied_cells(scene));
+  return fixed_grids(scene, scene.spacing.value_or(default_spacing(scene)));
+}
+
+/// A larger violation of the laws, in scenes far from any layer's, is mended by factorising systems of up to so many
+/// nodes.
+constexpr double trusted_violation = 1e-8;
+constexpr int factorisable_nodes = 1000;
+
+NestedOutcome solve_on_grids(const RollingScene& scene) {
+  const bool sphere = scene.indenter == Indenter::sphere;
+  std::function<bool(const NestedOutcome&)> finer;
+  if (scene.tolerance)
+    finer = [&](const NestedOutcome& nested) {
+      const std::vector<Zone>& zone = nested.finest.outcome.zone;
+      const auto nodes =
+          (sphere ? 2 : 1) * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
+      return !(nested.error_estimate() <= *scene.tolerance) &&
+             (sphere ? 4 : 2) * nodes <= (sphere ? most_nodes_3d : most_nodes_2d);
+    };
+  return solve_nested(scene, grids_of(scene), finer);
+}
+
+RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& scene) {
+  RollingSolution solution;
+  if (nested.status == Status::converged) {
+    const ContactLevel& level = nested.finest;
+    if (level.problem->friction) {
+      solution = summarise(*level.problem, *level.influence, level.outcome.unknowns, level.outcome.zone);
+    } else {
+      const InfluenceOperator all_components(scene, *level.table, level.problem->grid, true);
+      solution = summarise(*level.problem, all_components, level.outcome.unknowns, level.outcome.zone);
+    }
+    GridError error = level.error;
+    take_slow_rolling(scene, error, solution);
+    solution.error_estimate = nested.error_estimate(error, solution.rolling_resistance);
+    if (scene.tolerance && !(solution.error_estimate <= *scene.tolerance)) {
+      std::ostringstream text;
+      text << "the tolerance " << *scene.tolerance << " was not reached with " << solution.contact_nodes
+           << " nodes: estimated error " << solution.error_estimate;
+      solution.warnings.push_back(text.str());
+    }
+  }
+  solution.status = nested.status;
+  solution.reason = nested.reason;
+  if (nested.status == Status::not_converged && scene.period && nested.finest.problem) {
+    // Without waves as short as two cells the nodes do not tell neighbours apart.
+    const double shortest = *scene.period / scene.series_terms, spacing = nested.finest.problem->grid.spacing_x;
+    if (shortest > 2 * spacing)
+      solution.reason += message_text("; series_terms = ", scene.series_terms, " keeps waves down to ", shortest,
+                                      " m, longer than two cells of ", spacing, " m");
+  }
+  solution.friction_needed = nested.friction_needed;
+  solution.friction_borne = nested.friction_borne;
+  solution.iterations = nested.finest.outcome.iterations;
+  return solution;
+}
+
+/// Unknowns on rows y >= 0 from those on the whole grid; `asymmetry` is the largest difference to the mirror image over
+/// the largest pressure.
+ContactUnknowns upper_half(const ContactState& state, const SurfaceGrid& half, bool sphere, double& asymmetry) {
+  ContactUnknowns unknowns;
+  unknowns.approach = state.approach;
+  unknowns.rotation_ratio = std::isnan(state.rotation_ratio) ? 0 : state.rotation_ratio;
+  const double scale = state.pressure.cwiseAbs().maxCoeff();
+  const auto keep = [&](const Vector& whole, double parity) {
+    if (!sphere || whole.size() == 0) return whole;
+    const Eigen::Index size = half.size();
+    const Vector upper = whole.tail(size);
+    asymmetry = std::max(asymmetry, (mirrored(half, true, upper, parity) - whole).cwiseAbs().maxCoeff() / scale);
+    return upper;
+  };
+  unknowns.pressure = keep(state.pressure, 1);
+  unknowns.shear_x = keep(state.shear_x, 1);
+  unknowns.shear_y = keep(state.shear_y, -1);
+  return unknowns;
+}
+
+/// An answer of the paper's method on one grid.
+struct PaperAnswer {
+  RollingSolution solution;
+  GridError error;
+};
+
+/// The paper's method on one grid, which grows until the contact keeps clear of its border.
+PaperAnswer solve_paper(const RollingScene& scene, double spacing) {
+  const bool sphere = scene.indenter == Indenter::sphere;
+  double half_width = std::min(1.3 * estimate_contact(scene).half_width + 2 * spacing, widest_window(scene));
+  for (;; half_width = std::min(1.4 * half_width, widest_window(scene))) {
+    const SurfaceGrid half = window(scene.indenter, spacing, half_width);
+    const InfluenceTable table = influence_table(scene, mirrored(half, sphere));
+    const ContactState state = solve_active_set(scene, table, mirrored(half, sphere));
+    if (state.reached_border && half_width < widest_window(scene)) continue;
+    PaperAnswer answer;
+    RollingSolution& solution = answer.solution;
+    if (state.status == Status::converged) {
+      double asymmetry = 0;
+      const ContactUnknowns unknowns = upper_half(state, half, sphere, asymmetry);
+      const std::vector<Zone> zone(state.zone.end() - half.size(), state.zone.end());
+      const ContactProblem problem(scene, half);
+      const InfluenceOperator influence(scene, table, half, true);
+      solution = summarise(problem, influence, unknowns, zone);
+      solution.law_violation = std::max(solution.law_violation, asymmetry);
+      const Vector moved = Eigen::Map<const Vector>(solution.fields.w.data(), mirrored(half, sphere).size());
+      answer.error = grid_error(problem, unknowns.pressure, zone,
+                                problem.profile.array() - unknowns.approach - moved.tail(half.size()).array());
+    }
+    solution.status = state.status;
+    solution.reason = state.reason;
+    solution.friction_needed = state.friction_needed;
+    solution.iterations = state.iterations;
+    solution.method = Method::active_set;
+    return answer;
+  }
+}
+
+/// The paper's method, and its error by a second solution at twice the spacing.
+RollingSolution solve_paper(const RollingScene& scene) {
+  const double spacing = scene.spacing.value_or(default_spacing(scene));
+  auto [solution, error] = solve_paper(scene, spacing);
+  if (solution.status != Status::converged) return solution;
+  const RollingSolution coarser = solve_paper(scene, 2 * spacing).solution;
+  const double change = coarser.status == Status::converged
+                            ? std::abs(coarser.rolling_resistance - solution.rolling_resistance)
+                            : RollingSolution::absent;
+  take_slow_rolling(scene, error, solution);
+  solution.error_estimate = error.estimate(solution.rolling_resistance, change) / std::abs(solution.rolling_resistance);
+  return solution;
+}
+
+void require_valid(const RollingScene& scene) {
+  const std::vector<std::string> broken = check(scene);
+  if (broken.empty()) return;
+  std::string message = broken.front();
+  for (std::size_t i = 1; i < broken.size(); ++i) message += "; " + broken[i];
+  throw std::invalid_argument(message);
+}
+
+/// Adds to a method's answer what does not depend on the method.
+template <class SolveByMethod>
+RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_by_method) {
+  const auto begin = std::chrono::steady_clock::now();
+  require_valid(given);
+  const ModelChoice choice = choose_model(given);
+  RollingScene model = choice.scene;
+  model.tolerance = given.tolerance;
+  RollingSolution solution;
+  std::string refused = unanswered_inertia(model);
+  if (refused.empty()) {
+    solution = solve_by_method(choice.scene);
+    if (solution.status == Status::converged) refused = unanswered_inertia(model, solution);
+  }
+  if (!refused.empty()) {
+    solution = {};
+    solution.status = Status::no_steady_state;
+    solution.method = resolved_method(model);
+    solution.reason = refused;
+  }
+  if (solution.status == Status::converged) {
+    const std::string note = std::move(solution.model);
+    solution.model = model_of(choice.scene, solution) + note;
+    for (const std::string& decision : choice.decisions) solution.model += "; " + decision;
+    solution.error_estimate += choice.left_out;
+    for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
+  }
+  solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return solution;
+}
+
+}  // namespace
+
+RollingSolution solve(const RollingScene& scene) { return RollingSolver().solve(scene); }
+
+struct RollingSolver::Last {
+  RollingScene scene;
+  NestedOutcome outcome;
+
+  /// Whether a scene is so much like this one that starting from its solution has been measured to be faster: the
+  /// contact moves by little more than a cell.
+  bool is_like(const RollingScene& next) const {
+    if (resolved_method(scene) != resolved_method(next) || scene.indenter != next.indenter ||
+        scene.drive != next.drive || scene.material != next.material ||
+        (scene.friction_coefficient > 0) != (next.friction_coefficient > 0) ||
+        scene.load.has_value() != next.load.has_value() || !next.spacing || scene.spacing != next.spacing ||
+        scene.adhesion_threshold > 0 || next.adhesion_threshold > 0)
+      return false;
+    constexpr double largest_change = 0.03;
+    const double before = estimate_contact(scene).half_width, now = estimate_contact(next).half_width;
+    return std::abs(now - before) < largest_change * before;
+  }
+};
+
+RollingSolver::RollingSolver() = default;
+RollingSolver::~RollingSolver() = default;
+RollingSolver::RollingSolver(RollingSolver&&) noexcept = default;
+RollingSolver& RollingSolver::operator=(RollingSolver&&) noexcept = default;
+
+RollingSolution RollingSolver::solve(const RollingScene& given) {
+  return complete(given, [&](const RollingScene& scene) {
+    const Method method = resolved_method(scene);
+    std::string note;
+    if (method == Method::spectral) {
+      SpectralOutcome found = solve_spectral(scene);
+      if (found.solution) return std::move(*found.solution);
+      note = "; solved on a grid, not with continuous edges: " + found.reason;
+    }
+    if (method == Method::active_set) return solve_paper(scene);
+    NestedOutcome outcome;
+    if (last_ && last_->is_like(scene)) outcome = solve_from(last_->outcome, scene, grids_of(scene));
+    if (outcome.status == Status::converged)
+      ++reused_;
+    else
+      outcome = solve_on_grids(scene);
+    RollingSolution solution = answer_from(outcome, scene);
+    if (solution.status == Status::converged && !(solution.law_violation <= trusted_violation) &&
+        solution.contact_nodes <= factorisable_nodes) {
+      RollingScene factorised = scene;
+      factorised.method = Method::newton_dense;
+      outcome = solve_on_grids(factorised);
+      solution = answer_from(outcome, scene);
+    }
+    solution.method = method == Method::newton_dense ? method : Method::newton;
+    solution.model += note;
+    // Without a spacing nothing starts from it.
+    if (solution.status == Status::converged)
+      last_ = scene.spacing ? std::make_unique<Last>(Last{scene, std::move(outcome)}) : nullptr;
+    return solution;
+  });
+}
+
+}  // namespace rollres

@@ -1,0 +1,50 @@
+#include "core/spectral/passage_slopes.hpp"
+
+#include <cmath>
+
+namespace rollres {
+
+using complex = std::complex<double>;
+
+PassageSlopes::PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep)
+    : surface_(scene),
+      deep_(deep),
+      depth_(nearest_interface(scene)),
+      rigid_base_(has_rigid_base(scene)),
+      table_(first_memory_ + deep.terms.size(), 0.1 * depth_ / surface_.longest_wave(),
+             [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {
+  for (const CreepSpectrum::Term& term : deep.terms) memory_lengths_.push_back(scene.speed * term.time / depth_);
+}
+
+void PassageSlopes::transform(double k, std::span<complex> values) const {
+  constexpr complex i(0, 1);
+  const double along = k / depth_;
+  const SteadySurface::Moduli moduli = surface_.moduli(along);
+  const SurfaceCompliance c = surface_(moduli, along, 0), c_deep = surface_.half_spaces(moduli);
+  const complex per_deep = 1 / M_PI / deep_(-along * surface_.speed());
+  const complex normal = (along * c.normal - c_deep.normal) * per_deep;
+  const complex tangential = (along * c.longitudinal - c_deep.longitudinal) * per_deep;
+  const complex cross = (along * c.cross - c_deep.cross) * per_deep;
+  const auto put = [&](std::size_t function, const complex& n, const complex& t, const complex& x) {
+    values[3 * function] = n;
+    values[3 * function + 1] = t;
+    values[3 * function + 2] = x;
+  };
+  put(slopes_, i * normal, i * tangential, -cross);
+  // With the half-space's -ln|x|/(2 pi) but for its long waves, which ln(x^2 + 4 depth^2)/(4 pi) takes.
+  const double half_space = 0.5 / M_PI * std::exp(-2 * k);
+  put(displacements_, (normal + half_space) / k, (tangential + half_space) / k, i * cross / k);
+  for (std::size_t m = 0; m < memory_lengths_.size(); ++m) {
+    const complex mean = 1.0 / (1.0 - i * k * memory_lengths_[m]);
+    put(first_memory_ + m, i * mean * normal, i * mean * tangential, -mean * cross);
+  }
+}
+
+LayerSlopes PassageSlopes::displacement(double x) const {
+  if (!rigid_base_) return LayerSlopes::Constant(NAN);
+  LayerSlopes sum = table_(displacements_, x / depth_);
+  sum.head<2>() += std::log(x * x + 4 * depth_ * depth_) / (4 * M_PI);
+  return sum;
+}
+
+}  // namespace rollres

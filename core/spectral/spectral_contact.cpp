@@ -1,0 +1,229 @@
+#include "core/spectral/spectral_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/estimate/grid_choice.hpp"
+#include "core/spectral/spectral_evidence.hpp"
+#include "core/spectral/spectral_field.hpp"
+#include "core/spectral/spectral_limit.hpp"
+#include "core/spectral/spectral_search.hpp"
+#include "core/spectral/spectral_start.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr int most_coefficients = 160;
+constexpr double smallest_residual = 1e-14;
+constexpr double largest_violation = 5e-9;  // of any law
+constexpr double rounded_tail = 1e-13;      // last coefficients, relative to the largest
+constexpr double wrong_pattern = 1e-7;      // violation of an inequality that no order mends
+constexpr double plainly_wrong = 0.01;      // the same, seen at once
+constexpr int most_stays = 3;               // checks of all laws that find no smaller violation
+constexpr double slowest_fall = 0.9;        // of the last coefficients, from one order to the next
+
+/// The change from one order to the next, times how fast coefficients fall, is often too hopeful: so is the answer's
+/// estimate, which takes the laws between the points into account; calibrated by `rollres accuracy --random`. A
+/// rotation that is given hands what the edges lack on to the traction.
+double cautious(double error, double violation, Drive drive) {
+  constexpr double rounding = 1e-12;
+  const double factor = drive == Drive::rotation ? 2.5 : 1;
+  return factor * (3.25 * error + 0.65 * std::sqrt(error * violation) + rounding);
+}
+
+/// Work that is spent before the scene is left to the grids, in evaluations of a system of 100 unknowns with slip in
+/// one direction: 0.1 to 0.2 s. Counted and not timed, so that the answer is the same on any machine.
+constexpr double most_work = 800;
+
+/// Work of an evaluation. Systems with slip in both directions take a base of their own (sliding_base.hpp) and, for the
+/// resultants, several times as many sources.
+double work_of(const SlipPattern& pattern, int order) {
+  const double unknowns = order * (1 + static_cast<double>(pattern.sticks())) / 100;
+  return (pattern.one_direction() ? 1.5 : 8) * unknowns * (unknowns + 0.5);
+}
+
+/// Work of checking all laws, on points between those of the collocation: for memories much shorter than the contact
+/// most of it goes into their tails.
+double work_of_check(const SpectralProblem& problem, const SlipPattern& pattern, int order, double half_length) {
+  double rate = 0;
+  for (const double length : problem.relaxation_length) rate = std::max(rate, half_length / length);
+  return 2 * work_of(pattern, order) + std::min(0.3 * std::sqrt(rate), 150.0);
+}
+
+class SpectralContact {
+ public:
+  SpectralContact(const RollingScene& scene, const CreepSpectrum& creep)
+      : scene_(scene),
+        tolerance_(scene.tolerance.value_or(default_spectral_tolerance)),
+        problem_(scene, creep, estimate_contact(scene).half_width) {}
+
+  SpectralOutcome run() {
+    if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
+    const std::optional<SpectralState> smooth = frictionless_start(problem_);
+    if (!smooth) return {{}, "no contact found without friction"};
+    if (scene_.friction_coefficient == 0) {
+      if (refine({}, smooth->edges)) return finished();
+      return {{}, "no contact found within the laws"};
+    }
+    if (try_quick_patterns(*smooth)) return finished();
+    if (scene_.drive != Drive::rotation)
+      if (const std::optional<double> needed = friction_needed(problem_, smooth->edges.contact)) {
+        RollingSolution solution;
+        solution.method = Method::spectral;
+        solution.status = Status::no_steady_state;
+        solution.friction_needed = *needed;
+        solution.reason = too_much_traction(*needed, scene_.friction_coefficient);
+        solution.iterations = evaluations_;
+        return {solution, {}};
+      }
+    std::vector<int> tried;
+    for (const double nodes : {60.0, 240.0}) {
+      const std::optional<PatternStart> start = pattern_on_grid(scene_, smooth->edges.contact.half_length() / nodes);
+      if (!start || start->pattern.slips == tried) continue;
+      if (refine(start->pattern, start->edges)) return finished();
+      if (last_) tried = start->pattern.slips;
+    }
+    return {{}, "no pattern of zones fits"};
+  }
+
+ private:
+  SpectralOutcome finished() {
+    best_->solution.method = Method::spectral;
+    best_->solution.status = Status::converged;
+    best_->solution.iterations = evaluations_;
+    return {std::move(best_->solution), {}};
+  }
+
+  bool try_quick_patterns(const SpectralState& smooth) {
+    if (scene_.drive == Drive::rotation) {
+      const int direction = *scene_.rotation_ratio < 1 ? 1 : -1;
+      if (refine({.shear = true, .slips = {direction}}, smooth.edges)) return true;
+    }
+    const std::optional<PatternStart> start = one_border_start(problem_, smooth.edges.contact);
+    if (!start) return false;
+    if (refine(start->pattern, start->edges)) return true;
+    // Overloaded ahead of the border: slip at the leading edge from there on.
+    if (!last_ || !std::isfinite(overloaded_)) return false;
+    SlipPattern pattern = start->pattern;
+    pattern.slips.back() = overload_direction_;
+    SpectralEdges edges = last_->edges;
+    edges.sticks[0].to = overload_start(edges.sticks[0]);
+    return refine(pattern, edges);
+  }
+
+  /// The point of the stick from which on the last state's shear is too large.
+  double overload_start(const Interval& stick) const {
+    const SpectralField field(problem_, *last_);
+    const double step = 0.01 * (stick.to - stick.from);
+    double start = stick.to - 0.5 * step;
+    for (int k = 1; k < 99; ++k) {
+      const double x = stick.to - k * step;
+      if (std::abs(field.shear(x)) > scene_.friction_coefficient * field.pressure(x)) start = x;
+    }
+    return start;
+  }
+
+  /// Solves with rising orders until the tolerance is met; true if the answer obeys all laws. Gives up where higher
+  /// orders will not help: the pattern is wrong, a violation stays, coefficients do not fall, or work is used up.
+  bool refine(const SlipPattern& pattern, SpectralEdges edges) {
+    last_.reset();
+    overloaded_ = RollingSolution::absent;
+    EdgeSearch search(problem_, pattern);
+    const bool costly = !pattern.one_direction();
+    // The laws are held to 5e-9 whatever the tolerance: fewer coefficients only cost another round.
+    double coefficients = first_order(problem_, edges, std::min(tolerance_, 1e-8));
+    double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
+    double residual = std::min(1e-9, 0.01 * tolerance_);
+    int stays = 0;
+    bool done = false, glanced = !costly;
+    while (coefficients <= most_coefficients) {
+      const auto order = static_cast<int>(coefficients);
+      const double work = work_of(pattern, order);
+      if (work_ + 3 * work > most_work) return false;
+      const int used = search.evaluations();
+      std::optional<SpectralState> state =
+          search.find(edges, {order, order}, residual, static_cast<int>((most_work - work_) / work));
+      evaluations_ += search.evaluations() - used;
+      work_ += work * (search.evaluations() - used);
+      if (!state) break;
+      edges = state->edges;
+      const double resistance = state->driving_force + state->driving_torque * state->rotation_ratio / scene_.radius;
+      const double tail = relative_tail(*state);
+      // Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
+      const double lever = state->load * edges.contact.half_length() / scene_.radius;
+      const double scale = std::max(std::abs(resistance), 1e-6 * lever);
+      const double change = std::abs(resistance - before) / scale;
+      double error =
+          change * std::min(1.0, tail / tail_before) + (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+      // With all coefficients there, repeated changes tell better what residuals at the limit of rounding do.
+      if (std::max(tail, tail_before) < rounded_tail) error = std::min(error, 10 * std::max(change, change_before));
+      residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);
+      const bool falling = tail < slowest_fall * tail_before;
+      before = resistance;
+      change_before = change;
+      tail_before = tail;
+      last_ = std::move(state);
+      if (error <= tolerance_ || (!glanced && error < 1e-4)) {
+        glanced = true;
+        work_ += work_of_check(problem_, pattern, order, edges.contact.half_length());
+        SpectralEvidence evidence = assess(problem_, *last_);
+        const double violation = evidence.solution.law_violation;
+        const bool lawful = evidence.wrong_zone < wrong_pattern;
+        if (!lawful) {
+          overloaded_ = evidence.overloaded;
+          overload_direction_ = evidence.overload_direction;
+        }
+        if (evidence.wrong_zone > plainly_wrong) return false;
+        if (error <= tolerance_) {
+          if (violation < largest_violation) {
+            evidence.solution.error_estimate = cautious(error, violation, scene_.drive) + problem_.left_out;
+            best_ = std::move(evidence);
+            return true;
+          }
+          if (done && !lawful) return false;
+          done = true;
+          residual =
+              std::max(0.01 * residual, smallest_residual);  // where edges that are not quite in place break laws
+          if (violation < 0.5 * least_violation)
+            least_violation = violation;
+          else if (++stays == most_stays || violation > 1e-6)
+            return false;
+        }
+      } else if (costly && order >= 30 && !falling) {
+        return false;
+      }
+      coefficients = 1.4 * coefficients + 2;
+    }
+    return false;
+  }
+
+  static double relative_tail(const SpectralState& state) {
+    const auto part = [](const Eigen::VectorXd& c) { return c.size() > 2 ? c.tail(2).cwiseAbs().maxCoeff() : 0.0; };
+    double tail = part(state.pressure.coefficients);
+    for (const SpectralDensity& stick : state.sticks) tail += part(stick.coefficients);
+    return tail / state.pressure.coefficients.cwiseAbs().maxCoeff();
+  }
+
+  RollingScene scene_;
+  double tolerance_;
+  SpectralProblem problem_;
+  std::optional<SpectralState> last_;
+  std::optional<SpectralEvidence> best_;
+  double overloaded_ = RollingSolution::absent;
+  int overload_direction_ = 0;
+  int evaluations_ = 0;
+  double work_ = 0;
+};
+
+}  // namespace
+
+SpectralOutcome solve_spectral(const RollingScene& scene) { return solve_spectral(scene, near_spectrum(scene)); }
+
+SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
+  return SpectralContact(scene, creep).run();
+}
+
+}  // namespace rollres

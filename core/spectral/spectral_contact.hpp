@@ -1,0 +1,32 @@
+#pragma once
+
+/// Rolling of a cylinder with continuous contact edges: one domain for each zone, spectral in each.
+///
+/// The zones are guessed from a chain of cheap solutions (frictionless; one border between stick and slip; slip at the
+/// leading edge where that would overload the stick; the zones of a coarse grid), and every answer is checked against
+/// all laws on a fine set of points. Orders rise until the tolerance is met.
+
+#include <optional>
+#include <string>
+
+#include "core/material/material.hpp"
+#include "core/scene/solution.hpp"
+
+namespace rollres {
+
+/// The wanted relative error of a scene without a tolerance.
+constexpr double default_spectral_tolerance = 1e-8;
+
+struct SpectralOutcome {
+  /// Absent if no pattern of zones that this method knows obeys all laws.
+  std::optional<RollingSolution> solution;
+  std::string reason;  ///< why there is none
+};
+
+/// @param scene of a cylinder that obeys `check`, without period
+/// The solution's status is converged or no_steady_state; model, seconds and warnings are left to the caller.
+SpectralOutcome solve_spectral(const RollingScene& scene);
+/// The same for any discrete spectrum in place of the scene's material; the start is guessed from the scene's.
+SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep);
+
+}  // namespace rollres

@@ -1,0 +1,231 @@
+#include "core/spectral/spectral_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/newton/surface_window.hpp"
+#include "core/spectral/surface_panels.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr int intervals_per_half_length = 30;
+
+class SpectralAssessment {
+ public:
+  SpectralAssessment(const SpectralProblem& given_problem, const SpectralState& given_state)
+      : problem_(given_problem),
+        state_(given_state),
+        field_(given_problem, given_state),
+        panels_(surface_panels(given_problem, given_state, field_)),
+        friction_(given_problem.scene.friction_coefficient),
+        half_(given_state.edges.contact.half_length()) {}
+
+  SpectralEvidence run() {
+    measure_contact();
+    sum_forces();
+    check_laws();
+    balance_power();
+    keep_fields();
+    return std::move(evidence_);
+  }
+
+ private:
+  bool sheared() const { return state_.pattern.shear; }
+  static bool contact(const SurfacePanel& panel) { return panel.zone != Zone::free; }
+  Eigen::ArrayXd slip(const SurfacePanel& panel) const { return 1 + panel.slope_u - state_.rotation_ratio; }
+
+  /// Largest of |value| near its largest value at a node, by golden section between the node's neighbours.
+  template <class Value>
+  double peak(const Value& value, const Eigen::ArrayXd SurfacePanel::*nodes) const {
+    double largest = 0, low = 0, high = 0;
+    for (const SurfacePanel& panel : panels_) {
+      if (!contact(panel)) continue;
+      const Eigen::ArrayXd& at = panel.*nodes;
+      for (Eigen::Index k = 0; k < at.size(); ++k)
+        if (std::abs(at(k)) > largest) {
+          largest = std::abs(at(k));
+          low = panel.x(std::min(k + 1, at.size() - 1));
+          high = panel.x(std::max<Eigen::Index>(k - 1, 0));
+        }
+    }
+    constexpr double golden = 0.6180339887498949;
+    double left = high - golden * (high - low), right = low + golden * (high - low);
+    double at_left = std::abs(value(left)), at_right = std::abs(value(right));
+    for (int step = 0; step < 30; ++step) {
+      largest = std::max({largest, at_left, at_right});
+      if (at_left > at_right) {
+        high = right;
+        right = left;
+        at_right = at_left;
+        left = high - golden * (high - low);
+        at_left = std::abs(value(left));
+      } else {
+        low = left;
+        left = right;
+        at_left = at_right;
+        right = low + golden * (high - low);
+        at_right = std::abs(value(right));
+      }
+    }
+    return largest;
+  }
+
+  void measure_contact() {
+    const Interval& contact = state_.edges.contact;
+    s_.leading_edge = contact.to;
+    s_.trailing_edge = contact.from;
+    s_.contact_area = 2 * half_;
+    s_.approach = state_.approach;
+    s_.contact_nodes = static_cast<int>(state_.pressure.coefficients.size());
+    for (Eigen::Index k = 0; k < s_.contact_nodes; ++k)
+      if (field_.zone(state_.sources(k)) == Zone::slip) ++s_.slip_nodes;
+    s_.peak_pressure = peak([&](double x) { return field_.pressure(x); }, &SurfacePanel::pressure);
+    if (sheared()) s_.peak_shear_x = peak([&](double x) { return field_.shear(x); }, &SurfacePanel::shear);
+  }
+
+  void sum_forces() {
+    const RollingScene& scene = problem_.scene;
+    s_.load = state_.load;
+    s_.mean_pressure = s_.load / s_.contact_area;
+    s_.driving_torque = state_.driving_torque;
+    s_.driving_force = state_.driving_force;
+    s_.rolling_resistance = s_.driving_force;
+    if (sheared()) {
+      s_.rotation_ratio = state_.rotation_ratio;
+      s_.rotation_speed = state_.rotation_ratio * scene.speed / scene.radius;
+      s_.rolling_resistance += s_.driving_torque * s_.rotation_ratio / scene.radius;
+    }
+    s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
+  }
+
+  void check_laws() {
+    const RollingScene& scene = problem_.scene;
+    const double gap_scale = half_ * half_ / (2 * scene.radius), slip_scale = half_ / scene.radius;
+    const double pressure_scale = s_.peak_pressure, shear_scale = std::max(friction_ * pressure_scale, 1e-300);
+    double worst = 0, load = 0, torque = 0, force = 0;
+    const auto violated = [&](double amount) { worst = std::max(worst, std::isnan(amount) ? INFINITY : amount); };
+    double overload = 0;
+    const auto wrong = [&](double amount) {
+      violated(amount);
+      if (!(amount <= evidence_.wrong_zone)) evidence_.wrong_zone = std::isnan(amount) ? INFINITY : amount;
+    };
+    for (const SurfacePanel& panel : panels_) {
+      const Eigen::ArrayXd sliding = slip(panel);
+      for (Eigen::Index k = 0; k < panel.x.size(); ++k) {
+        const double x = panel.x(k), p = panel.pressure(k), shear = panel.shear(k);
+        if (!contact(panel)) {
+          if (std::abs(x) < 0.98 * scene.radius) wrong(-panel.gap(k) / gap_scale);
+          continue;
+        }
+        load += panel.weights(k) * (p * problem_.cosine(x) - shear * x / scene.radius);
+        torque -= panel.weights(k) * shear * scene.radius;
+        force += panel.weights(k) * (p * x / scene.radius + shear * problem_.cosine(x));
+        violated(std::abs(panel.gap(k)) / gap_scale);
+        wrong(-p / pressure_scale);
+        if (!sheared()) continue;
+        const double bound = friction_ * std::abs(p), speed = std::abs(sliding(k));
+        if (panel.zone == Zone::stick) {
+          wrong((std::abs(shear) - bound) / shear_scale);
+          if (std::abs(shear) - bound > overload) {
+            overload = std::abs(shear) - bound;
+            evidence_.overloaded = x;
+            evidence_.overload_direction = shear > 0 ? 1 : -1;
+          }
+          violated(speed / slip_scale);
+        } else {
+          violated(std::abs(std::abs(shear) - bound) / shear_scale);
+          wrong(std::abs(shear * speed - bound * sliding(k)) / (shear_scale * std::max(slip_scale, speed)));
+        }
+      }
+    }
+    // The resultants once more, on the fine points.
+    if (scene.load) violated(std::abs(load - *scene.load) / *scene.load);
+    if (scene.approach) violated(std::abs(s_.approach - *scene.approach) / *scene.approach);
+    violated(std::abs(force - s_.driving_force) / load);
+    if (!state_.sticks.empty() && scene.drive != Drive::rotation) {
+      double drive = torque / scene.radius;
+      if (scene.drive == Drive::top_force) drive -= force;
+      if (scene.drive == Drive::torque) drive -= *scene.driving_torque / scene.radius;
+      violated(std::abs(drive) / load);
+    }
+    s_.law_violation = worst;
+  }
+
+  void balance_power() {
+    const RollingScene& scene = problem_.scene;
+    double layer = 0, geometry = 0, friction = 0;  // powers over V
+    for (const SurfacePanel& panel : panels_) {
+      if (!contact(panel)) continue;
+      const Eigen::ArrayXd sliding = slip(panel);
+      for (Eigen::Index k = 0; k < panel.x.size(); ++k) {
+        const double x = panel.x(k), pressure = panel.weights(k) * panel.pressure(k);
+        layer += pressure * panel.slope_w(k);
+        geometry -= pressure * (problem_.slope(x) - x / scene.radius);
+        if (!sheared()) continue;
+        const double shear = panel.weights(k) * panel.shear(k);
+        layer -= shear * panel.slope_u(k);
+        geometry -= shear * (1 - problem_.cosine(x));
+        friction += shear * sliding(k);
+      }
+    }
+    s_.viscous_loss = scene.speed * (layer + geometry);
+    s_.frictional_loss = scene.speed * friction;
+    const double power = s_.rolling_resistance * scene.speed;
+    const double least = 1e-6 * s_.load * scene.speed * half_ / scene.radius;  // an elastic layer resists with nothing
+    s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss) / std::max(std::abs(power), least);
+  }
+
+  void keep_fields() {
+    SurfaceFields& fields = s_.fields;
+    SurfaceGrid& grid = fields.grid;
+    grid.spacing_x = half_ / intervals_per_half_length;
+    grid.spacing_y = 1;
+    grid.rows = 1;
+    const double behind = state_.edges.contact.from - spectral_field_margin * half_;
+    const double ahead = std::min(state_.edges.contact.to + spectral_field_margin * half_, panels_.front().to);
+    grid.first_column = static_cast<int>(std::ceil(behind / grid.spacing_x));
+    grid.columns = static_cast<int>(std::floor(ahead / grid.spacing_x)) - grid.first_column + 1;
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    for (std::vector<double>* values : {&fields.u, &fields.w, &fields.pressure, &fields.shear_x, &fields.slip_x})
+      values->assign(columns, 0);
+    fields.zone.assign(columns, Zone::free);
+    double u = field_.displacement_ahead(panels_.front().to);
+    const double approach = std::isnan(state_.approach) ? 0 : state_.approach;
+    const double rounding = 1e-9 * half_;  // the window may end where the panels do
+    int column = grid.columns - 1;
+    for (const SurfacePanel& panel : panels_) {
+      const Eigen::ArrayXd moved = u + panel.integrated(panel.slope_u), sliding = slip(panel);
+      u = moved(moved.size() - 1);
+      for (; column >= 0 && grid.x(column) >= panel.from - rounding; --column) {
+        const double x = grid.x(column);
+        if (x > panel.to + rounding) continue;
+        const auto i = static_cast<std::size_t>(column);
+        fields.u[i] = panel.at(moved, x);
+        fields.w[i] = problem_.profile(x) - approach - panel.at(panel.gap, x);
+        fields.zone[i] = panel.zone;
+        if (!contact(panel)) continue;
+        fields.pressure[i] = field_.pressure(x);
+        fields.shear_x[i] = field_.shear(x);
+        if (sheared() && panel.zone == Zone::slip) fields.slip_x[i] = panel.at(sliding, x);
+      }
+    }
+  }
+
+  const SpectralProblem& problem_;
+  const SpectralState& state_;
+  SpectralField field_;
+  std::vector<SurfacePanel> panels_;
+  double friction_, half_;
+  SpectralEvidence evidence_;
+  RollingSolution& s_ = evidence_.solution;
+};
+
+}  // namespace
+
+SpectralEvidence assess(const SpectralProblem& problem, const SpectralState& state) {
+  return SpectralAssessment(problem, state).run();
+}
+
+}  // namespace rollres

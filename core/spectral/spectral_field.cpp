@@ -1,0 +1,195 @@
+#include "core/spectral/spectral_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/chebyshev_rule.hpp"
+#include "core/numerics/memory_functions.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int most_tail_terms = 4000, most_mixed_tail_terms = 300;
+
+/// sum c_k h_k of cosines or sines of multiples of acos(t), from the one before the first and the first.
+double harmonic_sum(const VectorXd& c, double t, double before, double here) {
+  double sum = 0;
+  for (Index k = 0; k < c.size(); ++k) {
+    sum += c(k) * here;
+    const double next = 2 * t * here - before;
+    before = here;
+    here = next;
+  }
+  return sum;
+}
+
+/// sum c_k T_k(t), and with `first` = 1 sum c_k T_{k+1}(t), ...; beyond |t| = 1 the field's continuation.
+double image_sum(const VectorXd& c, double t, Index first) {
+  if (std::abs(t) > 1) {
+    const double root = std::sqrt((std::abs(t) - 1) * (std::abs(t) + 1));
+    const double factor = std::copysign(1 / (std::abs(t) + root), t);
+    double power = std::pow(factor, static_cast<double>(first)), sum = 0;
+    for (Index k = 0; k < c.size() && std::abs(power) > 1e-30; ++k, power *= factor) sum += c(k) * power;
+    return sum;
+  }
+  const double angle = std::acos(t);
+  return harmonic_sum(c, t, std::cos(static_cast<double>(first - 1) * angle),
+                      std::cos(static_cast<double>(first) * angle));
+}
+
+/// sqrt(1 - t^2) sum c_k U_{first+k-1}(t) = sum c_k sin((first + k) angle)
+double density_sum(const VectorXd& c, double t, Index first) {
+  if (!(std::abs(t) < 1)) return 0;
+  const double angle = std::acos(t);
+  return harmonic_sum(c, t, std::sin(static_cast<double>(first - 1) * angle),
+                      std::sin(static_cast<double>(first) * angle));
+}
+
+}  // namespace
+
+SpectralField::Tails SpectralField::tails_of(const SpectralProblem& problem, const SpectralDensity& density,
+                                             double half_length) {
+  const Index order = density.coefficients.size();
+  Tails tails{.kept = VectorXd::Zero(order + 1), .left = {}, .amplitudes = density.amplitudes, .rates = {}};
+  tails.rates.resize(density.amplitudes.size());
+  const double scale = density.coefficients.size() > 0 ? density.coefficients.cwiseAbs().maxCoeff() : 0;
+  for (Index j = 0; j < density.amplitudes.size(); ++j) {
+    const double rate = half_length / problem.relaxation_length[static_cast<std::size_t>(j)];
+    tails.rates(j) = rate;
+    const int last = std::min(static_cast<int>(order) + 1 + static_cast<int>(9 * std::sqrt(rate)), most_tail_terms);
+    VectorXd series = 2 * density.amplitudes(j) * scaled_bessel_i(rate, std::max(last, static_cast<int>(order) + 2));
+    series(0) /= 2;
+    tails.kept += series.head(order + 1);
+    if (std::abs(series(order + 1)) < 1e-15 * scale) continue;
+    Index count = series.size() - order - 1;
+    while (count > 1 && std::abs(series(order + count)) < 1e-17 * scale) --count;
+    if (tails.left.size() < count) tails.left.conservativeResizeLike(VectorXd::Zero(count));
+    tails.left.head(count) += series.segment(order + 1, count);
+  }
+  return tails;
+}
+
+SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState& state)
+    : problem_(problem),
+      state_(state),
+      friction_(state.pattern.shear ? problem.scene.friction_coefficient : 0),
+      contact_tails_(tails_of(problem, state.pressure, state.edges.contact.half_length())) {
+  for (std::size_t z = 0; z < state.sticks.size(); ++z)
+    stick_tails_.push_back(tails_of(problem, state.sticks[z], state.edges.sticks[z].half_length()));
+  if (state.pattern.shear)
+    base_.emplace(state.pattern, state.edges,
+                  static_cast<int>(state.pressure.coefficients.size() + mixed_tail().size()),
+                  state.sticks.empty() ? 0 : static_cast<int>(state.sticks.front().coefficients.size()));
+}
+
+/// What of the pressure's tails a base of several directions mixes into other places, as coefficients.
+VectorXd SpectralField::mixed_tail() const {
+  if (state_.pattern.one_direction()) return {};
+  return 2 * contact_tails_.left.head(std::min<Index>(contact_tails_.left.size(), most_mixed_tail_terms));
+}
+
+double SpectralField::tail_density(const Tails& tails, double t) const {
+  if (tails.left.size() == 0) return 0;
+  return 2 * density_sum(tails.left, t, tails.kept.size());
+}
+
+double SpectralField::tail_image(const Tails& tails, double t) const {
+  if (tails.left.size() == 0) return 0;
+  if (std::abs(t) > 1) return image_sum(tails.left, t, tails.kept.size());
+  double sum = -image_sum(tails.kept, t, 0);
+  for (Index j = 0; j < tails.rates.size(); ++j) sum += tails.amplitudes(j) * std::exp(tails.rates(j) * (t - 1));
+  return sum;
+}
+
+double SpectralField::pressure(double x) const {
+  const double t = place_in(state_.edges.contact, x);
+  return density_sum(state_.pressure.coefficients, t, 1) + tail_density(contact_tails_, t);
+}
+
+double SpectralField::shear(double x) const { return shear(x, pressure(x)); }
+
+double SpectralField::shear(double x, double pressure_there) const {
+  if (!state_.pattern.shear) return 0;
+  double sum = friction_ * base_->direction(x) * pressure_there;
+  for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
+    const double t = place_in(state_.edges.sticks[z], x);
+    if (std::abs(t) < 1) sum += density_sum(state_.sticks[z].coefficients, t, 1) - tail_density(stick_tails_[z], t);
+  }
+  return sum;
+}
+
+Zone SpectralField::zone(double x) const {
+  const SpectralEdges& edges = state_.edges;
+  if (!(x >= edges.contact.from && x <= edges.contact.to)) return Zone::free;
+  for (const Interval& stick : edges.sticks)
+    if (x >= stick.from && x <= stick.to) return Zone::stick;
+  return Zone::slip;
+}
+
+template <class Kernel>
+SpectralField::Slopes SpectralField::sum_of_sources(double x, Kernel kernel) const {
+  Slopes sum{0, 0};
+  for (Index q = 0; q < state_.sources.size(); ++q) {
+    const LayerSlopes k = kernel(x - state_.sources(q));
+    sum.w -= k(0) * state_.pressure_forces(q) + k(2) * state_.shear_forces(q);
+    sum.u += k(1) * state_.shear_forces(q) - k(2) * state_.pressure_forces(q);
+  }
+  return sum;
+}
+
+SpectralField::Slopes SpectralField::added_slopes(double x) const {
+  if (!problem_.layered()) return {0, 0};
+  return sum_of_sources(x, [&](double r) { return problem_.correction->slope(r); });
+}
+
+SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& added) const {
+  const double t = place_in(state_.edges.contact, x);
+  const double tail = tail_image(contact_tails_, t);
+  const VectorXd& phi = state_.pressure.coefficients;
+  Slopes g{0.5 * image_sum(phi, t, 1) + tail + added.w, added.u};
+  if (state_.pattern.shear) {
+    const Eigen::RowVectorXd slope = base_->slope(x);
+    const double m = base_->direction(x);
+    g.u += friction_ * (slope.head(phi.size()).dot(phi) - m * tail);
+    const VectorXd mixed = mixed_tail();
+    if (mixed.size() > 0)
+      g.u += friction_ * (slope.tail(mixed.size()).dot(mixed) + 0.5 * m * image_sum(mixed, t, phi.size() + 1));
+    for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
+      const double s = place_in(state_.edges.sticks[z], x);
+      g.u += tail_image(stick_tails_[z], s) - 0.5 * image_sum(state_.sticks[z].coefficients, s, 1);
+    }
+  }
+  if (problem_.local_cross != 0 && std::abs(t) < 1) g.u += problem_.local_cross * pressure(x);
+  return g;
+}
+
+SpectralField::Slopes SpectralField::remembered_ahead(std::size_t term, double x) const {
+  const double length = problem_.creep_length[term];
+  return sum_of_sources(x, [&](double r) -> LayerSlopes {
+    const double half_space = -scaled_exponential_integral(r / length) / (2 * M_PI * length);
+    LayerSlopes k(half_space, half_space, 0, 0);
+    if (problem_.layered()) k += problem_.correction->memory(term, r);
+    return k;
+  });
+}
+
+double SpectralField::displacement_ahead(double x) const {
+  if (!problem_.layered() || !has_rigid_base(problem_.scene)) return 0;
+  const Slopes elastic = sum_of_sources(x, [&](double r) -> LayerSlopes {
+    const double half_space = -std::log(r) / (2 * M_PI);
+    return problem_.correction->displacement(r) + LayerSlopes(half_space, half_space, 0, 0);
+  });
+  double u = problem_.rubbery_compliance * elastic.u;
+  for (std::size_t m = 0; m < problem_.creep_length.size(); ++m)
+    u += problem_.creep_compliance[m] * problem_.creep_length[m] * remembered_ahead(m, x).u;
+  return u;
+}
+
+}  // namespace rollres

@@ -1,0 +1,61 @@
+#pragma once
+
+/// Tractions and slopes of the surface at any point, from a spectral state. Nothing here uses the equations that the
+/// state was made to fulfil: what it finds in the contact is a check on them.
+
+#include <optional>
+#include <vector>
+
+#include "core/scene/solution.hpp"
+#include "core/spectral/sliding_base.hpp"
+#include "core/spectral/spectral_system.hpp"
+
+namespace rollres {
+
+class SpectralField {
+ public:
+  SpectralField(const SpectralProblem& problem, const SpectralState& state);
+
+  double pressure(double x) const;  // [Pa]
+  double shear(double x) const;     // [Pa]
+  double shear(double x, double pressure_there) const;
+  Zone zone(double x) const;
+
+  /// Slopes dw/dx, du/dx of a layer of unit modulus.
+  struct Slopes {
+    double w, u;
+  };
+  Slopes elastic_slopes(double x) const { return elastic_slopes(x, added_slopes(x)); }
+  /// The same with what finite thickness adds, a smooth function of x, known.
+  Slopes elastic_slopes(double x, const Slopes& added) const;
+  Slopes added_slopes(double x) const;
+
+  /// Well ahead of the contact, where points stand for the tractions: means R_{T_term} of those slopes, and the
+  /// displacement u of the surface [m], 0 over a half-space.
+  Slopes remembered_ahead(std::size_t term, double x) const;
+  double displacement_ahead(double x) const;
+
+ private:
+  template <class Kernel>
+  Slopes sum_of_sources(double x, Kernel kernel) const;
+  struct Tails;  // what lies beyond a density's coefficients
+  Eigen::VectorXd mixed_tail() const;
+  double tail_density(const Tails& tails, double t) const;
+  double tail_image(const Tails& tails, double t) const;
+
+  struct Tails {
+    Eigen::VectorXd kept;  // amplitude times series up to the order, summed over terms
+    Eigen::VectorXd left;  // and beyond it, from order + 1
+    Eigen::VectorXd amplitudes, rates;
+  };
+  static Tails tails_of(const SpectralProblem& problem, const SpectralDensity& density, double half_length);
+
+  const SpectralProblem& problem_;
+  const SpectralState& state_;
+  double friction_;
+  Tails contact_tails_;
+  std::vector<Tails> stick_tails_;
+  std::optional<SlidingBase> base_;
+};
+
+}  // namespace rollres

@@ -1,0 +1,49 @@
+#include "core/spectral/spectral_limit.hpp"
+
+#include <cmath>
+
+#include "core/numerics/bracketed_root.hpp"
+#include "core/spectral/spectral_search.hpp"
+#include "core/spectral/spectral_start.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Surplus of the drive's row [N/m] in the direction asked for, when the body turns so fast (+1) or so slowly (-1) that
+/// the whole contact slides one way; NaN if that could not be solved.
+double sliding_surplus(const SpectralProblem& given, const Interval& contact, double friction, int direction) {
+  SpectralProblem problem = given;
+  problem.scene.friction_coefficient = friction;
+  const SlipPattern sliding{.shear = true, .slips = {-direction}};
+  const SpectralEdges start{contact, {}};
+  const int order = first_order(problem, start, 1e-8);
+  const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
+  if (!state) return NAN;
+  const RollingScene& scene = problem.scene;
+  double drive = state->driving_torque / scene.radius;
+  if (scene.drive == Drive::top_force) drive -= state->driving_force;
+  if (scene.drive == Drive::torque) drive -= *scene.driving_torque / scene.radius;
+  return direction * drive;
+}
+
+}  // namespace
+
+std::optional<double> friction_needed(const SpectralProblem& problem, const Interval& contact) {
+  const double given = problem.scene.friction_coefficient;
+  for (const int direction : {1, -1}) {
+    const auto surplus = [&](double friction) { return sliding_surplus(problem, contact, friction, direction); };
+    if (!(surplus(given) < 0)) continue;
+    double low = given, high = 2 * given, at_high = surplus(high);
+    for (int doubling = 0; doubling < 40 && at_high < 0; ++doubling) {
+      low = high;
+      high *= 2;
+      at_high = surplus(high);
+    }
+    if (!(at_high >= 0)) return {};
+    return bracketed_root(surplus, low, high, 1e-9);
+  }
+  return {};
+}
+
+}  // namespace rollres

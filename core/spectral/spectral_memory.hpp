@@ -1,0 +1,51 @@
+#pragma once
+
+/// What the memories of a scene's layer make of densities on an interval (spectral_system.hpp).
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/spectral/spectral_system.hpp"
+
+namespace rollres {
+
+/// The exponentials e^{(x - to)/rho_j} of an interval that ends at `to`, split at a density's order, and the memories
+/// R_{T_m} beyond its leading end.
+struct IntervalMemory {
+  Eigen::MatrixXd series;      // [n, j]: Chebyshev coefficients, n = 0 ... order; beyond it they are left to tails
+  Eigen::MatrixXd beyond;      // [k, j]: and those of n = order + 1 + k, as many as matter at a distance; perhaps none
+  Eigen::MatrixXd memory;      // [n, m]: b_n (memory_functions.hpp), n = 0 ... order
+  Eigen::MatrixXd tails;       // [j, m]: R_{T_m} at `to` of the field of the tail
+  Eigen::VectorXd tail_lift;   // [j]: displacement at `to` by the tail, over the half-length
+  std::vector<bool> has_tail;  // [j]
+
+  IntervalMemory(const SpectralProblem& problem, const Interval& interval, int order);
+
+  /// Field of the tail j per amplitude, at x outside the interval [1].
+  double tail_field(std::size_t j, const Interval& interval, double x) const;
+  bool any_tail() const;
+};
+
+/// Solutions r_j of r - rho_j r' = slope of the body, at any point of the contact.
+class SlopeMemory {
+ public:
+  SlopeMemory(const SpectralProblem& problem, const Interval& contact, std::size_t term);
+  double at_edge() const;  // at the leading edge
+  double operator()(double x) const;
+
+ private:
+  const SpectralProblem& problem_;
+  double length_, end_;
+  bool goes_on_;
+};
+
+/// Points for int_0^inf f(from + s) e^{-s/T}/T ds with all the scene's T, f having roots of the distance from the ends
+/// of intervals only.
+struct PointsAhead {
+  Eigen::ArrayXd x;
+  Eigen::ArrayXXd weights;  // [point, m]
+
+  PointsAhead(const SpectralProblem& problem, const SpectralEdges& edges, double from, int order);
+};
+
+}  // namespace rollres

@@ -1,0 +1,110 @@
+#include "core/spectral/spectral_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/material/lumped_spectrum.hpp"
+#include "core/spectral/passage_slopes.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Memories below this part of the half-width count as elastic, whatever they lose.
+constexpr double shortest_memory = 1e-9;
+/// What memories that count as elastic may lose, relative to all; where a tolerance allows it, a part of that.
+constexpr double negligible_loss = 1e-7, part_of_tolerance = 0.1;
+
+struct TidySpectrum {
+  CreepSpectrum creep;
+  double left_out = 0;
+};
+
+/// Ascending, with terms of nearly the same time joined and those too short to matter made elastic: beside a glassy
+/// modulus many times the rubbery one they leave boundary layers that no number of coefficients resolves.
+TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible) {
+  std::sort(creep.terms.begin(), creep.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  // To first order in its time a term loses compliance * time, and none more than compliance * half_time.
+  double all = 0, short_loss = 0;
+  for (const CreepSpectrum::Term& term : creep.terms) all += term.compliance * std::min(term.time, half_time);
+  TidySpectrum tidy{.creep = {.instantaneous = creep.instantaneous, .terms = {}}};
+  std::vector<CreepSpectrum::Term>& terms = tidy.creep.terms;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    short_loss += term.compliance * term.time;
+    if (term.time < shortest_memory * half_time || short_loss <= negligible * all) {
+      tidy.creep.instantaneous += term.compliance;
+      tidy.left_out = std::min(short_loss / all, negligible);
+    } else if (!terms.empty() && term.time < (1 + 1e-9) * terms.back().time) {
+      terms.back().compliance += term.compliance;
+    } else if (term.compliance > 0) {
+      terms.push_back(term);
+    }
+  }
+  return tidy;
+}
+
+/// A single incompressible layer remembers as its material does: its corrections are elastic.
+class LayerSlopeCorrection final : public SlopeCorrection {
+ public:
+  LayerSlopeCorrection(double thickness, const std::vector<double>& memory_lengths) : thickness_(thickness) {
+    for (const double length : memory_lengths) memories_.emplace_back(thickness, length);
+  }
+  LayerSlopes slope(double x) const override { return layer_slope_correction(x, thickness_); }
+  LayerSlopes memory(std::size_t term, double x) const override { return memories_[term](x); }
+  LayerSlopes displacement(double x) const override { return layer_displacement_correction(x, thickness_); }
+  double depth() const override { return thickness_; }
+  double reach() const override { return layer_reach * thickness_; }
+
+ private:
+  double thickness_;
+  std::vector<LayerMemory> memories_;
+};
+
+bool single_incompressible(const RollingScene& scene) { return !is_composite(scene) && scene.poisson_ratio == 0.5; }
+
+}  // namespace
+
+SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double half_width)
+    : scene(given), radius(given.radius) {
+  const double largest = std::max(half_width, finite_thickness(scene));
+  const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
+  const TidySpectrum tidy =
+      tidied(lumped_for(material, scene.speed, 1e-3 * half_width, 1e2 * largest), half_width / scene.speed, negligible);
+  const CreepSpectrum& creep = tidy.creep;
+  left_out = tidy.left_out;
+  const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
+  glassy = relaxation.instantaneous;
+  glassy_compliance = rubbery_compliance = creep.instantaneous;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    creep_length.push_back(scene.speed * term.time);
+    creep_compliance.push_back(term.compliance);
+    rubbery_compliance += term.compliance;
+  }
+  rubbery = 1 / rubbery_compliance;
+  // u' = c_x/c_ww p where they are local, both in the half-space's ratio
+  local_cross = -0.5 * (1 - 2 * scene.poisson_ratio) / (2 * (1 - scene.poisson_ratio));
+  if (single_incompressible(scene)) {
+    if (std::isfinite(scene.layer_thickness))
+      correction = std::make_shared<LayerSlopeCorrection>(scene.layer_thickness, creep_length);
+  } else if (std::isfinite(nearest_interface(scene))) {
+    correction = std::make_shared<PassageSlopes>(scene, creep);
+  }
+  for (const RelaxationSpectrum::Term& term : relaxation.terms) {
+    relaxation_length.push_back(scene.speed * term.time);
+    relaxation_modulus.push_back(term.modulus);
+  }
+  memory_factor.resize(terms(), terms());
+  for (Eigen::Index j = 0; j < terms(); ++j)
+    for (Eigen::Index m = 0; m < terms(); ++m) {
+      const double creep_m = creep_length[static_cast<std::size_t>(m)];
+      memory_factor(j, m) = creep_compliance[static_cast<std::size_t>(m)] * creep_m /
+                            (creep_m - relaxation_length[static_cast<std::size_t>(j)]);
+    }
+}
+
+double SpectralProblem::cosine(double x) const { return std::sqrt(std::max(1 - x * x / (radius * radius), 1e-4)); }
+double SpectralProblem::profile(double x) const { return x * x / (radius * (1 + cosine(x))); }
+double SpectralProblem::slope(double x) const { return x / (radius * cosine(x)); }
+
+}  // namespace rollres

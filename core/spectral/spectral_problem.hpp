@@ -1,0 +1,44 @@
+#pragma once
+
+/// What a cylinder's scene is to the method with continuous contact edges, whatever its contact.
+
+#include <memory>
+#include <vector>
+
+#include "core/material/relaxation.hpp"
+#include "core/scene/scene.hpp"
+#include "core/spectral/slope_correction.hpp"
+
+namespace rollres {
+
+/// Lengths in m, moduli in Pa. A memory of length T = V tau is int_0^inf e^{-s/T}/T (.)(x + s) ds, written R_T; with
+/// the elastic slope g of a surface of unit modulus the slope of the surface is w' = [J_inf + sum_m C_m R_{T_m}] g, and
+/// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/material/relaxation.hpp). The spectrum is that of what lies
+/// next to the contact; all else is in the corrections to g.
+struct SpectralProblem {
+  /// @param creep what lies next to the contact, as by near_spectrum (contact_surface.hpp); of a single incompressible
+  /// layer it is the material, and the scene's own is not looked at
+  /// @param half_width a rough one: memories below 1e-6 of it are joined, and those below 1e-9 are elastic [m]
+  SpectralProblem(const RollingScene& scene, const CreepSpectrum& creep, double half_width);
+
+  double profile(double x) const;  // height of the body's lower surface above its lowest point [m]
+  double slope(double x) const;    // its derivative [1]
+  double cosine(double x) const;   // height of the axis above the surface over R [1]
+
+  RollingScene scene;
+  double radius;
+  double glassy, rubbery;                                     // G_inf, G0 [Pa]
+  double left_out;                                            // loss of the memories that count as elastic [1]
+  double rubbery_compliance;                                  // J_inf + sum C [1/Pa]
+  double glassy_compliance;                                   // J_inf [1/Pa]
+  std::vector<double> creep_length, creep_compliance;         // T_m, C_m
+  std::vector<double> relaxation_length, relaxation_modulus;  // rho_j, g_j
+  Eigen::MatrixXd memory_factor;  // [j, m]: C_m T_m/(T_m - rho_j), so that R_{rho_j} w' = sum_m factor R_{T_m} g
+  double local_cross;             // slope u' of unit modulus under unit pressure, there only (nu < 1/2) [1]
+  std::shared_ptr<const SlopeCorrection> correction;  // none for a half-space
+
+  bool layered() const { return correction != nullptr; }
+  Eigen::Index terms() const { return static_cast<Eigen::Index>(creep_length.size()); }
+};
+
+}  // namespace rollres

@@ -1,0 +1,36 @@
+#pragma once
+
+/// Edges and borders of a slip pattern: the few unknowns in which the problem with continuous edges is not linear.
+
+#include <optional>
+
+#include "core/spectral/spectral_system.hpp"
+
+namespace rollres {
+
+/// Newton's method with Broyden's updates on the residuals of `solve_inside`. Kept between orders: the slopes hardly
+/// change with them.
+class EdgeSearch {
+ public:
+  EdgeSearch(const SpectralProblem& problem, const SlipPattern& pattern) : problem_(problem), pattern_(pattern) {}
+
+  /// The state whose residuals are below `tolerance`, or as small as rounding allows; none if the search leaves the
+  /// pattern (a zone vanishes) or does not converge.
+  /// @param most_evaluations after which it takes no further step
+  std::optional<SpectralState> find(const SpectralEdges& start, const SpectralOrders& orders, double tolerance,
+                                    int most_evaluations = 400);
+
+  int evaluations() const { return evaluations_; }
+
+ private:
+  SpectralState evaluate(const Eigen::VectorXd& place, const SpectralOrders& orders);
+  bool differentiate(const Eigen::VectorXd& place, const SpectralState& state, const SpectralOrders& orders);
+
+  const SpectralProblem& problem_;
+  SlipPattern pattern_;
+  double unit_ = 1;          // length by which places are measured [m]
+  Eigen::MatrixXd inverse_;  // of the residuals' derivatives; empty: not known
+  int evaluations_ = 0;
+};
+
+}  // namespace rollres

@@ -1,0 +1,39 @@
+#pragma once
+
+/// Points and weights that stand for the tractions where smooth functions of x act on them: the layer's correction, the
+/// resultants.
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "core/spectral/layer_slopes.hpp"
+#include "core/spectral/sliding_base.hpp"
+
+namespace rollres {
+
+struct TractionSources {
+  Eigen::VectorXd x;                      // [m]; the contact's own nodes first
+  Eigen::MatrixXd of_pressure, of_shear;  // [source, unknown]: force per unknown [m]
+  Eigen::Index pressure_nodes = 0;        // first sources, and first unknowns, that have a pressure
+};
+
+/// @param base if there is friction   @param stick_places of the first coefficient of each zone of stick among the
+/// unknowns; those of the pressure are the first   @param unknowns their number
+TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges& edges, const SpectralOrders& orders,
+                                 const SlidingBase* base, double friction,
+                                 const std::vector<Eigen::Index>& stick_places, Eigen::Index unknowns);
+
+/// Slopes of the surface under unit forces at a distance [m], as those of core/spectral/layer_slopes.hpp.
+using LayerKernel = std::function<LayerSlopes(double)>;
+
+/// What the layer adds to the elastic slopes g_w and g_u of unit modulus at points x [m], by unknown: [point, unknown].
+Eigen::MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
+Eigen::MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
+
+/// Resultants by unknown, as in core/newton/contact_problem.hpp: P [N/m], Q [N/m], T/R [N/m].
+Eigen::RowVectorXd load_row(const SpectralProblem& problem, const TractionSources& sources);
+Eigen::RowVectorXd force_row(const SpectralProblem& problem, const TractionSources& sources);
+Eigen::RowVectorXd torque_row(const TractionSources& sources);
+
+}  // namespace rollres

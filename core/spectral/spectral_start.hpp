@@ -1,0 +1,28 @@
+#pragma once
+
+/// Where the search for edges and borders begins.
+
+#include <optional>
+
+#include "core/spectral/spectral_search.hpp"
+
+namespace rollres {
+
+struct PatternStart {
+  SlipPattern pattern;
+  SpectralEdges edges;
+};
+
+/// Coefficients that resolve a layer, for a first try.
+int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance);
+
+/// The contact without friction, roughly. With long steps of the stiffening if need be.
+std::optional<SpectralState> frictionless_start(const SpectralProblem& problem);
+
+/// Stick up to the leading edge: the direction of the slip behind it and its border, for given edges of contact.
+std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const Interval& contact);
+
+/// The zones that a grid of this spacing has; none if they are too many, or slip turns round without stick between.
+std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double spacing);
+
+}  // namespace rollres

@@ -1,0 +1,91 @@
+#pragma once
+
+/// The linear problem inside given edges of contact and borders of stick: tractions, memories and rotation.
+///
+/// Contact x = c + l t, |t| <= 1; p = sqrt(1 - t^2) sum phi_n U_n(t). Where the body touches, w' is its slope, so that
+/// the elastic slope g = G_inf w' - sum_j g_j R_{rho_j} w' is known but for what each memory has at the leading edge:
+///     R_{rho_j} w'(x) = r_j(x) + (z_j - r_j(x+)) e^{(x - x+)/rho_j},      z_j = sum_m factor_jm R_{T_m} g (x+),
+/// r_j being any solution of r - rho_j r' = w'. The exponential's Chebyshev series is known to any order (Bessel
+/// functions); what lies beyond the order N of the densities goes into the pressure directly, as
+/// 4 Z_j e^{-l/rho_j} I_n(l/rho_j) U_{n-1}, n > N ("tails"), so that memories much shorter than the contact need no
+/// more unknowns. The same holds in the zone of stick, x = c' + l' t', where u' = R Omega/V - 1: there
+///     shear = base + sqrt(1 - t'^2) sum psi_n U_n(t'),
+/// the base being +-mu p outside the stick (sliding_base.hpp). Bounded tractions are possible for the right edges only:
+/// the constants that each system lacks are the residuals that the search for edges and borders must bring to zero.
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "core/spectral/spectral_problem.hpp"
+
+namespace rollres {
+
+/// Which zones there are: slip and stick in turn, from the trailing to the leading edge.
+struct SlipPattern {
+  bool shear = false;  // false: no friction, and no zones
+  std::vector<int>
+      slips;  // direction of the shear in each zone of slip, +1 or -1; 0 first or last: stick up to the edge
+
+  std::size_t sticks() const { return slips.empty() ? 0 : slips.size() - 1; }
+  bool sticks_at_trailing_edge() const { return sticks() > 0 && slips.front() == 0; }
+  bool sticks_at_leading_edge() const { return sticks() > 0 && slips.back() == 0; }
+  /// Direction of the base on a zone of slip, continued up to an edge that sticks.
+  int direction(std::size_t slip) const {
+    if (slips[slip] != 0 || slips.size() == 1) return slips[slip];
+    return slips[slip == 0 ? 1 : slip - 1];
+  }
+  bool one_direction() const;
+  /// Edges and borders to be found. Stick all over is possible where the shear happens to vanish at the trailing edge;
+  /// whether it does is left to the check of the slip.
+  int unknowns() const {
+    return 2 + 2 * static_cast<int>(sticks()) - sticks_at_trailing_edge() - sticks_at_leading_edge();
+  }
+};
+
+struct Interval {
+  double from, to;  // trailing and leading end [m]
+  double centre() const { return 0.5 * (from + to); }
+  double half_length() const { return 0.5 * (to - from); }
+};
+
+struct SpectralEdges {
+  Interval contact{};
+  std::vector<Interval> sticks;  // from the trailing to the leading edge
+};
+
+/// x in units of an interval; roots of the distance from its ends must not see the ends' rounding.
+inline double place_in(const Interval& interval, double x) {
+  const double t = (x - interval.centre()) / interval.half_length();
+  return std::abs(std::abs(t) - 1) < 1e-12 ? std::copysign(1, t) : t;
+}
+
+struct SpectralOrders {
+  int contact = 8, stick = 8;
+};
+
+/// A density's unknowns on one interval.
+struct SpectralDensity {
+  Eigen::VectorXd coefficients;  // phi_n or psi_n [Pa]
+  Eigen::VectorXd amplitudes;    // of the exponentials in the elastic slope, Z_j [Pa]
+};
+
+struct SpectralState {
+  SlipPattern pattern;
+  SpectralEdges edges{};
+  SpectralDensity pressure;
+  std::vector<SpectralDensity> sticks;
+  double rotation_ratio = 1;                               // R Omega/V
+  double load = 0, approach = 0;                           // P [N/m], d [m] (NaN for a half-space)
+  double driving_torque = 0, driving_force = 0;            // T [N], Q [N/m]
+  Eigen::VectorXd edge_means;                              // R_{T_m} g_w at the leading edge [Pa]
+  Eigen::VectorXd sources, pressure_forces, shear_forces;  // points and forces that stand for the tractions at a
+                                                           // distance [m], [N/m]
+  Eigen::VectorXd residuals;                               // relative, one for each edge and border
+};
+
+/// @param edges with the pattern's zones of stick, inside the contact
+SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
+                           const SpectralOrders& orders);
+
+}  // namespace rollres

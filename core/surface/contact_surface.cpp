@@ -1,0 +1,212 @@
+#include "core/surface/contact_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollres {
+
+namespace {
+
+/// Wavenumber times thickness that stands for 0.
+constexpr double long_wave = 1e-4;
+/// Share of the tolerance that inertia may take: its effect on the resistance is about rho V^2/G.
+constexpr double inertia_share = 0.1;
+/// What inertia may take whatever the tolerance, which is one of computing: below it a warning would say nothing
+/// either.
+constexpr double always_negligible_inertia = 1e-3;
+
+/// Speed of Rayleigh waves over that of shear waves, squared (Viktorov 1967): 0.912 for nu = 1/2.
+double rayleigh_square(double poisson_ratio) {
+  return std::pow((0.87 + 1.12 * poisson_ratio) / (1 + poisson_ratio), 2);
+}
+
+/// rho V^2/G0 over that of Rayleigh waves, of one layer.
+double rayleigh_number(const MaterialInputs& material, double density, double speed) {
+  return density * speed * speed / (static_modulus(material) * rayleigh_square(material.poisson_ratio));
+}
+
+MediumLayer medium_layer(const MaterialInputs& material, double thickness, double density) {
+  return {thickness, material.poisson_ratio, density, creep_spectrum(material)};
+}
+
+/// All layers under (or on) the body with their densities.
+LayeredMedium all_under(const RollingScene& scene) {
+  LayeredMedium medium{medium_layer(scene, scene.layer_thickness, scene.layer_density)};
+  for (const BondedLayer& layer : scene.lower_layers)
+    medium.push_back(medium_layer(layer, layer.layer_thickness, layer.layer_density));
+  return medium;
+}
+
+LayeredMedium all_on(const RollingScene& scene) {
+  LayeredMedium medium;
+  for (const BondedLayer& layer : scene.coating_layers)
+    medium.push_back(medium_layer(layer, layer.layer_thickness, layer.layer_density));
+  return medium;
+}
+
+/// Of the surface and that of the body: the cross terms are opposite.
+SurfaceCompliance together(const SurfaceCompliance& below, const SurfaceCompliance& body) {
+  return {below.normal + body.normal, below.longitudinal + body.longitudinal, below.cross - body.cross,
+          below.transverse + body.transverse};
+}
+
+LayeredMedium without_inertia(LayeredMedium medium) {
+  for (MediumLayer& layer : medium) layer.density = 0;
+  return medium;
+}
+
+}  // namespace
+
+double rayleigh_number(const RollingScene& scene) {
+  double largest = rayleigh_number(scene, scene.layer_density, scene.speed);
+  for (const BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
+    for (const BondedLayer& layer : *layers)
+      largest = std::max(largest, rayleigh_number(layer, layer.layer_density, scene.speed));
+  return largest;
+}
+
+bool layers_carry_slower_waves(const RollingScene& scene) {
+  return carries_slower_waves(all_under(scene), scene.speed) || carries_slower_waves(all_on(scene), scene.speed);
+}
+
+double negligible_inertia(const RollingScene& scene) {
+  return std::max(inertia_share * scene.tolerance.value_or(0), always_negligible_inertia);
+}
+
+bool inertia_included(const RollingScene& scene) {
+  if (scene.inertia != Inertia::automatic) return scene.inertia == Inertia::on;
+  if (!scene.tolerance || scene.method == Method::spectral) return false;
+  const double number = rayleigh_number(scene);
+  return number > negligible_inertia(scene) && number < 1;
+}
+
+bool is_composite(const RollingScene& scene) {
+  return !scene.lower_layers.empty() || !scene.coating_layers.empty() || inertia_included(scene);
+}
+
+LayeredMedium foundation_of(const RollingScene& scene) {
+  return inertia_included(scene) ? all_under(scene) : without_inertia(all_under(scene));
+}
+
+LayeredMedium coating_of(const RollingScene& scene) {
+  return inertia_included(scene) ? all_on(scene) : without_inertia(all_on(scene));
+}
+
+double total_thickness(const RollingScene& scene) {
+  double sum = scene.layer_thickness;
+  for (const BondedLayer& layer : scene.lower_layers) sum += layer.layer_thickness;
+  for (const BondedLayer& layer : scene.coating_layers) sum += layer.layer_thickness;
+  return sum;
+}
+
+double finite_thickness(const RollingScene& scene) {
+  return finite_thickness(all_under(scene)) + finite_thickness(all_on(scene));
+}
+
+bool has_rigid_base(const RollingScene& scene) {
+  return std::isfinite(scene.lower_layers.empty() ? scene.layer_thickness : scene.lower_layers.back().layer_thickness);
+}
+
+double nearest_interface(const RollingScene& scene) {
+  return std::min(scene.layer_thickness,
+                  scene.coating_layers.empty() ? INFINITY : scene.coating_layers.front().layer_thickness);
+}
+
+CreepSpectrum near_spectrum(const RollingScene& scene) {
+  CreepSpectrum sum;
+  const auto add = [&](const MaterialInputs& material) {
+    const double share = 2 * (1 - material.poisson_ratio);
+    const CreepSpectrum spectrum = creep_spectrum(material);
+    sum.instantaneous += share * spectrum.instantaneous;
+    for (const CreepSpectrum::Term& term : spectrum.terms) sum.terms.push_back({share * term.compliance, term.time});
+  };
+  add(scene);
+  if (scene.coating_layers.empty()) return sum;
+  add(scene.coating_layers.front());
+  std::sort(sum.terms.begin(), sum.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::vector<CreepSpectrum::Term> joined;
+  for (const CreepSpectrum::Term& term : sum.terms) {
+    if (joined.empty() || joined.back().time < term.time)
+      joined.push_back(term);
+    else
+      joined.back().compliance += term.compliance;
+  }
+  sum.terms = std::move(joined);
+  return sum;
+}
+
+std::string surface_in_words(const RollingScene& scene) {
+  const bool half_space = !has_rigid_base(scene);
+  const std::size_t layers = 1 + scene.lower_layers.size() - (half_space ? 1 : 0);
+  std::string text = layers == 0   ? ""
+                     : layers == 1 ? "one layer bonded to "
+                                   : std::to_string(layers) + " layers bonded to each other and to ";
+  text += half_space ? "a half-space" : "a rigid base";
+  const std::size_t coats = scene.coating_layers.size();
+  if (coats == 0) return text + ", rigid body";
+  return text + ", rigid body with " + (coats == 1 ? "a coating" : std::to_string(coats) + " coatings");
+}
+
+SteadySurface::SteadySurface(const RollingScene& scene)
+    : composite_(is_composite(scene)),
+      layer_(layer_of(scene)),
+      speed_(scene.speed),
+      thickness_(total_thickness(scene)),
+      material_(creep_spectrum(scene)) {
+  if (!composite_) return;
+  foundation_ = foundation_of(scene);
+  coating_ = coating_of(scene);
+}
+
+SteadySurface::Moduli SteadySurface::moduli(double along) const {
+  const double omega = -along * speed_;
+  if (!composite_) return {material_(omega), {}, {}};
+  return {1, moduli_at(foundation_, omega), moduli_at(coating_, omega)};
+}
+
+SurfaceCompliance SteadySurface::operator()(const Moduli& moduli, double along, double across) const {
+  double k = std::hypot(along, across);
+  if (!composite_) {
+    const LayerSymbols c = layer_symbols(k, layer_);
+    const std::complex<double>& j = moduli.compliance;
+    return {j * c.normal, j * c.longitudinal, j * c.cross, j * c.transverse};
+  }
+  const double wave_speed = k > 0 ? speed_ * along / k : 0;
+  if (k == 0) k = long_wave / thickness_;  // the limit, to all digits that matter
+  const SurfaceCompliance below = surface_compliance(foundation_, moduli.foundation, k, wave_speed);
+  if (coating_.empty()) return below;
+  return together(below, surface_compliance(coating_, moduli.coating, k, wave_speed));
+}
+
+SurfaceCompliance SteadySurface::half_spaces(const Moduli& moduli) const {
+  if (!composite_) {
+    const LayerSymbols c = half_space_symbols(layer_.poisson_ratio);
+    const std::complex<double>& j = moduli.compliance;
+    return {j * c.normal, j * c.longitudinal, j * c.cross, j * c.transverse};
+  }
+  const SurfaceCompliance below = half_space_compliance(foundation_.front(), moduli.foundation.front(), speed_);
+  if (coating_.empty()) return below;
+  return together(below, half_space_compliance(coating_.front(), moduli.coating.front(), speed_));
+}
+
+SurfaceCompliance SteadySurface::long_waves() const {
+  if (!composite_) return std::isinf(layer_.thickness) ? half_spaces(moduli(0)) : SurfaceCompliance{};
+  if (std::isfinite(foundation_.back().thickness)) return {};
+  return half_space_compliance(foundation_.back(), 1.0 / foundation_.back().material(0), speed_);
+}
+
+double SteadySurface::longest_wave() const {
+  double softest = INFINITY, hardest = 0, time = 0;
+  const auto take = [&](const CreepSpectrum& material) {
+    softest = std::min(softest, 1 / material.at_rest());
+    hardest = std::max(hardest, 1 / material.at_rest());
+    for (const CreepSpectrum::Term& term : material.terms) time = std::max(time, term.time);
+  };
+  take(material_);
+  for (const LayeredMedium* const medium : {&foundation_, &coating_})
+    for (const MediumLayer& layer : *medium) take(layer.material);
+  const double thickness = composite_ ? finite_thickness(foundation_) + finite_thickness(coating_) : layer_.thickness;
+  return std::max((std::isinf(thickness) ? 0 : thickness) * std::cbrt(hardest / softest), speed_ * time);
+}
+
+}  // namespace rollres

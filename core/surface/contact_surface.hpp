@@ -1,0 +1,93 @@
+#pragma once
+
+/// Everything that yields in a contact, as one response of the surface: the layers under the body and those on it.
+///
+/// Tractions on a coating are opposite to those on the foundation, and so are their normals: compliances add, but for
+/// the cross terms, which subtract (Johnson 1985, section 5.1, for two half-spaces). A coating is taken as flat, bonded
+/// to the rigid core of the body, and to have recovered when it comes round again.
+
+#include <string>
+
+#include "core/scene/scene.hpp"
+#include "core/surface/layered_medium.hpp"
+
+namespace rollres {
+
+/// What rho V^2/G must stay below for steady motion: 1 at the speed of Rayleigh waves on a half-space of the layer at
+/// rest, for the layer of the scene that is nearest to it [1].
+double rayleigh_number(const RollingScene& scene);
+
+/// Whether the layers together carry waves slower than the body although its Rayleigh number is below 1: steady motion
+/// with inertia is not modelled there either.
+bool layers_carry_slower_waves(const RollingScene& scene);
+
+/// Whether the layers' inertia is part of the scene's model: asked for, or by itself where a tolerance is given, it is
+/// not negligible by the modulus at rest, and the model has it: below the speed of Rayleigh waves, with a grid.
+bool inertia_included(const RollingScene& scene);
+
+/// rho V^2/G beyond which inertia would change the resistance by more than a thousandth and more than a tenth of the
+/// tolerance given [1].
+double negligible_inertia(const RollingScene& scene);
+
+/// Whether the surface is more than one layer of one material without inertia.
+bool is_composite(const RollingScene& scene);
+
+/// The layers under the body and those on it, from the contact away; densities are 0 where inertia is left out. The
+/// latter may be none.
+LayeredMedium foundation_of(const RollingScene& scene);
+LayeredMedium coating_of(const RollingScene& scene);
+
+/// Thickness of all layers under and on the body [m]; infinite over a half-space.
+double total_thickness(const RollingScene& scene);
+
+/// Thickness of those that are not infinite [m].
+double finite_thickness(const RollingScene& scene);
+
+/// Whether a rigid base lies below all layers, and not a half-space.
+bool has_rigid_base(const RollingScene& scene);
+
+/// Distance of the nearest face below the surface or inside the body [m]; infinite where both are half-spaces.
+double nearest_interface(const RollingScene& scene);
+
+/// Normal compliance that short waves see, of the half-spaces of the two materials next to the contact, as the spectrum
+/// of creep in shear of the incompressible half-space that yields as much: sum of 2 (1 - nu)/G*. Without inertia.
+CreepSpectrum near_spectrum(const RollingScene& scene);
+
+/// What bounds the surface, top and bottom, in words: "2 bonded layers on a rigid base, coated rigid body".
+std::string surface_in_words(const RollingScene& scene);
+
+/// Compliance of the surface in steady motion, wavenumber by wavenumber.
+class SteadySurface {
+ public:
+  explicit SteadySurface(const RollingScene& scene);
+
+  /// Moduli for one wavenumber along the motion.
+  struct Moduli {
+    std::complex<double> compliance;  ///< 1/G* where the surface is one layer
+    std::vector<std::complex<double>> foundation, coating;
+  };
+  Moduli moduli(double along) const;
+
+  /// For wavenumbers (along, across) [1/m], not both 0 over a half-space [m/Pa].
+  SurfaceCompliance operator()(const Moduli& moduli, double along, double across) const;
+
+  /// What short waves along the motion see, times their wavenumber: half-spaces of the materials next to the contact
+  /// [1/Pa].
+  SurfaceCompliance half_spaces(const Moduli& moduli) const;
+  /// And what long waves see: the half-space below, at rest, or nothing over a rigid base [1/Pa].
+  SurfaceCompliance long_waves() const;
+
+  double speed() const { return speed_; }  ///< [m/s]
+  /// Longest of the lengths over which the surface answers: all thicknesses together, bending of a stiff layer on a
+  /// soft one, and the memories [m].
+  double longest_wave() const;
+
+ private:
+  bool composite_;
+  Layer layer_;
+  double speed_, thickness_;
+  CreepSpectrum material_;
+  LayeredMedium foundation_, coating_;
+};
+
+}  // namespace rollres

@@ -1,0 +1,147 @@
+#include "core/surface/layered_medium.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace rollres {
+
+namespace {
+
+using complex = std::complex<double>;
+using Matrix2 = Eigen::Matrix2cd;
+
+/// What lies below a depth: displacements (along, down) per stress (shear, normal), and the same across the wave.
+struct Below {
+  Matrix2 compliance = Matrix2::Zero();
+  complex transverse = 0;
+};
+
+/// The two waves that decay downwards, as columns, at some depth below the face they start from: displacements
+/// (along, down) [1] and stresses (shear, normal) over G k.
+struct Waves {
+  Matrix2 displacements, stresses;
+
+  /// The same from the other face: down becomes up.
+  Waves mirrored() const {
+    Waves other = *this;
+    other.displacements.row(1) *= -1;
+    other.stresses.row(0) *= -1;
+    return other;
+  }
+};
+
+/// Waves of one layer of modulus G at wavenumber k.
+class LayerWaves {
+ public:
+  LayerWaves(double wavenumber, complex modulus, const MediumLayer& layer, double wave_speed)
+      : wavenumber_(wavenumber),
+        epsilon_(layer.density * wave_speed * wave_speed / modulus),
+        ratio_((1 - 2 * layer.poisson_ratio) / (2 - 2 * layer.poisson_ratio)),
+        alpha_(std::sqrt(1.0 - epsilon_ * ratio_)),
+        beta_(std::sqrt(1.0 - epsilon_)) {}
+
+  Waves at(double depth) const {
+    const double kz = wavenumber_ * depth;
+    const complex slow = std::exp(-kz * alpha_), fast = std::exp(-kz * beta_);
+    // (e^{-k beta z} - e^{-k alpha z}) / epsilon
+    const complex per_epsilon = 1.0 / (1.0 + beta_) - ratio_ / (1.0 + alpha_), exponent = kz * per_epsilon * epsilon_;
+    const complex series =
+        1.0 + exponent / 2.0 * (1.0 + exponent / 3.0 * (1.0 + exponent / 4.0 * (1.0 + exponent / 5.0)));
+    const complex difference =
+        std::abs(exponent) < 1e-3 ? complex(slow * kz * per_epsilon * series) : complex((fast - slow) / epsilon_);
+    Waves waves;
+    waves.displacements << slow, difference - fast / (1.0 + beta_),  //
+        alpha_ * slow, difference + ratio_ / (1.0 + alpha_) * slow;
+    waves.stresses << -2.0 * alpha_ * slow, fast - 2.0 * difference - 2.0 * ratio_ / (1.0 + alpha_) * slow,  //
+        (epsilon_ - 2.0) * slow, 2.0 / (1.0 + beta_) * fast - 2.0 * difference - slow;
+    return waves;
+  }
+
+  /// Decay of the wave across: e^{-k beta z}, with stress -G k beta.
+  complex transverse_decay(double depth) const { return std::exp(-wavenumber_ * depth * beta_); }
+  complex beta() const { return beta_; }
+
+ private:
+  double wavenumber_;
+  complex epsilon_;
+  double ratio_;
+  complex alpha_, beta_;
+};
+
+Matrix2 inverse(const Matrix2& m) {
+  Matrix2 adjugate;
+  adjugate << m(1, 1), -m(0, 1), -m(1, 0), m(0, 0);
+  return adjugate / (m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0));
+}
+
+}  // namespace
+
+SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<const complex> moduli, double wavenumber,
+                                     double wave_speed) {
+  Below below;
+  for (std::size_t i = medium.size(); i-- > 0;) {
+    const MediumLayer& layer = medium[i];
+    const complex stiffness = moduli[i] * wavenumber;  // G k
+    const LayerWaves waves(wavenumber, moduli[i], layer, wave_speed);
+    const Waves near = waves.at(0);
+    const complex beta = waves.beta();
+    if (std::isinf(layer.thickness)) {
+      below.compliance = near.displacements * inverse(Matrix2(near.stresses * stiffness));
+      below.transverse = -1.0 / (stiffness * beta);
+      continue;
+    }
+    // At the lower face: what comes down, and what goes up from there so that both fit what lies below.
+    const Waves far = waves.at(layer.thickness), up_near = near.mirrored(), up_far = far.mirrored();
+    const Matrix2 yielding = below.compliance * stiffness;
+    const Matrix2 reflected = -inverse(Matrix2(up_near.displacements - yielding * up_near.stresses)) *
+                              (far.displacements - yielding * far.stresses);
+    below.compliance = (near.displacements + up_far.displacements * reflected) *
+                       inverse(Matrix2((near.stresses + up_far.stresses * reflected) * stiffness));
+    const complex decay = waves.transverse_decay(layer.thickness), give = below.transverse * stiffness * beta;
+    const complex back = -(1.0 + give) / (1.0 - give) * decay * decay;
+    below.transverse = (1.0 + back) / ((back - 1.0) * stiffness * beta);
+  }
+  // Tractions on the surface are opposite to the stresses at a face with its normal downwards.
+  const Matrix2& c = below.compliance;
+  return {.normal = -c(1, 1), .longitudinal = -c(0, 0), .cross = -c(0, 1), .transverse = -below.transverse};
+}
+
+SurfaceCompliance half_space_compliance(const MediumLayer& layer, complex modulus, double wave_speed) {
+  const LayeredMedium half_space{{INFINITY, layer.poisson_ratio, layer.density, {}}};
+  return surface_compliance(half_space, {&modulus, 1}, 1, wave_speed);
+}
+
+double finite_thickness(const LayeredMedium& medium) {
+  double sum = 0;
+  for (const MediumLayer& layer : medium)
+    if (std::isfinite(layer.thickness)) sum += layer.thickness;
+  return sum;
+}
+
+std::vector<complex> moduli_at(const LayeredMedium& medium, double omega) {
+  std::vector<complex> moduli;
+  for (const MediumLayer& layer : medium) moduli.push_back(1.0 / layer.material(omega));
+  return moduli;
+}
+
+bool carries_slower_waves(const LayeredMedium& medium, double speed) {
+  if (medium.size() < 2) return false;
+  double thinnest = INFINITY;
+  for (const MediumLayer& layer : medium) thinnest = std::min(thinnest, layer.thickness);
+  const std::vector<complex> at_rest = moduli_at(medium, 0);
+  const double highest = 20 / thinnest;
+  for (double k = 1e-2 / finite_thickness(medium); k < highest; k *= 1.1) {
+    const SurfaceCompliance c = surface_compliance(medium, at_rest, k, speed);
+    const double normal = c.normal.real(), cross = c.cross.real();
+    if (!(normal > 0 && normal * c.longitudinal.real() > cross * cross && c.transverse.real() > 0)) return true;
+  }
+  return false;
+}
+
+SurfaceCompliance surface_compliance(const LayeredMedium& medium, double wavenumber, double cosine, double speed) {
+  return surface_compliance(medium, moduli_at(medium, -wavenumber * cosine * speed), wavenumber, speed * cosine);
+}
+
+}  // namespace rollres

@@ -1,0 +1,22 @@
+#pragma once
+
+/// The rules a scene must keep, and the method that it asks for.
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace rollres {
+
+/// Every rule the scene breaks, each as one line "key = value: rule" (ranges, and what must go together:
+/// load or approach, spacing or tolerance, driving_torque with drive torque, ...). Empty: the scene can be solved.
+std::vector<std::string> check(const RollingScene& scene);
+
+/// Whether method spectral can be asked: a single cylinder on an incompressible layer.
+bool spectral_applies(const RollingScene& scene);
+
+/// The method that solves the scene first: its own, or what `automatic` stands for.
+Method resolved_method(const RollingScene& scene);
+
+}  // namespace rollres

@@ -1,0 +1,111 @@
+#include "core/surface/wave_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/numerics/chebyshev_series.hpp"
+#include "core/numerics/quadrature.hpp"
+#include "core/numerics/wavenumber_fade.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr int degree = 19, terms = degree + 1;
+constexpr double highest_wavenumber = 18;  // e^{-36}
+constexpr double panel_growth = 1.6;       // of distances, as of the first ones
+constexpr std::array<double, 7> first_borders{1.2, 3, 6, 11, 19, 31, 48};
+
+/// The Chebyshev nodes of a panel, and the series from values there.
+struct PanelNodes {
+  Eigen::ArrayXd place{terms};
+  MatrixXd to_series{terms, terms};
+
+  PanelNodes() {
+    for (int node = 0; node < terms; ++node) {
+      const double angle = M_PI * (node + 0.5) / terms;
+      place(node) = std::cos(angle);
+      for (int k = 0; k < terms; ++k) to_series(k, node) = (k == 0 ? 1.0 : 2.0) / terms * std::cos(k * angle);
+    }
+  }
+};
+
+const PanelNodes& panel_nodes() {
+  static const PanelNodes nodes;
+  return nodes;
+}
+
+}  // namespace
+
+WaveTable::WaveTable(std::size_t functions, double lowest_wavenumber, Transform transform)
+    : functions_(functions), lowest_(lowest_wavenumber), transform_(std::move(transform)) {}
+
+/// Wavenumbers, and there w f for each function: the values at x are Re sum factors e^{i k x}.
+struct WaveTable::WaveRule {
+  Eigen::ArrayXd k;
+  MatrixXd real, imaginary;  // [node, 3 * function + component]
+};
+
+WaveTable::WaveRule WaveTable::wave_rule(double from, double to) const {
+  const WavenumberFade fade(from);
+  const double end = std::min(highest_wavenumber, fade.to);
+  std::vector<double> nodes, weights;
+  double start = 0;
+  for (double stop = std::min(lowest_, 0.5); start < end; start = stop, stop = std::min(2 * stop, stop + 1)) {
+    const double width = std::min(stop, end) - start;
+    const QuadratureRule& gauss = gauss_rule(11 + static_cast<int>(0.3 * width * to));
+    for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
+      nodes.push_back(start + width * gauss.nodes[q]);
+      weights.push_back(width * gauss.weights[q] * fade(nodes.back()));
+    }
+  }
+  const auto count = static_cast<Index>(nodes.size()), columns = static_cast<Index>(3 * functions_);
+  WaveRule rule{Eigen::Map<Eigen::ArrayXd>(nodes.data(), count), MatrixXd(count, columns), MatrixXd(count, columns)};
+  Eigen::ArrayXcd values(columns);
+  for (Index q = 0; q < count; ++q) {
+    transform_(rule.k(q), {values.data(), static_cast<std::size_t>(columns)});
+    values *= weights[static_cast<std::size_t>(q)];
+    rule.real.row(q) = values.real();
+    rule.imaginary.row(q) = values.imag();
+  }
+  return rule;
+}
+
+WaveTable::PanelPair WaveTable::made(double from, double to) const {
+  const WaveRule rule = wave_rule(from, to);
+  const PanelNodes& nodes = panel_nodes();
+  const Eigen::ArrayXd x = from + 0.5 * (to - from) * (1 + nodes.place);
+  const Eigen::ArrayXXd phase = (x.matrix() * rule.k.matrix().transpose()).array();
+  const MatrixXd even = nodes.to_series * (phase.cos().matrix() * rule.real);
+  const MatrixXd odd = nodes.to_series * (phase.sin().matrix() * rule.imaginary);
+  PanelPair pair;
+  for (const int side : {0, 1}) {
+    const MatrixXd series = side == 0 ? MatrixXd(even - odd) : MatrixXd(even + odd);
+    std::vector<LayerSlopes>& c = pair.coefficients[static_cast<std::size_t>(side)];
+    for (Index function = 0; 3 * function < series.cols(); ++function)
+      for (Index k = 0; k < terms; ++k)
+        c.emplace_back(series(k, 3 * function), series(k, 3 * function + 1), series(k, 3 * function + 2), 0);
+  }
+  return pair;
+}
+
+LayerSlopes WaveTable::operator()(std::size_t function, double x) const {
+  const double r = std::abs(x);
+  while (borders_.back() < r)
+    borders_.push_back(borders_.size() <= first_borders.size() ? first_borders[borders_.size() - 1]
+                                                               : panel_growth * borders_.back());
+  std::size_t panel = 0;
+  while (panel + 2 < borders_.size() && r > borders_[panel + 1]) ++panel;
+  if (panels_.size() <= panel) panels_.resize(panel + 1);
+  const double from = borders_[panel], to = borders_[panel + 1];
+  PanelPair& pair = panels_[panel];
+  if (pair.coefficients[0].empty()) pair = made(from, to);
+  const std::span<const LayerSlopes> all(pair.coefficients[x < 0 ? 1 : 0]);
+  return chebyshev_sum(all.subspan(function * terms, terms), 2 * (r - from) / (to - from) - 1);
+}
+
+}  // namespace rollres

@@ -1,0 +1,63 @@
+#include "db/merge/readable_source.hpp"
+
+#include <stdlib.h>
+
+#include <array>
+#include <fstream>
+#include <stdexcept>
+
+#include "db/file/sqlite.hpp"
+#include "db/rows/schema.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Whether the file's header names rollres and an older schema: user_version stands at byte 60, application_id at 68
+/// (sqlite.org, "Database File Format", section 1.3).
+bool of_older_schema(const std::filesystem::path& file) {
+  std::array<unsigned char, 72> header{};
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(reinterpret_cast<char*>(header.data()), header.size())) return false;
+  const auto number = [&](std::size_t at) {
+    return header[at] << 24 | header[at + 1] << 16 | header[at + 2] << 8 | header[at + 3];
+  };
+  return number(68) == Database::application_id && number(60) < static_cast<int>(schema_migrations().size());
+}
+
+std::filesystem::path temporary_folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "rollres_XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw std::runtime_error(name + ": cannot be made a directory");
+  return name;
+}
+
+}  // namespace
+
+ReadableSource::ReadableSource(const std::filesystem::path& file) {
+  if (!of_older_schema(file)) {
+    database_.emplace(open_database(file, Access::read));
+    return;
+  }
+  copy_ = temporary_folder();
+  try {
+    naming(file.string(), [&] {
+      SQLite::Database old(file.string(), SQLite::OPEN_READONLY,
+                           static_cast<int>(std::chrono::milliseconds(Database::patience).count()));
+      SQLite::Statement copy(old, "VACUUM INTO ?");
+      copy.bind(1, (copy_ / "copy.db").string());
+      copy.exec();
+    });
+    database_.emplace(open_database(copy_ / "copy.db", Access::read));
+  } catch (...) {
+    std::filesystem::remove_all(copy_);
+    throw;
+  }
+}
+
+ReadableSource::~ReadableSource() {
+  database_.reset();
+  std::error_code none;
+  if (!copy_.empty()) std::filesystem::remove_all(copy_, none);
+}
+
+}  // namespace rollres

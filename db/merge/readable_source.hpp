@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "db/file/database.hpp"
+
+namespace rollres {
+
+/// A database of this version's schema that holds what `file` does, which is not written to: the file itself, or if it
+/// is of an older schema a temporary copy.
+class ReadableSource {
+ public:
+  /// @throws std::runtime_error as Database
+  explicit ReadableSource(const std::filesystem::path& file);
+  ~ReadableSource();
+  ReadableSource(const ReadableSource&) = delete;
+  ReadableSource& operator=(const ReadableSource&) = delete;
+
+  const Database& database() const { return *database_; }
+
+ private:
+  std::filesystem::path copy_;  ///< folder; empty if there is none
+  std::optional<Database> database_;
+};
+
+}  // namespace rollres

@@ -1,0 +1,83 @@
+#pragma once
+
+/// Questions to the store: rows of evaluation, or of the view result where a study or a position is asked for; groups
+/// of them; and SQL.
+///
+/// Names of columns are compared with those of the file, values are bound: nothing that a user writes becomes SQL, but
+/// in run_sql, which only reads.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/quantity.hpp"
+#include "db/file/database.hpp"
+#include "db/queries/table.hpp"
+
+namespace rollres {
+
+enum class Comparison { equal, not_equal, less, less_or_equal, greater, greater_or_equal, contains };
+
+/// A condition on one column. Numbers are equal when they agree to 12 significant digits, and less or greater when they
+/// do not; "infinite" is a number. An empty value stands for what is absent: "half_width=" and "half_width!=".
+struct Filter {
+  std::string column;
+  Comparison comparison = Comparison::equal;
+  std::string value;
+};
+
+/// Reads "speed>0.1", "status!=converged", "reason~friction" (contains); operators = != < <= > >= ~.
+/// @throws std::invalid_argument if there is no operator, or no column before it
+Filter parse_filter(std::string_view text);
+
+struct Query {
+  std::vector<Filter> filters = {};       ///< all of them hold
+  std::vector<std::string> columns = {};  ///< empty: all
+  std::vector<std::string> sort = {};     ///< "-speed": from large to small; the first counts most, absent ones last
+  std::optional<std::int64_t> limit = {};
+};
+
+/// Reads the whole answer at once, so that no reader holds up a writer.
+/// @throws std::invalid_argument naming an unknown column and the nearest known one, or a value that is no number
+/// @throws std::runtime_error naming the file if the database fails
+Table run_query(const Database& database, const Query& query);
+
+enum class Statistic { count, min, max, mean, median, stddev, sum };
+template <>
+struct ChoiceNames<Statistic> {
+  static constexpr std::array<std::string_view, 7> names{"count", "min", "max", "mean", "median", "stddev", "sum"};
+};
+
+/// A number that stands for many rows. Absent values do not count; stddev is that of a sample, over n - 1.
+struct Aggregate {
+  Statistic statistic = Statistic::count;
+  std::string column = {};  ///< a number; empty for the count of rows
+
+  std::string name() const;  ///< as a column: "mean_approach", "count"
+};
+
+/// Reads "mean approach", "count".
+/// @throws std::invalid_argument naming an unknown statistic and the nearest known one, or a missing column
+Aggregate parse_aggregate(std::string_view text);
+
+struct GroupQuery {
+  std::vector<Filter> filters = {};        ///< all of them hold
+  std::vector<Aggregate> aggregates = {};  ///< of each group
+  std::vector<std::string> by = {};        ///< columns that are equal, to 12 digits, inside a group; empty: one group
+  std::vector<std::string> sort = {};      ///< of `by` and names of aggregates; what is not named: by `by`, rising
+  std::optional<std::int64_t> limit = {};
+};
+
+/// One row for each group that is not empty: the columns of `by`, then the aggregates.
+/// @throws as run_query
+Table run_group_query(const Database& database, const GroupQuery& query);
+
+/// The answer to one statement of SQLite's SQL that only reads. Knows the aggregate functions median and stddev.
+/// @throws std::invalid_argument if it is no statement, more than one, wrong, or could write
+/// @throws std::runtime_error naming the file if the database fails
+Table run_sql(const Database& database, const std::string& sql);
+
+}  // namespace rollres

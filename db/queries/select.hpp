@@ -1,0 +1,49 @@
+#pragma once
+
+/// What the questions of query.hpp have in common on their way to SQL.
+
+#include <string>
+#include <vector>
+
+#include "db/file/sqlite.hpp"
+#include "db/queries/query.hpp"
+#include "db/rows/schema.hpp"
+
+namespace rollres {
+
+using Columns = std::vector<Column>;
+
+/// A column of `columns`, or an input of the further layers that one of them holds.
+/// @throws std::invalid_argument naming the unknown column and the nearest known one
+const Column& column_named(const Columns& columns, const std::string& name);
+
+/// Whether a column is one of the view result only.
+bool of_study(const std::string& column);
+bool any_of_study(const std::vector<Filter>& filters);
+
+/// A name as SQL quotes it.
+std::string quoted_name(const std::string& name);
+
+/// " WHERE ...", or nothing; appends what it binds.
+std::string where_clause(const std::vector<Filter>& filters, const Columns& known, std::vector<Cell>& bound);
+
+/// A column to sort by: "-speed" is speed from large to small.
+struct SortKey {
+  explicit SortKey(const std::string& text);
+  std::string column;
+  bool falling = false;
+};
+
+/// "speed DESC NULLS LAST, ", one for each key; `known` are the columns that may be named.
+std::string order_terms(const std::vector<std::string>& sort, const Columns& known);
+
+/// " LIMIT ?", or nothing; appends what it binds.
+/// @throws std::invalid_argument if it is negative
+std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound);
+
+/// All rows of a statement, under its own names of columns.
+Table rows_of(SQLite::Statement& statement);
+/// The same of a text, with what it binds.
+Table rows_of(SQLite::Database& connection, const std::string& sql, const std::vector<Cell>& bound);
+
+}  // namespace rollres

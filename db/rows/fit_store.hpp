@@ -1,0 +1,70 @@
+#pragma once
+
+/// Fits that are kept, as plain rows: what was fitted to which data, and what came out.
+///
+///     fit              one row for each fit: a name with one state of its file and data; run again, it is replaced
+///     fit_parameter    its parameters: value, errors, intervals
+///     fit_correlation  pairs of them
+///     fit_data         the measured values with what the fit makes of them
+///
+/// What is absent (NaN) is NULL; so is the end of an interval that is open.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/file/database.hpp"
+
+namespace rollres {
+
+struct FitParameterRecord {
+  std::string name, unit;
+  bool fixed = false;
+  double value, standard_error, relative_error;
+  double linear_lowest, linear_highest;
+  double profile_lowest, profile_highest;
+  std::string profile_low, profile_high;  ///< "closed", "limit" or "open"; empty without a profile
+  double start, lowest, highest;
+  double step;
+  std::string flag;
+};
+
+struct FitDataRecord {
+  std::string place;  ///< "data.csv, line 7"
+  double measured, deviation, predicted, residual, band;
+};
+
+struct FitCorrelationRecord {
+  std::string first, second;
+  double correlation;
+};
+
+struct FitRecord {
+  std::string name, kind;   ///< kind: "resistance" or "material"
+  std::string definition;   ///< text of the fit's file
+  std::string data_digest;  ///< of the files of the data
+  std::string status, reason, warnings, weakest_direction;
+  std::int64_t degrees = 0, starts = 0, agreeing = 0, evaluations = 0, recalled = 0, failures = 0;
+  double chi_squared, reduced_chi_squared, p_value, rms, runs_p_value, condition, noise, seconds;
+  bool deviations_known = false;
+  std::vector<FitParameterRecord> parameters;
+  std::vector<FitCorrelationRecord> correlations;
+  std::vector<FitDataRecord> data;
+};
+
+/// The tables above: a migration (schema.hpp).
+void create_fit_tables(SQLite::Database& connection);
+
+/// Stores a fit in one transaction, in place of one of the same name, file and data.
+/// @return its id
+/// @throws std::runtime_error naming the file if the database fails
+std::int64_t save_fit(const Database& database, const FitRecord& fit);
+
+enum class FitParts { without_data, with_data };
+
+/// The newest fit of a name.
+std::optional<FitRecord> find_fit(const Database& database, const std::string& name,
+                                  FitParts parts = FitParts::without_data);
+
+}  // namespace rollres

@@ -1,0 +1,344 @@
+#include "db/rows/result_store.hpp"
+
+#include "db/file/sqlite.hpp"
+#include "db/rows/evaluation_row.hpp"
+#include "db/rows/fields_table.hpp"
+#include "db/rows/packed_fields.hpp"
+#include "db/rows/schema.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%fZ', 'now')";
+
+std::string insert_evaluation(Existing existing) {
+  std::string names = "INSERT INTO evaluation(key, created, provenance";
+  std::string values = std::string(") VALUES (?, ") + now + ", ?";
+  std::string changes = "created = excluded.created, provenance = excluded.provenance";
+  for (const Column& column : quantity_columns()) {
+    names += ", " + column.name;
+    values += ", ?";
+    changes += ", " + column.name + " = excluded." + column.name;
+  }
+  const std::string conflict =
+      existing == Existing::kept
+          ? "NOTHING"
+          : "UPDATE SET " + changes + " WHERE excluded.status = 'converged' OR evaluation.status IS NOT 'converged'";
+  return names + values + ") ON CONFLICT(key) DO " + conflict;
+}
+
+/// Keys have no spaces.
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::int64_t provenance_id(SQLite::Database& connection, const Provenance& program) {
+  for (const char* query :
+       {"INSERT OR IGNORE INTO provenance(version, git_hash, solver, compiler, machine) VALUES (?, ?, ?, ?, ?)",
+        "SELECT id FROM provenance WHERE version = ? AND git_hash = ? AND solver = ? AND compiler = ? AND machine = "
+        "?"}) {
+    SQLite::Statement statement(connection, query);
+    int index = 1;
+    for (const std::string* text :
+         {&program.version, &program.git_hash, &program.solver, &program.compiler, &program.machine})
+      statement.bind(index++, *text);
+    if (statement.executeStep()) return statement.getColumn(0).getInt64();
+  }
+  throw std::runtime_error("provenance could not be stored");
+}
+
+StudySummary read_summary(SQLite::Statement& row) {
+  return {row.getColumn(0).getString(), split(row.getColumn(1).getString()), row.getColumn(2).getInt64(),
+          row.getColumn(3).getInt64(),  row.getColumn(4).getInt64(),         row.getColumn(5).getString(),
+          row.getColumn(6).getString(), row.getColumn(7).getString()};
+}
+
+}  // namespace
+
+struct ResultStore::Parts {
+  Database database;
+  std::string found_columns = {};
+  std::optional<SQLite::Statement> insert = {}, replace = {}, answer = {}, recalled = {};
+
+  SQLite::Database& connection() { return database.connection(); }
+
+  std::optional<StoredEvaluation> find(const std::string& condition, const auto& value) {
+    if (found_columns.empty()) found_columns = select_list(connection());
+    SQLite::Statement row(connection(),
+                          "SELECT evaluation.id, key, created, version, git_hash, solver, compiler, machine, " +
+                              found_columns + " FROM evaluation JOIN provenance ON provenance.id = provenance WHERE " +
+                              condition);
+    row.bind(1, value);
+    if (!row.executeStep()) return std::nullopt;
+    StoredEvaluation found;
+    found.id = row.getColumn(0).getInt64();
+    found.key = row.getColumn(1).getString();
+    found.created = row.getColumn(2).getString();
+    found.provenance = {row.getColumn(3).getString(), row.getColumn(4).getString(), row.getColumn(5).getString(),
+                        row.getColumn(6).getString(), row.getColumn(7).getString()};
+    SceneAndSolution both = row_of(row, found.id, 8);
+    found.scene = std::move(both.scene);
+    found.solution = std::move(both.solution);
+    SQLite::Statement study(connection(),
+                            "SELECT DISTINCT name FROM study_point JOIN study ON study.id = study "
+                            "WHERE key = ? ORDER BY name");
+    study.bind(1, found.key);
+    while (study.executeStep()) found.studies.push_back(study.getColumn(0).getString());
+    return found;
+  }
+
+  std::optional<RollingSolution> recall(const std::string& key) {
+    if (!recalled)
+      recalled.emplace(connection(),
+                       "SELECT evaluation.id, " + select_list(connection()) + " FROM evaluation WHERE key = ?");
+    recalled->tryReset();
+    recalled->bind(1, key);
+    std::optional<RollingSolution> found;
+    if (recalled->executeStep()) found = row_of(*recalled, recalled->getColumn(0).getInt64(), 1).solution;
+    recalled->reset();  // ends the reading, so that the log can be taken over into the file
+    return found;
+  }
+
+  /// read_row, which names the evaluation where it fails.
+  SceneAndSolution row_of(SQLite::Statement& row, std::int64_t id, int first) {
+    try {
+      return read_row(row, first);
+    } catch (const SQLite::Exception&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(database.name() + ": evaluation " + std::to_string(id) + ": " + error.what());
+    }
+  }
+
+  std::vector<std::string> keys_of(std::int64_t study, std::size_t expected) {
+    std::vector<std::string> keys;
+    keys.reserve(expected);
+    SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
+    row.bind(1, study);
+    while (row.executeStep()) keys.push_back(row.getColumn(0).getString());
+    return keys;
+  }
+
+  std::vector<StudySummary> summaries(const std::string* name) {
+    SQLite::Statement row(connection(), std::string("SELECT name, axes, count(study_point.key), count(evaluation.id), "
+                                                    "count(evaluation.id) FILTER (WHERE status IS NOT 'converged'), "
+                                                    "study.created, started, coalesce(max(evaluation.created), '') "
+                                                    "FROM study LEFT JOIN study_point ON study_point.study = study.id "
+                                                    "LEFT JOIN evaluation ON evaluation.key = study_point.key ") +
+                                            (name ? "WHERE name = ? " : "") + "GROUP BY study.id ORDER BY name");
+    if (name) row.bind(1, *name);
+    std::vector<StudySummary> all;
+    while (row.executeStep()) all.push_back(read_summary(row));
+    return all;
+  }
+};
+
+ResultStore::ResultStore(const std::filesystem::path& file, Access access)
+    : parts_(std::make_unique<Parts>(Parts{open_database(file, access)})) {}
+
+ResultStore::ResultStore(ResultStore&&) noexcept = default;
+ResultStore::~ResultStore() = default;
+
+const Database& ResultStore::database() const { return parts_->database; }
+
+std::size_t ResultStore::save(std::span<const Evaluation> evaluations, Existing existing) {
+  return naming(database().name(), [&] {
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    const std::int64_t program = provenance_id(connection, this_program());
+    auto& prepared = existing == Existing::kept ? parts_->insert : parts_->replace;
+    if (!prepared) prepared.emplace(connection, insert_evaluation(existing));
+    SQLite::Statement& insert = *prepared;
+    std::size_t changed = 0;
+    for (const Evaluation& evaluation : evaluations) {
+      insert.tryReset();  // whatever became of the one before
+      insert.bind(1, evaluation.key);
+      insert.bind(2, program);
+      bind_row(insert, 3, evaluation.scene, evaluation.solution);
+      const bool is_new = insert.exec() > 0;
+      bool fields_are_new = false;
+      if (evaluation.solution.fields.grid.size() == 0) {
+        if (is_new && existing == Existing::replaced) remove_fields(connection, evaluation.key);
+      } else if (is_new) {
+        put_fields(connection, evaluation.key, evaluation.solution.fields);
+      } else {
+        fields_are_new = add_fields(connection, evaluation);
+      }
+      changed += is_new || fields_are_new ? 1 : 0;
+    }
+    insert.reset();
+    transaction.commit();
+    return changed;
+  });
+}
+
+void ResultStore::save_fields(const std::string& key, const SurfaceFields& fields) {
+  if (!contains(key)) throw std::invalid_argument(database().name() + ": " + key + ": no such evaluation");
+  naming(database().name(), [&] { put_fields(parts_->connection(), key, fields); });
+}
+
+std::optional<SurfaceFields> ResultStore::find_fields(const std::string& key) {
+  const auto stored = naming(database().name(), [&] { return find_packed_fields(parts_->connection(), key); });
+  if (!stored) return std::nullopt;
+  try {
+    return unpacked_fields(stored->format, stored->bytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(database().name() + ": " + key + ": " + error.what());
+  }
+}
+
+std::optional<StoredAnswer> ResultStore::find_answer(const std::string& key) {
+  return naming(database().name(), [&]() -> std::optional<StoredAnswer> {
+    if (!parts_->answer)
+      parts_->answer.emplace(
+          parts_->connection(),
+          "SELECT status, created, " +
+              std::string(has_fields_table(parts_->connection()) ? "EXISTS (SELECT 1 FROM fields WHERE fields.key "
+                                                                   "= evaluation.key)"
+                                                                 : "0") +
+              " FROM evaluation WHERE key = ?");
+    SQLite::Statement& row = *parts_->answer;
+    row.tryReset();
+    row.bind(1, key);
+    std::optional<StoredAnswer> found;
+    if (row.executeStep()) {
+      const int status = find_name(ChoiceNames<Status>::names, row.getColumn(0).getString());
+      found = {status < 0 ? Status::not_converged : static_cast<Status>(status), row.getColumn(1).getString(),
+               row.getColumn(2).getInt() != 0};
+    }
+    row.reset();  // ends the reading, so that the log can be taken over into the file
+    return found;
+  });
+}
+
+std::optional<StoredEvaluation> ResultStore::find(const std::string& key) {
+  return naming(database().name(), [&] { return parts_->find("key = ?", key); });
+}
+
+std::optional<RollingSolution> ResultStore::solution(const std::string& key) {
+  return naming(database().name(), [&] { return parts_->recall(key); });
+}
+
+std::optional<StoredEvaluation> ResultStore::find(std::int64_t id) {
+  return naming(database().name(), [&] { return parts_->find("evaluation.id = ?", id); });
+}
+
+void ResultStore::start_study(const StudyRecord& study, std::span<const std::string> keys) {
+  naming(database().name(), [&] {
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement record(connection,
+                             std::string("INSERT INTO study(name, axes, definition, created, started) "
+                                         "VALUES (?, ?, ?, ") +
+                                 now + ", " + now +
+                                 ") ON CONFLICT(name) DO UPDATE SET axes = excluded.axes, "
+                                 "definition = excluded.definition, started = excluded.started RETURNING id");
+    record.bind(1, study.name);
+    record.bind(2, joined(study.axes));
+    record.bind(3, study.definition);
+    record.executeStep();
+    const std::int64_t id = record.getColumn(0).getInt64();
+    record.reset();
+    if (parts_->keys_of(id, keys.size()) == std::vector<std::string>(keys.begin(), keys.end())) {
+      transaction.commit();
+      return;
+    }
+    SQLite::Statement remove(connection, "DELETE FROM study_point WHERE study = ?");
+    remove.bind(1, id);
+    remove.exec();
+    SQLite::Statement add(connection, "INSERT INTO study_point(study, position, key) VALUES (?, ?, ?)");
+    std::int64_t position = 0;
+    for (const std::string& key : keys) {
+      add.reset();
+      add.bind(1, id);
+      add.bind(2, ++position);
+      add.bind(3, key);
+      add.exec();
+    }
+    add.reset();
+    transaction.commit();
+  });
+}
+
+void ResultStore::add_points(const std::string& study, std::span<const std::string> keys) {
+  naming(database().name(), [&] {
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement add(connection,
+                          "INSERT INTO study_point(study, position, key) "
+                          "SELECT id, 1 + coalesce((SELECT max(position) FROM study_point WHERE study = id), 0), ?1 "
+                          "FROM study WHERE name = ?2 "
+                          "AND NOT EXISTS (SELECT 1 FROM study_point WHERE key = ?1 AND study = id)");
+    for (const std::string& key : keys) {
+      add.reset();
+      add.bind(1, key);
+      add.bind(2, study);
+      add.exec();
+    }
+    add.reset();
+    transaction.commit();
+  });
+}
+
+std::vector<std::string> ResultStore::points(const std::string& study) {
+  return naming(database().name(), [&] {
+    SQLite::Statement row(parts_->connection(), "SELECT id FROM study WHERE name = ?");
+    row.bind(1, study);
+    return row.executeStep() ? parts_->keys_of(row.getColumn(0).getInt64(), 0) : std::vector<std::string>();
+  });
+}
+
+std::vector<StudySummary> ResultStore::studies() {
+  return naming(database().name(), [&] { return parts_->summaries(nullptr); });
+}
+
+std::vector<std::string> ResultStore::study_names() {
+  return naming(database().name(), [&] {
+    SQLite::Statement row(parts_->connection(), "SELECT name FROM study ORDER BY name");
+    std::vector<std::string> names;
+    while (row.executeStep()) names.push_back(row.getColumn(0).getString());
+    return names;
+  });
+}
+
+std::optional<StudySummary> ResultStore::study(const std::string& name) {
+  std::vector<StudySummary> found = naming(database().name(), [&] { return parts_->summaries(&name); });
+  return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+}
+
+std::optional<std::string> ResultStore::definition(const std::string& study) {
+  return naming(database().name(), [&]() -> std::optional<std::string> {
+    SQLite::Statement row(parts_->connection(), "SELECT definition FROM study WHERE name = ?");
+    row.bind(1, study);
+    if (!row.executeStep()) return std::nullopt;
+    return row.getColumn(0).getString();
+  });
+}
+
+std::vector<Failure> ResultStore::failures(const std::string& study) {
+  return naming(database().name(), [&] {
+    SQLite::Statement row(parts_->connection(),
+                          "SELECT status, coalesce(reason, ''), count(*) FROM result WHERE study = ? "
+                          "AND status IS NOT 'converged' GROUP BY status, reason ORDER BY count(*) DESC, reason");
+    row.bind(1, study);
+    std::vector<Failure> all;
+    while (row.executeStep())
+      all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(), row.getColumn(2).getInt64()});
+    return all;
+  });
+}
+
+}  // namespace rollres

@@ -1,0 +1,75 @@
+#pragma once
+
+/// The tables of a database, and the columns that follow from the lists of quantities.
+///
+///     evaluation    one row for each scene that was solved: a column for each input and each output. What is absent
+///                   (NaN, not given, not applicable) is NULL; an infinite layer_thickness is SQLite's Inf.
+///     fields        the fields on the surface, where they were asked for, by the key of their evaluation: compressed
+///                   (packed_fields.hpp)
+///     provenance    what computed an evaluation
+///     study         a name, its axes and the text of its file
+///     study_point   the points of a study, in order, by the key of their evaluation: one that has no evaluation yet is
+///                   missing, and an evaluation serves every study that has its key
+///     result        a view ready to plot: study, position, and all columns of evaluation
+///     converged     the same, only rows with an answer
+///     resistance    of these the few columns that are plotted most
+///
+/// One index, evaluation_summary, holds the columns that are filtered and sorted by most: a question about them reads
+/// a tenth of the file, and one sorted by rolling resistance stops as soon as its first page is full.
+///
+/// load, approach, driving_torque, rotation_ratio, spacing and method are inputs and outputs. The column with the plain
+/// key holds what was found or used; what the scene asked for stands in given_load, given_approach and so on, NULL
+/// where the scene left it open.
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/quantity.hpp"
+#include "db/file/database.hpp"
+
+namespace rollres {
+
+/// Column of an input: its key, or "given_" and its key where an output has the same one.
+std::string input_column(std::string_view key);
+
+struct Column {
+  std::string name;
+  std::string type;             ///< "REAL", "INTEGER" or "TEXT"
+  std::string expression = {};  ///< SQL of its value; empty: the name
+
+  const std::string& sql() const { return expression.empty() ? name : expression; }
+};
+
+struct QuantityColumn : Column {
+  Quantity quantity;
+  bool is_input = false;
+};
+
+/// Columns of evaluation that hold quantities, inputs first, in the order of the lists.
+const std::vector<QuantityColumn>& quantity_columns();
+
+/// What stands in a column, or nullptr if it is none of these. An input of a further layer counts as one: what
+/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers.
+const QuantityColumn* find_quantity_column(std::string_view name);
+
+/// Columns of the index evaluation_summary. Changing them needs a migration.
+inline constexpr std::array<std::string_view, 8> summary_columns{
+    "rolling_resistance", "status", "indenter", "speed", "load", "friction_coefficient", "radius", "layer_thickness"};
+
+/// Columns that table or view has in this file.
+std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table);
+
+/// From an empty file to the present schema, one step for each version.
+std::span<const Migration> schema_migrations();
+
+/// Opens a database of this version's schema.
+/// @throws as Database
+Database open_database(const std::filesystem::path& file, Access access);
+
+/// Gives evaluation the columns of quantities that this version knows and the file does not; its rows hold NULL there.
+void add_missing_columns(SQLite::Database& connection);
+
+}  // namespace rollres

@@ -1,0 +1,155 @@
+#include "fitting/descent/fit_problem.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "core/numerics/finite_difference.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Offsets of a formula inside the bounds of a parameter, from the scaled value `from`.
+std::vector<double> offsets_inside(const Variable& variable, double from, double step) {
+  const double below = from - variable.scaled(variable.lowest), above = variable.scaled(variable.highest) - from;
+  if (below >= 2 * step && above >= 2 * step) return {-2 * step, -step, step, 2 * step};
+  const double room = std::min(std::max(below, above) / 4, step);
+  const double side = above >= below ? room : -room;
+  return {0, side, 2 * side, 3 * side, 4 * side};
+}
+
+}  // namespace
+
+double usual_loss_scale(Loss loss) {
+  switch (loss) {
+    case Loss::huber:
+      return 1.345;
+    case Loss::cauchy:
+      return 2.385;
+    case Loss::none:
+      break;
+  }
+  return 1;
+}
+
+FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows) {
+  FitProblem part = problem;
+  part.data.clear();
+  for (const std::size_t row : rows) part.data.push_back(problem.data[row]);
+  part.predict = [predict = problem.predict_rows, rows](const FitPoint& point) { return predict(point, rows); };
+  part.predict_rows = {};
+  part.differentiate = [plain = part](const FitPoint& point, const Prediction& prediction) {
+    return rough_differences(plain, point, prediction);
+  };
+  return part;
+}
+
+FitPoint start_point(const FitProblem& problem) {
+  FitPoint point;
+  for (const FitParameter& parameter : problem.parameters) point.push_back(parameter.start);
+  return point;
+}
+
+Eigen::VectorXd scaled_point(const FitProblem& problem, const FitPoint& point) {
+  assert(point.size() == problem.size());
+  Eigen::VectorXd scaled(std::ssize(point));
+  for (std::size_t j = 0; j < point.size(); ++j)
+    scaled[static_cast<Eigen::Index>(j)] = problem.parameters[j].variable.scaled(point[j]);
+  return scaled;
+}
+
+FitPoint point_of(const FitProblem& problem, const Eigen::VectorXd& scaled) {
+  FitPoint point;
+  for (std::size_t j = 0; j < problem.size(); ++j)
+    point.push_back(problem.parameters[j].variable.value(scaled[static_cast<Eigen::Index>(j)]));
+  return point;
+}
+
+Eigen::VectorXd residuals(const FitProblem& problem, const Prediction& prediction) {
+  Eigen::VectorXd answer(std::ssize(problem.data));
+  for (Eigen::Index i = 0; i < answer.size(); ++i) {
+    const MeasuredValue& measured = problem.data[static_cast<std::size_t>(i)];
+    answer[i] = (prediction.values[i] - measured.value) / measured.deviation;
+  }
+  return answer;
+}
+
+LossValue loss_of(const FitProblem& problem, double s) {
+  const double c = problem.loss_scale, square = c * c;
+  switch (problem.loss) {
+    case Loss::huber:
+      if (s > square) return {2 * c * std::sqrt(s) - square, c / std::sqrt(s)};
+      break;
+    case Loss::cauchy:
+      return {square * std::log1p(s / square), 1 / (1 + s / square)};
+    case Loss::none:
+      break;
+  }
+  return {s, 1};
+}
+
+double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals) {
+  double sum = 0;
+  for (const double residual : residuals) sum += loss_of(problem, residual * residual).value;
+  return sum;
+}
+
+Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction) {
+  constexpr double step = 0.02;
+  const Eigen::Index rows = prediction.values.size(), columns = std::ssize(point);
+  Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns), Eigen::VectorXd::Zero(rows),
+                Eigen::VectorXd::Constant(columns, step)};
+  for (std::size_t j = 0; j < point.size(); ++j) {
+    const Variable& variable = problem.parameters[j].variable;
+    const double from = variable.scaled(point[j]);
+    const bool room_above = variable.scaled(variable.highest) - from >= from - variable.scaled(variable.lowest) ||
+                            variable.scaled(variable.highest) - from >= step;
+    FitPoint moved = point;
+    moved[j] = variable.value(from + (room_above ? step : -step));
+    const Prediction there = problem.predict(moved);
+    if (!there.found()) {
+      slopes.reason = there.reason;
+      return slopes;
+    }
+    slopes.derivatives.col(static_cast<Eigen::Index>(j)) =
+        (there.values - prediction.values) / variable.scaled_step(point[j], moved[j]);
+  }
+  return slopes;
+}
+
+Slopes differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction, double step,
+                   const Eigen::VectorXd& noise) {
+  const Eigen::Index rows = prediction.values.size(), columns = std::ssize(point);
+  Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns), noise,
+                Eigen::VectorXd::Constant(columns, step)};
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    const Variable& variable = problem.parameters[static_cast<std::size_t>(j)].variable;
+    const double centre = point[static_cast<std::size_t>(j)];
+    std::vector<double> taken;
+    std::vector<Eigen::VectorXd> changes;
+    for (const double offset : offsets_inside(variable, variable.scaled(centre), step)) {
+      FitPoint moved = point;
+      double& value = moved[static_cast<std::size_t>(j)];
+      if (offset != 0) value = variable.value(variable.scaled(centre) + offset);
+      taken.push_back(variable.scaled_step(centre, value));
+      const Prediction there = offset == 0 ? prediction : problem.predict(moved);
+      if (!there.found()) {
+        slopes.reason = there.reason;
+        return slopes;
+      }
+      changes.push_back(there.values - prediction.values);
+    }
+    const std::vector<double> weights = first_derivative_weights(taken);
+    double squares = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      slopes.derivatives.col(j) += weights[k] * changes[k];
+      squares += weights[k] * weights[k];
+    }
+    slopes.errors.col(j) = std::sqrt(squares) * noise;
+  }
+  return slopes;
+}
+
+}  // namespace rollres

@@ -1,0 +1,110 @@
+#pragma once
+
+/// A problem of least squares: measured values, and a model that predicts them from parameters.
+///
+/// A point is the list of the parameters' values in SI units. Descents, errors and profiles live in scaled variables
+/// (core/derivatives/objective.hpp), in which a change by 1 is a large one: ln x for a positive quantity.
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/derivatives/objective.hpp"
+#include "fitting/descent/evaluation_log.hpp"
+
+namespace rollres {
+
+struct FitParameter {
+  std::string name;   ///< the key of its quantity, with its data set where it belongs to one only
+  Variable variable;  ///< what it is, its bounds and its scale
+  double start;       ///< [SI]
+};
+
+struct MeasuredValue {
+  double value;            ///< [SI]
+  double deviation;        ///< standard deviation [SI]; where none is known, what residuals are measured in
+  std::string place = {};  ///< "data.csv, line 7"
+};
+
+using FitPoint = std::vector<double>;
+
+/// What the model says of all measured values, or why it says nothing.
+struct Prediction {
+  Eigen::VectorXd values;  ///< [SI], one for each measurement
+  std::string reason = {};
+
+  bool found() const { return reason.empty(); }
+};
+
+/// Derivatives of all predictions by the scaled parameters, or why there are none.
+struct Slopes {
+  Eigen::MatrixXd derivatives;  ///< [SI] a row for each measurement, a column for each parameter
+  Eigen::MatrixXd errors;       ///< estimated, of the derivatives
+  Eigen::VectorXd noise;        ///< of the predictions [SI]: standard deviation
+  Eigen::VectorXd steps;        ///< of the differences, scaled, one for each parameter
+  std::string reason = {};
+
+  bool found() const { return reason.empty(); }
+};
+
+/// What a residual r (in its deviation) adds to the sum of squares: r^2; or 2 c |r| - c^2 beyond c (Huber);
+/// or c^2 ln(1 + r^2/c^2) (Cauchy).
+enum class Loss { none, huber, cauchy };
+template <>
+struct ChoiceNames<Loss> {
+  static constexpr std::array<std::string_view, 3> names{"none", "huber", "cauchy"};
+};
+
+/// The constant c with which the loss keeps 95 % of the efficiency of least squares on normal errors.
+double usual_loss_scale(Loss loss);
+
+struct FitProblem {
+  std::vector<FitParameter> parameters;
+  std::vector<MeasuredValue> data;
+  bool deviations_known = false;  ///< else errors are scaled by the scatter of the residuals
+  Loss loss = Loss::none;
+  double loss_scale = 1;  ///< c [1]
+  std::function<Prediction(const FitPoint&)> predict;
+  /// The predictions of some of the data only, where that costs less; may be empty.
+  std::function<Prediction(const FitPoint&, const std::vector<std::size_t>& rows)> predict_rows = {};
+  std::function<Slopes(const FitPoint&, const Prediction&)> differentiate;
+  std::string noise_remedy = {};  ///< in words: what to do if the noise of the model is too large for the data
+  std::shared_ptr<EvaluationLog> log = std::make_shared<EvaluationLog>();  ///< of what the model evaluated
+
+  std::size_t size() const { return parameters.size(); }
+};
+
+/// The problem with some of its data, and rough slopes. @param rows  of the data; predict_rows must be there
+FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows);
+
+FitPoint start_point(const FitProblem& problem);
+Eigen::VectorXd scaled_point(const FitProblem& problem, const FitPoint& point);
+/// Clamped to the bounds.
+FitPoint point_of(const FitProblem& problem, const Eigen::VectorXd& scaled);
+
+/// (prediction - measurement) / deviation.
+Eigen::VectorXd residuals(const FitProblem& problem, const Prediction& prediction);
+
+/// The loss of a squared residual, and its derivative by the square: the weight of the residual.
+struct LossValue {
+  double value, weight;
+};
+LossValue loss_of(const FitProblem& problem, double squared_residual);
+
+/// The sum of the losses: chi squared if there is no robust loss.
+double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals);
+
+/// Derivatives to a few per cent from one more prediction for each parameter, a scaled step away: enough to begin a
+/// descent with. Steps stay inside the bounds; errors and noise are left at 0.
+Slopes rough_differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction);
+
+/// Derivatives by differences with one step for all parameters: for models that cost little, and steps that are
+/// forced. Central with four points, or one-sided with five near a bound: no point outside the bounds is evaluated.
+/// @param step   scaled
+/// @param noise  of each prediction [SI], for the errors
+Slopes differences(const FitProblem& problem, const FitPoint& point, const Prediction& prediction, double step,
+                   const Eigen::VectorXd& noise);
+
+}  // namespace rollres

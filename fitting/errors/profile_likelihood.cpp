@@ -1,0 +1,221 @@
+#include "fitting/errors/profile_likelihood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/numerics/dense_algebra.hpp"
+#include "fitting/descent/secant_slopes.hpp"
+#include "fitting/errors/quick_profile.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// One side of a profile.
+class Side {
+ public:
+  Side(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
+       std::size_t parameter, double direction, double threshold, const std::atomic<bool>* stop)
+      : problem_(problem),
+        fit_(fit),
+        slopes_(slopes),
+        errors_(errors),
+        parameter_(parameter),
+        direction_(direction),
+        threshold_(threshold),
+        stop_(stop),
+        quick_(with_secants(problem, {.known = KnownSlopes{fit.end, fit.prediction, slopes}})),
+        origin_(scaled_point(problem, fit.end)) {}
+
+  struct End {
+    double value;
+    IntervalEnd kind;
+  };
+
+  /// Finds the end; the points on the way are in `points`.
+  End find(const std::optional<Bend>& other_side) {
+    const Variable& variable = problem_.parameters[parameter_].variable;
+    const double bound = direction_ < 0 ? variable.lowest : variable.highest;
+    constexpr double farthest = 6.9;  // a factor of 1000
+    const double to_bound = std::abs(variable.scaled(bound) - origin_[index()]);
+    const double limit = std::min(to_bound, farthest);
+    const double physical = direction_ < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
+    const IntervalEnd at_limit = to_bound <= farthest && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
+    if (limit <= 0) return {bound, at_limit};
+    const ProfileSide side{problem_, fit_, slopes_, errors_, parameter_, direction_, threshold_};
+    if (const auto quick = quick_end(side, limit, other_side)) {
+      bend = quick->bend;
+      points.push_back(quick->point);
+      return {value_at(quick->distance), IntervalEnd::closed};
+    }
+
+    const double target = std::sqrt(threshold_), deviation = errors_.deviations[index()];
+    double inside = 0, inside_root = 0, outside = 0, outside_root = 0;  // roots of the rise: nearly straight lines
+    double next = std::isfinite(deviation) ? std::min(target * deviation, 1.0) : 0.5;
+    constexpr int most = 14;
+    for (int attempt = 0; attempt < most && !(stop_ && stop_->load()); ++attempt) {
+      next = std::min(next, limit);
+      const double root = root_of_rise(next);
+      if (std::isnan(root)) return {value_at(inside), IntervalEnd::open};
+      if (std::abs(root - target) < 0.05 * target) {
+        const double slope = (root - inside_root) / (next - inside);  // inside < next: roots grow with the distance
+        return {value_at(next + (target - root) / slope), IntervalEnd::closed};
+      }
+      if (root < target) {
+        if (next >= limit) return {value_at(limit), at_limit};
+        inside = next, inside_root = root;
+      } else {
+        outside = next, outside_root = root;
+      }
+      if (outside > 0) {
+        next = inside + (outside - inside) * (target - inside_root) / (outside_root - inside_root);
+        const double margin = 0.05 * (outside - inside);
+        if (attempt > 5) next = 0.5 * (inside + outside);
+        next = std::clamp(next, inside + margin, outside - margin);
+        if (outside - inside < 1e-4 * outside) return {value_at(next), IntervalEnd::closed};
+      } else {
+        next = inside * std::clamp(1.02 * target / std::max(inside_root, 1e-3 * target), 1.3, 3.0);
+      }
+    }
+    return {value_at(inside), outside > 0 ? IntervalEnd::closed : IntervalEnd::open};
+  }
+
+  std::vector<ProfilePoint> points;
+  FitPoint better;
+  std::optional<Bend> bend;
+
+ private:
+  Eigen::Index index() const { return static_cast<Eigen::Index>(parameter_); }
+  double value_at(double distance) const {
+    return problem_.parameters[parameter_].variable.value(origin_[index()] + direction_ * distance);
+  }
+
+  /// Where the others are thought to be: by the covariance, then along the line through the last two points.
+  Eigen::VectorXd guess(double distance) const {
+    const double moved = direction_ * distance;
+    Eigen::VectorXd scaled = origin_;
+    if (trail_.empty()) {
+      const double variance = errors_.covariance(index(), index());
+      for (Eigen::Index k = 0; k < scaled.size(); ++k) {
+        const double shift = moved * errors_.covariance(k, index()) / variance;
+        if (k != index() && std::isfinite(shift)) scaled[k] += std::clamp(shift, -2.0, 2.0);
+      }
+    } else {
+      const Eigen::VectorXd& last = trail_.back();
+      const Eigen::VectorXd before = trail_.size() > 1 ? trail_[trail_.size() - 2] : origin_;
+      const double along = last[index()] - before[index()];
+      const double ratio = std::abs(along) > 0 ? (origin_[index()] + moved - last[index()]) / along : 0;
+      scaled = last + std::clamp(ratio, -2.0, 2.0) * (last - before);
+    }
+    scaled[index()] = origin_[index()] + moved;
+    return scaled;
+  }
+
+  /// sqrt of the rise with the parameter at this distance; NaN without a prediction.
+  double root_of_rise(double distance) {
+    DescentOptions options;
+    options.held = {parameter_};
+    options.most_iterations = 12;
+    options.tolerance = 2e-3 * threshold_ * errors_.scale / (fit_.misfit + threshold_ * errors_.scale);
+    options.stop = stop_;
+    FitPoint start = point_of(problem_, guess(distance));
+    start[parameter_] = value_at(distance);
+    if (const auto rise = rise_beside(start)) return kept(start, distance, *rise);  // which moved it
+    Descent there = descend(quick_, start, options);
+    if (!there.found()) {  // the guess was bold
+      start = fit_.end;
+      start[parameter_] = value_at(distance);
+      there = descend(quick_, start, options);
+    }
+    if (!there.found()) return RollingSolution::absent;
+    return kept(there.end, distance, (there.misfit - fit_.misfit) / errors_.scale);
+  }
+
+  double kept(const FitPoint& point, double distance, double rise) {
+    trail_.push_back(scaled_point(problem_, point));
+    if (rise < -0.01 * threshold_) better = point;
+    points.push_back({value_at(distance), rise});
+    return std::sqrt(std::max(rise, 0.0));
+  }
+
+  /// Gauss and Newton's steps from a point, as long as they are few and lead down, to the least misfit; the rise there.
+  /// A last step that is all but nothing is not taken: most points cost one or two predictions.
+  std::optional<double> rise_beside(FitPoint& point) {
+    constexpr int most_steps = 3;
+    double before = std::numeric_limits<double>::infinity();
+    for (int steps = 0; steps <= most_steps; ++steps) {
+      const Prediction prediction = quick_.predict(point);
+      if (!prediction.found()) return std::nullopt;
+      const Eigen::VectorXd misses = residuals(quick_, prediction);
+      const double here = misfit(quick_, misses);
+      if (!(here < before)) return std::nullopt;
+      before = here;
+      const OwnStep step = step_of_others(misses, quick_.differentiate(point, prediction));
+      if (step.fall < 0.02 * threshold_ * errors_.scale) return (here - step.fall - fit_.misfit) / errors_.scale;
+      const double own = point[parameter_];
+      point = point_of(problem_, scaled_point(problem_, point) + step.scaled);
+      point[parameter_] = own;
+    }
+    return std::nullopt;
+  }
+
+  struct OwnStep {
+    Eigen::VectorXd scaled;
+    double fall;  // of the misfit, by the slopes
+  };
+
+  /// Gauss and Newton's step with this parameter held.
+  OwnStep step_of_others(const Eigen::VectorXd& misses, const Slopes& slopes) const {
+    OwnStep step{Eigen::VectorXd::Zero(origin_.size()), 0};
+    if (origin_.size() == 1) return step;
+    Eigen::VectorXd weighted = misses;
+    Eigen::MatrixXd others(misses.size(), origin_.size() - 1);
+    for (Eigen::Index i = 0; i < misses.size(); ++i) {
+      const double root = std::sqrt(loss_of(quick_, misses[i] * misses[i]).weight);
+      weighted[i] *= root;
+      for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
+        if (j != index())
+          others(i, k++) = root / quick_.data[static_cast<std::size_t>(i)].deviation * slopes.derivatives(i, j);
+    }
+    const Eigen::VectorXd moved = least_squares(others, -weighted);
+    for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
+      if (j != index()) step.scaled[j] = moved[k++];
+    step.fall = weighted.squaredNorm() - (weighted + others * moved).squaredNorm();
+    return step;
+  }
+
+  const FitProblem& problem_;
+  const Descent& fit_;
+  const Slopes& slopes_;
+  const FitErrors& errors_;
+  std::size_t parameter_;
+  double direction_, threshold_;
+  const std::atomic<bool>* stop_;
+  FitProblem quick_;
+  Eigen::VectorXd origin_;
+  std::vector<Eigen::VectorXd> trail_;
+};
+
+}  // namespace
+
+Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
+                std::size_t parameter, double threshold, const std::atomic<bool>* stop) {
+  Profile answer;
+  answer.points.push_back({fit.end[parameter], 0});
+  std::optional<Bend> bend;
+  for (const double direction : {-1.0, 1.0}) {
+    Side side(problem, fit, slopes, errors, parameter, direction, threshold, stop);
+    const Side::End end = side.find(bend);
+    bend = side.bend;
+    (direction < 0 ? answer.interval.lowest : answer.interval.highest) = end.value;
+    (direction < 0 ? answer.interval.low : answer.interval.high) = end.kind;
+    answer.points.insert(answer.points.end(), side.points.begin(), side.points.end());
+    if (answer.better.empty()) answer.better = side.better;
+  }
+  std::sort(answer.points.begin(), answer.points.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  return answer;
+}
+
+}  // namespace rollres

@@ -1,0 +1,90 @@
+#pragma once
+
+/// What a fit found, and how much of it can be trusted.
+
+#include <string>
+#include <vector>
+
+#include "fitting/errors/fit_errors.hpp"
+#include "fitting/errors/profile_likelihood.hpp"
+
+namespace rollres {
+
+/// In the order in which they are tested, from the worst: the first that holds is the status.
+enum class FitStatus {
+  not_converged,   ///< no start had a prediction; or the slopes are noise (an estimated error of half their size or
+                   ///< more, that the data would feel); or the least misfit is thought to be farther than a tenth of a
+                   ///< standard error away, or than the noise of the model explains, at most one
+  did_not_move,    ///< every descent that led here ended where it began, which is no proof of a least misfit
+  not_identified,  ///< the data do not bound a parameter: an interval is open, or along the weakest direction the
+                   ///< parameters change by a factor of e or more within one standard deviation
+  usable_with_warnings,
+  usable  ///< a least misfit that the parameters are bound to, and nothing to warn of
+};
+template <>
+struct ChoiceNames<FitStatus> {
+  static constexpr std::array<std::string_view, 5> names{"NOT CONVERGED", "DID NOT MOVE", "NOT IDENTIFIED",
+                                                         "USABLE WITH WARNINGS", "USABLE"};
+};
+
+/// What is known of one parameter.
+struct FittedParameter {
+  FitParameter parameter;
+  double value;               ///< [SI]
+  double standard_error;      ///< [SI] linear; NaN at a bound
+  double relative_error;      ///< of the scaled variable: of a positive quantity relative, else over its size
+  ConfidenceInterval linear;  ///< 95 %: symmetric in the scaled variable
+  Profile profile;            ///< 95 %; without points if profiles were not wanted
+  double step;                ///< of the differences, scaled
+  double slope_doubt;         ///< estimated error of the slopes over the slopes
+  AtBound at_bound;
+  std::string flag;  ///< "at its lower bound", "not bounded above", ...; empty: nothing to mind
+};
+
+/// One measured value and what the fit makes of it.
+struct FittedValue {
+  MeasuredValue measured;
+  double predicted;  ///< [SI]
+  double residual;   ///< (predicted - measured) / deviation
+  double band;       ///< standard error of the prediction by the errors of the parameters [SI]
+};
+
+struct FitReport {
+  FitStatus status = FitStatus::not_converged;
+  std::string reason;                 ///< of the status, in words; empty if usable
+  std::vector<std::string> warnings;  ///< each one line
+
+  std::vector<FittedParameter> parameters;
+  std::vector<FittedValue> values;
+  bool deviations_known = false;
+  int degrees = 0;     ///< of freedom
+  double chi_squared;  ///< sum of the losses; without known deviations in their unit [1]
+  double reduced_chi_squared;
+  double p_value;                ///< that chi squared is as large by chance; NaN without known deviations
+  double rms;                    ///< root mean square of prediction - measurement [SI]
+  double relative_rms;           ///< of the same over the measured values
+  double runs_p_value;           ///< runs test of the residuals in the order of the data
+  std::size_t largest_residual;  ///< its place in `values`
+  double noise;                  ///< of the model: largest standard deviation over the predicted value
+
+  FitErrors errors;
+  std::string weakest_direction;  ///< in words
+  int starts = 0, agreeing = 0;   ///< descents, and those that led to the same least misfit
+  bool moved = false;             ///< one of these began elsewhere
+  int iterations = 0;             ///< of the best descent
+  std::string stopped;            ///< Ceres's words on it
+  bool interrupted = false;
+  std::size_t evaluations = 0, failures = 0;
+  std::vector<EvaluationLog::Failure> failure_reasons;
+  Slopes slopes;  ///< at the fit
+
+  FitPoint point() const;
+};
+
+/// The pair of parameters with the largest correlation; the first two if none is known.
+struct ParameterPair {
+  std::size_t first, second;
+};
+ParameterPair worst_pair(const FitReport& report);
+
+}  // namespace rollres

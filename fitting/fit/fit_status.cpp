@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fitting/fit/fit.hpp"
+#include "fitting/fit/fit_words.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr double noisy_slope = 0.5, doubtful_slope = 0.1;  // estimated error over slope
+constexpr double felt = 0.3;                               // error of a slope, in deviations of the data
+constexpr double near = 0.1, exactly = 1e-5;               // distance to the least misfit: standard errors, scaled
+constexpr double unlikely = 0.01;                          // of a test
+constexpr double strong = 0.98;                            // correlation
+
+std::string percent(double part) { return rounded(100 * part) + " %"; }
+
+/// Noise of the model over the scatter of the data.
+double noise_over_scatter(const FitReport& report) {
+  double noisy = 0;
+  for (std::size_t i = 0; i < report.values.size(); ++i)
+    noisy = std::max(noisy, report.slopes.noise[static_cast<Eigen::Index>(i)] / report.values[i].measured.deviation);
+  return noisy / std::sqrt(report.errors.scale);
+}
+
+/// That the noise of the model is no smaller than the scatter of the data, and what to do; empty if it is.
+std::string noise_in_words(const FitReport& report, const FitProblem& problem) {
+  if (!report.slopes.found()) return "";
+  const double noisy = noise_over_scatter(report);
+  if (!(noisy > 0.5)) return "";
+  return "the noise of the model, " + percent(report.noise) + " of its values, is " + rounded(noisy) +
+         " times the scatter of the data" + (problem.noise_remedy.empty() ? "" : "; " + problem.noise_remedy);
+}
+
+/// How far the errors of the slopes let Gauss and Newton's step err, in standard errors: (A^T A)^-1 E^T r for slopes
+/// A + E and residuals r.
+double doubt_of_step(const FitReport& report, Eigen::Index parameter) {
+  double squares = 0, variance = 0;
+  for (const FittedValue& value : report.values) squares += value.residual * value.residual;
+  const double root = std::sqrt(squares / static_cast<double>(report.values.size()) / report.errors.scale);
+  for (Eigen::Index k = 0; k < report.errors.covariance.cols(); ++k)
+    if (const double covariance = report.errors.covariance(parameter, k); std::isfinite(covariance))
+      variance += std::pow(covariance * report.errors.slope_errors[k] * root, 2);
+  return std::sqrt(variance) / report.errors.deviations[parameter];
+}
+
+/// Why this is no least misfit; empty if it is one.
+std::string not_converged(const FitReport& report) {
+  if (!report.slopes.found()) return report.slopes.reason;
+  for (std::size_t j = 0; j < report.parameters.size(); ++j) {
+    const FittedParameter& fitted = report.parameters[j];
+    if (fitted.slope_doubt > noisy_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
+      return "the slopes by " + fitted.parameter.name + " are noise: with steps of " + rounded(fitted.step) +
+             " and a relative noise of the model of " + rounded(report.noise) + " their estimated error is " +
+             percent(fitted.slope_doubt) + " of them";
+  }
+  const bool flat = !(report.errors.weakest_deviation < 1);  // then no place is the least misfit
+  for (std::size_t j = 0; j < report.parameters.size() && !flat; ++j) {
+    const FittedParameter& fitted = report.parameters[j];
+    const double distance = std::abs(report.errors.step[static_cast<Eigen::Index>(j)]);
+    // A noise e of residuals moves the misfit by about e, and its least place by the root of that.
+    const double enough = std::max(std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near),
+                                   std::min(doubt_of_step(report, static_cast<Eigen::Index>(j)), 1.0));
+    if (distance > std::max(enough * fitted.relative_error, exactly))
+      return fitted.parameter.name + " is thought to be " + rounded(distance / fitted.relative_error) +
+             " standard errors away from the least misfit (the descent stopped: " + report.stopped + ")";
+  }
+  return report.interrupted ? "interrupted" : "";
+}
+
+void flag_parameters(FitReport& report) {
+  for (FittedParameter& fitted : report.parameters) {
+    const ConfidenceInterval& profile = fitted.profile.interval;
+    const auto add = [&](const std::string& words) { fitted.flag += (fitted.flag.empty() ? "" : ", ") + words; };
+    fitted.flag.clear();
+    if (fitted.at_bound == AtBound::lowest) add("at its lower bound");
+    if (fitted.at_bound == AtBound::highest) add("at its upper bound");
+    if (fitted.profile.points.empty()) continue;
+    if (profile.low == IntervalEnd::open && fitted.at_bound != AtBound::lowest) add("not bounded below");
+    if (profile.high == IntervalEnd::open && fitted.at_bound != AtBound::highest) add("not bounded above");
+  }
+}
+
+/// Why the data do not bind the parameters; empty if they do.
+std::string not_identified(const FitReport& report, const FitProblem& problem) {
+  const auto pair = [&] {
+    const std::string names = weakest_parameters(problem, report.errors);
+    return names.find(" and ") == std::string::npos ? std::string() : "; " + names + " are not separable by these data";
+  };
+  if (!(report.errors.weakest_deviation < 1)) return report.weakest_direction + pair();
+  for (const FittedParameter& fitted : report.parameters)
+    if (fitted.flag.find("not bounded") != std::string::npos)
+      return "the interval of " + fitted.parameter.name + " does not close" + pair();
+  return "";
+}
+
+void add_warnings(FitReport& report, const FitProblem& problem) {
+  const auto warn = [&](const std::string& words) { report.warnings.push_back(words); };
+  for (std::size_t j = 0; j < report.parameters.size(); ++j) {
+    const FittedParameter& fitted = report.parameters[j];
+    if (fitted.at_bound != AtBound::no) warn(fitted.parameter.name + " is at its bound: its error is not known");
+    if (fitted.slope_doubt > doubtful_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
+      warn("the slopes by " + fitted.parameter.name + " are known to " + percent(fitted.slope_doubt) + " only");
+  }
+  for (std::size_t j = 0; j < report.parameters.size(); ++j)
+    if (const double doubt = doubt_of_step(report, static_cast<Eigen::Index>(j)); doubt > 5 * near)
+      warn("the noise of the model leaves " + report.parameters[j].parameter.name + " uncertain by another " +
+           rounded(doubt) + " standard errors");
+  if (report.p_value < unlikely)
+    warn("the misfit is larger than the deviations of the data explain: p = " + rounded(report.p_value));
+  if (1 - report.p_value < unlikely)
+    warn("the misfit is smaller than the deviations of the data let expect: 1 - p = " + rounded(1 - report.p_value));
+  if (report.runs_p_value < unlikely)
+    warn("the residuals are not random in the order of the data: runs test p = " + rounded(report.runs_p_value));
+  const ParameterPair pair = worst_pair(report);
+  if (problem.size() > 1) {
+    const double correlation =
+        report.errors.correlations(static_cast<Eigen::Index>(pair.first), static_cast<Eigen::Index>(pair.second));
+    if (std::abs(correlation) > strong)
+      warn(problem.parameters[pair.first].name + " and " + problem.parameters[pair.second].name +
+           " are hard to separate: correlation " + rounded(correlation));
+  }
+  if (report.starts > 1 && 2 * report.agreeing < report.starts)
+    warn("only " + std::to_string(report.agreeing) + " of " + std::to_string(report.starts) +
+         " starts led to this misfit");
+  const double scatter = std::sqrt(report.errors.scale);
+  if (const std::string noise = noise_in_words(report, problem); !noise.empty()) warn(noise);
+  if (report.relative_rms > 0.2)
+    warn("the fit misses the data by " + percent(report.relative_rms) + " (rms): the model does not describe them");
+  const FittedValue& worst = report.values[report.largest_residual];
+  if (std::abs(worst.residual) > 4 * scatter)
+    warn((worst.measured.place.empty() ? "a measurement" : worst.measured.place) + " is " +
+         rounded(std::abs(worst.residual) / scatter) + " standard deviations off the fit");
+}
+
+}  // namespace
+
+void judge(FitReport& report, const FitProblem& problem) {
+  report.reason.clear();
+  report.warnings.clear();
+  flag_parameters(report);
+  const bool known = report.slopes.found();
+  if (known) add_warnings(report, problem);
+  report.status = FitStatus::not_converged;
+  report.reason = not_converged(report);
+  if (const std::string noise = noise_in_words(report, problem); !report.reason.empty() && !noise.empty())
+    report.reason += "; " + noise;
+  if (known && !report.moved) {
+    report.reason +=
+        (report.reason.empty() ? "" : "; ") +
+        std::string("the fit ended where it started, which is no proof of a least misfit: start it elsewhere");
+    if (report.reason.starts_with("the fit")) report.status = FitStatus::did_not_move;
+    return;
+  }
+  if (!report.reason.empty()) return;
+  report.status = FitStatus::not_identified;
+  report.reason = not_identified(report, problem);
+  if (!report.reason.empty()) return;
+  report.status = report.warnings.empty() ? FitStatus::usable : FitStatus::usable_with_warnings;
+}
+
+}  // namespace rollres

@@ -1,0 +1,57 @@
+#pragma once
+
+/// The chart of a stored study: any number against any number, one curve for each value of its other axes.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "db/queries/query.hpp"
+#include "db/rows/result_store.hpp"
+#include "studies/drawing/chart.hpp"
+#include "studies/stored/study_rows.hpp"
+#include "studies/study/study.hpp"
+
+namespace rollres {
+
+/// What to show; what is empty is taken from a chart of the study file, else: x is the first of the axes with the most
+/// values, y the rolling resistance, and the family all other axes that have more than one value and do not follow from
+/// x because they vary together with it.
+struct StudyChartWishes {
+  std::string study = {};  ///< may be left out if the database holds one study
+  std::string chart = {};  ///< name or number of a chart of the study file; empty: the first
+  std::string x = {}, y = {}, family = {};
+  bool shares = false;  ///< what of the rolling resistance is lost in the layer and what to friction, stacked
+  std::vector<Filter> filters = {};  ///< rows to show
+  AxisScale x_scale = AxisScale::automatic, y_scale = AxisScale::automatic;
+};
+
+/// A stored study as a chart.
+struct StoredChart {
+  std::string study;
+  ChartRequest request;
+  std::size_t points = 0;      ///< rows shown
+  std::size_t unanswered = 0;  ///< of these, not converged
+  std::int64_t missing = 0;    ///< points of the study that are not computed yet
+};
+
+/// Curves of more values than this cannot be told apart any more.
+inline constexpr std::size_t most_curves = 24;
+
+/// Names of the charts in the study's file, or their numbers; one where the file has none.
+/// @param study  may be empty if the database holds one study
+std::vector<std::string> stored_charts(ResultStore& store, const std::string& study);
+
+/// A chart of the study's file, by its name or number; the first for an empty name.
+/// @throws std::invalid_argument naming the charts that there are
+StudyChart chart_of_file(ResultStore& store, const std::string& study, const std::string& chart);
+
+/// Reads the curves of a study; the points of a sample of several inputs are not joined. An axis is logarithmic if the
+/// study spaced it so, or if its values are positive and span two decades or more; units are scaled to be read easily.
+/// Rolling resistance, and its coefficient, has a band as wide as its estimated error on either side.
+/// @throws std::invalid_argument naming what is unknown (and the nearest known name), what cannot be drawn, or that no
+///         row is left
+/// @throws std::runtime_error naming the file if the database fails
+StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes);
+
+}  // namespace rollres

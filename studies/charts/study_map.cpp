@@ -1,0 +1,142 @@
+#include "studies/charts/study_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "studies/optimise/stored_optimum.hpp"
+#include "studies/stored/stored_study.hpp"
+#include "studies/study/study_definition.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Axes of the study that are numbers, those with the most values first.
+std::vector<const QuantityColumn*> longest_axes(const StudySummary& study, const StudyRows& rows) {
+  std::vector<const QuantityColumn*> axes;
+  for (const std::string& key : study.axes)
+    if (const QuantityColumn& column = column_of(key, study, "axis"); column.type != "TEXT") axes.push_back(&column);
+  std::stable_sort(axes.begin(), axes.end(), [&](const auto* one, const auto* other) {
+    return rows.values(*one).size() > rows.values(*other).size();
+  });
+  return axes;
+}
+
+std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
+
+struct MapAxes {
+  const QuantityColumn *x = nullptr, *y = nullptr;
+};
+
+MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const StudyMapWishes& wishes) {
+  MapAxes axes;
+  if (!wishes.x.empty()) axes.x = &number_column(wishes.x, study, "x");
+  if (!wishes.y.empty()) axes.y = &number_column(wishes.y, study, "y");
+  for (const QuantityColumn* axis : longest_axes(study, rows)) {
+    if (axis == axes.x || axis == axes.y) continue;
+    if (!axes.x)
+      axes.x = axis;
+    else if (!axes.y)
+      axes.y = axis;
+  }
+  if (!axes.x || !axes.y || axes.x == axes.y)
+    throw std::invalid_argument(study.name + ": a map needs two axes that are numbers and differ");
+  return axes;
+}
+
+/// Values of a column in rising order.
+std::vector<double> places(const StudyRows& rows, const QuantityColumn& column) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (const double value = rows.number(row, column); std::isfinite(value)) values.push_back(value);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+MapNode state_of(const StudyRows& rows, std::size_t row, double value) {
+  if (rows.converged(row)) return std::isfinite(value) ? MapNode::answered : MapNode::unanswered;
+  return std::isfinite(value) ? MapNode::not_converged : MapNode::unanswered;
+}
+
+void add_optimum(MapRequest& request, ResultStore& store, const std::string& name, const MapAxes& axes,
+                 const ScaledUnit& x_unit, const ScaledUnit& y_unit) {
+  const auto found = stored_optimum(store, stored_study(store, name).name);
+  if (!found)
+    throw std::invalid_argument("optimum = " + name + ": is no optimisation; its study file has no variables");
+  const int x = found->variable(axes.x->quantity.key), y = found->variable(axes.y->quantity.key);
+  for (const auto& [place, column] : {std::pair(x, axes.x), std::pair(y, axes.y)})
+    if (place < 0) throw std::invalid_argument("optimum = " + name + ": has no variable " + key_of(*column));
+  const auto point = [&](const Design& design) {
+    return MapPoint{design.point[static_cast<std::size_t>(x)] / x_unit.factor,
+                    design.point[static_cast<std::size_t>(y)] / y_unit.factor};
+  };
+  for (const Design& design : found->designs) request.designs.push_back(point(design));
+  if (!found->best) return;
+  request.optimum = point(*found->best);
+  request.optimum_meaning = std::string(found->problem.goal.maximise ? "best: greatest " : "best: least ") +
+                            in_words(found->problem.goal.formula.text());
+}
+
+}  // namespace
+
+StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
+  const StudySummary study = stored_study(store, wishes.study);
+  const std::string& file = store.database().name();
+  const StudyDefinition definition = definition_in(store.definition(study.name).value_or(""), file + ": " + study.name);
+  const StudyRows rows(store, study.name, wishes.filters);
+  const MapAxes axes = choose_axes(study, rows, wishes);
+  const QuantityColumn& value = number_column(wishes.value, study, "map");
+  const auto scale = [&](const QuantityColumn& column, AxisScale wish, const char* option) {
+    return scale_of(rows, column, wish, definition.logarithmic.contains(key_of(column)), option);
+  };
+  const ColumnScale x = scale(*axes.x, wishes.x_scale, "x-scale"), y = scale(*axes.y, wishes.y_scale, "y-scale"),
+                    v = scale_of(rows, value, wishes.value_scale, false, "map-scale");
+
+  StoredMap map{study.name,
+                {.title = study.name,
+                 .x = scaled_axis(*axes.x, x),
+                 .y = scaled_axis(*axes.y, y),
+                 .value = scaled_axis(value, v),
+                 .field = {},
+                 .nodes = {}},
+                rows.size(),
+                0};
+  MapRequest& request = map.request;
+  PlaneField& field = request.field;
+  field.x = places(rows, *axes.x);
+  field.y = places(rows, *axes.y);
+  const std::size_t size = field.x.size() * field.y.size();
+  if (size > 4 * rows.size())
+    throw std::invalid_argument(study.name + ": the points do not lie on a grid of " + key_of(*axes.x) + " and " +
+                                key_of(*axes.y) + "; the shown " + std::to_string(rows.size()) +
+                                " would leave most of it empty");
+  field.values.assign(size, std::numeric_limits<double>::quiet_NaN());
+  request.nodes.assign(size, MapNode::not_computed);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (!rows.converged(row)) ++map.unanswered;
+    const double at_x = rows.number(row, *axes.x), at_y = rows.number(row, *axes.y);
+    if (!std::isfinite(at_x) || !std::isfinite(at_y)) continue;
+    const auto column = std::lower_bound(field.x.begin(), field.x.end(), at_x) - field.x.begin();
+    const auto line = std::lower_bound(field.y.begin(), field.y.end(), at_y) - field.y.begin();
+    const auto node = static_cast<std::size_t>(line) * field.x.size() + static_cast<std::size_t>(column);
+    if (request.nodes[node] != MapNode::not_computed)
+      throw std::invalid_argument(
+          study.name + ": several points at " + key_of(*axes.x) + " = " +
+          value_in_words(axes.x->quantity, Cell(at_x), unit_in(rows, *axes.x)) + ", " + key_of(*axes.y) + " = " +
+          value_in_words(axes.y->quantity, Cell(at_y), unit_in(rows, *axes.y)) + "; fix the other axes with --where");
+    const double number = rows.number(row, value) / v.unit.factor;
+    request.nodes[node] = state_of(rows, row, number);
+    if (request.nodes[node] == MapNode::answered) field.values[node] = number;
+  }
+  for (double& place : field.x) place /= x.unit.factor;
+  for (double& place : field.y) place /= y.unit.factor;
+  request.comment = "study " + study.name + " in " + file + ": " + std::to_string(map.points) + " points, " +
+                    std::to_string(map.unanswered) + " without an answer" + common_inputs(rows);
+  if (!wishes.optimum.empty()) add_optimum(request, store, wishes.optimum, axes, x.unit, y.unit);
+  return map;
+}
+
+}  // namespace rollres

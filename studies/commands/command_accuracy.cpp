@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "studies/evidence/accuracy_table.hpp"
+#include "studies/evidence/random_accuracy.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/program/watched_run.hpp"
+#include "studies/run/progress.hpp"
+#include "studies/scene_io/paper_scenes.hpp"
+#include "studies/scene_io/scene_file.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+#include "studies/text/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct AccuracyWords {
+  std::vector<std::string> scenes, overrides, methods, spacings;
+  std::string out, format = "text";
+  bool json = false;
+  AccuracyOptions options;
+  std::size_t random = 0;
+  std::string indenter = "both";
+  RandomAccuracyPlan plan;
+};
+
+struct NamedScene {
+  std::string name, file;
+
+  RollingScene with(const std::vector<std::string>& overrides) const {
+    for (const PaperScene& paper : paper_scenes())
+      if (file == paper.name && !std::filesystem::exists(file)) return parse_scene(paper.json, file, overrides);
+    return read_scene(file, overrides);
+  }
+};
+
+/// Scenes under the names of their files, a number after a name that was taken before.
+std::vector<NamedScene> named_scenes(const std::vector<std::string>& files) {
+  std::vector<NamedScene> scenes;
+  for (const std::string& file : files) {
+    const std::string stem = std::filesystem::path(file).stem().string();
+    std::string name = stem;
+    const auto taken = [&](const NamedScene& scene) { return scene.name == name; };
+    for (int number = 2; std::any_of(scenes.begin(), scenes.end(), taken); ++number)
+      name = stem + "_" + std::to_string(number);
+    scenes.push_back({name, file});
+  }
+  return scenes;
+}
+
+std::vector<Method> methods_named(const std::vector<std::string>& names) {
+  std::vector<Method> methods;
+  for (const std::string& name : names) {
+    const int found = find_name(ChoiceNames<Method>::names, name);
+    if (found < 0)
+      throw std::invalid_argument("--methods = \"" + name +
+                                  "\": " + unknown("unknown method", ChoiceNames<Method>::names, name));
+    if (std::find(methods.begin(), methods.end(), static_cast<Method>(found)) == methods.end())
+      methods.push_back(static_cast<Method>(found));
+  }
+  return methods;
+}
+
+Json json_of(const AccuracyReport& report) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  const AccuracyReference& reference = report.reference;
+  Json object{{"scene", report.name},
+              {"reference", nullptr},
+              {"trends", Json::array()},
+              {"points", json_of(accuracy_rows({report}))}};
+  if (reference.found())
+    object["reference"] = {{"rolling_resistance", reference.rolling_resistance},
+                           {"method", name_of(reference.method)},
+                           {"spacing", number(reference.spacing)},
+                           {"contact_nodes", reference.contact_nodes},
+                           {"extrapolated", reference.extrapolated},
+                           {"uncertainty", number(reference.uncertainty)}};
+  for (const AccuracyTrend& trend : report.trends)
+    object["trends"].push_back({{"method", name_of(trend.method)},
+                                {"order", number(trend.order)},
+                                {"order_deviation", number(trend.order_deviation)},
+                                {"growth", number(trend.growth)}});
+  return object;
+}
+
+/// Says so where others used the processors, so that wall times are too long.
+void warn_of_busy_machine(const std::vector<AccuracyReport>& reports, std::ostream& err) {
+  double wall = 0, processor = 0;
+  for (const AccuracyReport& report : reports)
+    for (const AccuracyPoint& point : report.points)
+      if (point.repeats > 0) {
+        wall += point.seconds;
+        processor += point.processor_seconds;
+      }
+  constexpr double disturbed = 1.2;
+  if (wall > disturbed * processor)
+    err << "the machine was busy: the solutions took " << duration_in_words(wall) << " but only "
+        << duration_in_words(processor) << " of a processor; times are too long\n";
+}
+
+/// Whether errors are what they are said to be, on random scenes.
+void random_accuracy(const AccuracyWords& words, Session& session) {
+  make_directory(words.out);
+  RandomAccuracyPlan plan = words.plan;
+  if (words.indenter != "sphere") plan.cylinders = words.random;
+  if (words.indenter != "cylinder") plan.spheres = words.random;
+  const RandomAccuracyReport report =
+      watched_run(plan, session, [&] { return measure_random_accuracy(plan, session.evaluate); });
+  const std::filesystem::path file = std::filesystem::path(words.out) / "random_accuracy.csv";
+  std::ostringstream csv;
+  write_csv(csv, judged_table(report.solutions));
+  write_file(file, csv.str());
+  const Table table = random_accuracy_table(counts_of(report.solutions));
+  if (words.json) {
+    session.out << text_of(Json{{"seed", plan.seed},
+                                {"interrupted", report.interrupted},
+                                {"results", json_of(table)},
+                                {"files", {file.string()}}},
+                           2)
+                << '\n';
+  } else {
+    write_aligned(session.out, table);
+    session.out << file.string() << '\n';
+  }
+  if (report.interrupted) {
+    session.err << "interrupted: only part of the scenes was solved\n";
+    session.status = ExitStatus::no_answer;
+  }
+}
+
+void accuracy(const AccuracyWords& words, Session& session) {
+  AccuracyOptions options = words.options;
+  options.methods = methods_named(words.methods);
+  const std::size_t columns = terminal_width(session.err);
+  const auto clear_line = [&] {
+    if (columns > 0) session.err << "\r\x1b[K" << std::flush;
+  };
+  if (columns > 0)
+    options.report = [&](const std::string& line) {
+      session.err << "\r" << line.substr(0, columns - 1) << "\x1b[K" << std::flush;
+    };
+  std::vector<std::string> files = words.scenes;
+  if (files.empty())
+    for (const PaperScene& paper : paper_scenes()) files.emplace_back(paper.name);
+  const std::vector<NamedScene> named = named_scenes(files);
+  std::vector<RollingScene> scenes;
+  for (const NamedScene& scene : named) scenes.push_back(scene.with(words.overrides));
+  for (const std::string& spacing : words.spacings)
+    options.spacings.push_back(*named.front().with({"spacing=" + spacing}).spacing);
+  make_directory(words.out);
+
+  const Measure measure = [&](const RollingScene& scene, double limit) {
+    return measured_solve(session.evaluate, scene, limit);
+  };
+  std::vector<AccuracyReport> reports;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    reports.push_back(measure_accuracy(named[i].name, scenes[i], options, measure));
+    clear_line();
+    if (words.json) continue;
+    session.out << accuracy_text(reports.back(), words.format == "markdown") << std::endl;
+  }
+  warn_of_busy_machine(reports, session.err);
+
+  std::vector<std::filesystem::path> written{std::filesystem::path(words.out) / "accuracy.csv"};
+  std::ostringstream csv;
+  write_csv(csv, accuracy_rows(reports));
+  write_file(written.front(), csv.str());
+  for (const AccuracyReport& report : reports) {
+    const ChartRequest request = accuracy_chart(report);
+    if (request.curves.empty()) {
+      session.err << report.name << ": no chart, no error is known\n";
+      continue;
+    }
+    const ChartFiles chart = draw_chart(request, std::filesystem::path(words.out) / ("accuracy_" + report.name));
+    for (const auto& file : {chart.svg, chart.png, chart.script, chart.data}) written.push_back(file);
+  }
+  if (words.json) {
+    Json object{{"scenes", Json::array()}, {"files", Json::array()}};
+    for (const AccuracyReport& report : reports) object["scenes"].push_back(json_of(report));
+    for (const auto& file : written) object["files"].push_back(file.string());
+    session.out << text_of(object, 2) << '\n';
+  } else {
+    for (const auto& file : written) (words.format == "markdown" ? session.err : session.out) << file.string() << '\n';
+  }
+  for (const AccuracyReport& report : reports)
+    for (const AccuracyPoint& point : report.points)
+      if (point.status != AccuracyStatus::converged && point.status != AccuracyStatus::skipped)
+        session.status = ExitStatus::no_answer;
+}
+
+}  // namespace
+
+void add_accuracy(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("accuracy", "Chart error against time, method by method, over a range of spacings");
+  const auto words = std::make_shared<AccuracyWords>();
+  AccuracyOptions& options = words->options;
+  command
+      ->add_option("scene", words->scenes,
+                   "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
+                   "these two")
+      ->option_text("SCENE");
+  command->add_option("--out", words->out, "directory for accuracy.csv and the charts")->required()->option_text("DIR");
+  command->add_option("--methods", words->methods, "methods, separated by commas; left out: all")
+      ->option_text("METHOD,...")
+      ->delimiter(',');
+  CommandOption* const spacings =
+      command->add_option("--spacings", words->spacings, "spacings, with a unit or in m, separated by commas")
+          ->option_text("SPACING,...")
+          ->delimiter(',');
+  command
+      ->add_option("--levels", options.levels,
+                   "how many spacings, each 1/sqrt(2) of the last, from 8 nodes along the contact; left out: to 500 "
+                   "nodes along a cylinder's, 130 along a sphere's")
+      ->option_text("N")
+      ->between(1, 100)
+      ->excludes(spacings);
+  command->add_option("--repeats", options.repeats, "solutions of which the median time is taken; default 5")
+      ->option_text("N")
+      ->between(1, 1000);
+  command
+      ->add_option("--seconds-limit", options.seconds_limit,
+                   "what would take longer is skipped, what takes longer is stopped; default 30")
+      ->option_text("SECONDS")
+      ->positive();
+  command
+      ->add_option("--set", words->overrides, "replace an input of all scenes, in SI or with a unit; may be repeated")
+      ->option_text("KEY=VALUE")
+      ->one_value_each();
+  command->add_option("--format", words->format, "text or markdown")
+      ->option_text("FORMAT")
+      ->one_of({"text", "markdown"});
+  command->add_flag("--json", words->json, "print one JSON object");
+  CommandOption* const random =
+      command
+          ->add_option("--random", words->random,
+                       "instead: how often, on so many random scenes of each indenter, the error is below its estimate "
+                       "and a tolerance is met; into DIR/random_accuracy.csv")
+          ->between(1, 1'000'000)
+          ->option_text("N");
+  command->add_option("--seed", words->plan.seed, "of the random scenes; default: 1")->needs(random)->option_text("S");
+  command->add_option("--tolerances", words->plan.tolerances, "of the random scenes' solutions; default: 1e-2,1e-3")
+      ->option_text("X,...")
+      ->delimiter(',')
+      ->positive()
+      ->needs(random);
+  command->add_option("--indenter", words->indenter, "of the random scenes: cylinder, sphere or both (the default)")
+      ->one_of({"cylinder", "sphere", "both"})
+      ->needs(random)
+      ->option_text("INDENTER");
+  command->add_option("--jobs", words->plan.jobs, "processes for the random scenes; default: one for each core")
+      ->between(1, 1024)
+      ->needs(random)
+      ->option_text("N");
+  command->add_option("--time-limit", words->plan.time_limit, "for one random scene, in seconds; default: 600")
+      ->positive()
+      ->needs(random)
+      ->option_text("SECONDS");
+  command->footer(
+      "Each solution is cold, in a process of its own on one core. Exit status 1: a method did not converge "
+      "somewhere.\n"
+      "Example: rollres accuracy studies/examples/paper_sphere.json --out out --methods newton,active_set\n"
+      "Example: rollres accuracy --random 100 --seed 1 --out out");
+  command->callback([words, &session] {
+    if (words->random > 0)
+      random_accuracy(*words, session);
+    else
+      accuracy(*words, session);
+  });
+}
+
+}  // namespace rollres

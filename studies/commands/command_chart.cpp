@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+
+#include "studies/charts/study_chart.hpp"
+#include "studies/charts/study_map.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/stored/read_filter.hpp"
+#include "studies/stored/stored_study.hpp"
+#include "studies/text/file_name.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct ChartWords {
+  std::string database, out;
+  std::vector<std::string> filters;
+  std::string x_scale = "auto", y_scale = "auto", map_scale = "auto";
+  std::string map, optimum;
+  StudyChartWishes wishes;
+};
+
+AxisScale scale_named(const std::string& name) {
+  return static_cast<AxisScale>(find_name(ChoiceNames<AxisScale>::names, name));
+}
+
+/// Beside the database: the study's name, and what is shown if that was asked for.
+std::filesystem::path usual_name(const ChartWords& words, const std::string& study) {
+  std::string name = study;
+  if (words.wishes.shares) name += "_shares";
+  if (!words.map.empty()) name += "_map_" + words.map;
+  for (const std::string& word : {words.wishes.chart, words.wishes.y, words.wishes.x, words.wishes.family})
+    if (!word.empty()) name += "_" + word;
+  for (const std::string& filter : words.filters) name += "_" + filter;
+  return std::filesystem::path(words.database).parent_path() / (file_name(name) + ".svg");
+}
+
+void print_peaks(std::ostream& out, const ChartRequest& request) {
+  if (!request.lines || !request.mark_peaks) return;
+  for (const ChartCurve& curve : request.curves)
+    if (const auto place = peak(curve)) {
+      const ChartPoint& top = curve.points[*place];
+      const auto with_unit = [](double value, const ChartAxis& axis) {
+        return short_number(value, 5) + (axis.unit.empty() ? "" : " " + axis.unit);
+      };
+      out << "peak";
+      if (!curve.label.empty())
+        out << " of " << (request.family.name.empty() ? "" : request.family.name + " ") << curve.label;
+      out << ": " << with_unit(top.y, request.y) << " at " << with_unit(top.x, request.x) << '\n';
+    }
+}
+
+void print_files(std::ostream& out, const ChartFiles& files) {
+  for (const auto& file : {files.svg, files.png, files.script, files.data}) out << file.string() << '\n';
+}
+
+void print_unanswered(std::ostream& err, std::size_t unanswered, std::size_t points) {
+  if (unanswered > 0) err << unanswered << " of " << points << " points have no answer; the chart marks them\n";
+}
+
+void draw_map(const ChartWords& words, ResultStore& store, Session& session) {
+  const StudyChartWishes& chart = words.wishes;
+  for (const auto& [option, word] : {std::pair("--chart", chart.chart), std::pair("--family", chart.family)})
+    if (!word.empty())
+      throw std::invalid_argument(std::string(option) + " = " + word + ": is for curves, not for a map");
+  if (chart.shares) throw std::invalid_argument("--shares: is for curves, not for a map");
+  StudyMapWishes wishes{.study = chart.study, .value = words.map, .x = chart.x, .y = chart.y, .optimum = words.optimum};
+  for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
+  wishes.x_scale = scale_named(words.x_scale);
+  wishes.y_scale = scale_named(words.y_scale);
+  wishes.value_scale = scale_named(words.map_scale);
+  const StoredMap map = stored_map(store, wishes);
+  const ChartFiles files =
+      draw_map(map.request, words.out.empty() ? usual_name(words, map.study) : std::filesystem::path(words.out));
+  print_unanswered(session.err, map.unanswered, map.points);
+  const MapRequest& request = map.request;
+  const auto with_unit = [](double value, const ChartAxis& axis) {
+    return axis.name + " " + short_number(value, 5) + (axis.unit.empty() ? "" : " " + axis.unit);
+  };
+  if (const auto place = map_peak(request))
+    session.out << "peak: " << with_unit(request.field.values[*place], request.value) << " at "
+                << with_unit(request.field.x[*place % request.field.x.size()], request.x) << ", "
+                << with_unit(request.field.y[*place / request.field.x.size()], request.y) << '\n';
+  if (request.optimum)
+    session.out << request.optimum_meaning << ": at " << with_unit(request.optimum->x, request.x) << ", "
+                << with_unit(request.optimum->y, request.y) << '\n';
+  print_files(session.out, files);
+}
+
+/// A chart of the study's file that is a map; false if it is none, or other axes are wished for.
+bool draw_map_of_file(const ChartWords& words, ResultStore& store, Session& session) {
+  const StudyChartWishes& wishes = words.wishes;
+  const StudyChart chart = chart_of_file(store, wishes.study, wishes.chart);
+  if (chart.map.empty() || wishes.shares || !(wishes.x + wishes.y + wishes.family).empty()) return false;
+  ChartWords map = words;
+  if (map.out.empty()) map.out = usual_name(words, stored_study(store, wishes.study).name).string();
+  map.map = chart.map;
+  map.wishes.x = chart.x;
+  map.wishes.y = chart.y;
+  map.wishes.chart.clear();
+  draw_map(map, store, session);
+  return true;
+}
+
+void draw(const ChartWords& words, ResultStore& store, Session& session) {
+  if (draw_map_of_file(words, store, session)) return;
+  StudyChartWishes wishes = words.wishes;
+  for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
+  wishes.x_scale = scale_named(words.x_scale);
+  wishes.y_scale = scale_named(words.y_scale);
+  const StoredChart chart = stored_chart(store, wishes);
+  const ChartFiles files =
+      draw_chart(chart.request, words.out.empty() ? usual_name(words, chart.study) : std::filesystem::path(words.out));
+  print_unanswered(session.err, chart.unanswered, chart.points);
+  if (chart.missing > 0) session.err << chart.missing << " points of the study are not computed yet\n";
+  print_peaks(session.out, chart.request);
+  print_files(session.out, files);
+}
+
+/// One chart of the study, or all of them; with --out, the name of each of several ends with that of the chart.
+void chart(const ChartWords& words, Session& session) {
+  ResultStore store(words.database, Access::read);
+  if (!words.map.empty()) return draw_map(words, store, session);
+  if (!words.optimum.empty()) throw std::invalid_argument("--optimum = " + words.optimum + ": needs --map");
+  if (words.wishes.chart != "all") return draw(words, store, session);
+  for (const std::string& name : stored_charts(store, words.wishes.study)) {
+    ChartWords one = words;
+    one.wishes.chart = name;
+    if (!one.out.empty()) {
+      const std::filesystem::path script = chart_files(words.out).script;  // its suffix is known
+      one.out = (script.parent_path() / (script.stem().string() + "_" + file_name(name) + ".svg")).string();
+    }
+    draw(one, store, session);
+  }
+}
+
+}  // namespace
+
+void add_chart(Command& program, Session& session) {
+  Command* command = program.add_subcommand("chart", "Draw a stored study as SVG and PNG, through gnuplot");
+  const auto words = std::make_shared<ChartWords>();
+  StudyChartWishes& wishes = words->wishes;
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
+  command->add_option("--study", wishes.study, "study; may be left out if the database holds one")->option_text("NAME");
+  command
+      ->add_option("--chart", wishes.chart,
+                   "chart of the study file, by its name or its number; all: every one; left out: the first")
+      ->option_text("NAME");
+  command->add_option("--x", wishes.x, "input or output along x; left out: as the study file says, or its longest axis")
+      ->option_text("KEY");
+  command
+      ->add_option("--y", wishes.y,
+                   "output along y; left out: as the study file says, or rolling_resistance. With --map: an axis")
+      ->option_text("KEY");
+  command->add_option("--family", wishes.family, "axis with one curve for each value; left out: the other axes")
+      ->option_text("KEY");
+  command->add_flag("--shares", wishes.shares,
+                    "what of the rolling resistance is lost in the layer and what to friction, stacked");
+  command->add_option("--map", words->map, "contour map of this output over the axes --x and --y")->option_text("KEY");
+  command->add_option("--optimum", words->optimum, "with --map: draw the designs and the optimum of this optimisation")
+      ->option_text("NAME");
+  command->add_option("--where", words->filters, "show only points with KEY=VALUE, as in query; may be repeated")
+      ->option_text("FILTER")
+      ->one_value_each();
+  const std::vector<std::string_view> scales{"auto", "linear", "logarithmic"};
+  command->add_option("--x-scale", words->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
+      ->option_text("SCALE")
+      ->one_of(scales);
+  command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->option_text("SCALE")->one_of(scales);
+  command->add_option("--map-scale", words->map_scale, "of the colours of a map: auto, linear or logarithmic")
+      ->option_text("SCALE")
+      ->one_of(scales);
+  command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database")
+      ->option_text("PATH");
+  command->footer(
+      "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"
+      "Examples: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family "
+      "load\n"
+      "          rollres chart --db results.db --shares --where 'load=20 kN/m'\n"
+      "          rollres chart --db results.db --map rolling_resistance --x speed --y load\n"
+      "          rollres chart --db results.db --chart all");
+  command->callback([words, &session] { chart(*words, session); });
+}
+
+}  // namespace rollres

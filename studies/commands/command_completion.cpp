@@ -1,0 +1,40 @@
+#include <memory>
+#include <ostream>
+
+#include "db/file/provenance.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/program/completion.hpp"
+#include "studies/program/manual_page.hpp"
+
+namespace rollres {
+
+void add_completion(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("completion", "Print what a shell reads to complete commands, options, keys and files");
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("shell", *shell, "bash, zsh or fish")
+      ->required()
+      ->option_text("SHELL")
+      ->one_of({"bash", "zsh", "fish"});
+  command->footer(
+      "An installed rollres needs none of these commands: its shells find what was installed with it.\n"
+      "Examples: rollres completion bash > ~/.local/share/bash-completion/completions/rollres\n"
+      "          rollres completion zsh > ~/.zfunc/_rollres\n"
+      "          rollres completion fish > ~/.config/fish/completions/rollres.fish");
+  command->callback([shell, &program, &session] {
+    const CommandWords words = program.words();
+    session.out << (*shell == "bash"  ? bash_completion(words)
+                    : *shell == "zsh" ? zsh_completion(words)
+                                      : fish_completion(words));
+  });
+}
+
+void add_manual(Command& program, Session& session) {
+  Command* const command = program.add_subcommand("manual", "Print the manual page, as man reads it");
+  command->footer("Example: rollres manual | man -l -");
+  command->callback(
+      [&program, &session] { session.out << manual_page(program.words(), "rollres " + this_program().version); });
+}
+
+}  // namespace rollres

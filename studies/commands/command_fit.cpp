@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+
+#include "db/rows/schema.hpp"
+#include "fitting/errors/statistics.hpp"
+#include "studies/fit/fit_curves.hpp"
+#include "studies/fit/fit_file.hpp"
+#include "studies/fit/fit_json.hpp"
+#include "studies/fit/fit_summary.hpp"
+#include "studies/fit/material_file.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/run/shared_recall.hpp"
+#include "studies/run/stop_signal.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/refusing_at.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct FitWords {
+  std::string fit, database, out;
+  int jobs = 0, coverage = 0;
+  std::uint64_t seed = 1;
+  bool json = false, no_profiles = false, design = false;
+};
+
+FitContext context_of(const FitFile& file) {
+  FitContext context{.name = file.name,
+                     .kind = "resistance",
+                     .definition = file.definition,
+                     .data_digest = file.data_digest,
+                     .indenter = file.indenter(),
+                     .output_unit = real_output(file.output).unit_for(file.indenter()),
+                     .data_warnings = file.warnings,
+                     .notes = file.notes};
+  for (const FixedInput& fixed : file.fixed)
+    context.fixed.push_back(
+        {fixed.key, std::string(find_input(fixed.key)->quantity.unit_for(file.indenter())), fixed.value});
+  return context;
+}
+
+/// Draws around the fit, solves them without the store (nobody asks for these scenes again) and counts.
+Coverage coverage_of(const FitFile& file, const FitReport& report, const FitWords& words, Session& session) {
+  FitFile alone = file;
+  for (std::size_t j = 0; j < alone.inputs.size(); ++j) alone.inputs[j].start = report.parameters[j].value;
+  const FitProblem problem = problem_of(alone, session.evaluate, 1);
+  return coverage(problem, report.point(), std::sqrt(report.errors.scale),
+                  {.draws = words.coverage,
+                   .seed = words.seed,
+                   .jobs = words.jobs,
+                   .profiles = !words.no_profiles,
+                   .stop = file.options.stop});
+}
+
+void fit_resistance(const FitWords& words, Session& session) {
+  const auto begin = std::chrono::steady_clock::now();
+  FitFile file = read_fit(words.fit);
+  if (!words.out.empty()) make_directory(words.out);
+  const StopSignal signal;
+  file.options.stop = &signal.requested();
+  file.options.profiles = !words.no_profiles;
+  SharedRecall recall(words.database, session.evaluate);
+  const Evaluate evaluate = [&recall](const RollingScene& scene) { return recall(scene); };
+  const FitProblem problem = problem_of(file, evaluate, words.jobs);
+  const FitReport report = refusing_at(file.source, [&] { return fit(problem, file.options); });
+  FitContext context = context_of(file);
+  context.solved = recall.solved();
+  context.recalled = recall.recalled();
+  context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  save_fit(open_database(words.database, Access::write), fit_record(report, context));
+  if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+
+  const bool known = report.slopes.found() && !report.interrupted;
+  Json object = json_of(report, context);
+  if (!words.json) session.out << fit_summary(report, context) << std::flush;
+  if (words.design && known) {
+    const FitDesign next = design_of(file, report, evaluate, words.jobs);
+    object["design"] = json_of(next, report);
+    if (!words.json) session.out << design_summary(next, file, report) << std::flush;
+  }
+  if (words.coverage > 0 && known) {
+    const Coverage counted = coverage_of(file, report, words, session);
+    object["coverage"] = json_of(counted);
+    if (!words.json) session.out << coverage_summary(counted) << std::flush;
+  }
+  if (!words.out.empty() && known)
+    for (const auto& picture :
+         draw_fit(report, fit_curves(file, report, evaluate, words.jobs), file.name, words.out, file.indenter()))
+      session.err << "drawn: " << picture.string() << '\n';
+  recall.finish();
+  if (words.json) session.out << text_of(object, 2) << '\n';
+}
+
+/// The curves of the moduli at the reference temperature; data are shifted there.
+FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
+  FitCurves curves{{.name = "reduced angular frequency", .symbol = "ω", .unit = "rad/s", .logarithmic = true},
+                   {.name = "shear modulus", .unit = "Pa", .logarithmic = true},
+                   {{.label = "storage"}, {.label = "loss"}}};
+  std::vector<double> reduced;
+  for (const MeasuredModulus& row : file.data)
+    reduced.push_back(row.angular_frequency * shift_factor(found.shift, row.temperature));
+  const auto [lowest, highest] = std::minmax_element(reduced.begin(), reduced.end());
+  constexpr int pieces = 120;
+  const double quantile = two_sided_quantile(confidence, found.report.deviations_known ? 0 : found.report.degrees);
+  for (std::size_t part = 0; part < 2; ++part) {
+    FitCurve& curve = curves.curves[part];
+    for (std::size_t i = 0; i < reduced.size(); ++i) {
+      curve.data_x.push_back(reduced[i]);
+      curve.data.push_back(2 * i + part);
+    }
+    for (int i = 0; i <= pieces; ++i) {
+      const double omega = *lowest * std::pow(*highest / *lowest, static_cast<double>(i) / pieces);
+      const std::complex<double> modulus = found.modulus(omega, found.shift.reference);
+      curve.x.push_back(omega);
+      const std::complex<double> error = found.modulus_error(omega, found.shift.reference);
+      const double half_band = quantile * (part == 0 ? error.real() : error.imag());
+      curve.value.push_back(part == 0 ? modulus.real() : modulus.imag());
+      curve.band.push_back(std::isfinite(half_band) ? half_band : 0);
+    }
+  }
+  return curves;
+}
+
+void fit_moduli(const FitWords& words, Session& session) {
+  if (words.design || words.coverage > 0)
+    throw std::invalid_argument(words.fit + ": --design and --coverage are for fits of scenes");
+  const auto begin = std::chrono::steady_clock::now();
+  MaterialFile file = read_material_fit(words.fit);
+  if (!words.out.empty()) make_directory(words.out);
+  const StopSignal signal;
+  file.options.options.stop = &signal.requested();
+  file.options.options.profiles = !words.no_profiles;
+  const MaterialFit found = refusing_at(words.fit, [&] { return fit_material(file.data, file.options); });
+  FitContext context{.name = file.name,
+                     .kind = "material",
+                     .definition = file.definition,
+                     .data_digest = file.data_digest,
+                     .output_unit = "Pa"};
+  context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  save_fit(open_database(words.database, Access::write), fit_record(found.report, context));
+  if (found.report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+  if (words.json)
+    session.out << text_of(json_of(found.report, context), 2) << '\n';
+  else
+    session.out << fit_summary(found.report, context) << std::flush;
+  if (words.out.empty() || !found.report.slopes.found()) return;
+  for (const auto& picture :
+       draw_fit(found.report, modulus_curves(file, found), file.name, words.out, Indenter::cylinder))
+    session.err << "drawn: " << picture.string() << '\n';
+}
+
+}  // namespace
+
+void add_fit(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("fit", "Fit a scene, or a material, to measured values, with intervals and a judgement");
+  const auto words = std::make_shared<FitWords>();
+  command->add_option("fit", words->fit, "Fit file (JSON): scene or material, data (CSV), parameters")
+      ->required()
+      ->option_text("FIT");
+  command->add_option("--db", words->database, "Database: every evaluation and the fit are stored here")
+      ->required()
+      ->option_text("FILE");
+  command->add_option("--out", words->out, "Draw data, residuals, profiles and the worst pair's ellipse into DIR")
+      ->option_text("DIR");
+  command->add_flag("--design", words->design, "Which speed, and which load, to measure next");
+  command
+      ->add_option("--coverage", words->coverage,
+                   "Draw the data N times around the fit, fit them, and count the intervals that hold it")
+      ->between(1, 1'000'000)
+      ->option_text("N");
+  command->add_option("--seed", words->seed, "Of the draws; default 1")->option_text("S");
+  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->option_text("N")->between(1, 1024);
+  command->add_flag("--no-profiles", words->no_profiles, "Leave out the intervals by profile likelihood");
+  command->add_flag("--json", words->json, "Print one JSON object");
+  command->footer(
+      "Status: USABLE; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); DID NOT MOVE (ended\n"
+      "where it started); NOT CONVERGED (no least misfit was found). Exit status 1 for the last three.\n"
+      "Example: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit");
+  command->callback([words, &session] {
+    if (is_material_fit(words->fit))
+      fit_moduli(*words, session);
+    else
+      fit_resistance(*words, session);
+  });
+}
+
+}  // namespace rollres

@@ -1,0 +1,70 @@
+#include <memory>
+#include <ostream>
+
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/scene_io/scene_file.hpp"
+#include "studies/sensitivity/gradient_report.hpp"
+#include "studies/text/refusing_at.hpp"
+#include "studies/text/table_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct GradientWords {
+  std::string scene, output = "rolling_resistance";
+  std::vector<std::string> overrides, inputs;
+  GradientOptions options{.order = 4, .jobs = 0};
+  bool json = false;
+};
+
+void run_gradient(const GradientWords& words, Session& session) {
+  const RollingScene scene = read_scene(words.scene, words.overrides);
+  std::vector<InputChoice> inputs;
+  for (const std::string& key : words.inputs) inputs.push_back({key});
+  Objective objective{scene, {}, {}, session.evaluate};
+  objective.output = refusing_at("--output", [&] { return real_output(words.output); });
+  objective.variables = refusing_at(words.scene + " with --inputs", [&] { return variables_of(scene, inputs); });
+
+  const GradientReport report = gradient_report(std::move(objective), words.options);
+  if (words.json)
+    session.out << text_of(json_of(report), 2) << '\n';
+  else
+    print_text(report, session.out, session.err);
+  if (!report.gradient.complete()) session.status = ExitStatus::no_answer;
+}
+
+}  // namespace
+
+void add_gradient(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("gradient", "Differentiate one output of a scene by some of its inputs");
+  const auto words = std::make_shared<GradientWords>();
+  command->add_option("scene", words->scene, "Scene file (JSON)")->required()->option_text("SCENE");
+  command->add_option("--inputs", words->inputs, "Inputs to differentiate by, separated by commas")
+      ->required()
+      ->delimiter(',')
+      ->option_text("KEY,...");
+  command->add_option("--output", words->output, "Output; default rolling_resistance")->option_text("KEY");
+  command->add_option("--set", words->overrides, "Replace an input, in SI or with a unit; may be repeated")
+      ->option_text("KEY=VALUE")
+      ->one_value_each();
+  command->add_option("--order", words->options.order, "2 or 4 (default): order of the differences")
+      ->option_text("ORDER")
+      ->one_of({"2", "4"});
+  command->add_option("--jobs", words->options.jobs, "Threads; default: one for each core")
+      ->option_text("N")
+      ->between(1, 1024);
+  command->add_flag("--json", words->json, "Print one JSON object");
+  command->footer(
+      "Derivatives are by finite differences whose steps suit the noise of the output, which is measured first (8 or "
+      "14\n"
+      "evaluations for each input, then 2 or 4). \"+-\" is the estimated error: truncation and three standard "
+      "deviations "
+      "of\nthe noise. Steps are relative, noise is relative to the output; elasticity is d ln output / d ln input.\n"
+      "Example: rollres gradient studies/examples/paper_cylinder.json --inputs load,speed,creep_time");
+  command->callback([words, &session] { run_gradient(*words, session); });
+}
+
+}  // namespace rollres

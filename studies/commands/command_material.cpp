@@ -1,0 +1,79 @@
+#include <memory>
+#include <numbers>
+#include <ostream>
+
+#include "core/material/material_functions.hpp"
+#include "studies/charts/material_chart.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/scene_io/scene_file.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct MaterialWords {
+  std::string scene, chart, format = "table";
+  std::vector<std::string> overrides;
+  int per_decade = 1;
+};
+
+Table moduli_table(const CreepSpectrum& creep, int per_decade) {
+  Table table{{"frequency [Hz]", "storage_modulus [Pa]", "loss_modulus [Pa]", "loss_tangent"}, {}};
+  for (const double omega : angular_frequencies(creep, per_decade)) {
+    const std::complex<double> modulus = 1.0 / creep(omega);
+    table.rows.push_back(
+        {omega / (2 * std::numbers::pi), modulus.real(), modulus.imag(), modulus.imag() / modulus.real()});
+  }
+  return table;
+}
+
+void print_words(std::ostream& out, const MaterialInputs& layer, const CreepSpectrum& creep) {
+  out << "material     " << name_of(layer.material) << '\n';
+  if (const std::string route = material_route(layer); !route.empty()) out << "route        " << route << '\n';
+  for (const std::string& warning : material_warnings(layer)) out << "warning      " << warning << '\n';
+  out << "at rest      G = " << readable(1 / creep.at_rest(), "Pa") << '\n'
+      << "at once      G = " << readable(1 / creep.instantaneous, "Pa") << '\n';
+  if (creep.terms.empty()) return;
+  out << "slow motion  G\"/(ω G') = " << readable(slow_loss_time(creep), "s") << '\n';
+  for (const LossPeak& peak : loss_peaks(creep))
+    out << "loss peak    G\"/G' = " << short_number(peak.tangent, 4) << " at "
+        << readable(peak.omega / (2 * std::numbers::pi), "Hz") << '\n';
+}
+
+void run_material(const MaterialWords& words, Session& session) {
+  const RollingScene scene = read_scene(words.scene, words.overrides);
+  const CreepSpectrum creep = creep_spectrum(scene);
+  if (words.format == "table") {
+    print_words(session.out, scene, creep);
+    session.out << '\n';
+  }
+  write_table(session.out, moduli_table(creep, words.per_decade), words.format);
+  if (words.chart.empty()) return;
+  for (const auto& file : draw_material(scene, words.chart)) session.err << "drawn " << file.string() << '\n';
+}
+
+}  // namespace
+
+void add_material(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("material", "Show a scene's material: moduli, peaks of loss, creep and relaxation");
+  const auto words = std::make_shared<MaterialWords>();
+  command->add_option("scene", words->scene, "Scene file (JSON)")->required()->option_text("SCENE");
+  command->add_option("--set", words->overrides, "Replace an input, in SI or with a unit; may be repeated")
+      ->option_text("KEY=VALUE")
+      ->one_value_each();
+  command->add_option("--out", words->chart, "Draw pictures PATH_moduli and PATH_creep")->option_text("PATH");
+  command->add_option("--per-decade", words->per_decade, "Rows of the table for each decade of frequency; default 1")
+      ->option_text("N")
+      ->between(1, 100);
+  command->add_option("--format", words->format, "table (default), csv, json, jsonl or markdown")
+      ->option_text("FORMAT")
+      ->one_of(table_formats);
+  command->footer("Example: rollres material studies/examples/paper_cylinder.json --out rubber");
+  command->callback([words, &session] { run_material(*words, session); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,46 @@
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "db/merge/merge.hpp"
+#include "db/rows/schema.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/program/merge_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct MergeWords {
+  std::vector<std::string> sources;
+  std::string database;
+  bool json = false;
+};
+
+void merge_all(const MergeWords& words, Session& session) {
+  const Database into = open_database(words.database, Access::write);
+  MergeOutput output(session, words.database, words.json);
+  for (const std::string& source : words.sources) output.add(source, [&] { return merge(into, source); });
+  output.print();
+}
+
+}  // namespace
+
+void add_merge(Command& program, Session& session) {
+  Command* command = program.add_subcommand("merge", "Bring the results of several databases together in one");
+  const auto words = std::make_shared<MergeWords>();
+  command->add_option("sources", words->sources, "databases; they are only read")->option_text("FILE")->required();
+  command->add_option("--db", words->database, "database that takes them; created if it is missing")
+      ->option_text("FILE")
+      ->required();
+  command->add_flag("--json", words->json, "print one JSON object");
+  command->footer(
+      "Merging again changes nothing. A result that is there stays, unless it had not converged and the new one has.\n"
+      "Exit status 1: two converged results for the same scene differ by more than 1e-9; the first is kept.\n"
+      "Exit status 3: a source is missing or damaged; nothing of it was taken, all of the others.\n"
+      "Example: rollres merge shard-*.db --db results.db");
+  command->callback([words, &session] { merge_all(*words, session); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+
+#include "studies/optimise/design_file.hpp"
+#include "studies/optimise/optimise_report.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/run/progress.hpp"
+#include "studies/run/stop_signal.hpp"
+#include "studies/stored/standalone_study.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct OptimiseWords {
+  std::string study, database, algorithm, out;
+  int evaluations = 0, jobs = 0;
+  bool json = false;
+};
+
+DesignProblem problem_of(const OptimiseWords& words) {
+  DesignProblem problem = read_design_problem(words.study);
+  if (words.evaluations > 0) problem.stop.evaluations = words.evaluations;
+  if (words.algorithm.empty()) return problem;
+  const auto& names = ChoiceNames<Algorithm>::names;
+  const auto algorithm = static_cast<Algorithm>(find_name(names, words.algorithm));
+  if (problem.variables.size() < traits(algorithm).fewest_variables)
+    throw std::invalid_argument("--algorithm = " + words.algorithm + ": needs at least two variables");
+  problem.algorithm = algorithm;
+  return problem;
+}
+
+std::string count_in_words(const EvaluationCount& count) {
+  return std::to_string(count.all()) + " evaluations (" + std::to_string(count.solved) + " solved, " +
+         std::to_string(count.recalled) + " recalled, " + std::to_string(count.failed) + " failed)";
+}
+
+void print_nearest(const DesignProblem& problem, const Design& design, std::ostream& out) {
+  out << "nearest to the constraints:";
+  for (std::size_t i = 0; i < design.point.size(); ++i) {
+    const Quantity& quantity = problem.variables[i].quantity;
+    out << (i == 0 ? " " : ", ") << quantity.key << " = "
+        << readable(design.point[i], quantity.unit_for(problem.scenes.front().scene.indenter));
+  }
+  out << '\n';
+  for (std::size_t j = 0; j < design.constraints.size(); ++j)
+    if (!design.constraints[j].holds)
+      out << "broken: " << constraint_name(problem, j) << ": " << short_number(design.constraints[j].left)
+          << " against " << short_number(design.constraints[j].right) << '\n';
+}
+
+void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out) {
+  out << problem.name << ": " << name_of(report.status) << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
+  if (report.best) {
+    const Indenter indenter = problem.scenes.front().scene.indenter;
+    out << goal_in_words(problem.goal) << ": " << readable(report.value(), unit_of(problem.goal.formula, indenter))
+        << "\n\n";
+    write_aligned(out, variables_table(problem, report));
+    out << '\n';
+    if (!report.best->constraints.empty()) {
+      write_aligned(out, constraints_table(problem, report));
+      out << '\n';
+    }
+    for (const std::string& key : report.best->keys) out << "evaluation " << key << '\n';
+  } else if (report.nearest) {
+    print_nearest(problem, *report.nearest, out);
+  }
+  if (!report.searches.empty()) out << "searched by " << searches_in_words(report) << '\n';
+  out << count_in_words(report.count) << ", " << report.slope_evaluations << " of them for the slopes at the end\n";
+}
+
+void print_text(const DesignProblem& problem, const ParetoReport& front, std::ostream& out) {
+  out << problem.name << ": " << goal_in_words(problem.goal) << ", " << goal_in_words(problem.pareto->goal) << "\n\n";
+  write_aligned(out, front_table(problem, front));
+  out << '\n' << count_in_words(front.count) << '\n';
+  for (const ParetoPoint& point : front.points)
+    if (!point.report.reason.empty() && point.report.status != DesignStatus::optimum)
+      out << name_of(point.report.status) << ": " << point.report.reason << '\n';
+}
+
+/// The designs of the front as a study of their own, so that it can be listed, shown and drawn.
+std::string store_front(ResultStore& store, const DesignProblem& problem, const StudyRecord& study,
+                        const ParetoReport& front) {
+  StudyRecord record = study;
+  record.name += " front";
+  std::vector<std::string> keys;
+  for (const ParetoPoint& point : front.points)
+    if (point.report.best && !point.dominated)
+      for (const std::string& key : point.report.best->keys)
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  if (problem.pareto) store.start_study(record, keys);
+  return record.name;
+}
+
+/// Draws and names the pictures.
+void draw(const ChartRequest& request, const OptimiseWords& words, Session& session) {
+  const ChartFiles files = draw_chart(request, words.out);
+  for (const auto& file : {files.svg, files.png}) (words.json ? session.err : session.out) << file.string() << '\n';
+}
+
+void run_optimise(const OptimiseWords& words, Session& session) {
+  const DesignProblem problem = problem_of(words);
+  if (!words.out.empty()) chart_files(words.out);  // a wrong name is told before the work
+  StudyRecord study{problem.name, {}, standalone_study(words.study)};
+  for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
+  ResultStore store(words.database);
+  const StopSignal signal;
+  RecordedEvaluations evaluations(session.evaluate, store, study, &signal.requested());
+
+  OptimiseOptions options{.jobs = words.jobs};
+  const std::size_t width = terminal_width(session.err);
+  const std::string_view unit = unit_of(problem.goal.formula, problem.scenes.front().scene.indenter);
+  if (width > 0)
+    options.report = [&](const OptimiseProgress& progress) {
+      session.err << '\r' << count_in_words(progress.count)
+                  << (progress.best ? ", best " + readable(*progress.best, unit) : "") << "\x1b[K" << std::flush;
+    };
+  const auto clear_line = [&] {
+    if (width > 0) session.err << "\r\x1b[K" << std::flush;
+  };
+
+  if (problem.pareto) {
+    const ParetoReport front = pareto_front(problem, evaluations, options);
+    clear_line();
+    const std::string stored = store_front(store, problem, study, front);
+    if (words.json)
+      session.out << text_of(json_of(problem, front), 2) << '\n';
+    else
+      print_text(problem, front, session.out);
+    if (!words.json) session.out << "the front is stored as study \"" << stored << "\"\n";
+    const bool any = std::any_of(front.points.begin(), front.points.end(),
+                                 [](const ParetoPoint& point) { return point.report.best.has_value(); });
+    if (!words.out.empty() && any) draw(front_chart(problem, front), words, session);
+    if (!front.complete()) session.status = ExitStatus::no_answer;
+    return;
+  }
+  const OptimiseReport report = optimise(problem, evaluations, options);
+  clear_line();
+  if (words.json)
+    session.out << text_of(json_of(problem, report), 2) << '\n';
+  else
+    print_text(problem, report, session.out);
+  if (!words.out.empty() && report.best) draw(course_chart(problem, report), words, session);
+  if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
+}
+
+}  // namespace
+
+void add_optimise(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("optimise", "Find the best values of some inputs, under constraints, or a Pareto front");
+  const auto words = std::make_shared<OptimiseWords>();
+  command->add_option("study", words->study, "study file with variables and minimise or maximise")
+      ->option_text("STUDY")
+      ->required();
+  command->add_option("--db", words->database, "database; created if it is missing")->option_text("FILE")->required();
+  command
+      ->add_option("--algorithm", words->algorithm,
+                   "bobyqa, cobyla, nelder_mead, subplex, direct_l, crs2, slsqp, mma, ccsaq or lbfgs")
+      ->option_text("ALGORITHM")
+      ->one_of(ChoiceNames<Algorithm>::names);
+  command->add_option("--max-evaluations", words->evaluations, "most scenes that a search may ask for")
+      ->between(1, 100'000'000)
+      ->option_text("N");
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
+  command->add_option("--out", words->out, "draw the course of the search, or the front, as PATH.svg and PATH.png")
+      ->option_text("PATH");
+  command->add_flag("--json", words->json, "print the outcome as one JSON object");
+  command->footer(
+      "Every evaluation is stored and recalled: the same command repeats the run at no cost, or goes on where it was\n"
+      "stopped. Status: optimum (to first order nothing near is better), unconfirmed, evaluation_limit, interrupted,\n"
+      "no_feasible_design; exit status 0 for optimum, else 1. A multiplier tells by how many % the goal improves for\n"
+      "1 % more room in a constraint; elasticities are d ln / d ln.\n"
+      "Example: rollres optimise studies/examples/optimise_layer.json --db results.db");
+  command->callback([words, &session] { run_optimise(*words, session); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,147 @@
+#include <limits>
+#include <memory>
+#include <ostream>
+
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/study/plan_table.hpp"
+#include "studies/study/study_axes.hpp"
+#include "studies/study/study_keys.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct PlanWords {
+  std::string study, database, format = "table";
+  bool json = false;
+  std::size_t limit = std::numeric_limits<std::size_t>::max();
+};
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+/// "3 of load x 60 of speed x 5 of layer_thickness, static_shear_modulus"
+std::string combinations(const Study& study) {
+  std::string text;
+  for (const auto& group : groups_of(study.axes)) {
+    text += (text.empty() ? "" : " x ") + std::to_string(study.axes[group.front()].size()) + " of ";
+    for (const std::size_t axis : group) text += (axis == group.front() ? "" : ", ") + study.axes[axis].key;
+  }
+  return text;
+}
+
+void print_summary(std::ostream& out, const Study& study, const StudyPlan& plan) {
+  out << study.name << ": " << counted(plan.scenes.size(), "point") << ", " << combinations(study) << '\n';
+  for (std::size_t i = 0; i < plan.dropped.size(); ++i)
+    out << "dropped by " << study.constraints[i].text() << ": " << counted(plan.dropped[i], "point") << '\n';
+}
+
+Json axes_json(const Study& study) {
+  Json axes = Json::array();
+  for (const Axis& axis : study.axes) {
+    axes.push_back({{"key", axis.key}, {"values", axis.size()}});
+    if (!axis.group.empty()) axes.back()["group"] = axis.group;
+  }
+  return axes;
+}
+
+Json charts_json(const Study& study) {
+  Json charts = Json::array();
+  for (const StudyChart& chart : study.charts) {
+    Json object = Json::object();
+    for (const auto& [key, value] :
+         {std::pair{"name", chart.name}, {"x", chart.x}, {"y", chart.y}, {"family", chart.family}})
+      if (!value.empty()) object[key] = value;
+    charts.push_back(object);
+  }
+  return charts;
+}
+
+void print_json(std::ostream& out, const PlanWords& words, const Study& study, const StudyPlan& plan,
+                const std::vector<Cell>& status, const Table& table) {
+  Json object{{"study", study.name},
+              {"points", plan.scenes.size()},
+              {"dropped", plan.all_dropped()},
+              {"axes", axes_json(study)}};
+  object["constraints"] = Json::array();
+  for (std::size_t i = 0; i < plan.dropped.size(); ++i)
+    object["constraints"].push_back({{"constraint", study.constraints[i].text()}, {"dropped", plan.dropped[i]}});
+  object["compute"] = study.compute;
+  object["fields"] = study.fields;
+  object["charts"] = charts_json(study);
+  if (!words.database.empty()) {
+    const StoredPoints stored = count_stored(status);
+    object["db"] = words.database;
+    object["stored"] = stored.answered;
+    object["failed"] = stored.failed;
+  }
+  object["plan"] = json_of(table);
+  out << text_of(object, 2) << '\n';
+}
+
+/// Names of columns with their units, where all points have the same.
+void add_units(Table& table, const StudyPlan& plan) {
+  const Indenter indenter = plan.scenes.front().indenter;
+  for (const RollingScene& scene : plan.scenes)
+    if (scene.indenter != indenter) return;
+  for (std::string& column : table.columns)
+    if (const InputKind* const input = find_input(column))
+      column += unit_in_brackets(input->quantity.unit_for(indenter));
+}
+
+void plan(const PlanWords& words, Session& session) {
+  const Study study = read_study(words.study);
+  const StudyPlan plan = rollres::plan(study);
+  std::vector<Cell> status;
+  if (!words.database.empty()) {
+    ResultStore store(words.database, Access::read);
+    status = stored_status(store, plan);
+  }
+  Table table = plan_table(study, plan, status, words.limit);
+  if (words.json) return print_json(session.out, words, study, plan, status, table);
+  if (words.format != "table") return write_table(session.out, table, words.format);
+  print_summary(session.out, study, plan);
+  if (!words.database.empty()) {
+    const StoredPoints stored = count_stored(status);
+    session.out << stored.answered << " of them in " << words.database << ", " << stored.failed << " failed\n";
+  }
+  if (table.rows.empty()) return;
+  add_units(table, plan);
+  session.out << '\n';
+  write_table(session.out, table, words.format);
+  if (table.rows.size() < plan.scenes.size())
+    session.out << "and " << counted(plan.scenes.size() - table.rows.size(), "more point") << '\n';
+}
+
+}  // namespace
+
+void add_plan(Command& program, Session& session) {
+  Command* command = program.add_subcommand("plan", "Print the points of a study without solving any");
+  const auto words = std::make_shared<PlanWords>();
+  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--db", words->database, "database: tells which points are stored there, and their status")
+      ->option_text("FILE");
+  command->add_option("--limit", words->limit, "print no more than this many points")
+      ->option_text("N")
+      ->between(0, most_points);
+  CommandOption* const format =
+      command
+          ->add_option("--format", words->format,
+                       "table, csv, json, jsonl (one object a line) or markdown: the points alone")
+          ->option_text("FORMAT")
+          ->one_of(table_formats);
+  command->add_flag("--json", words->json, "print one JSON object: what the file asks for, and its points")
+      ->excludes(format);
+  command->footer(
+      "Numbers are SI.\n"
+      "Example: rollres plan studies/examples/speed_resistance.json --limit 10");
+  command->callback([words, &session] { plan(*words, session); });
+}
+
+}  // namespace rollres

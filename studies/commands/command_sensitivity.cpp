@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <ostream>
+
+#include "studies/drawing/bar_chart.hpp"
+#include "studies/optimise/design_scale.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/run/recorded_evaluations.hpp"
+#include "studies/run/stop_signal.hpp"
+#include "studies/scene_io/scene_file.hpp"
+#include "studies/sensitivity/global_sensitivity.hpp"
+#include "studies/sensitivity/gradient_report.hpp"
+#include "studies/sensitivity/sensitivity.hpp"
+#include "studies/stored/standalone_study.hpp"
+#include "studies/text/key_words.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/refusing_at.hpp"
+#include "studies/text/scaled_unit.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct SensitivityWords {
+  std::string file, output, indices, database, out;
+  std::vector<std::string> overrides, ranges;
+  int samples = 0, jobs = 0;
+  std::uint64_t seed = 0;
+  bool json = false;
+};
+
+void draw(const BarChart& chart, const SensitivityWords& words, Session& session) {
+  const ChartFiles files = draw_bar_chart(chart, words.out);
+  for (const auto& file : {files.svg, files.png}) (words.json ? session.err : session.out) << file.string() << '\n';
+}
+
+BarChart elasticity_chart(const GradientReport& report, const std::string& name) {
+  const Quantity& output = report.objective.output;
+  BarChart chart{.title = name + ": " + in_words(output.key), .axis = {.name = "elasticity"}, .bars = {}};
+  for (std::size_t i = 0; i < report.size(); ++i) {
+    const InputReport input = report[i];
+    const Quantity& quantity = input.variable.quantity;
+    chart.bars.push_back({in_words(quantity.key),
+                          std::string(symbol_beside_name(quantity)),
+                          {{input.gradient.elasticity, input.elasticity_error()}}});
+  }
+  return chart;
+}
+
+void local_sensitivity(const SensitivityWords& words, Session& session) {
+  const RollingScene scene = read_scene(words.file, words.overrides);
+  Objective objective{scene, variables_of(scene, inputs_with_elasticity(scene)), {}, session.evaluate};
+  objective.output =
+      refusing_at("--output", [&] { return real_output(words.output.empty() ? "rolling_resistance" : words.output); });
+  GradientReport report = gradient_report(std::move(objective), {.order = 4, .jobs = words.jobs});
+  sort_by_elasticity(report);
+  if (words.json)
+    session.out << text_of(json_of(report), 2) << '\n';
+  else
+    print_text(report, session.out, session.err);
+  if (!report.gradient.complete()) session.status = ExitStatus::no_answer;
+  if (!words.out.empty() && report.gradient.centre.found())
+    draw(elasticity_chart(report, std::filesystem::path(words.file).stem().string()), words, session);
+}
+
+/// What either kind of index says of one input.
+struct InputFinding {
+  Quantity quantity;
+  std::vector<Cell> cells;
+  std::vector<BarValue> bars;
+  double size;  // by which inputs are sorted
+};
+
+struct GlobalFindings {
+  Table table;  // without rows
+  std::vector<std::string> series;
+  std::string axis;
+  std::vector<InputFinding> inputs;
+  Json summary;  // of the run
+
+  void sort() {
+    std::stable_sort(inputs.begin(), inputs.end(), [](const auto& a, const auto& b) { return a.size > b.size; });
+    for (const InputFinding& input : inputs) table.rows.push_back(input.cells);
+  }
+};
+
+GlobalFindings sobol_findings(const DesignProblem& problem, const CubeFunction& function,
+                              const SensitivityWords& words) {
+  const auto rows = static_cast<std::size_t>(words.samples > 0 ? words.samples : 256);
+  const SobolIndices found = sobol_indices(function, problem.variables.size(), rows, words.seed, words.jobs);
+  GlobalFindings findings{.table = {{"input", "first_order", "first_order_error", "total", "total_error"}, {}},
+                          .series = {"first order", "total"},
+                          .axis = "share of the variance",
+                          .inputs = {},
+                          .summary = {{"mean", found.mean},
+                                      {"standard_deviation", std::sqrt(found.variance)},
+                                      {"rows", found.rows},
+                                      {"failed_rows", found.failed_rows}}};
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Quantity& quantity = problem.variables[i].quantity;
+    const auto &first = found.first[i], &total = found.total[i];
+    findings.inputs.push_back({quantity,
+                               {std::string(quantity.key), first.value, first.error, total.value, total.error},
+                               {{first.value, first.error}, {total.value, total.error}},
+                               total.value});
+  }
+  return findings;
+}
+
+GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction& function,
+                               const SensitivityWords& words) {
+  const auto trajectories = static_cast<std::size_t>(words.samples > 0 ? words.samples : 20);
+  const MorrisEffects found = morris_effects(function, problem.variables.size(), trajectories, words.seed, words.jobs);
+  GlobalFindings findings{.table = {{"input", "mean_size", "mean_size_error", "mean", "deviation", "effects"}, {}},
+                          .series = {"mean size µ*", "deviation σ"},
+                          .axis = "effect over the range",
+                          .inputs = {},
+                          .summary = {{"trajectories", trajectories}, {"failed", found.failed}}};
+  const auto number = [](double value) { return std::isfinite(value) ? Cell(value) : Cell(); };
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Quantity& quantity = problem.variables[i].quantity;
+    const MorrisEffect& effect = found.inputs[i];
+    findings.inputs.push_back(
+        {quantity,
+         {std::string(quantity.key), number(effect.mean_size), number(effect.mean_size_error), number(effect.mean),
+          number(effect.deviation), static_cast<std::int64_t>(effect.effects)},
+         {{effect.mean_size, effect.mean_size_error}, {effect.deviation, RollingSolution::absent}},
+         std::isfinite(effect.mean_size) ? effect.mean_size : -1});
+  }
+  return findings;
+}
+
+void global_sensitivity(const SensitivityWords& words, Session& session) {
+  const DesignProblem problem = read_ranges(words.file, words.overrides, words.ranges, words.output);
+  const StopSignal signal;
+  std::optional<ResultStore> store;
+  std::optional<RecordedEvaluations> evaluations;
+  if (words.database.empty()) {
+    evaluations.emplace(session.evaluate, &signal.requested());
+  } else {
+    StudyRecord study{problem.name + " " + words.indices, {}, standalone_study(words.file)};
+    for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
+    store.emplace(words.database);
+    evaluations.emplace(session.evaluate, *store, study, &signal.requested());
+  }
+  const CubeFunction function = [&](std::span<const double> place) {
+    const auto evaluate = [&](const RollingScene& scene) { return (*evaluations)(scene); };
+    return evaluate_design(problem, point_in_box(problem, place), evaluate).value;
+  };
+  GlobalFindings findings;
+  try {
+    findings =
+        words.indices == "sobol" ? sobol_findings(problem, function, words) : morris_findings(problem, function, words);
+  } catch (const Interrupted&) {
+    session.err << "interrupted" << (store ? ": the same command goes on where it stopped\n" : "\n");
+    session.status = ExitStatus::no_answer;
+    return;
+  }
+  evaluations->flush();
+  findings.sort();
+
+  const EvaluationCount count = evaluations->count();
+  const std::string_view unit = unit_of(problem.goal.formula, problem.scenes.front().scene.indenter);
+  if (words.json) {
+    Json object{{"output", problem.goal.formula.text()},
+                {"unit", unit},
+                {"indices", words.indices},
+                {"seed", words.seed},
+                {"evaluations", {{"solved", count.solved}, {"recalled", count.recalled}, {"failed", count.failed}}}};
+    object.update(findings.summary);
+    object["inputs"] = json_of(findings.table);
+    session.out << text_of(object, 2) << '\n';
+  } else {
+    session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + std::string(unit) + "]") << ", "
+                << words.indices << ": " << count.all() << " evaluations (" << count.solved << " solved, "
+                << count.recalled << " recalled, " << count.failed << " failed)\n\n";
+    write_aligned(session.out, findings.table);
+  }
+  if (words.out.empty()) return;
+  BarChart chart{.title = problem.name + ": " + in_words(problem.goal.formula.text()),
+                 .axis = {.name = findings.axis, .unit = words.indices == "morris" ? typeset_unit(unit) : ""},
+                 .series = findings.series,
+                 .bars = {}};
+  for (const InputFinding& input : findings.inputs)
+    chart.bars.push_back({in_words(input.quantity.key), std::string(symbol_beside_name(input.quantity)), input.bars});
+  draw(chart, words, session);
+}
+
+}  // namespace
+
+void add_sensitivity(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("sensitivity", "Which inputs a result depends on: elasticities, or indices over ranges");
+  const auto words = std::make_shared<SensitivityWords>();
+  command->add_option("file", words->file, "scene file; with --indices also a study file")
+      ->required()
+      ->option_text("SCENE|STUDY");
+  command->add_option("--output", words->output, "output, with --indices a formula; default rolling_resistance")
+      ->option_text("KEY");
+  command->add_option("--set", words->overrides, "replace an input of the scene, in SI or with a unit; may be repeated")
+      ->option_text("KEY=VALUE")
+      ->one_value_each();
+  auto* const indices = command->add_option("--indices", words->indices, "sobol or morris: over ranges of the inputs")
+                            ->option_text("INDICES")
+                            ->one_of({"sobol", "morris"});
+  const auto with_indices = [&](CommandOption* option) { return option->needs(indices); };
+  with_indices(command->add_option("--range", words->ranges, "range of an input of a scene; may be repeated"))
+      ->option_text("KEY=FROM:TO[:logarithmic]")
+      ->one_value_each();
+  with_indices(command->add_option("--samples", words->samples,
+                                   "rows (sobol, default 256; a power of two) or trajectories (morris, default 20)"))
+      ->between(2, 10'000'000)
+      ->option_text("N");
+  with_indices(command->add_option("--seed", words->seed, "of the sample; default 0"))->option_text("S");
+  with_indices(command->add_option("--db", words->database, "database; every evaluation is stored and recalled")
+                   ->option_text("FILE"));
+  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
+  command->add_option("--out", words->out, "draw bars with their errors as PATH.svg and PATH.png")->option_text("PATH");
+  command->add_flag("--json", words->json, "print one JSON object");
+  command->footer(
+      "Without --indices: d ln output / d ln input for every input that is present and not zero, as rollres gradient\n"
+      "finds them, the largest first. sobol: shares of the variance, rows * (inputs + 2) evaluations; morris: mean "
+      "size\n"
+      "and deviation of elementary effects, trajectories * (inputs + 1). Errors are half-widths of 95 % intervals.\n"
+      "Example: rollres sensitivity studies/examples/paper_cylinder.json --set tolerance=1e-8 --out sensitivity");
+  command->callback([words, &session] {
+    if (!words->out.empty()) chart_files(words->out);  // a wrong name is told before the work
+    words->indices.empty() ? local_sensitivity(*words, session) : global_sensitivity(*words, session);
+  });
+}
+
+}  // namespace rollres

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <ostream>
+
+#include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/scene_io/fields_file.hpp"
+#include "studies/scene_io/solution_json.hpp"
+#include "studies/scene_io/summary.hpp"
+#include "studies/study/study_definition.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct ShowWords {
+  std::string what, database, fields;
+  bool json = false, with_fields = false;
+};
+
+/// Outputs in the table of a study, beside its axes, where its file does not list them.
+constexpr const char* main_outputs[] = {"rolling_resistance",
+                                        "rolling_resistance_coefficient",
+                                        "load",
+                                        "approach",
+                                        "rotation_ratio",
+                                        "contact_area",
+                                        "peak_pressure",
+                                        "status"};
+
+std::vector<std::string> outputs_of(ResultStore& store, const std::string& study) {
+  std::vector<std::string> outputs =
+      definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study).compute;
+  if (outputs.empty()) outputs.assign(std::begin(main_outputs), std::end(main_outputs));
+  if (std::find(outputs.begin(), outputs.end(), "status") == outputs.end()) outputs.push_back("status");
+  return outputs;
+}
+
+void show_study(const ShowWords& words, ResultStore& store, const StudySummary& study, Session& session) {
+  Query query{.filters = {{"study", Comparison::equal, study.name}}, .columns = {"position", "id"}};
+  std::vector<std::string> names = query.columns;
+  for (const std::string& axis : study.axes) {
+    query.columns.push_back(input_column(axis));
+    names.push_back(axis);
+  }
+  for (const std::string& output : outputs_of(store, study.name)) {
+    if (std::find(names.begin(), names.end(), output) != names.end()) continue;
+    query.columns.push_back(output);
+    names.push_back(output);
+  }
+  Table table = run_query(store.database(), query);
+  table.columns = names;
+  if (words.json) {
+    const Json object{{"study", study.name},      {"axes", study.axes},
+                      {"points", study.points},   {"answered", study.answered},
+                      {"failed", study.failed},   {"created", study.created},
+                      {"started", study.started}, {"last_result", study.last_result},
+                      {"results", json_of(table)}};
+    session.out << text_of(object, 2) << '\n';
+    return;
+  }
+  if (!table.rows.empty()) {
+    const auto first = store.find(std::get<std::int64_t>(table.rows.front()[1]));
+    for (std::size_t i = 2; first && i < names.size(); ++i)
+      if (const QuantityColumn* column = find_quantity_column(query.columns[i]))
+        table.columns[i] += unit_in_brackets(column->quantity.unit_for(first->scene.indenter));
+  }
+  session.out << study.name << ": " << study.answered << " of " << study.points << " points answered, " << study.failed
+              << " failed\n\n";
+  write_aligned(session.out, table);
+}
+
+void show_evaluation(const ShowWords& words, const StoredEvaluation& evaluation, Session& session) {
+  const Provenance& program = evaluation.provenance;
+  if (words.json) {
+    Json object{{"id", evaluation.id}, {"created", evaluation.created}, {"studies", evaluation.studies}};
+    object["provenance"] = {{"version", program.version},
+                            {"git_hash", program.git_hash},
+                            {"solver", program.solver},
+                            {"compiler", program.compiler},
+                            {"machine", program.machine}};
+    object.update(Json::parse(solution_json(evaluation.scene, evaluation.solution)));
+    session.out << text_of(object, 2) << '\n';
+    return;
+  }
+  session.out << "evaluation " << evaluation.id << ", stored " << evaluation.created << "\nby rollres "
+              << program.version << " (" << program.git_hash << ", solver " << program.solver << ", "
+              << program.compiler << ") on " << program.machine << '\n';
+  for (const std::string& study : evaluation.studies) session.out << "a point of the study " << study << '\n';
+  session.out << '\n' << summary(evaluation.scene, evaluation.solution);
+}
+
+void export_fields(const ShowWords& words, ResultStore& store, const StoredEvaluation& evaluation, Session& session) {
+  if (const auto fields = store.find_fields(evaluation.key))
+    return write_fields(words.fields, evaluation.scene, *fields);
+  session.err << words.database << ": evaluation " << evaluation.id
+              << ": no fields are stored; rollres sweep STUDY --fields stores them\n";
+  session.status = ExitStatus::no_answer;
+}
+
+void show(const ShowWords& words, Session& session) {
+  if (words.with_fields && words.fields.empty()) throw std::invalid_argument("--fields = \"\": must name a directory");
+  ResultStore store(words.database, Access::read);
+  if (const auto study = store.study(words.what)) {
+    if (words.with_fields)
+      throw std::invalid_argument("--fields = " + words.fields + ": needs the number of an evaluation, not a study");
+    return show_study(words, store, *study, session);
+  }
+  std::int64_t id = 0;
+  const char* end = words.what.data() + words.what.size();
+  if (std::from_chars(words.what.data(), end, id).ptr == end)
+    if (const auto evaluation = store.find(id)) {
+      show_evaluation(words, *evaluation, session);
+      if (words.with_fields) export_fields(words, store, *evaluation, session);
+      return;
+    }
+  const std::vector<std::string> all = store.study_names();
+  const std::vector<std::string_view> names(all.begin(), all.end());
+  const std::string nearest = nearest_name(names, words.what);
+  throw std::invalid_argument(words.database + ": " + words.what + ": no such study or evaluation" +
+                              (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+}
+
+}  // namespace
+
+void add_show(Command& program, Session& session) {
+  Command* command = program.add_subcommand("show", "Show the results of a study, or one evaluation in full");
+  const auto words = std::make_shared<ShowWords>();
+  command->add_option("what", words->what, "name of a study, or number (id) of an evaluation")
+      ->option_text("NAME|ID")
+      ->required();
+  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
+  command->add_flag("--json", words->json, "print one JSON object");
+  CommandOption* const fields =
+      command->add_option("--fields", words->fields, "write an evaluation's stored fields to DIR/fields.csv and .vti")
+          ->option_text("DIR");
+  command->footer("Example: rollres show --db results.db 'speed and load'");
+  command->callback([words, fields, &session] {
+    words->with_fields = fields->given();
+    show(*words, session);
+  });
+}
+
+}  // namespace rollres

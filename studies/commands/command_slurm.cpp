@@ -1,0 +1,99 @@
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/run/progress.hpp"
+#include "studies/run/slurm_scripts.hpp"
+#include "studies/stored/standalone_study.hpp"
+#include "studies/stored/study_status.hpp"
+#include "studies/study/shards.hpp"
+#include "studies/text/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct SlurmWords {
+  SlurmJob job;
+  std::string study, database, folder, program;
+};
+
+void write_script(const std::filesystem::path& file, const std::string& text) {
+  using enum std::filesystem::perms;
+  write_file(file, text);
+  std::error_code error;
+  std::filesystem::permissions(file, owner_exec | group_exec | others_exec, std::filesystem::perm_options::add, error);
+  if (error) throw std::runtime_error(file.string() + ": cannot be made executable: " + error.message());
+}
+
+void slurm(const SlurmWords& words, Session& session) {
+  const Study study = read_study(words.study);
+  for (const std::string* const text : {&words.job.time, &words.job.partition})
+    for (const unsigned char letter : *text)
+      if (letter < 0x20) throw std::invalid_argument("time and partition must be one line");
+  SlurmJob job = words.job;
+  job.name = study.name;
+  job.folder = std::filesystem::absolute(words.folder).lexically_normal();
+  job.database = std::filesystem::absolute(words.database).lexically_normal();
+  job.program = words.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
+                                      : std::filesystem::absolute(words.program).lexically_normal();
+  const std::filesystem::path copy = job.folder / "study.json";
+  if (std::filesystem::exists(copy) && read_study(copy).name != study.name)
+    throw std::invalid_argument("out = " + words.folder + ": holds the scripts of another study");
+  for (const char* const folder : {"shards", "logs"}) make_directory(job.folder / folder);
+  write_file(copy, standalone_study(words.study));
+  write_script(job.folder / "array.sh", array_script(job));
+  write_script(job.folder / "merge.sh", merge_script(job));
+  write_script(job.folder / "submit.sh", submit_script(job));
+
+  const StudyStatus status = study_status(study, {}, 1);
+  session.out << study.name << ": " << status.points << " points, about " << duration_in_words(status.seconds_left)
+              << " on one core, in " << job.tasks << " shards\nnext: sh " << (job.folder / "submit.sh").string()
+              << '\n';
+}
+
+}  // namespace
+
+void add_slurm(Command& program, Session& session) {
+  Command* command = program.add_subcommand("slurm", "Write the scripts that run a study as a Slurm job array");
+  const auto words = std::make_shared<SlurmWords>();
+  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--tasks", words->job.tasks, "number of shards, each a task of the array")
+      ->option_text("N")
+      ->required()
+      ->between(1, most_shards);
+  command->add_option("--db", words->database, "database that takes the results in the end")
+      ->option_text("FILE")
+      ->required();
+  command->add_option("--out", words->folder, "folder, seen by all nodes, for scripts, shards and logs")
+      ->option_text("DIR")
+      ->required();
+  command->add_option("--throttle", words->job.throttle, "tasks that run at a time; default: no limit")
+      ->option_text("N")
+      ->between(1, most_shards);
+  command->add_option("--cores", words->job.cores, "cores for each task; default: 1")
+      ->option_text("N")
+      ->between(1, 1024);
+  command
+      ->add_option("--time", words->job.time,
+                   "time limit of a task, as sbatch takes it; a minute before it what is "
+                   "solved is brought back")
+      ->option_text("TIME");
+  command->add_option("--partition", words->job.partition, "partition, as sbatch takes it")->option_text("PARTITION");
+  command->add_option("--program", words->program, "rollres as the nodes see it; default: this one")
+      ->option_text("FILE");
+  command->footer(
+      "Writes array.sh, merge.sh and submit.sh. `sh DIR/submit.sh` submits the array and, after it, the merge; run "
+      "again,\n"
+      "it submits only the shards that have points missing. Clusters allow 1000 tasks unless set otherwise\n"
+      "(MaxArraySize).\n"
+      "Without Slurm, the same shards by GNU parallel:\n"
+      "  parallel -j 8 rollres sweep STUDY --shard {}/16 --jobs 1 --db shard-{}.db ::: $(seq 16)\n"
+      "  rollres merge shard-*.db --db results.db\n"
+      "Example: rollres slurm STUDY --tasks 100 --throttle 20 --time 2:00:00 --db results.db --out jobs");
+  command->callback([words, &session] { slurm(*words, session); });
+}
+
+}  // namespace rollres

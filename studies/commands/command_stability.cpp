@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <sstream>
+
+#include "studies/evidence/stability.hpp"
+#include "studies/evidence/stability_map.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/program/watched_run.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+#include "studies/text/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t usual_cylinders = 1000, usual_spheres = 100;
+
+struct StabilityWords {
+  std::string out;
+  std::size_t scenes = 0;
+  std::uint64_t seed = 1;
+  std::vector<std::string> methods;
+  std::string indenter = "both";
+  int jobs = 0;
+  double time_limit = 600;
+  bool json = false;
+};
+
+std::vector<Method> methods_named(const std::vector<std::string>& names) {
+  std::vector<Method> methods;
+  constexpr auto& known = ChoiceNames<Method>::names;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (names.empty() ? static_cast<Method>(i) != Method::automatic
+                      : std::find(names.begin(), names.end(), known[i]) != names.end())
+      methods.push_back(static_cast<Method>(i));
+  for (const std::string& name : names)
+    if (find_name(known, name) < 0) {
+      const std::string nearest = nearest_name(known, name);
+      std::string rule = nearest.empty() ? "" : "; did you mean " + nearest + "?";
+      if (rule.empty())
+        for (const std::string_view one : known) rule += (rule.empty() ? "; known are " : ", ") + std::string(one);
+      throw std::invalid_argument("--methods = " + name + ": unknown method" + rule);
+    }
+  return methods;
+}
+
+StabilityPlan plan_of(const StabilityWords& words) {
+  StabilityPlan plan;
+  if (words.indenter != "sphere") plan.cylinders = words.scenes > 0 ? words.scenes : usual_cylinders;
+  if (words.indenter != "cylinder") plan.spheres = words.scenes > 0 ? words.scenes : usual_spheres;
+  plan.seed = words.seed;
+  plan.methods = methods_named(words.methods);
+  plan.jobs = words.jobs;
+  plan.time_limit = words.time_limit;
+  return plan;
+}
+
+/// Takes away what an earlier run left in the folder of failed scenes, and nothing else.
+void remove_failed_scenes(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    for (const std::string_view method : ChoiceNames<Method>::names)
+      for (const std::string_view indenter : ChoiceNames<Indenter>::names) {
+        const std::string start = std::string(method) + '-' + std::string(indenter) + '-';
+        if (name.starts_with(start) && name.find_first_not_of("0123456789", start.size()) == name.rfind(".json"))
+          fs::remove(entry.path(), error);
+      }
+  }
+}
+
+std::string share(std::size_t part, std::size_t whole) {
+  if (part == 0) return "0";
+  return std::to_string(part) + " (" + short_number(100.0 * static_cast<double>(part) / static_cast<double>(whole), 3) +
+         " %)";
+}
+
+Table table_of(const std::vector<StabilityCount>& all) {
+  Table table{{"method", "indenter", "scenes"}, {}};
+  for (const std::string_view outcome : ChoiceNames<Outcome>::names) table.columns.emplace_back(outcome);
+  for (const char* name : {"median", "95 %", "longest"}) table.columns.emplace_back(name);
+  for (const StabilityCount& count : all) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(std::string(name_of(count.method)));
+    row.emplace_back(std::string(name_of(count.indenter)));
+    row.emplace_back(static_cast<std::int64_t>(count.trials()));
+    for (const std::size_t number : count.of) row.emplace_back(share(number, count.trials()));
+    for (const double seconds : {count.median_seconds, count.seconds_95, count.longest_seconds})
+      row.emplace_back(readable(seconds, "s"));
+  }
+  return table;
+}
+
+Json json_of(const StabilityCount& count) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  Json object{{"method", name_of(count.method)}, {"indenter", name_of(count.indenter)}, {"scenes", count.trials()}};
+  for (std::size_t i = 0; i < count.of.size(); ++i) object[std::string(ChoiceNames<Outcome>::names[i])] = count.of[i];
+  object["median_seconds"] = number(count.median_seconds);
+  object["seconds_95"] = number(count.seconds_95);
+  object["longest_seconds"] = number(count.longest_seconds);
+  return object;
+}
+
+std::vector<fs::path> draw_maps(const StabilityReport& report, const fs::path& folder) {
+  std::vector<fs::path> pictures;
+  for (const StabilityCount& count : counts(report.trials)) {
+    std::vector<Trial> own;
+    std::copy_if(report.trials.begin(), report.trials.end(), std::back_inserter(own), [&](const Trial& trial) {
+      return trial.scene.method == count.method && trial.scene.indenter == count.indenter;
+    });
+    const std::string name = std::string(name_of(count.method)) + '-' + std::string(name_of(count.indenter));
+    const ChartFiles files = draw_stability_map(own, folder / (name + ".svg"));
+    for (const auto& file : {files.svg, files.png}) pictures.push_back(file);
+  }
+  return pictures;
+}
+
+void stability(const StabilityWords& words, Session& session) {
+  StabilityPlan plan = plan_of(words);
+  const fs::path folder = words.out, failed = folder / "failed";
+  make_directory(folder);  // before the work, not after it
+  remove_failed_scenes(failed);
+
+  std::vector<std::string> failed_files;
+  plan.on_trial = [&](const Trial& trial) {
+    if (!is_failure(trial.numbers.outcome)) return;
+    make_directory(failed);
+    failed_files.push_back((failed / failed_scene_name(trial)).string());
+    write_file(failed_files.back(), failed_scene_json(trial));
+  };
+  const StabilityReport report = watched_run(plan, session, [&] { return run_stability(plan, session.evaluate); });
+
+  const fs::path rows = folder / "stability.csv";
+  std::ostringstream csv;
+  write_csv(csv, trials_table(report.trials));
+  write_file(rows, csv.str());
+  const std::vector<StabilityCount> all = counts(report.trials);
+  std::vector<fs::path> files = draw_maps(report, folder);
+  files.insert(files.begin(), rows);
+
+  if (words.json) {
+    Json object{{"out", folder.string()},
+                {"seed", plan.seed},
+                {"cylinders", plan.cylinders},
+                {"spheres", plan.spheres},
+                {"interrupted", report.interrupted},
+                {"seconds", report.seconds},
+                {"results", Json::array()},
+                {"failed", failed_files},
+                {"files", Json::array()}};
+    for (const StabilityCount& count : all) object["results"].push_back(json_of(count));
+    for (const fs::path& file : files) object["files"].push_back(file.string());
+    session.out << text_of(object, 2) << '\n';
+  } else {
+    write_aligned(session.out, table_of(all));
+    for (const fs::path& file : files) session.out << file.string() << '\n';
+    if (!failed_files.empty())
+      session.out << failed_files.size() << " failed, to be solved again with rollres solve: " << failed.string()
+                  << '\n';
+  }
+  if (report.interrupted) session.err << "interrupted: only part of the scenes was solved\n";
+  const bool bad = std::any_of(all.begin(), all.end(), [](const StabilityCount& count) {
+    return count[Outcome::wrong] + count[Outcome::crashed] > 0;
+  });
+  if (bad || report.interrupted) session.status = ExitStatus::no_answer;
+}
+
+}  // namespace
+
+void add_stability(Command& program, Session& session) {
+  Command* command = program.add_subcommand("stability", "Try the methods on random scenes: which fails where");
+  const auto words = std::make_shared<StabilityWords>();
+  command->add_option("--out", words->out, "folder for the table, the maps and the scenes that failed")
+      ->required()
+      ->option_text("DIR");
+  command->add_option("--scenes", words->scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
+      ->between(1, 100'000'000)
+      ->option_text("N");
+  command->add_option("--seed", words->seed, "of the random scenes; default: 1")->option_text("S");
+  command->add_option("--methods", words->methods, "the methods to try, with commas between; default: all")
+      ->delimiter(',')
+      ->one_value_each()
+      ->option_text("METHOD,...");
+  command->add_option("--indenter", words->indenter, "cylinder, sphere or both (the default)")
+      ->one_of({"cylinder", "sphere", "both"})
+      ->option_text("INDENTER");
+  command->add_option("--jobs", words->jobs, "processes; default: one for each core")
+      ->between(1, 1024)
+      ->option_text("N");
+  command->add_option("--time-limit", words->time_limit, "for one scene, in seconds; default: 600")
+      ->positive()
+      ->option_text("SECONDS");
+  command->add_flag("--json", words->json, "print the outcome as one JSON object");
+  command->footer(
+      "converged: every law of contact holds to 1e-8. refused: the drive needs more friction, confirmed by solving "
+      "with "
+      "2 % more and 2 % less than the method says it needs; unconfirmed: that is not so. wrong: says converged, and is "
+      "not. Exit status 1 if any is wrong or crashed.\n"
+      "Example: rollres stability --out stability --scenes 200 --methods newton,active_set");
+  command->callback([words, &session] { stability(*words, session); });
+}
+
+}  // namespace rollres

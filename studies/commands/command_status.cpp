@@ -1,0 +1,126 @@
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+
+#include "db/rows/result_store.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/run/progress.hpp"
+#include "studies/stored/study_status.hpp"
+#include "studies/study/shards.hpp"
+#include "studies/text/table_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct StatusWords {
+  std::string study;  // file; empty: what the databases say themselves
+  std::vector<std::string> databases;
+  int shards = 0;  // 0: not asked for
+  bool json = false, array = false;
+};
+
+Json json_of(const std::string& name, const StudyStatus& status) {
+  Json object{{"study", name},
+              {"points", status.points},
+              {"converged", status.converged},
+              {"failed", status.failed},
+              {"missing", status.missing}};
+  if (!std::isnan(status.seconds_left)) object["seconds_left"] = status.seconds_left;
+  return object;
+}
+
+void print_json(std::ostream& out, const std::string& name, const StudyStatus& status, const StatusWords& words) {
+  Json object = json_of(name, status);
+  if (words.shards > 0) {
+    object["shards"] = words.shards;
+    object["shards_missing"] = status.shards_missing;
+    object["array"] = array_list(status.shards_missing);
+  }
+  out << text_of(object, 2) << '\n';
+}
+
+void print_lines(std::ostream& out, const std::string& name, const StudyStatus& status, const StatusWords& words) {
+  out << name << ": " << status.converged + status.failed << " of " << status.points << " points answered, "
+      << status.failed << " of them failed; " << status.missing << " missing";
+  if (status.missing > 0 && !std::isnan(status.seconds_left))
+    out << ", about " << duration_in_words(status.seconds_left) << " on one core";
+  out << '\n';
+  if (words.shards > 0 && status.missing > 0)
+    out << "shards with points missing: " << array_list(status.shards_missing) << " of " << words.shards << '\n';
+}
+
+/// Of the studies that a database holds, as it holds them.
+void status_of_stored(const std::string& file, const StatusWords& words, Session& session) {
+  const std::vector<StudySummary> studies = ResultStore(file, Access::read).studies();
+  Json object{{"db", file}, {"studies", Json::array()}};
+  for (const StudySummary& study : studies) {
+    StudyStatus status;
+    status.points = static_cast<std::size_t>(study.points);
+    status.failed = static_cast<std::size_t>(study.failed);
+    status.converged = static_cast<std::size_t>(study.answered - study.failed);
+    status.missing = static_cast<std::size_t>(study.points - study.answered);
+    if (words.json)
+      object["studies"].push_back(json_of(study.name, status));
+    else
+      print_lines(session.out, study.name, status, words);
+    if (status.missing > 0) session.status = ExitStatus::no_answer;
+  }
+  if (words.json) session.out << text_of(object, 2) << '\n';
+  if (studies.empty()) session.err << file << ": holds no study\n";
+}
+
+void status(const StatusWords& words, Session& session) {
+  if (words.study.empty()) {
+    if (words.databases.empty()) throw std::invalid_argument("status: needs a study file, or --db, or both");
+    if (words.shards > 0) throw std::invalid_argument("--shards: needs the study file");
+    if (words.json && words.databases.size() > 1)
+      throw std::invalid_argument("--db: only one with --json, without a study file");
+    for (const std::string& file : words.databases) status_of_stored(file, words, session);
+    return;
+  }
+  const Study study = read_study(words.study);
+  std::vector<std::filesystem::path> present;
+  for (const std::string& file : words.databases) {
+    if (std::filesystem::exists(file))
+      present.emplace_back(file);
+    else
+      session.err << file << ": no such file, counted as empty\n";
+  }
+  const StudyStatus found = study_status(study, present, std::max(1, words.shards));
+  if (words.array)
+    session.out << array_list(found.shards_missing) << '\n';
+  else if (words.json)
+    print_json(session.out, study.name, found, words);
+  else
+    print_lines(session.out, study.name, found, words);
+  if (found.missing > 0) session.status = ExitStatus::no_answer;
+}
+
+}  // namespace
+
+void add_status(Command& program, Session& session) {
+  Command* command = program.add_subcommand("status", "Tell what of a study is stored, and what is missing");
+  const auto words = std::make_shared<StatusWords>();
+  command->add_option("study", words->study, "study file; left out: every study of the database")->option_text("STUDY");
+  command
+      ->add_option("--db", words->databases, "database; several are taken together; none: the whole study is missing")
+      ->option_text("FILE");
+  CommandOption* const shards =
+      command->add_option("--shards", words->shards, "number of shards: tell which have something missing")
+          ->option_text("N")
+          ->between(1, most_shards);
+  CommandOption* const array =
+      command->add_flag("--array", words->array, "print only these shards, as Slurm's --array takes them")
+          ->needs(shards);
+  command->add_flag("--json", words->json, "print one JSON object")->excludes(array);
+  command->footer(
+      "Exit status 0: every point is answered, failed ones included; 1: something is missing.\n"
+      "Example: rollres status STUDY --db shard-*.db --shards 16");
+  command->callback([words, &session] { status(*words, session); });
+}
+
+}  // namespace rollres

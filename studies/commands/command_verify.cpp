@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <sstream>
+
+#include "db/file/provenance.hpp"
+#include "studies/evidence/verification.hpp"
+#include "studies/program/command_line.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// "4.9e-05", "0".
+std::string in_powers(double value) {
+  if (value == 0) return "0";
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(1) << value;
+  return std::isnan(value) ? "-" : text.str();
+}
+
+Table table_of(const std::vector<VerificationRow>& rows) {
+  Table table{{"check", "source", "expected", "got", "difference", "tolerance", "result"}, {}};
+  for (const VerificationRow& row : rows)
+    table.rows.push_back({row.quantity, row.source, readable(row.expected, row.unit), readable(row.got, row.unit),
+                          in_powers(row.difference()), in_powers(row.tolerance),
+                          std::string(row.passed() ? "pass" : "FAIL")});
+  return table;
+}
+
+/// One row for each source: how many checks, and the one that comes closest to what it is allowed.
+Table summary_of(const std::vector<VerificationRow>& rows) {
+  Table table{{"source", "checks", "pass", "closest to its tolerance", "difference", "tolerance"}, {}};
+  std::vector<std::string> sources;
+  for (const VerificationRow& row : rows)
+    if (std::find(sources.begin(), sources.end(), row.source) == sources.end()) sources.push_back(row.source);
+  for (const std::string& source : sources) {
+    std::int64_t checks = 0, passed = 0;
+    const VerificationRow* closest = nullptr;
+    const auto share = [](const VerificationRow& row) {
+      return row.difference() == 0 ? 0 : row.passed() ? row.difference() / row.tolerance : HUGE_VAL;
+    };
+    for (const VerificationRow& row : rows) {
+      if (row.source != source) continue;
+      ++checks;
+      passed += row.passed();
+      if (!closest || share(row) > share(*closest)) closest = &row;
+    }
+    table.rows.push_back(
+        {source, checks, passed, closest->quantity, in_powers(closest->difference()), in_powers(closest->tolerance)});
+  }
+  return table;
+}
+
+Json array_of(const std::vector<VerificationRow>& rows) {
+  Json array = Json::array();
+  for (const VerificationRow& row : rows)
+    array.push_back({{"check", row.quantity},
+                     {"source", row.source},
+                     {"unit", row.unit},
+                     {"expected", row.expected},
+                     {"got", json_of(Cell(row.got))},
+                     {"difference", json_of(Cell(row.difference()))},
+                     {"tolerance", row.tolerance},
+                     {"allowance", row.allowance},
+                     {"passed", row.passed()},
+                     {"reason", row.reason}});
+  return array;
+}
+
+struct VerifyWords {
+  bool json = false, summary = false;
+  std::string format = "table";
+};
+
+void verify(const VerifyWords& words, Session& session) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<VerificationRow> rows = verify(session.evaluate);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return !row.passed(); });
+  const auto passed = static_cast<std::ptrdiff_t>(rows.size()) - failed;
+  if (failed > 0) session.status = ExitStatus::no_answer;
+  if (words.json) {
+    const Json object{{"version", this_program().version},
+                      {"passed", passed},
+                      {"failed", failed},
+                      {"seconds", seconds},
+                      {"rows", array_of(rows)}};
+    session.out << text_of(object, 2) << '\n';
+    return;
+  }
+  write_table(session.out, words.summary ? summary_of(rows) : table_of(rows), words.format);
+  for (const VerificationRow& row : rows)
+    if (!row.reason.empty()) session.out << row.quantity << ": " << row.reason << '\n';
+  session.out << '\n'
+              << passed << " of " << rows.size() << " pass"
+              << (failed > 0 ? ", " + std::to_string(failed) + " FAIL" : "") << " (" << readable(seconds, "s") << ")\n";
+}
+
+}  // namespace
+
+void add_verify(Command& program, Session& session) {
+  Command* const command =
+      program.add_subcommand("verify", "Solve what is known, and compare: the paper, closed forms, tables, energy");
+  const auto words = std::make_shared<VerifyWords>();
+  command->add_flag("--summary", words->summary, "one line for each source");
+  command->add_option("--format", words->format, "table or markdown")
+      ->option_text("FORMAT")
+      ->one_of({"table", "markdown"});
+  command->add_flag("--json", words->json, "print one JSON object, with what each tolerance allows for");
+  command->footer(
+      "Differences are relative; where zero is expected, absolute. Exit status 1: a row fails.\n"
+      "Example: rollres verify");
+  command->callback([words, &session] { verify(*words, session); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,120 @@
+#include "studies/drawing/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "studies/drawing/gnuplot.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Which points of a curve bear a mark: all of a short one; of a long one every n-th, shifted from curve to curve, and
+/// those that no line reaches.
+std::vector<bool> marked(const std::vector<ChartPoint>& points, std::size_t curve) {
+  constexpr std::size_t enough = 16;
+  const std::size_t step = (points.size() + enough - 1) / enough;
+  std::vector<bool> marks(points.size(), false);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool alone = !(i > 0 && points[i - 1].joined()) && !(i + 1 < points.size() && points[i + 1].joined());
+    marks[i] = alone || (i + curve) % step == 0;
+  }
+  return marks;
+}
+
+}  // namespace
+
+std::optional<std::size_t> peak(const ChartCurve& curve) {
+  const auto& points = curve.points;
+  std::optional<std::size_t> highest;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].joined() && (!highest || points[i].y > points[*highest].y)) highest = i;
+  if (!highest || *highest == 0 || *highest + 1 == points.size()) return std::nullopt;
+  if (!points[*highest - 1].joined() || !points[*highest + 1].joined()) return std::nullopt;
+  return highest;
+}
+
+ChartFiles chart_files(const std::filesystem::path& name) {
+  const std::string suffix = name.extension().string();
+  const bool ours = suffix == ".svg" || suffix == ".png" || suffix == ".gp" || suffix == ".dat";
+  const std::string stem = (ours ? name.stem() : name.filename()).string();
+  const std::string full = name.string();
+  if (stem.empty() || stem == "." || stem == "..")
+    throw std::invalid_argument("\"" + full + "\": must be the name of a file");
+  if (std::any_of(full.begin(), full.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }))
+    throw std::invalid_argument("\"" + full + "\": the name of a chart must have no control characters");
+  const auto beside = [&](const char* ending) { return name.parent_path() / (stem + ending); };
+  return {beside(".gp"), beside(".dat"), beside(".svg"), beside(".png")};
+}
+
+std::string chart_data(const ChartRequest& request) {
+  std::ostringstream data;
+  const auto comment = [&](std::string_view text) {
+    data << "# ";
+    for (const char letter : text) data << (letter == '\n' ? std::string_view("\n# ") : std::string_view(&letter, 1));
+    data << "\n";
+  };
+  const auto described = [](const ChartAxis& axis) {
+    return axis.name + (axis.symbol.empty() ? "" : " " + axis.symbol) +
+           (axis.unit.empty() ? "" : " [" + axis.unit + "]");
+  };
+  comment(request.title);
+  if (!request.comment.empty()) comment(request.comment);
+  comment("column 1: " + described(request.x));
+  comment("column 2: " + described(request.y));
+  comment("column 3: 1 if converged, else 0");
+  comment("column 4: 1 if the curve bears a mark here");
+  const bool areas = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.area(); });
+  });
+  if (areas) comment("column 5, 6: ends of " + (request.areas.empty() ? "the curve's part" : request.areas));
+  for (std::size_t i = 0; i < request.curves.size(); ++i) {
+    const ChartCurve& curve = request.curves[i];
+    if (i > 0) data << "\n\n";
+    comment(described(request.family) + (request.family.name.empty() ? "" : " = ") + curve.label);
+    const std::vector<bool> marks =
+        request.lines ? marked(curve.points, i) : std::vector<bool>(curve.points.size(), true);
+    for (std::size_t j = 0; j < curve.points.size(); ++j) {
+      const ChartPoint& point = curve.points[j];
+      data << short_number(point.x, 15) << " " << (point.drawn() ? short_number(point.y, 15) : "NaN") << " "
+           << (point.converged ? 1 : 0) << " " << (marks[j] ? 1 : 0);
+      if (areas && point.joined() && point.area())
+        data << " " << short_number(point.low, 15) << " " << short_number(point.high, 15);
+      else if (areas)
+        data << " NaN NaN";
+      data << "\n";
+    }
+    if (curve.points.empty()) data << "NaN NaN 0 0\n";  // keeps the count of the blocks
+  }
+  return data.str();
+}
+
+void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
+                   const std::string& gnuplot) {
+  if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
+  write_file(files.data, data);
+  write_file(files.script, script);
+  std::error_code error;
+  for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
+  gnuplot::run(files.script, gnuplot);
+  for (const auto& picture : {files.svg, files.png})
+    if (const auto size = std::filesystem::file_size(picture, error); error || size == 0)
+      throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but drew nothing");
+}
+
+ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
+  ChartFiles files = chart_files(name);
+  const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.drawn(); });
+  });
+  if (!something)
+    throw std::invalid_argument(request.title + ": nothing to draw, no point has a value of " + request.y.name);
+  draw_pictures(files, chart_data(request), chart_script(request, files), gnuplot);
+  return files;
+}
+
+}  // namespace rollres

@@ -1,0 +1,140 @@
+#include "studies/drawing/chart_frame.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+
+#include "studies/drawing/gnuplot.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+// Sizes in pixels of the SVG; the PNG has twice as many.
+constexpr double picture_width = 560, title_height = 36, legend_row_height = 23, font_size = 17;
+
+/// A file in the script's own folder: never read as a pipe or a home folder.
+std::string here(const std::filesystem::path& file) { return gnuplot::quoted("./" + file.filename().string()); }
+
+/// A quoted text, set in smaller letters, down to two thirds, where it is longer than `room`, and cut where that is not
+/// enough.
+std::string fitted(std::string text, const std::string& markup, std::size_t room) {
+  const std::size_t length = width(text), longest = room * 3 / 2;
+  if (length <= room) return gnuplot::quoted(markup);
+  const double scale = static_cast<double>(room) / static_cast<double>(std::min(length, longest));
+  const std::string font = " font '," + short_number(font_size * scale, 3) + "'";
+  if (length <= longest) return gnuplot::quoted(markup) + font;
+  while (width(text) >= longest) {
+    while ((text.back() & 0xc0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return gnuplot::quoted(gnuplot::plain(text) + "…") + font;
+}
+
+std::string axis_label(const ChartAxis& axis, std::size_t room) {
+  std::string text = axis.name, markup = gnuplot::plain(axis.name);
+  if (!axis.symbol.empty()) {
+    text += "  " + axis.symbol;
+    markup += kept_blanks + gnuplot::symbol(axis.symbol);
+  }
+  if (!axis.unit.empty()) {
+    text += "  [" + axis.unit + "]";
+    markup += "  [" + gnuplot::plain(axis.unit) + "]";
+  }
+  return fitted(text, markup, room);
+}
+
+void write_axis(std::ostream& script, char name, const Span& span) {
+  script << "set " << name << "range [" << short_number(span.lowest, 15) << ":" << short_number(span.highest, 15)
+         << "]\n";
+  if (!span.logarithmic) return;
+  script << "set logscale " << name << "\n";
+  const bool plain_numbers = span.lowest >= 0.9e-4 && span.highest <= 1.1e5;
+  const std::vector<double> numbers = ticks(span);
+  script << "set format " << name << (plain_numbers || !numbers.empty() ? " '%g'\n" : " '10^{%L}'\n");
+  if (numbers.empty()) return;
+  script << "set " << name << "tics (";
+  for (std::size_t i = 0; i < numbers.size(); ++i) script << (i == 0 ? "" : ", ") << short_number(numbers[i]);
+  script << ")\n";
+}
+
+/// Where the entries of a legend stand: row by row, as many side by side as the picture holds.
+struct LegendGrid {
+  static constexpr double sample = 54;  // room left of the text [px]
+  double column = 1;                    // width of a column [px]
+  std::size_t columns = 1, rows = 0;
+
+  explicit LegendGrid(const std::vector<LegendEntry>& entries) {
+    if (entries.empty()) return;
+    std::size_t longest = 1;
+    for (const LegendEntry& entry : entries) longest = std::max(longest, entry.letters);
+    column = sample + 14 + 9.3 * static_cast<double>(longest);
+    columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 20) / column), 1, 4);
+    columns = std::min(columns, entries.size());
+    rows = (entries.size() + columns - 1) / columns;
+  }
+  double height() const { return legend_row_height * static_cast<double>(rows); }
+  /// Start of an entry's text, from the left [px].
+  double x(std::size_t entry) const {
+    const double all = column * static_cast<double>(columns);
+    return (picture_width - all) / 2 + sample + column * static_cast<double>(entry % columns);
+  }
+  /// Middle of its height, from the top [px].
+  double y(std::size_t entry) const {
+    const std::size_t row = entry / columns;
+    return title_height + legend_row_height * (static_cast<double>(row) + 0.3);
+  }
+};
+
+}  // namespace
+
+std::string_view curve_colour(std::size_t curve) {
+  constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                    "#E69F00", "#56B4E9", "#000000"};
+  return colours[curve % colours.size()];
+}
+
+void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
+                const ChartAxis& y, const Span& y_span) {
+  script << "# Draws the pictures anew when run in this folder with gnuplot.\n"
+         << "reset\nset encoding utf8\n"
+         << "data = " << here(files.data) << "\n\n"
+         << "set xlabel " << axis_label(x, 44) << "\nset ylabel " << axis_label(y, 34) << "\n";
+  write_axis(script, 'x', x_span);
+  write_axis(script, 'y', y_span);
+  script << "set border 3 lw 1.2 lc rgb '#444444'\nset tics nomirror\n"
+         << "set grid xtics ytics lw 0.8 lc rgb '#CCCCCC' dt 1\n";
+}
+
+void write_pictures(std::ostream& script, const ChartFiles& files, const std::string& title,
+                    std::vector<std::string> plots, const std::vector<LegendEntry>& entries,
+                    const PictureShape& shape) {
+  const LegendGrid grid(entries);
+  const double height = std::round(shape.height + title_height + grid.height());
+  const auto from_top = [&](double pixels) { return short_number(1 - pixels / height, 4); };
+  script << "set label " << fitted(title, gnuplot::plain(title) + kept_blanks, 46) << " at screen 0.5, screen "
+         << from_top(title_height / 2) << " center\n"
+         << "set tmargin at screen " << from_top(title_height + grid.height() + shape.gap) << "\nset rmargin at screen "
+         << short_number(shape.right / picture_width, 3) << "\n";
+  if (shape.left > 0) script << "set lmargin at screen " << short_number(shape.left / picture_width, 4) << "\n";
+  if (shape.bottom > 0) script << "set bmargin at screen " << short_number(shape.bottom / height, 4) << "\n";
+  script << "set key Left reverse samplen 2.2\n";
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    plots.push_back("keyentry with " + entries[i].sample + " title " + gnuplot::quoted(entries[i].markup) + " at " +
+                    short_number(grid.x(i) / picture_width, 4) + "," + short_number(1 - grid.y(i) / height, 4));
+  std::string plot = shape.surface ? "splot " : "plot ";
+  for (std::size_t i = 0; i < plots.size(); ++i) plot += (i == 0 ? "" : ", \\\n     ") + plots[i];
+
+  script << "\nset terminal svg size " << picture_width << "," << height
+         << " dynamic enhanced background rgb 'white' font 'sans-serif," << font_size << "'\n"
+         << "set output " << here(files.svg) << "\n"
+         << plot << "\n"
+         << "\nset terminal pngcairo size " << 2 * picture_width << "," << 2 * height
+         << " enhanced background rgb 'white' font 'sans-serif," << font_size
+         << "' fontscale 1.5 linewidth 2 pointscale 3.2\n"
+         << "set output " << here(files.png) << "\nreplot\nunset output\n";
+}
+
+}  // namespace rollres

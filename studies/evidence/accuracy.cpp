@@ -1,0 +1,210 @@
+#include "studies/evidence/accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/estimate/grid_choice.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "studies/evidence/accuracy_reference.hpp"
+#include "studies/evidence/power_law.hpp"
+#include "studies/run/progress.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+AccuracyStatus status_of(const Measurement& measured) {
+  if (measured.stopped) return AccuracyStatus::skipped;
+  if (!measured.failure.empty()) return AccuracyStatus::failed;
+  switch (measured.solution.status) {
+    case Status::converged:
+      return AccuracyStatus::converged;
+    case Status::no_steady_state:
+      return AccuracyStatus::no_steady_state;
+    case Status::not_converged:
+      break;
+  }
+  return AccuracyStatus::not_converged;
+}
+
+AccuracyPoint measured_point(const RollingScene& scene, const AccuracyOptions& options, const Measure& measure) {
+  AccuracyPoint point{.method = scene.method,
+                      .spacing = scene.spacing.value_or(RollingSolution::absent),
+                      .tolerance = scene.tolerance.value_or(RollingSolution::absent)};
+  std::vector<double> seconds, processor_seconds;
+  double total = 0;
+  do {
+    const Measurement measured = measure(scene, options.seconds_limit);
+    if (measured.stopped && !seconds.empty()) break;  // on the edge of the limit: what was measured before stands
+    point.status = status_of(measured);
+    if (measured.stopped) {
+      point.reason = "took longer than the limit of " + duration_in_words(options.seconds_limit);
+      return point;
+    }
+    point.reason = measured.failure.empty() ? measured.solution.reason : measured.failure;
+    point.solution = measured.solution;
+    if (point.status == AccuracyStatus::failed) return point;
+    seconds.push_back(measured.seconds);
+    processor_seconds.push_back(measured.processor_seconds);
+    if (!(point.peak_memory >= measured.peak_memory)) point.peak_memory = measured.peak_memory;
+    total += measured.seconds;
+  } while (static_cast<int>(seconds.size()) < options.repeats && total < options.seconds_limit);
+  point.seconds = median(seconds);
+  point.processor_seconds = median(processor_seconds);
+  point.repeats = static_cast<int>(seconds.size());
+  return point;
+}
+
+std::vector<AccuracyPoint> points_of(const std::string& name, const RollingScene& scene, Method method,
+                                     const std::vector<double>& spacings, const AccuracyOptions& options,
+                                     const Measure& measure) {
+  std::vector<AccuracyPoint> points;
+  SolveCost cost(surface_dimension(scene.indenter));
+  bool too_long = false;
+  for (const double spacing : spacings) {
+    const double predicted = cost.predicted(spacing);
+    if (too_long || predicted > options.seconds_limit) {
+      points.push_back({.method = method, .spacing = spacing});
+      points.back().reason = too_long ? "a coarser grid took longer than the limit"
+                                      : "would take " + duration_in_words(predicted) + ", longer than the limit of " +
+                                            duration_in_words(options.seconds_limit);
+      continue;
+    }
+    tell(options, name, method, readable(spacing, "m"));
+    points.push_back(measured_point(with_grid(scene, method, spacing), options, measure));
+    too_long = points.back().status == AccuracyStatus::skipped;
+    if (points.back().repeats > 0) cost.add(spacing, points.back().seconds);
+  }
+  return points;
+}
+
+/// Over tolerances from 1e-2 to 1e-10; one that took too long is followed by none.
+std::vector<AccuracyPoint> gridless_points(const std::string& name, const RollingScene& scene, Method method,
+                                           const AccuracyOptions& options, const Measure& measure) {
+  constexpr int loosest = 2, tightest = 10;
+  std::vector<AccuracyPoint> points;
+  for (int digits = loosest; digits <= tightest; ++digits) {
+    const double tolerance = std::stod("1e-" + std::to_string(digits));
+    tell(options, name, method, "tolerance " + short_number(tolerance, 1));
+    points.push_back(measured_point(with_tolerance(scene, method, tolerance), options, measure));
+    if (points.back().status == AccuracyStatus::skipped) break;
+    // What a grid answered in its place is no point of this method.
+    if (points.back().status == AccuracyStatus::converged && points.back().solution.method != method) {
+      points.back().status = AccuracyStatus::not_converged;
+      points.back().reason = "left to method " + std::string(name_of(points.back().solution.method));
+      break;
+    }
+  }
+  return points;
+}
+
+AccuracyTrend trend_of(Method method, const std::vector<AccuracyPoint>& points, const AccuracyReference& reference) {
+  std::vector<double> spacings, errors, nodes, seconds;
+  for (const AccuracyPoint& point : points) {
+    if (point.method != method || point.status != AccuracyStatus::converged) continue;
+    nodes.push_back(point.solution.contact_nodes);
+    seconds.push_back(point.seconds);
+    const double error = std::abs(point.error);
+    constexpr double clear = 3;  // closer to the uncertainty, an error is half that of the reference
+    if (!(error > 0) || error <= clear * reference.uncertainty) continue;
+    spacings.push_back(point.spacing);
+    errors.push_back(error);
+  }
+  constexpr std::size_t fewest = 3;
+  const std::size_t coarse = nodes.size() < 2 * fewest ? 0 : nodes.size() / 2;
+  for (auto* values : {&nodes, &seconds})
+    values->erase(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(coarse));
+  const PowerLaw order = power_law(spacings, errors, fewest);
+  return {method, order.slope, order.deviation, power_law(nodes, seconds, fewest).slope};
+}
+
+}  // namespace
+
+RollingScene with_grid(RollingScene scene, Method method, double spacing) {
+  scene.method = method;
+  scene.spacing = spacing;
+  scene.tolerance.reset();
+  return scene;
+}
+
+RollingScene with_tolerance(RollingScene scene, Method method, double tolerance) {
+  scene.method = method;
+  scene.tolerance = tolerance;
+  scene.spacing.reset();
+  return scene;
+}
+
+void tell(const AccuracyOptions& options, const std::string& name, Method method, const std::string& at) {
+  if (options.report) options.report(name + ": " + std::string(name_of(method)) + " at " + at);
+}
+
+std::vector<double> usual_spacings(const RollingScene& scene) {
+  constexpr double coarsest_nodes = 8;
+  const double finest_nodes = scene.indenter == Indenter::cylinder ? 500 : 130;
+  const double length = 2 * std::min(estimate_contact(scene).half_width, scene.radius);
+  const double own = scene.spacing.value_or(std::stod(short_number(length / coarsest_nodes, 3)));
+  const auto steps_to = [&](double nodes) {
+    return static_cast<int>(std::lround(2 * std::log2(own * nodes / length)));
+  };
+  std::vector<double> spacings;
+  for (int step = -steps_to(coarsest_nodes); step >= -steps_to(finest_nodes); --step) {
+    const double even = own * std::ldexp(1.0, static_cast<int>(std::floor(0.5 * step)));
+    spacings.push_back(step % 2 == 0 ? even : std::stod(short_number(std::sqrt(2.0) * even, 4)));
+  }
+  return spacings;
+}
+
+AccuracyReport measure_accuracy(const std::string& name, const RollingScene& scene, const AccuracyOptions& options,
+                                const Measure& measure) {
+  std::vector<Method> methods = options.methods;
+  if (methods.empty())
+    for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
+      if (const Method method = static_cast<Method>(i);
+          on_grid(method) || (method == Method::spectral && spectral_applies(scene)))
+        methods.push_back(method);
+  std::vector<double> spacings = options.spacings;
+  if (spacings.empty()) {
+    spacings = usual_spacings(scene);
+    if (options.levels) spacings.resize(std::min(spacings.size(), static_cast<std::size_t>(*options.levels)));
+  }
+  std::sort(spacings.rbegin(), spacings.rend());
+  spacings.erase(std::unique(spacings.begin(), spacings.end()), spacings.end());
+  for (const double spacing : spacings)
+    if (const auto broken = check(with_grid(scene, Method::newton, spacing)); !broken.empty())
+      throw std::invalid_argument(name + ": " + broken.front());
+
+  constexpr double some_tolerance = 1e-6;
+  for (const Method method : methods)
+    if (on_grid(method))
+      continue;
+    else if (const auto broken = check(with_tolerance(scene, method, some_tolerance)); !broken.empty())
+      throw std::invalid_argument(name + ": " + broken.front());
+
+  AccuracyReport report{name, scene, {}, {}, {}};
+  for (const Method method : methods)
+    for (AccuracyPoint& point : on_grid(method) ? points_of(name, scene, method, spacings, options, measure)
+                                                : gridless_points(name, scene, method, options, measure))
+      report.points.push_back(std::move(point));
+  report.reference = find_reference(name, scene, report.points, options, measure);
+  for (AccuracyPoint& point : report.points) {
+    if (point.status != AccuracyStatus::converged || !report.reference.found()) continue;
+    constexpr double nothing = 1e-12;  // of the load
+    if (std::abs(report.reference.rolling_resistance) < nothing * point.solution.load)
+      throw std::invalid_argument(name + ": a scene without losses has no relative error of its rolling resistance");
+    constexpr double same = 1e-6;
+    if (!(point.spacing <= report.reference.spacing * (1 + same)))  // also where one of them has no grid
+      point.error = point.solution.rolling_resistance / report.reference.rolling_resistance - 1;
+  }
+  for (const Method method : methods) report.trends.push_back(trend_of(method, report.points, report.reference));
+  return report;
+}
+
+}  // namespace rollres

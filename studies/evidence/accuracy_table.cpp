@@ -1,0 +1,247 @@
+#include "studies/evidence/accuracy_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Line = std::vector<std::string>;
+
+Cell cell(double value) { return std::isnan(value) ? Cell() : Cell(value); }
+Cell cell(const std::string& text) { return text.empty() ? Cell() : Cell(text); }
+Cell cell(int count) { return static_cast<std::int64_t>(count); }
+
+std::string scientific(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*e", digits, value);
+  return text;
+}
+
+std::string three_digits(double value, const std::string& otherwise) {
+  return std::isfinite(value) ? short_number(value, 3) : otherwise;
+}
+
+std::vector<Method> methods_of(const AccuracyReport& report) {
+  std::vector<Method> methods;
+  for (const AccuracyTrend& trend : report.trends) methods.push_back(trend.method);
+  return methods;
+}
+
+std::string error_in_words(const AccuracyPoint& point, const AccuracyReference& reference) {
+  if (point.status == AccuracyStatus::no_steady_state) return "no steady state";
+  if (point.status == AccuracyStatus::not_converged) return "not converged";
+  if (point.status != AccuracyStatus::converged) return std::string(name_of(point.status));
+  if (std::isnan(point.error)) return reference.found() ? "reference" : "?";
+  if (std::abs(point.error) <= reference.uncertainty) return "< " + scientific(reference.uncertainty, 1);
+  return scientific(std::abs(point.error), 1);
+}
+
+/// Columns as wide as their longest entry; the first two lines of Markdown are its heading and its rule.
+std::string aligned(const std::vector<Line>& lines, bool markdown) {
+  std::vector<std::size_t> widths(lines.front().size(), 3);
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+  std::string text;
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text += (markdown ? (i == 0 ? "| " : " | ") : (i == 0 ? "" : "   ")) +
+              std::string(widths[i] - width(line[i]), ' ') + line[i];
+    text += markdown ? " |\n" : "\n";
+    if (!markdown || &line != &lines.front()) continue;
+    for (const std::size_t columns : widths) text += "|" + std::string(columns + 1, '-') + ":";
+    text += "|\n";
+  }
+  return text;
+}
+
+/// One row for each spacing, or each tolerance, that some of the methods were tried at.
+/// @param key which of the two   @param name of the first column   @param text of its entries
+std::string table_of(const AccuracyReport& report, const std::vector<Method>& methods, double AccuracyPoint::*key,
+                     const std::string& name, const std::function<std::string(double)>& text, bool markdown) {
+  std::vector<Line> lines{{name, "nodes"}};
+  for (const Method method : methods)
+    for (const std::string part : {": error", "s", "MB"})
+      lines.front().push_back(part.front() == ':' ? std::string(name_of(method)) + part : part);
+  std::vector<double> values;
+  for (const AccuracyPoint& point : report.points)
+    if (std::isfinite(point.*key)) values.push_back(point.*key);
+  std::sort(values.rbegin(), values.rend());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  for (const double value : values) {
+    int nodes = 0;
+    Line cells;
+    for (const Method method : methods) {
+      const auto point = std::find_if(report.points.begin(), report.points.end(), [&](const AccuracyPoint& candidate) {
+        return candidate.method == method && candidate.*key == value;
+      });
+      if (point == report.points.end()) continue;
+      if (nodes == 0 && point->status == AccuracyStatus::converged) nodes = point->solution.contact_nodes;
+      constexpr double megabyte = 1e6;
+      cells.push_back(error_in_words(*point, report.reference));
+      cells.push_back(three_digits(point->seconds, "-"));
+      cells.push_back(std::isfinite(point->peak_memory) ? short_number(point->peak_memory / megabyte, 2) : "-");
+    }
+    cells.insert(cells.begin(), {text(value), nodes > 0 ? std::to_string(nodes) : "-"});
+    lines.push_back(std::move(cells));
+  }
+  return aligned(lines, markdown);
+}
+
+std::string tables_text(const AccuracyReport& report, bool markdown) {
+  std::vector<Method> gridded, gridless;
+  for (const Method method : methods_of(report)) (on_grid(method) ? gridded : gridless).push_back(method);
+  std::string tables;
+  if (!gridded.empty())
+    tables += table_of(
+                  report, gridded, &AccuracyPoint::spacing, "spacing",
+                  [](double spacing) { return readable(spacing, "m"); }, markdown) +
+              "\n";
+  if (!gridless.empty())
+    tables += table_of(
+                  report, gridless, &AccuracyPoint::tolerance, "tolerance",
+                  [](double tolerance) { return scientific(tolerance, 0); }, markdown) +
+              "\n";
+  return tables;
+}
+
+/// Where a point or a reference stands.
+std::string place_in_words(double spacing, double tolerance) {
+  return std::isfinite(spacing) ? readable(spacing, "m") : "tolerance " + scientific(tolerance, 0);
+}
+
+std::string reference_in_words(const AccuracyReport& report) {
+  const AccuracyReference& reference = report.reference;
+  if (!reference.found()) return "no reference: no answer can be trusted, so that no error is known";
+  const std::string unit = report.scene.indenter == Indenter::cylinder ? "N/m" : "N";
+  const double certain = std::isfinite(reference.uncertainty) ? reference.uncertainty : 1e-7;
+  const int digits = std::clamp(static_cast<int>(std::ceil(1 - std::log10(std::max(certain, 1e-12)))), 4, 13);
+  std::string text = "reference: R_r = " + short_number(reference.rolling_resistance, digits) + " " + unit + ", " +
+                     (reference.extrapolated ? "extrapolated from four grids of " : "of ") +
+                     std::string(name_of(reference.method));
+  if (std::isfinite(reference.spacing))
+    text += (reference.extrapolated ? std::string(", the finest") : std::string()) + " at " +
+            readable(reference.spacing, "m") + " with " + std::to_string(reference.contact_nodes) + " nodes in contact";
+  else
+    text += " with " + std::to_string(reference.contact_nodes) + " coefficients of the pressure";
+  text += std::isfinite(reference.uncertainty) ? "; certain to about " + scientific(reference.uncertainty, 1)
+                                               : std::string("; nothing tells how certain it is");
+  return text;
+}
+
+/// Trends, and what is missing and why, each reason once.
+std::vector<std::string> notes(const AccuracyReport& report) {
+  std::vector<std::string> lines;
+  for (const AccuracyTrend& trend : report.trends) {
+    std::string text;
+    if (std::isfinite(trend.order))
+      text += "error ~ spacing^" + short_number(std::round(100 * trend.order) / 100, 4) + " (± " +
+              short_number(trend.order_deviation, 1) + ")";
+    if (std::isfinite(trend.growth))
+      text += (text.empty() ? "" : ", ") + std::string("seconds ~ nodes^") + short_number(trend.growth, 3);
+    if (!text.empty()) lines.push_back(std::string(name_of(trend.method)) + ": " + text);
+  }
+  for (const AccuracyPoint& point : report.points) {
+    if (point.reason.empty()) continue;
+    const auto same = [&](const AccuracyPoint& other) {
+      return other.method == point.method && other.status == point.status &&
+             (other.spacing > point.spacing || other.tolerance > point.tolerance);
+    };
+    if (std::any_of(report.points.begin(), report.points.end(), same)) continue;
+    lines.push_back(std::string(name_of(point.method)) + " at " + place_in_words(point.spacing, point.tolerance) +
+                    ": " + std::string(name_of(point.status)) + ": " + point.reason);
+  }
+  return lines;
+}
+
+}  // namespace
+
+Table accuracy_rows(const std::vector<AccuracyReport>& reports) {
+  Table table{{"scene",
+               "method",
+               "spacing",
+               "tolerance",
+               "contact_nodes",
+               "rolling_resistance",
+               "relative_error",
+               "seconds",
+               "processor_seconds",
+               "repeats",
+               "peak_memory",
+               "iterations",
+               "law_violation",
+               "status",
+               "reason",
+               "reference",
+               "reference_method",
+               "reference_spacing",
+               "reference_extrapolated",
+               "reference_uncertainty"},
+              {}};
+  for (const AccuracyReport& report : reports)
+    for (const AccuracyPoint& point : report.points) {
+      const RollingSolution& solution = point.solution;
+      const AccuracyReference& reference = report.reference;
+      const bool solved = point.repeats > 0;
+      table.rows.push_back({cell(report.name),
+                            cell(std::string(name_of(point.method))),
+                            cell(point.spacing),
+                            cell(point.tolerance),
+                            solved ? cell(solution.contact_nodes) : Cell(),
+                            cell(solution.rolling_resistance),
+                            cell(point.error),
+                            cell(point.seconds),
+                            cell(point.processor_seconds),
+                            cell(point.repeats),
+                            cell(point.peak_memory),
+                            solved ? cell(solution.iterations) : Cell(),
+                            cell(solution.law_violation),
+                            cell(std::string(name_of(point.status))),
+                            cell(point.reason),
+                            cell(reference.rolling_resistance),
+                            reference.found() ? cell(std::string(name_of(reference.method))) : Cell(),
+                            cell(reference.spacing),
+                            cell(reference.extrapolated ? 1 : 0),
+                            cell(reference.uncertainty)});
+    }
+  return table;
+}
+
+std::string accuracy_text(const AccuracyReport& report, bool markdown) {
+  std::string text = (markdown ? "### " : "") + report.name + "\n\n" + tables_text(report, markdown);
+  text += (markdown ? "- " : "") + reference_in_words(report) + "\n";
+  for (const std::string& line : notes(report)) text += (markdown ? "- " : "") + line + "\n";
+  return text;
+}
+
+ChartRequest accuracy_chart(const AccuracyReport& report) {
+  ChartRequest request;
+  request.title = report.name + ": error against time";
+  request.x = {.name = "time of a solution", .unit = "s", .logarithmic = true, .margin = 0.05};
+  request.y = {.name = "relative error of", .symbol = "R_r", .logarithmic = true};
+  request.family = {.name = "method"};
+  request.mark_peaks = false;
+  request.comment =
+      reference_in_words(report) +
+      "\neach point: the largest error at its spacing (or tolerance) or a finer one, no less than the uncertainty";
+  for (const Method method : methods_of(report)) {
+    ChartCurve curve{std::string(name_of(method)), {}};
+    double largest = std::isfinite(report.reference.uncertainty) ? report.reference.uncertainty : 0;
+    for (auto point = report.points.rbegin(); point != report.points.rend(); ++point) {
+      if (point->method != method || !std::isfinite(point->error)) continue;
+      largest = std::max(largest, std::abs(point->error));
+      if (largest > 0) curve.points.push_back({point->seconds, largest});
+    }
+    std::reverse(curve.points.begin(), curve.points.end());
+    if (!curve.points.empty()) request.curves.push_back(std::move(curve));
+  }
+  return request;
+}
+
+}  // namespace rollres

@@ -1,0 +1,253 @@
+#include "studies/evidence/random_accuracy.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "core/influence/passage_kernel.hpp"
+#include "studies/evidence/stability_scene.hpp"
+#include "studies/evidence/stability_trial.hpp"
+#include "studies/run/forked_work.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What a child process tells of one solution.
+struct JudgedNumbers {
+  Status status;
+  int contact_nodes;
+  double seconds, error_estimate, error, uncertainty;
+};
+static_assert(std::is_trivially_copyable_v<JudgedNumbers>);
+
+/// A scene in all ways to solve it.
+struct RandomScene {
+  std::size_t number;
+  RollingScene scene;
+  std::vector<RollingScene> ways;
+};
+
+RandomScene random_scene(const RandomAccuracyPlan& plan, Indenter indenter, std::size_t number) {
+  RandomScene random{number, stability_scene(indenter, plan.seed, number), {}};
+  random.scene.inertia = Inertia::off;  // errors of computing are wanted, of one model
+  // Every fourth scene without friction: other ways are taken there.
+  if (number % 4 == 3) {
+    random.scene.friction_coefficient = 0;
+    random.scene.drive = Drive::top_force;
+    random.scene.driving_torque.reset();
+    random.scene.rotation_ratio.reset();
+  }
+  const auto add = [&](Method method, std::optional<double> tolerance) {
+    RollingScene& scene = random.ways.emplace_back(random.scene);
+    scene.method = method;
+    scene.tolerance = tolerance;
+    if (tolerance) scene.spacing.reset();
+  };
+  if (indenter == Indenter::cylinder)
+    for (const double tolerance : plan.tolerances) add(Method::spectral, tolerance);
+  add(Method::newton, {});
+  add(Method::active_set, {});
+  for (const double tolerance : plan.tolerances) add(Method::newton, tolerance);
+  return random;
+}
+
+RollingSolution reference_of(const RandomScene& random, double tolerance, const Evaluate& evaluate) {
+  RollingScene scene = random.scene;
+  scene.spacing.reset();
+  scene.tolerance = 1e-10;
+  if (scene.indenter == Indenter::cylinder) {
+    scene.method = Method::spectral;
+    RollingSolution solution = evaluate(scene);
+    if (solution.status == Status::converged && solution.method == Method::spectral) return solution;
+  }
+  scene.method = Method::newton;
+  scene.tolerance = tolerance;
+  return evaluate(scene);
+}
+
+std::string judged_bytes(const RandomScene& random, double reference_tolerance, const Evaluate& evaluate) {
+  std::string bytes;
+  std::vector<JudgedNumbers> judged;
+  for (const RollingScene& scene : random.ways) {
+    forget_passage_kernels();
+    JudgedNumbers numbers{Status::not_converged,   0,
+                          RollingSolution::absent, RollingSolution::absent,
+                          RollingSolution::absent, RollingSolution::absent};
+    const auto begin = Clock::now();
+    const RollingSolution solution = evaluate(scene);
+    numbers.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    numbers.status = solution.status;
+    // A scene that its method leaves to another is not that method's.
+    if (solution.method != scene.method) numbers.status = Status::not_converged;
+    numbers.contact_nodes = solution.contact_nodes;
+    numbers.error_estimate = solution.error_estimate;
+    numbers.error = solution.rolling_resistance;  // until there is a reference
+    judged.push_back(numbers);
+  }
+  const bool any = std::any_of(judged.begin(), judged.end(),
+                               [](const JudgedNumbers& numbers) { return numbers.status == Status::converged; });
+  const RollingSolution reference = any ? reference_of(random, reference_tolerance, evaluate) : RollingSolution();
+  for (JudgedNumbers& numbers : judged) {
+    const bool known = reference.status == Status::converged;
+    numbers.error = known ? std::abs(numbers.error / reference.rolling_resistance - 1) : RollingSolution::absent;
+    numbers.uncertainty = known ? reference.error_estimate : RollingSolution::absent;
+    bytes.append(reinterpret_cast<const char*>(&numbers), sizeof numbers);
+  }
+  return bytes;
+}
+
+double quantile_of(std::vector<double> values, double part) {
+  if (values.empty()) return RollingSolution::absent;
+  std::sort(values.begin(), values.end());
+  const double place = std::ceil(part * static_cast<double>(values.size())) - 1;
+  return values[static_cast<std::size_t>(std::max(0.0, place))];
+}
+
+double share_of(std::size_t part, std::size_t whole) {
+  return whole == 0 ? RollingSolution::absent : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+constexpr double certain = 1.0 / 3;  // uncertainty of a reference, of what it judges
+constexpr double rounding = 1e-12;   // errors below mean nothing
+
+RandomAccuracyCount count_of(const std::vector<const JudgedSolution*>& way) {
+  RandomAccuracyCount count;
+  const RollingScene& scene = way.front()->scene;
+  count.method = scene.method;
+  count.indenter = scene.indenter;
+  count.tolerance = scene.tolerance.value_or(RollingSolution::absent);
+  std::vector<double> ratios, seconds, nodes;
+  std::size_t covered = 0, met = 0, certain_to_tolerance = 0;
+  for (const JudgedSolution* one : way) {
+    if (one->status != Status::converged) continue;
+    ++count.converged;
+    seconds.push_back(one->seconds);
+    nodes.push_back(one->contact_nodes);
+    if (scene.tolerance && one->uncertainty <= certain * *scene.tolerance) {
+      ++certain_to_tolerance;
+      if (one->error <= *scene.tolerance) ++met;
+    }
+    const double largest = std::max(one->error, rounding);
+    if (!(one->uncertainty <= certain * std::max(largest, one->error_estimate))) continue;
+    ++count.judged;
+    if (one->error <= one->error_estimate || one->error <= rounding) ++covered;
+    ratios.push_back(one->error_estimate / largest);
+  }
+  count.covered = share_of(covered, count.judged);
+  count.median_ratio = quantile_of(ratios, 0.5);
+  count.met = share_of(met, certain_to_tolerance);
+  count.median_seconds = quantile_of(seconds, 0.5);
+  count.seconds_95 = quantile_of(seconds, 0.95);
+  count.median_nodes = quantile_of(nodes, 0.5);
+  return count;
+}
+
+Cell number_cell(double value) { return std::isnan(value) ? Cell() : Cell(value); }
+
+}  // namespace
+
+RandomAccuracyReport measure_random_accuracy(const RandomAccuracyPlan& plan, const Evaluate& evaluate) {
+  const auto begin = Clock::now();
+  std::vector<RandomScene> scenes;
+  for (std::size_t i = 0; i < plan.cylinders; ++i) scenes.push_back(random_scene(plan, Indenter::cylinder, i));
+  for (std::size_t i = 0; i < plan.spheres; ++i) scenes.push_back(random_scene(plan, Indenter::sphere, i));
+  const double reference_tolerance = 0.2 * *std::min_element(plan.tolerances.begin(), plan.tolerances.end());
+  std::vector<std::vector<JudgedSolution>> judged(scenes.size());
+  SweepProgress progress{.to_solve = scenes.size(), .left = scenes.size()};
+
+  ForkedWork work{.pieces = scenes.size(), .jobs = plan.jobs, .time_limit = plan.time_limit};
+  work.stop = plan.stop;
+  work.work = [&](std::size_t piece) { return judged_bytes(scenes[piece], reference_tolerance, evaluate); };
+  work.done = [&](const PieceEnd& end) {
+    const RandomScene& random = scenes[end.piece];
+    for (std::size_t way = 0; way < random.ways.size(); ++way) {
+      JudgedSolution& one = judged[end.piece].emplace_back();
+      one.number = random.number;
+      one.scene = random.ways[way];
+      if (end.answer.size() < (way + 1) * sizeof(JudgedNumbers)) continue;  // its process ended before its time
+      JudgedNumbers numbers;
+      std::memcpy(&numbers, end.answer.data() + way * sizeof numbers, sizeof numbers);
+      one.status = numbers.status;
+      one.seconds = numbers.seconds;
+      one.contact_nodes = numbers.contact_nodes;
+      one.error_estimate = numbers.error_estimate;
+      one.error = numbers.error;
+      one.uncertainty = numbers.uncertainty;
+    }
+    ++progress.solved;
+    --progress.left;
+    if (end.answer.empty()) ++progress.failed;
+  };
+  if (plan.report)
+    work.tick = [&] {
+      progress.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      plan.report(progress);
+    };
+  run_forked(work);
+
+  RandomAccuracyReport report;
+  for (std::vector<JudgedSolution>& scene : judged) {
+    if (scene.empty()) report.interrupted = true;
+    report.solutions.insert(report.solutions.end(), scene.begin(), scene.end());
+  }
+  return report;
+}
+
+std::vector<RandomAccuracyCount> counts_of(const std::vector<JudgedSolution>& solutions) {
+  const auto same_way = [](const JudgedSolution& a, const JudgedSolution& b) {
+    return a.scene.indenter == b.scene.indenter && a.scene.method == b.scene.method &&
+           a.scene.tolerance == b.scene.tolerance;
+  };
+  std::vector<std::vector<const JudgedSolution*>> ways;
+  for (const JudgedSolution& one : solutions) {
+    const auto known =
+        std::find_if(ways.begin(), ways.end(), [&](const auto& way) { return same_way(*way.front(), one); });
+    (known == ways.end() ? ways.emplace_back() : *known).push_back(&one);
+  }
+  std::vector<RandomAccuracyCount> counts;
+  for (const auto& way : ways) counts.push_back(count_of(way));
+  return counts;
+}
+
+Table random_accuracy_table(const std::vector<RandomAccuracyCount>& counts) {
+  Table table{{"indenter", "method", "tolerance", "converged", "judged", "error <= estimate", "estimate/error",
+               "tolerance met", "median s", "95 % s", "median nodes"},
+              {}};
+  for (const RandomAccuracyCount& count : counts) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.emplace_back(std::string(name_of(count.indenter)));
+    row.emplace_back(std::string(name_of(count.method)));
+    row.push_back(number_cell(count.tolerance));
+    row.emplace_back(static_cast<std::int64_t>(count.converged));
+    row.emplace_back(static_cast<std::int64_t>(count.judged));
+    for (const double value :
+         {count.covered, count.median_ratio, count.met, count.median_seconds, count.seconds_95, count.median_nodes})
+      row.push_back(number_cell(value));
+  }
+  return table;
+}
+
+Table judged_table(const std::vector<JudgedSolution>& solutions) {
+  Table table{{"number"}, {}};
+  for (const std::string_view key : input_keys()) table.columns.emplace_back(key);
+  for (const char* name : {"status", "seconds", "contact_nodes", "error_estimate", "error", "uncertainty"})
+    table.columns.emplace_back(name);
+  for (const JudgedSolution& one : solutions) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.emplace_back(static_cast<std::int64_t>(one.number));
+    for (Cell& cell : input_cells(one.scene)) row.push_back(std::move(cell));
+    row.emplace_back(std::string(name_of(one.status)));
+    row.push_back(number_cell(one.seconds));
+    row.emplace_back(static_cast<std::int64_t>(one.contact_nodes));
+    for (const double value : {one.error_estimate, one.error, one.uncertainty}) row.push_back(number_cell(value));
+  }
+  return table;
+}
+
+}  // namespace rollres

@@ -1,0 +1,167 @@
+#include "studies/evidence/simpler_models.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/estimate/grid_choice.hpp"
+#include "core/material/material.hpp"
+#include "core/reference/reference_hunter.hpp"
+#include "core/reference/reference_solutions.hpp"
+#include "core/surface/contact_surface.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Below it inertia changes nothing that anybody sees.
+constexpr double unseen_inertia = 1e-8;
+
+class ModelsBeside {
+ public:
+  ModelsBeside(const RollingScene& scene, const RollingSolution& solution, const Evaluate& evaluate)
+      : scene_(scene), solution_(solution), evaluate_(evaluate) {}
+
+  std::vector<SimplerModel> run() {
+    without_friction();
+    without_layers();
+    inertia();
+    if (!is_composite(scene_) && !scene_.period) closed_forms();
+    return std::move(models_);
+  }
+
+ private:
+  RollingSolution solve(const std::string& name, const std::function<void(RollingScene&)>& change) {
+    RollingScene simpler = scene_;
+    change(simpler);
+    const RollingSolution answer = evaluate_(simpler);
+    const bool converged = answer.status == Status::converged;
+    models_.push_back(
+        {name, converged ? answer.rolling_resistance : RollingSolution::absent, answer.error_estimate, answer.seconds});
+    return answer;
+  }
+
+  static void smooth(RollingScene& scene) {
+    scene.friction_coefficient = 0;
+    scene.drive = Drive::top_force;
+    scene.driving_torque.reset();
+    scene.rotation_ratio.reset();
+  }
+
+  void without_friction() {
+    if (scene_.friction_coefficient > 0) solve("without friction", smooth);
+  }
+
+  void without_layers() {
+    const bool approach_needed = scene_.approach && scene_.indenter == Indenter::cylinder;
+    if (!scene_.lower_layers.empty())
+      solve_like("the first layer on a rigid base", [](RollingScene& s) { s.lower_layers.clear(); });
+    if (std::isfinite(scene_.layer_thickness) && !approach_needed && !scene_.period)
+      solve_like("a half-space of the first layer", [](RollingScene& s) {
+        s.layer_thickness = INFINITY;
+        s.lower_layers.clear();
+      });
+    if (!scene_.coating_layers.empty())
+      solve_like("without coating", [](RollingScene& s) { s.coating_layers.clear(); });
+  }
+
+  /// A model whose contact would be of quite another size tells nothing, and may take long.
+  void solve_like(const std::string& name, const std::function<void(RollingScene&)>& change) {
+    constexpr double widest_ratio = 5;
+    RollingScene simpler = scene_;
+    change(simpler);
+    const double ratio = estimate_contact(simpler).half_width / estimate_contact(scene_).half_width;
+    if (ratio > 1 / widest_ratio && ratio < widest_ratio) solve(name, change);
+  }
+
+  void inertia() {
+    const double number = rayleigh_number(scene_);
+    const bool included = inertia_included(scene_);
+    if (!included && (scene_.method == Method::spectral || number < unseen_inertia || number >= 1)) return;
+    RollingScene other = scene_;
+    other.inertia = included ? Inertia::off : Inertia::on;
+    if (check(other).empty()) solve(included ? "without inertia" : "with inertia", [&](RollingScene& s) { s = other; });
+  }
+
+  void closed_forms() {
+    const CreepSpectrum creep = creep_spectrum(scene_);
+    double weighted = 0;  // tau' = sum J_m tau_m / J0
+    for (const CreepSpectrum::Term& term : creep.terms) weighted += term.compliance * term.time;
+    const double load = solution_.load;
+    const auto add = [&](const std::string& name, double value) { models_.push_back({name, value, 0, 0}); };
+    add("the limit of slow rolling",
+        slow_rolling_resistance(load, scene_.radius, scene_.speed, weighted / creep.at_rest()));
+    if (scene_.material != MaterialModel::zener) return;
+    if (scene_.stiffening > 0 && !std::isnan(solution_.approach)) fast_limit();
+    if (scene_.indenter == Indenter::cylinder && scene_.poisson_ratio == 0.5)
+      add("Hunter's half-space",
+          hunter_line(scene_.radius, load, static_modulus(scene_), scene_.stiffening, scene_.creep_time, scene_.speed)
+              .rolling_resistance);
+  }
+
+  void fast_limit() {
+    RollingScene glassy = scene_;
+    smooth(glassy);
+    glassy.static_shear_modulus = static_modulus(scene_) * (1 + scene_.stiffening);
+    glassy.static_young_modulus.reset();
+    glassy.stiffening = 0;
+    glassy.material = MaterialModel::elastic;
+    const RollingSolution elastic = evaluate_(glassy);
+    if (elastic.status != Status::converged) return;
+    const SurfaceGrid& grid = elastic.fields.grid;
+    double pressure = 0, square = 0;
+    for (int node = 0; node < grid.size(); ++node) {
+      const double x = grid.x(node % grid.columns), p = elastic.fields.pressure[static_cast<std::size_t>(node)];
+      pressure += p;
+      square += p * x * x;
+    }
+    models_.push_back({"the limit of fast rolling",
+                       fast_rolling_resistance(elastic.load, elastic.approach, square / pressure, scene_.radius,
+                                               scene_.speed, fast_loss_time(scene_.stiffening, scene_.creep_time)),
+                       elastic.error_estimate, elastic.seconds});
+  }
+
+  const RollingScene& scene_;
+  const RollingSolution& solution_;
+  const Evaluate& evaluate_;
+  std::vector<SimplerModel> models_;
+};
+
+std::string percent(double value) { return std::isfinite(value) ? short_number(100 * value, 2) + " %" : "-"; }
+
+}  // namespace
+
+std::vector<SimplerModel> simpler_models(const RollingScene& scene, const RollingSolution& solution,
+                                         const Evaluate& evaluate) {
+  return ModelsBeside(scene, solution, evaluate).run();
+}
+
+std::string simpler_models_text(const RollingScene& scene, const RollingSolution& solution,
+                                const std::vector<SimplerModel>& models) {
+  std::string_view unit = scene.indenter == Indenter::sphere ? "N" : "N/m";
+  const double full = solution.rolling_resistance;
+  std::vector<std::vector<std::string>> rows{{"model", "R_r", "off by", "own error", "seconds", ""}};
+  rows.push_back(
+      {"this one", readable(full, unit), "", percent(solution.error_estimate), short_number(solution.seconds, 2), ""});
+  for (const SimplerModel& model : models) {
+    const double off = model.rolling_resistance / full - 1;
+    rows.push_back({model.name, readable(model.rolling_resistance, unit), percent(off),
+                    model.seconds > 0 ? percent(model.error_estimate) : "",
+                    model.seconds > 0 ? short_number(model.seconds, 2) : "closed form",
+                    scene.tolerance && std::abs(off) <= *scene.tolerance ? "within the tolerance" : ""});
+  }
+  std::string text = "simpler models\n";
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  for (const auto& row : rows) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i < row.size(); ++i) line += padded(row[i], widths[i] + 2);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+}  // namespace rollres

@@ -1,0 +1,114 @@
+#include "studies/figures/figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+
+#include "core/scene/quantity.hpp"
+#include "studies/figures/figure_drawings.hpp"
+
+namespace rollres {
+
+namespace {
+
+using DrawFigure = FigureText (*)(const Figure&, const FigureSource&, const ChartFiles&);
+
+constexpr Indenter cylinder = Indenter::cylinder, sphere = Indenter::sphere;
+
+constexpr std::array<Figure, 13> figures{{
+    {3, "displacements", cylinder, false, "Displacements of the layer's surface"},
+    {4, "tractions", cylinder, false, "Tractions on the layer"},
+    {5, "zones", sphere, false, "Stick and slip"},
+    {6, "sigma_z", sphere, false, "Normal traction on the layer"},
+    {7, "tau_xz", sphere, true, "Shear traction along the motion"},
+    {8, "tau_xz_surface", sphere, true, "Shear traction along the motion"},
+    {9, "tau_yz", sphere, true, "Shear traction across the motion"},
+    {10, "w", sphere, false, "Vertical displacement of the surface"},
+    {11, "u", sphere, false, "Displacement along the motion"},
+    {12, "u_surface", sphere, false, "Displacement along the motion"},
+    {13, "v", sphere, false, "Displacement across the motion"},
+    {14, "friction", sphere, true, "Friction on the layer"},
+    {15, "velocity", sphere, false, "Velocity of the layer's surface"},
+}};
+
+DrawFigure drawing_of(int number) {
+  switch (number) {
+    case 3:
+      return displacement_lines;
+    case 4:
+      return traction_lines;
+    case 5:
+      return zone_map;
+    case 8:
+    case 12:
+      return relief;
+    case 14:
+      return friction_arrows;
+    case 15:
+      return velocity_arrows;
+    default:
+      return contour_map;
+  }
+}
+
+const Figure& figure_named(const std::string& wish) {
+  int number = 0;
+  const char* const end = wish.data() + wish.size();
+  const bool is_number = std::from_chars(wish.data(), end, number).ptr == end;
+  std::vector<std::string_view> names;
+  for (const Figure& figure : figures) {
+    if ((is_number && figure.number == number) || figure.name == wish) return figure;
+    names.push_back(figure.name);
+  }
+  const std::string nearest = is_number ? "" : nearest_name(names, wish);
+  throw std::invalid_argument("--figure = " + wish + ": no such figure" +
+                              (nearest.empty() ? "; there are 3 to 15" : "; did you mean " + nearest + "?"));
+}
+
+/// Why a scene has no such figure; empty if it has.
+std::string hindrance(const Figure& figure, const RollingScene& scene) {
+  if (figure.indenter != scene.indenter)
+    return "a figure of a " + std::string(name_of(figure.indenter)) +
+           ", and indenter = " + std::string(name_of(scene.indenter));
+  if (figure.of_friction && scene.friction_coefficient == 0) return "friction_coefficient = 0 leaves it empty";
+  return {};
+}
+
+}  // namespace
+
+FigureSource::FigureSource(const RollingScene& given_scene, const RollingSolution& given_solution)
+    : scene(given_scene),
+      solution(given_solution),
+      surface(surface_around(scene, solution, figure_margin)),
+      velocity(surface_velocity(scene, surface)) {}
+
+std::string Figure::file_name() const {
+  return "figure_" + std::string(number < 10 ? "0" : "") + std::to_string(number) + "_" + std::string(name);
+}
+
+std::span<const Figure> all_figures() { return figures; }
+
+std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std::string>& wishes) {
+  std::vector<Figure> wanted;
+  for (const std::string& wish : wishes) {
+    const Figure& figure = figure_named(wish);
+    if (const std::string why = hindrance(figure, scene); !why.empty())
+      throw std::invalid_argument("--figure = " + wish + ": " + why);
+    if (std::none_of(wanted.begin(), wanted.end(), [&](const Figure& other) { return other.number == figure.number; }))
+      wanted.push_back(figure);
+  }
+  if (wishes.empty())
+    std::copy_if(figures.begin(), figures.end(), std::back_inserter(wanted),
+                 [&](const Figure& figure) { return hindrance(figure, scene).empty(); });
+  return wanted;
+}
+
+ChartFiles draw_figure(const Figure& figure, const FigureSource& source, const std::filesystem::path& directory) {
+  const ChartFiles files = chart_files(directory / figure.file_name());
+  const FigureText text = drawing_of(figure.number)(figure, source, files);
+  draw_pictures(files, text.data, text.script);
+  return files;
+}
+
+}  // namespace rollres

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "studies/drawing/gnuplot.hpp"
+#include "studies/figures/figure_drawings.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// One line of a figure over x, by the nodes of the window.
+struct FieldLine {
+  std::string_view symbol;            // in the data; of lines that follow each other and look alike one is explained
+  const std::vector<double>& values;  // [SI]
+  double factor;                      // by which they are multiplied
+  std::string look;
+};
+
+/// Whether the edges of the contact are known better than its nodes tell.
+bool exact_edges(const FigureSource& source) { return source.solution.method == Method::spectral; }
+
+/// Runs of neighbouring nodes of one zone, from border to border [m].
+std::vector<std::array<double, 2>> runs_of(Zone zone, const FigureSource& source) {
+  const SurfaceFields& fields = source.surface;
+  const double half = 0.5 * fields.grid.spacing_x;
+  std::vector<std::array<double, 2>> runs;
+  for (int i = 0; i < fields.grid.columns; ++i) {
+    if (fields.zone[static_cast<std::size_t>(i)] != zone) continue;
+    const bool goes_on = i > 0 && fields.zone[static_cast<std::size_t>(i - 1)] == zone;
+    if (!goes_on) runs.push_back({fields.grid.x(i) - half, 0});
+    runs.back()[1] = fields.grid.x(i) + half;
+  }
+  if (exact_edges(source))
+    for (auto& [from, to] : runs) {
+      if (std::abs(from - source.solution.trailing_edge) < 2 * half) from = source.solution.trailing_edge;
+      if (std::abs(to - source.solution.leading_edge) < 2 * half) to = source.solution.leading_edge;
+    }
+  return runs;
+}
+
+/// What one figure shows.
+struct LinePlot {
+  std::vector<FieldLine> lines;
+  std::string y_name;
+  ScaledUnit unit;             // of the lines
+  double from, to;             // along x [m]
+  bool zero_at_edges = false;  // the lines are zero at the edges of the contact and beyond
+};
+
+FigureText line_figure(const Figure& figure, const FigureSource& source, const ChartFiles& files,
+                       const LinePlot& plot) {
+  const std::vector<FieldLine>& lines = plot.lines;
+  const ScaledUnit& unit = plot.unit;
+  const double from = plot.from, to = plot.to;
+  const SurfaceGrid& grid = source.surface.grid;
+  const ScaledUnit length = scaled_unit("m", std::max(std::abs(from), std::abs(to)));
+  Span x{from / length.factor, to / length.factor}, y;
+  y.include(0);
+  std::string columns = with_unit("x", length);
+  for (const FieldLine& line : lines) columns += ", " + with_unit(line.symbol, unit);
+  std::vector<DataRow> rows;
+  const auto add = [&](double place, Zone zone, const auto& value) {
+    DataRow row{place / length.factor};
+    for (const FieldLine& line : lines) {
+      row.push_back(line.factor * value(line.values) / unit.factor + 0.0);
+      y.include(row.back());
+    }
+    row.push_back(static_cast<double>(zone));
+    rows.push_back(std::move(row));
+  };
+  for (int i = 0; i < grid.columns; ++i) {
+    if (grid.x(i) < from || grid.x(i) > to) continue;
+    const auto node = static_cast<std::size_t>(i);
+    add(grid.x(i), source.surface.zone[node], [&](const std::vector<double>& values) { return values[node]; });
+  }
+  if (plot.zero_at_edges && exact_edges(source)) {
+    for (const double edge : {source.solution.trailing_edge, source.solution.leading_edge})
+      add(edge, Zone::free, [](const std::vector<double>&) { return 0.0; });
+    std::sort(rows.begin(), rows.end());
+  }
+  FigureData data(figure.title);
+  const std::string block = data.add("fields", columns + ", zone (0 free, 1 stick, 2 slip)", rows);
+
+  // The bar of stick and slip stands below all lines.
+  const double range = y.highest - y.lowest, bar_top = y.lowest - 0.06 * range, bar_bottom = y.lowest - 0.13 * range;
+  y.lowest -= 0.19 * range;
+  y.highest += 0.06 * range;
+
+  std::ostringstream script;
+  write_axes(script, files, {.name = "along the motion", .symbol = "x", .unit = length.name}, x,
+             {.name = plot.y_name, .symbol = "", .unit = unit.name}, y);
+  script << "set arrow from graph 0, first 0 to graph 1, first 0 nohead lw 0.8 lc rgb '#444444' back\n\n";
+  std::vector<std::string> plots;
+  std::vector<LegendEntry> legend;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    plots.push_back(block + " using 1:" + std::to_string(i + 2) + " with lines " + lines[i].look + " notitle");
+    if (i + 1 < lines.size() && lines[i + 1].look == lines[i].look) continue;
+    legend.push_back(
+        {"lines " + lines[i].look, gnuplot::symbol(lines[i].symbol) + kept_blanks, width(lines[i].symbol)});
+  }
+  const auto bar = [&](Zone zone, const std::string& look) {
+    std::vector<DataRow> boxes;
+    for (const auto& [begin, end] : runs_of(zone, source))
+      boxes.push_back({0.5 * (begin + end) / length.factor, 0.5 * (bar_bottom + bar_top), begin / length.factor,
+                       end / length.factor, bar_bottom, bar_top});
+    if (boxes.empty()) return;
+    const std::string name(name_of(zone));
+    plots.push_back(data.add(name, "middle, height, from, to, below, above", boxes) +
+                    " using 1:2:3:4:5:6 with boxxyerror " + look + " notitle");
+    legend.push_back({"boxes " + look, name + kept_blanks, name.size()});
+  };
+  bar(Zone::stick, "lc rgb '#0072B2' fs solid 0.45 border lc rgb '#0072B2'");
+  bar(Zone::slip, "lc rgb '#D55E00' fs pattern 4 border lc rgb '#D55E00'");
+  write_pictures(script, files, std::string(figure.title), plots, legend);
+  return {script.str(), data.text()};
+}
+
+}  // namespace
+
+FigureText displacement_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+  const SurfaceFields& fields = source.surface;
+  const SurfaceGrid& grid = fields.grid;
+  // Under a line load on a half-space only differences of w have a meaning.
+  const bool relative = std::isinf(source.scene.layer_thickness);
+  std::vector<double> w = fields.w;
+  if (relative) {
+    const auto edge = std::lround((source.solution.leading_edge - grid.x(0)) / grid.spacing_x);
+    for (double& value : w) value -= fields.w[static_cast<std::size_t>(edge)];
+  }
+  return line_figure(figure, source, files,
+                     {.lines = {{"u", fields.u, 1, "lw 2.5 lc rgb '#0072B2'"},
+                                {relative ? "w - w(x+)" : "w", w, 1, "lw 2.5 dt (12,4) lc rgb '#D55E00'"}},
+                      .y_name = "displacement",
+                      .unit = figure_unit("m", std::max(largest(fields.u), largest(w))),
+                      .from = grid.x(0),
+                      .to = grid.x(grid.columns - 1)});
+}
+
+FigureText traction_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+  const SurfaceFields& fields = source.surface;
+  const RollingSolution& s = source.solution;
+  const double room = 0.3 * 0.5 * (s.leading_edge - s.trailing_edge), friction = source.scene.friction_coefficient;
+  LinePlot plot{.lines = {{"σ_z", fields.pressure, -1, "lw 2.5 dt (12,4) lc rgb '#D55E00'"}},
+                .y_name = "traction on the layer",
+                .unit = figure_unit("Pa", largest(fields.pressure)),
+                .from = s.trailing_edge - room,
+                .to = s.leading_edge + room,
+                .zero_at_edges = true};
+  if (friction > 0) {
+    const std::string bound = "lw 1.5 dt (2,3) lc rgb '#444444'";
+    plot.lines.push_back({"τ_xz", fields.shear_x, 1, "lw 2.5 lc rgb '#0072B2'"});
+    plot.lines.push_back({"-μσ_z", fields.pressure, friction, bound});
+    plot.lines.push_back({"±μσ_z", fields.pressure, -friction, bound});
+  }
+  return line_figure(figure, source, files, plot);
+}
+
+}  // namespace rollres

@@ -1,0 +1,148 @@
+#include "studies/file_schema/json_schema.hpp"
+
+#include <vector>
+
+#include "core/scene/solution.hpp"
+#include "studies/file_schema/schema_parts.hpp"
+#include "studies/scene_io/master_curve_file.hpp"
+#include "studies/scene_io/scene_entries.hpp"
+#include "studies/study/sampling.hpp"
+#include "studies/study/study_keys.hpp"
+#include "studies/study/study_wishes.hpp"
+
+namespace rollres {
+
+using namespace json_schema;
+
+namespace {
+
+/// What several keys of a scene ask of each other.
+Json joint_rules() {
+  Json rules = Json::array();
+  for (const InputKind& kind : input_kinds())
+    if (kind.optional)
+      for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
+        if (kind.quantity.key < other) rules.push_back({{"not", {{"required", {kind.quantity.key, other}}}}});
+  const InputKind& material = *find_input("material");
+  // One of two sets of keys.
+  const auto either = [](const Json& one, const Json& other) {
+    Json ways = Json::array();
+    for (const Json& keys : {one, other}) ways.push_back({{"required", keys}});
+    return Json{{"anyOf", ways}};
+  };
+  for (std::size_t i = 0; i < material.choices.size(); ++i) {
+    const std::string name(material.choices[i]);
+    const auto model = static_cast<MaterialModel>(i);
+    Json needed = Json::array(), wanted = Json::array();
+    for (const InputKind& kind : input_kinds())
+      if (kind.needed_by(model)) needed.push_back(kind.quantity.key);
+    if (model == MaterialModel::master_curve)
+      wanted.push_back(either(needed, Json::array({master_curve_key})));
+    else if (!needed.empty())
+      wanted.push_back({{"required", needed}});
+    if (needs_static_modulus(model))
+      wanted.push_back(either(Json::array({"static_shear_modulus"}), Json::array({"static_young_modulus"})));
+    Json chosen{{"properties", {{"material", {{"const", name}}}}}};
+    if (material.default_value != InputValue(name)) chosen["required"] = {"material"};
+    rules.push_back({{"if", chosen}, {"then", {{"allOf", wanted}}}});
+  }
+  return rules;
+}
+
+constexpr const char* interval_name = "interval";
+constexpr const char* range_name = "range";
+constexpr const char* chart_name = "chart of a study";
+
+/// A list, or an interval where the input is a number.
+Json axis(const InputKind& kind) {
+  const Json list = list_of(input_reference(kind));
+  return kind.choices.empty() ? Json{{"anyOf", {list, reference(interval_name)}}} : list;
+}
+
+Json axes() {
+  Json schema = inputs_and_layers(axis, no_list);
+  Json together = schema;
+  together["minProperties"] = 2;
+  schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}}, {"zip"});
+  schema["minProperties"] = 1;
+  return schema;
+}
+
+Json sample() {
+  Json ranges = inputs_and_layers([](const InputKind&) { return reference(range_name); }, real_input);
+  ranges["minProperties"] = 1;
+  return object_of(sample_keys,
+                   {{"method", names(ChoiceNames<SampleMethod>::names)},
+                    {"points", whole(1, most_points)},
+                    {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 0}}},
+                    {"ranges", ranges}},
+                   {"method", "points", "ranges"});
+}
+
+Json interval() {
+  return object_of(interval_keys,
+                   {{"from", input_number()},
+                    {"to", input_number()},
+                    {"points", whole(2, most_points)},
+                    {"spacing", names(spacing_names)}},
+                   {"from", "to", "points"});
+}
+
+Json range() {
+  return object_of(range_keys, {{"from", input_number()}, {"to", input_number()}, {"spacing", names(spacing_names)}},
+                   {"from", "to"});
+}
+
+Json chart() {
+  const Json numbers = names(number_outputs()), varied = input_key(any_input);
+  return object_of(chart_keys,
+                   {{"name", name()},
+                    {"x", {{"anyOf", {varied, numbers}}}},
+                    {"y", {{"anyOf", {varied, numbers}}}},
+                    {"family", varied},
+                    {"map", numbers}},
+                   {});
+}
+
+}  // namespace
+
+std::string scene_schema() {
+  Json schema{{"$schema", draft}, {"title", "scene of rollres"}};
+  schema.update(inputs(input, any_input));
+  Json properties = scene_texts();
+  properties.update(schema["properties"]);
+  schema["properties"] = properties;
+  schema["required"] = Json::array();
+  for (const InputKind& kind : input_kinds())
+    if (kind.needed_by_all()) schema["required"].push_back(kind.quantity.key);
+  schema["allOf"] = joint_rules();
+  schema["definitions"] = common_definitions();
+  return printed(schema);
+}
+
+std::string study_schema() {
+  Json schema{{"$schema", draft}, {"title", "study of rollres"}};
+  schema.update(object_of(study_keys,
+                          {{"$schema", text()},
+                           {"study", name()},
+                           {"comment", text()},
+                           {"scene", scene_or_file()},
+                           {"set", inputs_and_layers(input_reference, any_input)},
+                           {"axes", axes()},
+                           {"sample", sample()},
+                           {"constraints", list_of(name())},
+                           {"compute", list_of(names(output_keys()))},
+                           {"fields", boolean(false)},
+                           {"chart", {{"allOf", {reference(chart_name)}}}},
+                           {"charts", list_of(reference(chart_name))}},
+                          {"study", "scene"}));
+  schema["anyOf"] = {{{"required", {"axes"}}}, {{"required", {"sample"}}}};
+  schema["not"] = {{"required", {"chart", "charts"}}};
+  Json& definitions = schema["definitions"] = input_definitions();
+  definitions[interval_name] = interval();
+  definitions[range_name] = range();
+  definitions[chart_name] = chart();
+  return printed(schema);
+}
+
+}  // namespace rollres

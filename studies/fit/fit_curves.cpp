@@ -1,0 +1,123 @@
+#include "studies/fit/fit_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/scene/scene_input.hpp"
+#include "db/rows/result_store.hpp"
+#include "fitting/errors/statistics.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/key_words.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+double input_number(const RollingScene& scene, std::string_view key) {
+  double number = RollingSolution::absent;
+  visit_input(scene, key, [&](const Quantity&, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, double>)
+      number = value;
+    else if constexpr (std::is_same_v<Value, std::optional<double>>)
+      number = value.value_or(RollingSolution::absent);
+  });
+  return number;
+}
+
+bool is_number(const std::string& key) { return find_input(key)->choices.empty() && !find_input(key)->list; }
+
+std::string horizontal(const FitFile& file) {
+  const auto& varying = file.varying;
+  if (varying.empty() || std::find(varying.begin(), varying.end(), "speed") != varying.end()) return "speed";
+  const auto found = std::find_if(varying.begin(), varying.end(), is_number);
+  return found == varying.end() ? "speed" : *found;
+}
+
+/// "P = 20 kN/m, R = 0.1 m", with the data set where there are several.
+std::string label_of(const FitFile& file, const MeasuredScene& row, const std::string& x) {
+  std::string label;
+  for (const std::string& key : file.varying) {
+    if (key == x || !is_number(key)) continue;
+    const Quantity& quantity = find_input(key)->quantity;
+    label += (label.empty() ? "" : ", ") + std::string(quantity.symbol.empty() ? quantity.key : quantity.symbol) +
+             " = " + readable(input_number(row.scene, key), quantity.unit_for(file.indenter()));
+  }
+  const bool several = std::any_of(file.scenes.begin(), file.scenes.end(),
+                                   [&](const MeasuredScene& other) { return other.set != row.set; });
+  return several ? row.set + (label.empty() ? "" : ", " + label) : label;
+}
+
+}  // namespace
+
+FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluate& evaluate, int jobs) {
+  const std::string x = horizontal(file);
+  const Quantity& quantity = find_input(x)->quantity;
+  const Quantity output = real_output(file.output);
+  FitCurves answer{{.name = in_words(x),
+                    .symbol = std::string(symbol_beside_name(quantity)),
+                    .unit = std::string(quantity.unit_for(file.indenter()))},
+                   {.name = in_words(output.key),
+                    .symbol = std::string(output.symbol),
+                    .unit = std::string(output.unit_for(file.indenter()))},
+                   {}};
+  std::map<std::string, std::size_t> places;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (std::size_t i = 0; i < file.scenes.size(); ++i) {
+    const MeasuredScene& row = file.scenes[i];
+    RollingScene same = row.scene;
+    set_input(same, x, 1.0);
+    const auto [place, fresh] = places.try_emplace(evaluation_key(same) + row.set, answer.curves.size());
+    if (fresh) answer.curves.push_back({.label = label_of(file, row, x)});
+    const double value = input_number(row.scene, x);
+    answer.curves[place->second].data_x.push_back(value);
+    answer.curves[place->second].data.push_back(i);
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  constexpr double wide = 20;
+  answer.x.logarithmic = lowest > 0 && highest > wide * lowest;
+  const auto [least, most] = std::minmax_element(
+      file.scenes.begin(), file.scenes.end(),
+      [](const MeasuredScene& a, const MeasuredScene& b) { return a.measured.value < b.measured.value; });
+  answer.y.logarithmic = least->measured.value > 0 && most->measured.value > wide * least->measured.value;
+
+  std::vector<FitParameter> parameters;
+  for (const FittedParameter& fitted : report.parameters) parameters.push_back(fitted.parameter);
+  const double quantile = two_sided_quantile(confidence, report.deviations_known ? 0 : report.degrees);
+  constexpr int pieces = 40;
+  for (FitCurve& curve : answer.curves) {
+    const auto [from, to] = std::minmax_element(curve.data_x.begin(), curve.data_x.end());
+    std::vector<MeasuredScene> scenes;
+    for (int i = 0; i <= pieces && *to > *from; ++i) {
+      MeasuredScene between = file.scenes[curve.data.front()];
+      const double part = static_cast<double>(i) / pieces;
+      const double value = answer.x.logarithmic ? *from * std::pow(*to / *from, part) : *from + part * (*to - *from);
+      set_input(between.scene, x, value);
+      scenes.push_back(between);
+    }
+    if (scenes.empty()) continue;
+    const FitProblem problem =
+        resistance_problem(scenes, file.inputs, parameters, evaluate, {.output = file.output, .jobs = jobs});
+    const Prediction prediction = problem.predict(report.point());
+    const Slopes slopes = prediction.found() ? problem.differentiate(report.point(), prediction) : Slopes{};
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      if (!std::isfinite(prediction.values[row])) continue;
+      double variance = 0;
+      if (slopes.found() && slopes.derivatives.rows() > 0)
+        for (Eigen::Index j = 0; j < slopes.derivatives.cols(); ++j)
+          for (Eigen::Index k = 0; k < slopes.derivatives.cols(); ++k)
+            if (const double covariance = report.errors.covariance(j, k); std::isfinite(covariance))
+              variance += slopes.derivatives(row, j) * covariance * slopes.derivatives(row, k);
+      curve.x.push_back(input_number(scenes[i].scene, x));
+      curve.value.push_back(prediction.values[row]);
+      curve.band.push_back(quantile * std::sqrt(std::max(variance, 0.0)));
+    }
+  }
+  return answer;
+}
+
+}  // namespace rollres

@@ -1,0 +1,370 @@
+#include "studies/fit/fit_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "core/scene/scene_input.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "db/file/digest.hpp"
+#include "db/rows/result_store.hpp"
+#include "fitting/fit/closed_form_start.hpp"
+#include "studies/fit/fit_keys.hpp"
+#include "studies/scene_io/scene_entries.hpp"
+#include "studies/study/study_scene.hpp"
+#include "studies/text/measured_table.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/units.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// One data set as it was given.
+struct GivenSet {
+  std::string name;
+  std::string file;  // beside the fit's file
+  std::vector<SceneEntry> set = {};
+  std::optional<Json> sigma = {};
+  std::string place;
+};
+
+/// A parameter before units and rules.
+struct GivenParameter {
+  std::string key, place, set;
+  std::optional<Json> start = {}, lowest = {}, highest = {};
+  std::optional<bool> logarithmic = {};
+  bool fixed = false;
+};
+
+constexpr const char* parameter_rule = "must be a start, or an object with start, lowest, highest, scale, fixed, data";
+
+GivenParameter given_parameter(const std::string& key, const Json& value, const std::string& fit_place) {
+  const std::string place = fit_place + ": parameters";
+  const InputKind* const kind = find_input(key);
+  if (!kind) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
+  if (!kind->real()) refuse(place, key, value, "must be an input that is a real number");
+  GivenParameter given{.key = key, .place = place + ": " + key, .set = ""};
+  if (value.is_number() || value.is_string()) {
+    given.start = value;
+    return given;
+  }
+  if (!value.is_object()) refuse(place, key, value, parameter_rule);
+  refuse_unknown_keys(value, fit_parameter_keys, given.place);
+  const auto take = [&](const char* name, std::optional<Json>& target) {
+    if (const auto found = value.find(name); found != value.end()) target = *found;
+  };
+  take("start", given.start);
+  take("lowest", given.lowest);
+  take("highest", given.highest);
+  if (const auto scale = value.find("scale"); scale != value.end()) {
+    if (*scale != "logarithmic" && *scale != "linear")
+      refuse(given.place, "scale", *scale, "must be one of logarithmic, linear");
+    given.logarithmic = *scale == "logarithmic";
+  }
+  if (const auto fixed = value.find("fixed"); fixed != value.end()) {
+    if (!fixed->is_boolean()) refuse(given.place, "fixed", *fixed, "must be true or false");
+    given.fixed = fixed->get<bool>();
+  }
+  if (const auto set = value.find("data"); set != value.end()) {
+    if (!set->is_string()) refuse(given.place, "data", *set, "must be the name of a data set");
+    given.set = set->get<std::string>();
+  }
+  return given;
+}
+
+GivenSet given_set(const Json& value, const std::filesystem::path& fit_file, const std::string& fit_place) {
+  const std::string place = fit_place + ": data";
+  const auto beside = [&](const std::string& file) { return (fit_file.parent_path() / file).string(); };
+  if (value.is_string() && !value.get_ref<const std::string&>().empty()) {
+    const auto file = value.get<std::string>();
+    return {.name = std::filesystem::path(file).stem().string(), .file = beside(file), .place = place};
+  }
+  if (!value.is_object()) refuse(fit_place, "data", value, "must be the name of a CSV file, an object or a list");
+  refuse_unknown_keys(value, data_set_keys, place);
+  const std::string file = needed_text(value, "file", place, "must be the name of a CSV file");
+  GivenSet given{.name = std::filesystem::path(file).stem().string(), .file = beside(file), .place = place};
+  if (value.contains("name")) given.name = needed_text(value, "name", place, "must be a name");
+  given.set = set_entries(value, place);
+  if (const auto sigma = value.find("sigma"); sigma != value.end()) given.sigma = *sigma;
+  return given;
+}
+
+std::vector<GivenSet> given_sets(const Json& fit, const std::filesystem::path& file, const std::string& place) {
+  const Json& data = needed(fit, "data", place, "must be the name of a CSV file, an object or a list");
+  std::vector<GivenSet> sets;
+  if (data.is_array() && !data.empty())
+    for (const Json& item : data) sets.push_back(given_set(item, file, place));
+  else
+    sets.push_back(given_set(data, file, place));
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (sets[i].name == sets[j].name)
+        throw std::invalid_argument(place + ": data: name = \"" + sets[i].name + "\": given twice");
+  return sets;
+}
+
+/// A standard deviation: of its own, or relative to the measured value.
+struct Sigma {
+  double value;
+  bool relative;
+  double of(double measured) const { return relative ? value * std::abs(measured) : value; }
+};
+
+std::optional<double> percentage(const std::string& text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  const auto number = plain_number(text.substr(0, text.size() - 1));
+  return number ? std::optional(*number / 100) : std::nullopt;
+}
+
+Sigma given_sigma(const Json& value, std::string_view unit, const std::string& place) {
+  const std::string rule = "must be > 0: a percentage (\"2 %\"), or have " + unit_in_words(unit);
+  Sigma sigma{0, false};
+  if (value.is_number()) {
+    sigma.value = value.get<double>();
+  } else if (value.is_string()) {
+    const auto& text = value.get_ref<const std::string&>();
+    if (const auto part = percentage(text))
+      sigma = {*part, true};
+    else
+      try {
+        sigma.value = si_value(text, unit);
+      } catch (const std::invalid_argument&) {
+        refuse(place, "sigma", value, rule);
+      }
+  }
+  if (!(sigma.value > 0)) refuse(place, "sigma", value, rule);
+  return sigma;
+}
+
+/// A cell of an input's column.
+SceneEntry entry_of(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row) {
+  const std::string& cell = column.cells[row];
+  const InputKind& kind = *find_input(column.name);
+  SceneEntry entry{column.name, cell, table.place(row)};
+  if (!kind.choices.empty() || (kind.quantity.range.infinity_allowed && cell == "infinite")) return entry;
+  const bool dimensionless = kind.quantity.unit == "1";
+  if (cell.empty() || !plain_number(cell) || dimensionless || column.unit.empty())
+    entry.value = measured_number(table, column, row, dimensionless ? "1" : kind.quantity.unit);
+  else
+    entry.value = cell + " " + column.unit;  // its unit may depend on the body
+  return entry;
+}
+
+void refuse_unknown_columns(const MeasuredTable& table, const std::string& output) {
+  for (const MeasuredColumn& column : table.columns) {
+    std::vector<std::string_view> known = keys_like(column.name);
+    std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
+    for (const std::string_view name : {std::string_view(output), std::string_view("sigma"), std::string_view("note")})
+      known.push_back(name);
+    if (find_name(known, column.name) < 0)
+      throw std::invalid_argument(table.file + ": " + column.name + ": " +
+                                  unknown("unknown column", known, column.name));
+  }
+  if (!table.find(output)) throw std::invalid_argument(table.file + ": has no column " + output);
+}
+
+/// Whether the scene has smooth answers without its spacing.
+bool smooth_without_spacing(const RollingScene& scene) {
+  if (!scene.spacing) return false;
+  if (scene.indenter == Indenter::sphere) return scene.method == Method::automatic || scene.method == Method::newton;
+  RollingScene free = scene;
+  free.spacing.reset();
+  return resolved_method(free) == Method::spectral;
+}
+
+/// Reads the rows of one data set into the fit. @param keep_spacing  the fit's own set has one
+void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>& base, bool keep_spacing,
+               std::string& all_text) {
+  const MeasuredTable table = read_measured_table(set.file);
+  all_text += table.text + '\n';
+  refuse_unknown_columns(table, fit.output);
+  const MeasuredColumn& output = *table.find(fit.output);
+  const MeasuredColumn* const deviations = table.find("sigma");
+  if (deviations && set.sigma) refuse(set.place, "sigma", *set.sigma, "the table has a column sigma too");
+  const std::vector<SceneEntry> common = overridden(base, set.set);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    std::vector<SceneEntry> own;
+    for (const MeasuredColumn& column : table.columns)
+      if (column.name != fit.output && column.name != "sigma" && column.name != "note")
+        own.push_back(entry_of(table, column, row));
+    const std::string place = table.place(row);
+    RollingScene scene = scene_from(overridden(common, own), place);
+    if (!keep_spacing && !value_given(set.set, "spacing") && !value_given(own, "spacing") &&
+        smooth_without_spacing(scene)) {
+      if (fit.notes.empty())
+        fit.notes.push_back("spacing = " + readable(*scene.spacing, "m") +
+                            " of the scene left out, for answers without a grid's jumps: " +
+                            (scene.indenter == Indenter::sphere ? "the grid is tied to the contact"
+                                                                : "the edges of contact are continuous"));
+      scene.spacing.reset();
+    }
+    if (!fit.scenes.empty() && scene.indenter != fit.indenter())
+      throw std::invalid_argument(place + ": indenter: must be the same in all rows");
+    const std::string_view unit = real_output(fit.output).unit_for(scene.indenter);
+    MeasuredValue measured{measured_number(table, output, row, unit), 1, place};
+    bool relative = false;  // the deviation is, to the value
+    if (deviations) {
+      relative = deviations->unit == "%";
+      MeasuredColumn column = *deviations;
+      if (column.unit.empty()) column.unit = output.unit;
+      if (relative) column.unit = "";
+      const Sigma sigma{measured_number(table, column, row, relative ? "1" : unit) / (relative ? 100 : 1), relative};
+      measured.deviation = sigma.of(measured.value);
+      if (!(measured.deviation > 0))
+        throw std::invalid_argument(place + ": " + heading(*deviations) + " = " + deviations->cells[row] +
+                                    ": must be > 0");
+    } else if (set.sigma) {
+      const Sigma sigma = given_sigma(*set.sigma, unit, set.place);
+      relative = sigma.relative;
+      measured.deviation = sigma.of(measured.value);
+    } else if (fit.relative_weights) {
+      relative = true;
+      measured.deviation = std::abs(measured.value);
+    }
+    if (relative && !(measured.value > 0))
+      throw std::invalid_argument(place + ": " + heading(output) + " = " + output.cells[row] +
+                                  ": must be > 0 where deviations are relative to it");
+    if (measured.value < 0)
+      fit.warnings.push_back(place + ": " + heading(output) + " = " + output.cells[row] + ": is negative");
+    fit.scenes.push_back({scene, measured, set.name});
+  }
+  const bool known = deviations || set.sigma;
+  if (fit.scenes.size() > table.rows() && known != fit.deviations_known)
+    throw std::invalid_argument((known ? fit.source : table.file) +
+                                ": sigma is missing: give it for all data sets or for none");
+  fit.deviations_known = known;
+  for (const MeasuredColumn& column : table.columns)
+    if (find_input(column.name) && column.name != fit.output &&
+        std::find(fit.varying.begin(), fit.varying.end(), column.name) == fit.varying.end())
+      fit.varying.push_back(column.name);
+}
+
+void warn_of_repeated_rows(FitFile& fit) {
+  std::map<std::string, const MeasuredScene*> seen;
+  for (const MeasuredScene& row : fit.scenes) {
+    const auto [place, fresh] = seen.try_emplace(evaluation_key(row.scene) + row.set, &row);
+    if (fresh) continue;
+    const bool same = place->second->measured.value == row.measured.value;
+    if (same)
+      fit.warnings.push_back(row.measured.place + ": the same row as " + place->second->measured.place +
+                             "; both count");
+  }
+}
+
+double number_of(const GivenParameter& given, const Json& value, const char* what, Indenter indenter) {
+  const InputValue found = input_value({given.key, value, given.place + ": " + what}, indenter);
+  return std::get<double>(found);
+}
+
+void read_loss(FitFile& fit, const Json& object, const std::string& place) {
+  if (const auto loss = object.find("loss"); loss != object.end()) {
+    const std::string name = loss->is_string() ? loss->get<std::string>() : "";
+    const int found = find_name(ChoiceNames<Loss>::names, name);
+    if (found < 0) refuse(place, "loss", *loss, "must be one of none, huber, cauchy");
+    fit.loss = static_cast<Loss>(found);
+  }
+  fit.loss_scale = usual_loss_scale(fit.loss);
+  if (const auto scale = object.find("loss_scale"); scale != object.end()) {
+    if (!scale->is_number() || !(*scale > 0)) refuse(place, "loss_scale", *scale, "must be a number > 0");
+    fit.loss_scale = scale->get<double>();
+  }
+  if (const auto weights = object.find("weights"); weights != object.end()) {
+    if (*weights != "uniform" && *weights != "relative")
+      refuse(place, "weights", *weights, "must be one of uniform, relative");
+    fit.relative_weights = *weights == "relative";
+  }
+  if (const auto step = object.find("step"); step != object.end()) {
+    if (!step->is_number() || !(*step > 0 && *step <= 0.1)) refuse(place, "step", *step, "must be a number up to 0.1");
+    fit.step = step->get<double>();
+  }
+}
+
+/// The scene's entries with the starts of the parameters; what has no value yet gets one from which closed forms start.
+std::vector<SceneEntry> started(std::vector<SceneEntry> entries, const std::vector<GivenParameter>& parameters) {
+  const auto has = [&](const std::string& key) { return value_given(entries, key) != nullptr; };
+  for (const GivenParameter& given : parameters) {
+    if (given.start && (given.set.empty() || !has(given.key)))
+      entries = overridden(entries, {{given.key, *given.start, given.place}});
+    else if (!given.start && !has(given.key) && has_closed_form_start(given.key))
+      entries.push_back({given.key, closed_form_placeholder(given.key), given.place});
+  }
+  return entries;
+}
+
+}  // namespace
+
+FitFile read_fit(const std::filesystem::path& file) {
+  const std::string place = file.string();
+  const Json object = read_object(place);
+  refuse_unknown_keys(object, fit_keys, place);
+  FitFile fit;
+  fit.name = needed_text(object, "fit", place, "must be the name of the fit");
+  fit.source = place;
+  fit.definition = object.dump(2);
+  if (object.contains("output")) fit.output = needed_text(object, "output", place, "must be the key of an output");
+  try {
+    real_output(fit.output);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(place + ": output: " + error.what());
+  }
+  read_loss(fit, object, place);
+  fit.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
+  fit.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
+
+  const Json& parameters = needed(object, "parameters", place, "must be an object with at least one input");
+  if (!parameters.is_object() || parameters.empty())
+    refuse(place, "parameters", parameters, "must be an object with at least one input");
+  std::vector<GivenParameter> given;
+  for (const auto& [key, value] : parameters.items()) {
+    if (value.is_array())
+      for (const Json& item : value) given.push_back(given_parameter(key, item, place));
+    else
+      given.push_back(given_parameter(key, value, place));
+  }
+  const auto base = started(overridden(scene_entries_of(object, file, place), set_entries(object, place)), given);
+  std::string all_text;
+  const std::vector<GivenSet> sets = given_sets(object, file, place);
+  const bool keep_spacing = value_given(set_entries(object, place), "spacing") != nullptr;
+  for (const GivenSet& set : sets) read_rows(fit, set, base, keep_spacing, all_text);
+  fit.data_digest = digest(all_text);
+  warn_of_repeated_rows(fit);
+
+  for (const GivenParameter& parameter : given) {
+    if (std::find(fit.varying.begin(), fit.varying.end(), parameter.key) != fit.varying.end())
+      throw std::invalid_argument(parameter.place + ": is a column of the data too");
+    if (!parameter.set.empty() &&
+        std::none_of(sets.begin(), sets.end(), [&](const GivenSet& set) { return set.name == parameter.set; }))
+      throw std::invalid_argument(parameter.place + ": data = \"" + parameter.set + "\": no data set of that name");
+    FittedInput input{{parameter.key}, {}, parameter.set};
+    if (parameter.lowest) input.input.lowest = number_of(parameter, *parameter.lowest, "lowest", fit.indenter());
+    if (parameter.highest) input.input.highest = number_of(parameter, *parameter.highest, "highest", fit.indenter());
+    input.input.logarithmic = parameter.logarithmic;
+    if (parameter.start) input.start = number_of(parameter, *parameter.start, "start", fit.indenter());
+    if (!parameter.fixed) {
+      fit.inputs.push_back(input);
+      continue;
+    }
+    if (!input.start || !parameter.set.empty())
+      throw std::invalid_argument(parameter.place + ": fixed: needs a start, and no data set");
+    fit.fixed.push_back({parameter.key, *input.start});
+  }
+  if (fit.inputs.empty()) refuse(place, "parameters", parameters, "all are fixed: nothing is left to fit");
+  return fit;
+}
+
+FitProblem problem_of(const FitFile& file, const Evaluate& evaluate, int jobs) {
+  try {
+    FitProblem problem = resistance_problem(file.scenes, with_closed_form_starts(file.scenes, file.inputs, file.output),
+                                            evaluate, {.output = file.output, .jobs = jobs, .step = file.step});
+    problem.deviations_known = file.deviations_known;
+    problem.loss = file.loss;
+    problem.loss_scale = file.loss_scale;
+    return problem;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(file.source + ": parameters: " + error.what());
+  }
+}
+
+}  // namespace rollres

@@ -1,0 +1,189 @@
+#include "studies/fit/fit_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "studies/run/progress.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::string_view unit_of(const FittedParameter& fitted, const FitContext& context) {
+  return fitted.parameter.variable.quantity.unit_for(context.indenter);
+}
+
+std::string percent(double part) { return std::isfinite(part) ? short_number(100 * part, 3) + " %" : "-"; }
+
+std::string interval_text(const ConfidenceInterval& interval, std::string_view unit) {
+  if (std::isnan(interval.lowest) && std::isnan(interval.highest)) return "-";
+  const auto end = [&](double value, IntervalEnd kind) {
+    return kind == IntervalEnd::open ? std::string("open") : readable(value, unit);
+  };
+  return end(interval.lowest, interval.low) + " .. " + end(interval.highest, interval.high);
+}
+
+Table parameter_table(const FitReport& report, const FitContext& context) {
+  Table table{{"parameter", "value", "+-", "relative", "95 % linear", "95 % profile", "start", "flag"}, {}};
+  for (const FittedParameter& fitted : report.parameters) {
+    const std::string_view unit = unit_of(fitted, context);
+    const bool profile = !fitted.profile.points.empty();
+    table.rows.push_back({fitted.parameter.name, readable(fitted.value, unit), readable(fitted.standard_error, unit),
+                          percent(fitted.relative_error), interval_text(fitted.linear, unit),
+                          profile ? interval_text(fitted.profile.interval, unit) : std::string("-"),
+                          readable(fitted.parameter.start, unit), fitted.flag});
+  }
+  for (const FitContext::Fixed& fixed : context.fixed)
+    table.rows.push_back({fixed.name, readable(fixed.value, fixed.unit), std::string("-"), std::string("-"),
+                          std::string("-"), std::string("-"), std::string("-"), std::string("fixed")});
+  return table;
+}
+
+/// Pairs whose correlation is above 0.1, the strongest first.
+std::vector<FitCorrelationRecord> correlations_of(const FitReport& report) {
+  constexpr double worth_telling = 0.1;
+  std::vector<FitCorrelationRecord> pairs;
+  const Eigen::MatrixXd& all = report.errors.correlations;
+  for (Eigen::Index j = 0; j < all.rows(); ++j)
+    for (Eigen::Index k = j + 1; k < all.cols(); ++k)
+      if (std::abs(all(j, k)) > worth_telling)
+        pairs.push_back({report.parameters[static_cast<std::size_t>(j)].parameter.name,
+                         report.parameters[static_cast<std::size_t>(k)].parameter.name, all(j, k)});
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
+  return pairs;
+}
+
+void write_statistics(std::ostream& text, const FitReport& report, const FitContext& context) {
+  const auto line = [&](const char* name, const std::string& words) {
+    text << "  " << padded(name, 20) << words << '\n';
+  };
+  const auto number = [](double value) { return std::isfinite(value) ? short_number(value, 4) : std::string("-"); };
+  line("data", std::to_string(report.values.size()) + " values, " + std::to_string(report.degrees) +
+                   " degrees of freedom, digest " + context.data_digest.substr(0, 12));
+  line("deviations",
+       report.deviations_known ? "as given (absolute)" : "not given: errors are scaled by the reduced chi squared");
+  line("chi squared", number(report.chi_squared) + ", reduced " + number(report.reduced_chi_squared) +
+                          (std::isnan(report.p_value) ? "" : ", p = " + number(report.p_value)));
+  line("rms", readable(report.rms, context.output_unit) + ", relative " + percent(report.relative_rms));
+  if (!report.values.empty()) {
+    const FittedValue& worst = report.values[report.largest_residual];
+    line("largest residual", short_number(worst.residual, 3) + " deviations" +
+                                 (worst.measured.place.empty() ? "" : " at " + worst.measured.place));
+  }
+  line("runs test", "p = " + number(report.runs_p_value));
+  line("condition", number(report.errors.condition) +
+                        (report.weakest_direction.empty() ? "" : "; weakest: " + report.weakest_direction));
+  line("noise of the model", number(report.noise) + " (relative)");
+  std::string steps;
+  for (const FittedParameter& fitted : report.parameters)
+    steps += (steps.empty() ? "" : ", ") + fitted.parameter.name + " " + number(fitted.step);
+  line("steps (scaled)", steps);
+  line("descents", std::to_string(report.agreeing) + " of " + std::to_string(report.starts) +
+                       " starts agree; the best took " + std::to_string(report.iterations) + " iterations");
+  line("evaluations", std::to_string(report.evaluations) + ": " + std::to_string(context.solved) + " solved, " +
+                          std::to_string(context.recalled) + " recalled, " + std::to_string(report.failures) +
+                          " failed, in " + duration_in_words(context.seconds));
+}
+
+}  // namespace
+
+std::string fit_summary(const FitReport& report, const FitContext& context) {
+  std::ostringstream text;
+  text << context.name << ": " << name_of(report.status) << '\n';
+  if (!report.reason.empty()) text << "reason   " << report.reason << '\n';
+  for (const auto* const warnings : {&report.warnings, &context.data_warnings})
+    for (const std::string& warning : *warnings) text << "warning  " << warning << '\n';
+  for (const std::string& note : context.notes) text << "model    " << note << '\n';
+  for (const EvaluationLog::Failure& failure : report.failure_reasons)
+    text << "failed   " << failure.count << " x " << failure.reason << " (first " << failure.first_place << ")\n";
+  text << '\n';
+  write_aligned(text, parameter_table(report, context));
+  if (report.values.empty()) return text.str();
+  text << '\n';
+  write_statistics(text, report, context);
+  const std::vector<FitCorrelationRecord> pairs = correlations_of(report);
+  if (pairs.empty()) return text.str();
+  constexpr std::size_t most_shown = 12;
+  text << "\ncorrelations above 0.1"
+       << (pairs.size() > most_shown ? ", the " + std::to_string(most_shown) + " strongest of " +
+                                           std::to_string(pairs.size()) + " (--json has all)"
+                                     : "")
+       << '\n';
+  std::size_t widest = 42;
+  const std::size_t shown = std::min(most_shown, pairs.size());
+  for (std::size_t i = 0; i < shown; ++i) widest = std::max(widest, width(pairs[i].first + ", " + pairs[i].second));
+  for (std::size_t i = 0; i < shown; ++i)
+    text << "  " << padded(pairs[i].first + ", " + pairs[i].second, widest + 2) << short_number(pairs[i].correlation, 4)
+         << '\n';
+  return text.str();
+}
+
+std::string coverage_summary(const Coverage& coverage) {
+  std::ostringstream text;
+  text << "\ncoverage: " << coverage.fitted << " of " << coverage.draws << " draws fitted, seed " << coverage.seed
+       << "\n";
+  Table table{{"parameter", "truth", "95 % linear holds", "95 % profile holds", "mean offset", "scatter"}, {}};
+  const auto part = [&](int count) { return percent(static_cast<double>(count) / std::max(1, coverage.fitted)); };
+  for (const ParameterCoverage& count : coverage.parameters)
+    table.rows.push_back({count.name, count.truth, part(count.linear),
+                          coverage.profiles ? part(count.profile) : std::string("-"), count.mean_offset,
+                          count.offset_scatter});
+  write_aligned(text, table);
+  for (const std::string& failure : coverage.failures) text << "not fitted: " << failure << '\n';
+  return text.str();
+}
+
+FitRecord fit_record(const FitReport& report, const FitContext& context) {
+  FitRecord record;
+  record.name = context.name;
+  record.kind = context.kind;
+  record.definition = context.definition;
+  record.data_digest = context.data_digest;
+  record.status = name_of(report.status);
+  record.reason = report.reason;
+  for (const auto* const warnings : {&report.warnings, &context.data_warnings})
+    for (const std::string& warning : *warnings) record.warnings += (record.warnings.empty() ? "" : "\n") + warning;
+  record.weakest_direction = report.weakest_direction;
+  record.degrees = report.degrees;
+  record.starts = report.starts;
+  record.agreeing = report.agreeing;
+  record.evaluations = static_cast<std::int64_t>(report.evaluations);
+  record.recalled = static_cast<std::int64_t>(context.recalled);
+  record.failures = static_cast<std::int64_t>(report.failures);
+  record.chi_squared = report.chi_squared;
+  record.reduced_chi_squared = report.reduced_chi_squared;
+  record.p_value = report.p_value;
+  record.rms = report.rms;
+  record.runs_p_value = report.runs_p_value;
+  record.condition = report.errors.condition;
+  record.noise = report.noise;
+  record.seconds = context.seconds;
+  record.deviations_known = report.deviations_known;
+  const double absent = RollingSolution::absent;
+  for (const FittedParameter& fitted : report.parameters) {
+    const ConfidenceInterval& profile = fitted.profile.interval;
+    const bool profiled = !fitted.profile.points.empty();
+    record.parameters.push_back({fitted.parameter.name, std::string(unit_of(fitted, context)), false, fitted.value,
+                                 fitted.standard_error, fitted.relative_error, fitted.linear.lowest,
+                                 fitted.linear.highest, profile.low == IntervalEnd::open ? absent : profile.lowest,
+                                 profile.high == IntervalEnd::open ? absent : profile.highest,
+                                 profiled ? std::string(name_of(profile.low)) : "",
+                                 profiled ? std::string(name_of(profile.high)) : "", fitted.parameter.start,
+                                 fitted.parameter.variable.lowest, fitted.parameter.variable.highest, fitted.step,
+                                 fitted.flag});
+  }
+  for (const FitContext::Fixed& fixed : context.fixed)
+    record.parameters.push_back({fixed.name, fixed.unit, true, fixed.value, absent, absent, absent, absent, absent,
+                                 absent, "", "", absent, absent, absent, absent, "fixed"});
+  record.correlations = correlations_of(report);
+  for (const FittedValue& value : report.values)
+    record.data.push_back({value.measured.place, value.measured.value, value.measured.deviation, value.predicted,
+                           value.residual, value.band});
+  return record;
+}
+
+}  // namespace rollres

@@ -1,0 +1,94 @@
+#include "studies/optimise/design.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/parallel.hpp"
+#include "db/rows/result_store.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+double combined(const DesignProblem& problem, const Formula& formula, const std::vector<RollingScene>& scenes,
+                const std::vector<RollingSolution>& solutions) {
+  std::optional<double> all;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const double one = problem.scenes[i].weight * formula(scenes[i], solutions[i]);
+    if (!all)
+      all = one;
+    else if (problem.over_scenes == OverScenes::sum)
+      *all += one;
+    else
+      *all = std::max(*all, one);  // NaN is found by the caller: the sum of all
+  }
+  return *all;
+}
+
+std::string place_of(const DesignProblem& problem, std::size_t scene) {
+  return problem.scenes.size() == 1 ? "" : "scene " + std::to_string(scene + 1) + ": ";
+}
+
+}  // namespace
+
+bool Design::feasible() const {
+  return found() && std::all_of(constraints.begin(), constraints.end(), [](const auto& sides) { return sides.holds; });
+}
+
+std::vector<RollingScene> scenes_at(const DesignProblem& problem, std::span<const double> point) {
+  std::vector<RollingScene> scenes;
+  for (const DutyScene& duty : problem.scenes) {
+    const Objective there{duty.scene, problem.variables, {}, {}};
+    scenes.push_back(scene_at(there, point));
+  }
+  return scenes;
+}
+
+Design evaluate_design(const DesignProblem& problem, std::span<const double> point, const Evaluate& evaluate,
+                       int jobs) {
+  Design design{{point.begin(), point.end()}};
+  const std::vector<RollingScene> scenes = scenes_at(problem, point);
+  std::vector<RollingSolution> solutions(scenes.size());
+  for_each_piece(scenes.size(), jobs, [&](std::size_t i) { solutions[i] = evaluate(scenes[i]); });
+
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const RollingSolution& solution = solutions[i];
+    design.keys.push_back(evaluation_key(scenes[i]));
+    if (design.found() && solution.status != Status::converged)
+      design.reason =
+          place_of(problem, i) + (solution.reason.empty() ? std::string(name_of(solution.status)) : solution.reason);
+    for (const Condition& condition : problem.constraints)
+      design.constraints.push_back({condition.left()(scenes[i], solution), condition.right()(scenes[i], solution),
+                                    condition.at_most(), condition.holds(scenes[i], solution)});
+  }
+  const auto value_of = [&](const Formula& formula) {
+    for (std::size_t i = 0; i < scenes.size() && design.found(); ++i)
+      if (!std::isfinite(formula(scenes[i], solutions[i])))
+        design.reason = place_of(problem, i) + formula.text() + ": has no finite value";
+    return design.found() ? combined(problem, formula, scenes, solutions) : RollingSolution::absent;
+  };
+  design.value = value_of(problem.goal.formula);
+  if (problem.pareto) design.second = value_of(problem.pareto->goal.formula);
+  if (problem.bound) {
+    const auto& [goal, limit] = *problem.bound;
+    const double value = value_of(goal.formula);
+    design.constraints.push_back({value, limit, !goal.maximise, goal.maximise ? value >= limit : value <= limit});
+  }
+  for (std::size_t j = 0; j < design.constraints.size() && design.found(); ++j)
+    if (!std::isfinite(design.constraints[j].left) || !std::isfinite(design.constraints[j].right))
+      design.reason = constraint_name(problem, j) + ": has no finite value";
+  if (!design.found()) design.value = design.second = RollingSolution::absent;
+  return design;
+}
+
+std::string constraint_name(const DesignProblem& problem, std::size_t constraint) {
+  const std::size_t own = problem.constraints.size();
+  if (constraint >= own * problem.scenes.size())
+    return problem.bound->goal.formula.text() + (problem.bound->goal.maximise ? " >= " : " <= ") +
+           short_number(problem.bound->limit);
+  const std::string& text = problem.constraints[constraint % own].text();
+  return problem.scenes.size() == 1 ? text : text + ", scene " + std::to_string(constraint / own + 1);
+}
+
+}  // namespace rollres

@@ -1,0 +1,116 @@
+#pragma once
+
+/// A design problem: inputs of a scene to be chosen so that a formula of its results is least or greatest, and what a
+/// choice of them is worth.
+///
+/// With several scenes (a duty cycle) the value of a design is the weighted sum of the formula over them, or the
+/// largest of its weighted values, and every constraint holds in each of them.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/derivatives/objective.hpp"
+#include "studies/scene_io/formula.hpp"
+
+namespace rollres {
+
+/// Algorithms of NLopt by name (design_algorithm.hpp).
+enum class Algorithm { bobyqa, cobyla, nelder_mead, subplex, direct_l, crs2, slsqp, mma, ccsaq, lbfgs };
+template <>
+struct ChoiceNames<Algorithm> {
+  static constexpr std::array<std::string_view, 10> names{"bobyqa", "cobyla", "nelder_mead", "subplex", "direct_l",
+                                                          "crs2",   "slsqp",  "mma",         "ccsaq",   "lbfgs"};
+};
+
+/// How the values of several scenes become one.
+enum class OverScenes { sum, max };
+template <>
+struct ChoiceNames<OverScenes> {
+  static constexpr std::array<std::string_view, 2> names{"sum", "max"};
+};
+
+/// A formula to be made small or large.
+struct Goal {
+  Formula formula;
+  bool maximise = false;
+
+  /// Whether value `a` is better than value `b`.
+  bool better(double a, double b) const { return maximise ? a > b : a < b; }
+};
+
+/// A bound of a second goal's value, as a constraint: its largest allowed value, or its least if it is maximised.
+struct GoalBound {
+  Goal goal;
+  double limit;  ///< [SI]
+};
+
+struct DutyScene {
+  RollingScene scene;
+  double weight = 1;
+};
+
+/// When a search ends.
+struct DesignStop {
+  int evaluations = 0;      ///< scenes asked for, recalled ones included; 0: 200 for each variable, 500 if global
+  double tolerance = 1e-4;  ///< of each variable, as a fraction of its range in the scaled variable
+};
+
+/// A front between the first goal and this one.
+struct ParetoWish {
+  Goal goal;
+  int points = 0;
+};
+
+struct DesignProblem {
+  std::string name;
+  std::vector<DutyScene> scenes;  ///< at least one; the variables hold their start
+  std::vector<Variable> variables;
+  std::vector<double> start;  ///< [SI]
+  Goal goal;
+  OverScenes over_scenes = OverScenes::sum;
+  std::vector<Condition> constraints = {};
+  std::optional<GoalBound> bound = {};
+  std::optional<Algorithm> algorithm = {};
+  bool global = false;  ///< look for the best of several optima
+  DesignStop stop = {};
+  std::optional<ParetoWish> pareto = {};
+};
+
+/// Both sides of a constraint at a design [unit of the left side]; NaN if one is absent.
+struct ConstraintSides {
+  double left = RollingSolution::absent, right = RollingSolution::absent;
+  bool at_most = true;  ///< left <= right, or left >= right
+  bool holds = false;
+};
+
+/// What a design is worth.
+struct Design {
+  std::vector<double> point;                      ///< values of the variables [SI]
+  double value = RollingSolution::absent;         ///< of the goal [SI]
+  double second = RollingSolution::absent;        ///< of the goal of a front [SI]
+  std::vector<ConstraintSides> constraints = {};  ///< scene by scene, and last the bound
+  std::string reason = {};                        ///< why there is no value; empty if there is one
+  std::vector<std::string> keys = {};             ///< of the evaluations, one for each scene
+
+  bool found() const { return reason.empty(); }
+  bool feasible() const;  ///< has a value, and all constraints hold
+};
+
+/// The scenes of a design.
+std::vector<RollingScene> scenes_at(const DesignProblem& problem, std::span<const double> point);
+
+/// Evaluates a design. A scene without a converged answer and a formula without a finite value are failures with a
+/// reason; exceptions of `evaluate` are left to the caller.
+/// @param evaluate  called by several threads at once if `jobs` is not 1
+/// @param jobs      scenes side by side; 0: one for each core
+Design evaluate_design(const DesignProblem& problem, std::span<const double> point, const Evaluate& evaluate,
+                       int jobs = 1);
+
+/// Text of a constraint as messages name it: "peak_pressure <= 2 MPa", with ", scene 2" where there are several.
+std::string constraint_name(const DesignProblem& problem, std::size_t constraint);
+
+}  // namespace rollres

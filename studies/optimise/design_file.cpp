@@ -1,0 +1,224 @@
+#include "studies/optimise/design_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/scene/scene_input.hpp"
+#include "studies/optimise/design_keys.hpp"
+#include "studies/optimise/design_search.hpp"
+#include "studies/study/study_scene.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// An object under a key, or nullptr.
+const Json* object_at(const Json& object, const std::string& key, const std::string& place) {
+  const auto found = object.find(key);
+  if (found == object.end()) return nullptr;
+  if (!found->is_object()) refuse(place, key, *found, "must be an object { ... }");
+  return &*found;
+}
+
+/// A variable as it was given.
+struct GivenVariable {
+  SceneEntry start;    ///< its value is null where the file has none
+  InputChoice choice;  ///< with both bounds and the scale
+};
+
+/// @param scene  the entries of the scene, for units and starts
+GivenVariable given_variable(const std::string& key, const Json& object, const std::vector<SceneEntry>& scene,
+                             const std::string& variables_place) {
+  const std::string place = variables_place + ": " + key;
+  if (!find_input(key)) refuse(variables_place, key, object, unknown("unknown key", keys_like(key), key));
+  if (!object.is_object()) refuse(variables_place, key, object, "must be an object with from and to");
+  refuse_unknown_keys(object, variable_keys, place);
+  const InputKind& kind = *find_input(key);
+  if (!kind.real()) refuse(variables_place, key, object, "must be an input that is a real number");
+
+  const Indenter indenter = indenter_of(scene);
+  const auto number = [&](const std::string& name) {
+    const Json& given = needed(object, name, place, "a variable has from and to");
+    const double value = std::get<double>(input_value({key, given, place + ": " + name}, indenter));
+    if (!std::isfinite(value)) refuse(place, name, given, "must be finite");
+    return value;
+  };
+  const double from = number("from"), to = number("to");
+  if (!(from < to)) refuse(place, "to", object["to"], "must be larger than \"from\"");
+  bool logarithmic = from > 0;
+  if (object.contains("scale"))
+    logarithmic =
+        needed_name(object, "scale", spacing_names, place, "must be one of linear, logarithmic") == "logarithmic";
+  if (logarithmic && from <= 0) refuse(place, "from", object["from"], "scale logarithmic: must be > 0");
+
+  double start = logarithmic ? std::sqrt(from) * std::sqrt(to) : from + 0.5 * (to - from);
+  if (object.contains("start")) {
+    start = number("start");
+    if (start < from || start > to) refuse(place, "start", object["start"], "must be between \"from\" and \"to\"");
+  } else {
+    if (const Json* const given = value_given(scene, key))
+      if (const double own = std::get<double>(input_value({key, *given, place}, indenter)); own >= from && own <= to)
+        start = own;
+  }
+  return {{key, start, place}, {key, from, to, logarithmic}};
+}
+
+void refuse_set_variables(const std::vector<SceneEntry>& set, const Json& variables) {
+  for (const SceneEntry& entry : set)
+    if (variables.contains(entry.key)) refuse(entry.place, entry.key, entry.value, "is a variable too");
+}
+
+/// The inputs of one scene of a duty cycle.
+std::vector<SceneEntry> duty_entries(const Json& duty, const Json& variables, const std::string& place) {
+  const std::vector<SceneEntry> set = set_entries(duty, place);
+  refuse_set_variables(set, variables);
+  for (const SceneEntry& entry : set)
+    if (entry.key == "indenter") refuse(entry.place, entry.key, entry.value, "must be the same in all scenes");
+  return set;
+}
+
+std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntry>& base,
+                                   const std::vector<GivenVariable>& variables, const std::string& place) {
+  std::vector<SceneEntry> starts;
+  for (const GivenVariable& variable : variables) starts.push_back(variable.start);
+  if (!file.contains("scenes")) return {{scene_from(overridden(base, starts), place), 1}};
+  const Json& list = file["scenes"];
+  if (!list.is_array() || list.empty()) refuse(place, "scenes", list, "must be a list of objects with set and weight");
+  std::vector<DutyScene> scenes;
+  for (const Json& item : list) {
+    const std::string item_place = place + ": scenes: scene " + std::to_string(scenes.size() + 1);
+    if (!item.is_object()) refuse(place, "scenes", item, "must be a list of objects with set and weight");
+    refuse_unknown_keys(item, duty_keys, item_place);
+    DutyScene duty;
+    if (item.contains("weight")) {
+      const Json& weight = item["weight"];
+      if (!weight.is_number() || !(weight > 0.0)) refuse(item_place, "weight", weight, "must be a number > 0");
+      duty.weight = weight.get<double>();
+    }
+    const auto own = overridden(base, duty_entries(item, file["variables"], item_place));
+    duty.scene = scene_from(overridden(own, starts), item_place);
+    scenes.push_back(std::move(duty));
+  }
+  return scenes;
+}
+
+/// What "minimise" or "maximise" says.
+Goal goal_of(const Json& object, const std::string& place) {
+  const bool least = object.contains("minimise"), greatest = object.contains("maximise");
+  if (least == greatest)
+    throw std::invalid_argument(place + ": minimise: there must be a formula under minimise or maximise, and not both");
+  const std::string key = least ? "minimise" : "maximise";
+  const std::string text = needed_text(object, key, place, "must be a formula of inputs and outputs");
+  try {
+    return {Formula(text, FormulaNames::inputs_and_outputs), greatest};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(place + ": " + key + ": " + error.what());
+  }
+}
+
+std::vector<Condition> constraints_of(const Json& file, Indenter indenter, const std::string& place) {
+  std::vector<Condition> conditions;
+  const auto found = file.find("constraints");
+  if (found == file.end()) return conditions;
+  const std::string rule = "must be a list of conditions of inputs and outputs";
+  if (!found->is_array()) refuse(place, "constraints", *found, rule);
+  for (const Json& item : *found) {
+    if (!item.is_string()) refuse(place, "constraints", item, rule);
+    try {
+      conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, indenter);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(place + ": constraints: " + error.what());
+    }
+  }
+  return conditions;
+}
+
+DesignStop stop_of(const Json& file, const std::string& place) {
+  DesignStop stop;
+  const Json* const object = object_at(file, "stop", place);
+  if (!object) return stop;
+  const std::string own = place + ": stop";
+  refuse_unknown_keys(*object, stop_keys, own);
+  if (const auto found = object->find("evaluations"); found != object->end())
+    stop.evaluations = whole_number(*found, "evaluations", 1, most_points, own);
+  if (const auto found = object->find("tolerance"); found != object->end()) {
+    if (!found->is_number() || !(*found >= 1e-8 && *found <= 0.1))
+      refuse(own, "tolerance", *found, "must be a number from 1e-8 to 0.1");
+    stop.tolerance = found->get<double>();
+  }
+  return stop;
+}
+
+std::optional<ParetoWish> pareto_of(const Json& file, const std::string& place) {
+  const Json* const object = object_at(file, "pareto", place);
+  if (!object) return std::nullopt;
+  const std::string own = place + ": pareto";
+  refuse_unknown_keys(*object, pareto_keys, own);
+  return ParetoWish{goal_of(*object, own), whole_number(needed(*object, "points", own, "how many designs on the front"),
+                                                        "points", 2, most_points, own)};
+}
+
+template <class Choice>
+Choice choice_of(const Json& file, const std::string& key, const std::string& place) {
+  const auto& names = ChoiceNames<Choice>::names;
+  std::string rule = "must be one of";
+  for (std::size_t i = 0; i < names.size(); ++i) rule += (i == 0 ? " " : ", ") + std::string(names[i]);
+  return static_cast<Choice>(find_name(names, needed_name(file, key, names, place, rule)));
+}
+
+DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
+  const std::string place = path.string();
+  refuse_unknown_keys(file, design_keys, place);
+  for (const std::string_view key : ignored_keys)
+    if (const auto found = file.find(key); found != file.end() && !found->is_string())
+      refuse(place, key, *found, "must be a text");
+
+  const std::string variables_place = place + ": variables";
+  const std::string rule = "must be an object with at least one input";
+  const Json& given = needed(file, "variables", place, rule);
+  if (!given.is_object() || given.empty()) refuse(place, "variables", given, rule);
+  const std::vector<SceneEntry> set = set_entries(file, place);
+  refuse_set_variables(set, given);
+  const std::vector<SceneEntry> base = overridden(scene_entries_of(file, path, place), set);
+  std::vector<GivenVariable> variables;
+  for (const auto& [key, value] : given.items()) variables.push_back(given_variable(key, value, base, variables_place));
+
+  DesignProblem problem{.name = needed_text(file, "study", place, "must be the name of the study"),
+                        .scenes = duty_scenes(file, base, variables, place),
+                        .variables = {},
+                        .start = {},
+                        .goal = goal_of(file, place)};
+  std::vector<InputChoice> choices;
+  for (const GivenVariable& variable : variables) choices.push_back(variable.choice);
+  try {
+    for (const DutyScene& duty : problem.scenes) problem.variables = variables_of(duty.scene, choices);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(variables_place + ": " + error.what());
+  }
+  problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
+  if (file.contains("over_scenes")) problem.over_scenes = choice_of<OverScenes>(file, "over_scenes", place);
+  problem.constraints = constraints_of(file, problem.scenes.front().scene.indenter, place);
+  if (file.contains("algorithm")) problem.algorithm = choice_of<Algorithm>(file, "algorithm", place);
+  if (const auto found = file.find("global"); found != file.end()) {
+    if (!found->is_boolean()) refuse(place, "global", *found, "must be true or false");
+    problem.global = found->get<bool>();
+  }
+  if (problem.algorithm && problem.variables.size() < traits(*problem.algorithm).fewest_variables)
+    refuse(place, "algorithm", file["algorithm"], "needs at least two variables");
+  problem.stop = stop_of(file, place);
+  problem.pareto = pareto_of(file, place);
+  return problem;
+}
+
+}  // namespace
+
+DesignProblem read_design_problem(const std::filesystem::path& path) {
+  return problem_in(read_object(path.string()), path);
+}
+
+DesignProblem parse_design_problem(const std::string& text, const std::filesystem::path& path) {
+  return problem_in(parse_object(text, path.string()), path);
+}
+
+}  // namespace rollres

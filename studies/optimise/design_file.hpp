@@ -1,0 +1,38 @@
+#pragma once
+
+/// Study files of an optimisation:
+///
+///     {"study": "quiet layer", "scene": "paper_cylinder.json", "set": {"tolerance": 1e-8},
+///      "variables": {"layer_thickness": {"from": "1 mm", "to": "20 mm", "scale": "logarithmic"},
+///                    "static_shear_modulus": {"from": "0.5 MPa", "to": "30 MPa", "start": "3 MPa"}},
+///      "minimise": "rolling_resistance",
+///      "constraints": ["peak_pressure <= 4 MPa", "approach / layer_thickness <= 0.15"]}
+///
+/// "study", "scene", "set", "comment" are those of a study (study.hpp). A variable has bounds "from" and "to", "scale"
+/// linear or logarithmic (the default where both bounds are positive) and "start" (default: the scene's value if it is
+/// between the bounds, else their middle). "minimise" or "maximise" is a formula (formula.hpp), and so are the sides of
+/// the constraints. What may be added:
+///
+///     "scenes": [{"set": {"speed": "1 m/s"}, "weight": 0.3}, {"set": {"speed": "5 m/s"}, "weight": 0.7}],
+///     "over_scenes": "sum" or "max",                 how the weighted values of the scenes become one; default sum
+///     "algorithm": "cobyla", "global": true,         default: chosen from the problem (optimise.hpp)
+///     "stop": {"evaluations": 200, "tolerance": 1e-4},
+///     "pareto": {"minimise" or "maximise": FORMULA, "points": 9}
+
+#include <filesystem>
+#include <string>
+
+#include "studies/optimise/design.hpp"
+
+namespace rollres {
+
+/// Reads the file and checks the scenes at the start.
+/// @throws std::invalid_argument one line naming file, key, value and the rule that is broken
+/// @throws std::runtime_error if the study file or its scene file cannot be read
+DesignProblem read_design_problem(const std::filesystem::path& file);
+
+/// The same for the text of a file, as a database keeps it.
+/// @param file  for messages, and where the name of a scene file is relative to
+DesignProblem parse_design_problem(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace rollres

@@ -1,0 +1,171 @@
+#include "studies/optimise/optimise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "studies/study/sampling.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr double first_step = 0.1, polishing_step = 0.03;
+constexpr double share_of_first = 0.8, share_of_global = 2.0 / 3;  // of the evaluations; the rest is for what follows
+
+bool global_search(const DesignProblem& problem, Algorithm algorithm) {
+  return problem.global || traits(algorithm).global;
+}
+
+Algorithm local_algorithm(const DesignProblem& problem) {
+  const bool constrained = !problem.constraints.empty() || problem.bound;
+  const bool enough = problem.variables.size() >= traits(Algorithm::bobyqa).fewest_variables;
+  return constrained || !enough ? Algorithm::cobyla : Algorithm::bobyqa;
+}
+
+/// Sum of what a design exceeds its constraints by, relative.
+double excess(const DesignScale& scale, const Design& design) {
+  const std::vector<double> all = scale.constraints(design);
+  return std::accumulate(all.begin(), all.end(), 0.0, [](double sum, double one) { return sum + std::max(0.0, one); });
+}
+
+class Optimisation {
+ public:
+  Optimisation(const DesignProblem& problem, RecordedEvaluations& evaluations, const OptimiseOptions& options)
+      : problem_(problem), evaluator_(problem, evaluations, options.jobs, [this, &options] {
+          if (!options.report) return;
+          const auto best = evaluator_.best();
+          options.report({evaluator_.count() - before_, best ? std::optional(best->value) : std::nullopt});
+        }) {}
+
+  OptimiseReport run() {
+    try {
+      go();
+    } catch (const Interrupted&) {
+      report_.status = DesignStatus::interrupted;
+      report_.reason = "the same command goes on where it stopped";
+      report_.optimum.reset();
+    }
+    report_.best = evaluator_.best();
+    report_.designs = evaluator_.designs();
+    report_.count = evaluator_.count() - before_;
+    if (!report_.best && scale_) report_.nearest = nearest();
+    return std::move(report_);
+  }
+
+ private:
+  std::size_t left() const {
+    const std::size_t all = evaluation_limit(problem_);
+    return all - std::min(all, evaluator_.count().all() - before_.all() - report_.slope_evaluations);
+  }
+
+  /// The start if it has a value, else the first of some points that fill the box evenly which is feasible, or at
+  /// least has a value.
+  std::optional<Design> first_found() {
+    const Design start = evaluator_(problem_.start);
+    if (start.found()) return start;
+    const std::size_t size = problem_.variables.size(), tries = 16 * size;
+    const auto sample = unit_sample(SampleMethod::sobol, tries + 1, size);
+    std::optional<Design> first;
+    std::vector<double> place(size);
+    for (std::size_t k = 1; k <= tries && left() > 0; ++k) {  // the first is the origin
+      for (std::size_t i = 0; i < size; ++i) place[i] = sample[i][k];
+      const Design design = evaluator_(point_in_box(problem_, place));
+      if (design.feasible()) return design;
+      if (design.found() && !first) first = design;
+    }
+    if (!first) report_.reason = "no design has an answer; at the start: " + start.reason;
+    return first;
+  }
+
+  /// That with the smallest excess over its constraints.
+  std::optional<Design> nearest() const {
+    std::optional<Design> nearest;
+    for (const Design& design : evaluator_.designs())
+      if (!nearest || excess(*scale_, design) < excess(*scale_, *nearest)) nearest = design;
+    return nearest;
+  }
+
+  void run_search(Algorithm algorithm, const Design& start, double step, double share = 1) {
+    const std::size_t before = evaluator_.count().all();
+    const auto allowed = static_cast<std::size_t>(std::ceil(share * static_cast<double>(left())));
+    std::optional<DesignSlopes> slopes;
+    if (traits(algorithm).slopes) slopes.emplace(evaluator_, *scale_, start);
+    const SearchOptions options{algorithm, step, problem_.stop.tolerance, before + allowed};
+    const SearchEnd end = search(evaluator_, *scale_, start, options, slopes ? &*slopes : nullptr);
+    report_.searches.push_back({algorithm, end, evaluator_.count().all() - before});
+  }
+
+  /// Slopes at the best design.
+  void examine() {
+    const Design best = *evaluator_.best();
+    const std::size_t before = evaluator_.count().all();
+    const DesignSlopes slopes(evaluator_, *scale_, best);
+    report_.optimum = examine_optimum(problem_, *scale_, slopes, best, problem_.stop.tolerance);
+    report_.slope_evaluations += evaluator_.count().all() - before;
+  }
+
+  void go() {
+    const std::optional<Design> start = first_found();
+    if (!start) return;
+    scale_.emplace(problem_, *start);
+    const Algorithm algorithm = problem_.algorithm.value_or(default_algorithm(problem_));
+    if (global_search(problem_, algorithm)) {
+      const bool global = traits(algorithm).global;
+      run_search(global ? algorithm : Algorithm::direct_l, *start, first_step, share_of_global);
+      const Design from = evaluator_.best().value_or(*start);
+      run_search(global ? local_algorithm(problem_) : algorithm, from, polishing_step);
+    } else {
+      run_search(algorithm, *start, first_step, share_of_first);
+    }
+    if (!evaluator_.best() && left() > 0) run_search(Algorithm::cobyla, *nearest(), polishing_step);
+    if (!evaluator_.best()) {
+      report_.reason = left() == 0 ? "the evaluations are spent" : "the search ended without one";
+      return;
+    }
+    polish();
+  }
+
+  void polish() {
+    examine();
+    for (const Algorithm algorithm : {Algorithm::slsqp, Algorithm::cobyla}) {
+      const std::vector<double> before = evaluator_.best()->point;
+      if (report_.optimum->confirmed() || left() == 0) break;
+      run_search(algorithm, *evaluator_.best(), polishing_step);
+      if (evaluator_.best()->point != before) examine();
+    }
+    report_.reason = report_.optimum->reason;
+    if (report_.optimum->confirmed())
+      report_.status = DesignStatus::optimum;
+    else
+      report_.status = left() == 0 ? DesignStatus::evaluation_limit : DesignStatus::unconfirmed;
+  }
+
+  const DesignProblem& problem_;
+  DesignEvaluator evaluator_;
+  EvaluationCount before_ = evaluator_.count();  // of other problems
+  std::optional<DesignScale> scale_;
+  OptimiseReport report_;
+};
+
+}  // namespace
+
+Algorithm default_algorithm(const DesignProblem& problem) {
+  return problem.global ? Algorithm::direct_l : local_algorithm(problem);
+}
+
+std::size_t evaluation_limit(const DesignProblem& problem) {
+  if (problem.stop.evaluations > 0) return static_cast<std::size_t>(problem.stop.evaluations);
+  const Algorithm algorithm = problem.algorithm.value_or(default_algorithm(problem));
+  const std::size_t for_each = global_search(problem, algorithm) ? 300 : 100;
+  return for_each * (problem.variables.size() + 1) * problem.scenes.size();
+}
+
+OptimiseReport optimise(const DesignProblem& problem, RecordedEvaluations& evaluations,
+                        const OptimiseOptions& options) {
+  OptimiseReport report = Optimisation(problem, evaluations, options).run();
+  evaluations.flush();
+  return report;
+}
+
+}  // namespace rollres

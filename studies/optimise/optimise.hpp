@@ -1,0 +1,74 @@
+#pragma once
+
+/// Finds the best design of a problem: searches, and asks at the end whether the slopes agree.
+///
+/// A start without an answer is replaced by a point of Sobol's sequence that has one. The wanted search is
+/// followed by shorter ones (slsqp, cobyla) from its best design as long as the slopes there promise more. All of it is
+/// deterministic and every evaluation is recalled by its key, so that a run that was stopped, even by `kill -9`, goes
+/// the same way again to the same design and solves only what is missing.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/optimise/design_optimum.hpp"
+#include "studies/optimise/design_search.hpp"
+
+namespace rollres {
+
+enum class DesignStatus {
+  optimum,             ///< feasible, and to first order nothing near it is better: a local optimum
+  unconfirmed,         ///< the searches ended, but the slopes promise more, or do not exist: `reason` tells
+  evaluation_limit,    ///< the same, with all evaluations spent
+  interrupted,         ///< stopped from outside
+  no_feasible_design,  ///< none was seen that has an answer and meets the constraints
+};
+template <>
+struct ChoiceNames<DesignStatus> {
+  static constexpr std::array<std::string_view, 5> names{"optimum", "unconfirmed", "evaluation_limit", "interrupted",
+                                                         "no_feasible_design"};
+};
+
+struct SearchReport {
+  Algorithm algorithm;
+  SearchEnd end;
+  std::size_t evaluations;  ///< that it added
+};
+
+struct OptimiseProgress {
+  EvaluationCount count;
+  std::optional<double> best;  ///< value of the best feasible design [SI]
+};
+
+struct OptimiseOptions {
+  int jobs = 0;                                              ///< as in DesignEvaluator
+  std::function<void(const OptimiseProgress&)> report = {};  ///< after each design
+};
+
+struct OptimiseReport {
+  DesignStatus status = DesignStatus::no_feasible_design;
+  std::string reason = {};              ///< why it is not an optimum
+  std::optional<Design> best = {};      ///< the best feasible design seen
+  std::optional<Design> nearest = {};   ///< without one: that with the smallest excess over its constraints
+  std::optional<Optimum> optimum = {};  ///< of `best`; absent after an interruption
+  std::vector<SearchReport> searches = {};
+  EvaluationCount count = {};         ///< all, those of earlier searches with the same evaluations left out
+  std::size_t slope_evaluations = 0;  ///< of these, for the slopes at the end
+  std::vector<Design> designs = {};   ///< all with a value, in the order in which they came
+
+  double value() const { return best ? best->value : RollingSolution::absent; }
+};
+
+/// The algorithm for a problem that names none: direct_l where a global search is wanted, cobyla with constraints or
+/// one variable, else bobyqa.
+Algorithm default_algorithm(const DesignProblem& problem);
+
+/// Evaluations that its searches may spend.
+std::size_t evaluation_limit(const DesignProblem& problem);
+
+/// @throws std::runtime_error if the store fails
+OptimiseReport optimise(const DesignProblem& problem, RecordedEvaluations& evaluations,
+                        const OptimiseOptions& options = {});
+
+}  // namespace rollres

@@ -1,0 +1,250 @@
+#include "studies/optimise/optimise_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/text/readable_number.hpp"
+#include "studies/text/scaled_unit.hpp"
+
+namespace rollres {
+
+namespace {
+
+Indenter indenter_of(const DesignProblem& problem) { return problem.scenes.front().scene.indenter; }
+
+Cell rough(double value) { return std::isfinite(value) ? Cell(short_number(value, 3)) : Cell(); }
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// "0.71 +- 0.002"
+Cell with_error(double value, double error) {
+  if (!std::isfinite(value)) return {};
+  return short_number(value, 4) + (std::isfinite(error) ? " +- " + short_number(error, 1) : "");
+}
+
+std::string value_in_words(const DesignProblem& problem, const Variable& variable, double value) {
+  return readable(value, variable.quantity.unit_for(indenter_of(problem)));
+}
+
+std::string value_in_words(const DesignProblem& problem, const Formula& formula, double value) {
+  return readable(value, unit_of(formula, indenter_of(problem)));
+}
+
+Json json_of(const DesignProblem& problem, const Design& design) {
+  Json variables = Json::object();
+  for (std::size_t i = 0; i < design.point.size(); ++i)
+    variables[std::string(problem.variables[i].quantity.key)] = design.point[i];
+  Json object{{"variables", variables},
+              {"value", number(design.value)},
+              {"feasible", design.feasible()},
+              {"reason", design.reason},
+              {"keys", design.keys}};
+  if (problem.pareto) object["second"] = number(design.second);
+  return object;
+}
+
+Json json_of(const EvaluationCount& count) {
+  return {{"all", count.all()}, {"solved", count.solved}, {"recalled", count.recalled}, {"failed", count.failed}};
+}
+
+Json elasticities_json(const DesignProblem& problem, const Elasticities& elasticities) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < elasticities.of.size(); ++i)
+    object[std::string(problem.variables[i].quantity.key)] = {{"elasticity", number(elasticities.of[i])},
+                                                              {"error", number(elasticities.errors[i])}};
+  return object;
+}
+
+/// An axis for values of a formula, and the factor of its unit.
+struct FormulaAxis {
+  ChartAxis axis;
+  double factor;
+};
+FormulaAxis axis_of(const DesignProblem& problem, const Formula& formula, double size) {
+  const ScaledUnit unit = scaled_unit(unit_of(formula, indenter_of(problem)), size);
+  std::string name = formula.text();
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return {{.name = name, .unit = typeset_unit(unit.name)}, unit.factor};
+}
+
+}  // namespace
+
+std::string goal_in_words(const Goal& goal) {
+  return (goal.maximise ? "maximise " : "minimise ") + goal.formula.text();
+}
+
+std::string searches_in_words(const OptimiseReport& report) {
+  std::string text;
+  for (const auto& [algorithm, end, evaluations] : report.searches) {
+    text += (text.empty() ? "" : ", then ") + std::string(name_of(algorithm)) + " (" + std::to_string(evaluations);
+    text += end == SearchEnd::limit ? ", its limit)" : ")";
+  }
+  return text;
+}
+
+Table variables_table(const DesignProblem& problem, const OptimiseReport& report) {
+  Table table{{"variable", "value", "from", "to", "bound", "elasticity"}, {}};
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Variable& variable = problem.variables[i];
+    const auto& optimum = report.optimum;
+    const ActiveBound bound = optimum ? optimum->bounds[i] : ActiveBound::none;
+    table.rows.push_back({std::string(variable.quantity.key), value_in_words(problem, variable, report.best->point[i]),
+                          value_in_words(problem, variable, variable.lowest),
+                          value_in_words(problem, variable, variable.highest),
+                          bound == ActiveBound::none ? Cell() : Cell(std::string(name_of(bound))),
+                          optimum ? with_error(optimum->goal.of[i], optimum->goal.errors[i]) : Cell()});
+  }
+  return table;
+}
+
+Table constraints_table(const DesignProblem& problem, const OptimiseReport& report) {
+  Table table{{"constraint", "left", "right", "slack", "multiplier"}, {}};
+  for (const Variable& variable : problem.variables) table.columns.emplace_back(variable.quantity.key);
+  for (std::size_t j = 0; j < report.best->constraints.size(); ++j) {
+    const ConstraintSides& sides = report.best->constraints[j];
+    const std::size_t own = problem.constraints.size(), scenes = problem.scenes.size();
+    const Formula& left = j < own * scenes ? problem.constraints[j % own].left() : problem.bound->goal.formula;
+    std::vector<Cell> row{constraint_name(problem, j), value_in_words(problem, left, sides.left),
+                          value_in_words(problem, left, sides.right)};
+    if (report.optimum) {
+      const ConstraintState& state = report.optimum->constraints[j];
+      row.push_back(state.active ? Cell("active") : rough(state.slack));
+      row.push_back(state.active ? rough(state.multiplier) : Cell());
+      for (std::size_t i = 0; i < problem.variables.size(); ++i)
+        row.push_back(with_error(state.elasticities.of[i], state.elasticities.errors[i]));
+    }
+    row.resize(table.columns.size());
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table front_table(const DesignProblem& problem, const ParetoReport& front) {
+  Table table{{problem.goal.formula.text(), problem.pareto->goal.formula.text()}, {}};
+  for (const Variable& variable : problem.variables) table.columns.emplace_back(variable.quantity.key);
+  for (const char* const name : {"status", "dominated"}) table.columns.emplace_back(name);
+  for (const ParetoPoint& point : front.points) {
+    std::vector<Cell> row;
+    if (const auto& best = point.report.best) {
+      row = {value_in_words(problem, problem.goal.formula, best->value),
+             value_in_words(problem, problem.pareto->goal.formula, best->second)};
+      for (std::size_t i = 0; i < best->point.size(); ++i)
+        row.emplace_back(value_in_words(problem, problem.variables[i], best->point[i]));
+    }
+    row.resize(table.columns.size() - 2);
+    row.emplace_back(std::string(name_of(point.report.status)));
+    row.emplace_back(point.dominated ? Cell("yes") : Cell());
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
+  Json object{{"study", problem.name},
+              {"status", name_of(report.status)},
+              {"reason", report.reason},
+              {problem.goal.maximise ? "maximise" : "minimise", problem.goal.formula.text()},
+              {"value", number(report.value())},
+              {"unit", unit_of(problem.goal.formula, indenter_of(problem))},
+              {"best", report.best ? json_of(problem, *report.best) : Json(nullptr)},
+              {"nearest", report.nearest ? json_of(problem, *report.nearest) : Json(nullptr)},
+              {"evaluations", json_of(report.count)},
+              {"slope_evaluations", report.slope_evaluations},
+              {"searches", Json::array()},
+              {"variables", Json::array()},
+              {"constraints", Json::array()}};
+  object["evaluations"]["limit"] = evaluation_limit(problem);
+  for (const SearchReport& search : report.searches) {
+    const char* const ends[] = {"tolerance", "limit", "failed"};
+    object["searches"].push_back({{"algorithm", name_of(search.algorithm)},
+                                  {"end", ends[static_cast<std::size_t>(search.end)]},
+                                  {"evaluations", search.evaluations}});
+  }
+  const auto& optimum = report.optimum;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Variable& variable = problem.variables[i];
+    object["variables"].push_back({{"key", variable.quantity.key},
+                                   {"unit", variable.quantity.unit_for(indenter_of(problem))},
+                                   {"from", variable.lowest},
+                                   {"to", variable.highest},
+                                   {"scale", variable.logarithmic ? "logarithmic" : "linear"},
+                                   {"start", problem.start[i]},
+                                   {"value", report.best ? Json(report.best->point[i]) : Json(nullptr)},
+                                   {"bound", optimum ? Json(name_of(optimum->bounds[i])) : Json(nullptr)},
+                                   {"elasticity", optimum ? number(optimum->goal.of[i]) : Json(nullptr)},
+                                   {"elasticity_error", optimum ? number(optimum->goal.errors[i]) : Json(nullptr)}});
+  }
+  const std::optional<Design>& shown = report.best ? report.best : report.nearest;
+  for (std::size_t j = 0; shown && j < shown->constraints.size(); ++j) {
+    const ConstraintSides& sides = shown->constraints[j];
+    Json constraint{{"constraint", constraint_name(problem, j)},
+                    {"left", number(sides.left)},
+                    {"right", number(sides.right)},
+                    {"holds", sides.holds}};
+    if (optimum) {
+      const ConstraintState& state = optimum->constraints[j];
+      constraint["slack"] = number(state.slack);
+      constraint["active"] = state.active;
+      constraint["multiplier"] = number(state.multiplier);
+      constraint["elasticities"] = elasticities_json(problem, state.elasticities);
+    }
+    object["constraints"].push_back(std::move(constraint));
+  }
+  return object;
+}
+
+Json json_of(const DesignProblem& problem, const ParetoReport& front) {
+  const auto goal_json = [](const Goal& goal) {
+    return Json{{goal.maximise ? "maximise" : "minimise", goal.formula.text()}};
+  };
+  Json object{
+      {"study", problem.name},        {"goal", goal_json(problem.goal)},  {"second", goal_json(problem.pareto->goal)},
+      {"complete", front.complete()}, {"interrupted", front.interrupted}, {"evaluations", json_of(front.count)},
+      {"front", Json::array()}};
+  for (const ParetoPoint& point : front.points)
+    object["front"].push_back({{"limit", number(point.limit)},
+                               {"status", name_of(point.report.status)},
+                               {"reason", point.report.reason},
+                               {"dominated", point.dominated},
+                               {"design", point.report.best ? json_of(problem, *point.report.best) : Json(nullptr)}});
+  return object;
+}
+
+ChartRequest course_chart(const DesignProblem& problem, const OptimiseReport& report) {
+  const auto [axis, factor] = axis_of(problem, problem.goal.formula, std::abs(report.value()));
+  ChartRequest request{.title = problem.name + ": best design seen",
+                       .x = {.name = "designs with an answer"},
+                       .y = axis,
+                       .curves = {},
+                       .mark_peaks = false};
+  ChartCurve curve;
+  std::optional<double> best;
+  for (std::size_t i = 0; i < report.designs.size(); ++i) {
+    const Design& design = report.designs[i];
+    if (design.feasible() && (!best || problem.goal.better(design.value, *best))) best = design.value;
+    if (best) curve.points.push_back({static_cast<double>(i + 1), *best / factor});
+  }
+  request.curves.push_back(std::move(curve));
+  return request;
+}
+
+ChartRequest front_chart(const DesignProblem& problem, const ParetoReport& front) {
+  double size = 0, second_size = 0;
+  for (const ParetoPoint& point : front.points)
+    if (point.report.best) {
+      size = std::max(size, std::abs(point.report.best->value));
+      second_size = std::max(second_size, std::abs(point.report.best->second));
+    }
+  const auto [x, x_factor] = axis_of(problem, problem.pareto->goal.formula, second_size);
+  const auto [y, y_factor] = axis_of(problem, problem.goal.formula, size);
+  ChartRequest request{.title = problem.name + ": front", .x = x, .y = y, .curves = {}, .mark_peaks = false};
+  request.x.margin = 0.03;
+  ChartCurve curve;
+  for (const ParetoPoint& point : front.points)
+    if (const auto& best = point.report.best; best && !point.dominated)
+      curve.points.push_back(
+          {best->second / x_factor, best->value / y_factor, point.report.status == DesignStatus::optimum});
+  request.curves.push_back(std::move(curve));
+  return request;
+}
+
+}  // namespace rollres

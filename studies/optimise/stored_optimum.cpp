@@ -1,0 +1,55 @@
+#include "studies/optimise/stored_optimum.hpp"
+
+#include <map>
+#include <set>
+
+#include "studies/optimise/design_file.hpp"
+#include "studies/stored/study_rows.hpp"
+#include "studies/text/strict_json.hpp"
+
+namespace rollres {
+
+int StoredOptimum::variable(std::string_view key) const {
+  for (std::size_t i = 0; i < problem.variables.size(); ++i)
+    if (problem.variables[i].quantity.key == key) return static_cast<int>(i);
+  return -1;
+}
+
+bool is_optimisation(const std::string& definition, const std::string& place) {
+  return !definition.empty() && parse_object(definition, place).contains("variables");
+}
+
+std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::string& study) {
+  const std::string text = store.definition(study).value_or("");
+  const std::string place = store.database().name() + ": " + study;
+  if (!is_optimisation(text, place)) return std::nullopt;
+
+  StoredOptimum found{parse_design_problem(text, place), {}, {}};
+  const StudyRows rows(store, study);
+  std::set<std::vector<double>> points;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::vector<double> point;
+    for (const Variable& variable : found.problem.variables)
+      point.push_back(rows.number(row, *find_quantity_column(input_column(variable.quantity.key))));
+    points.insert(std::move(point));
+  }
+  // By keys made now: those that are stored may be an older program's.
+  std::map<std::string, RollingSolution> answers;
+  for (const std::string& key : store.points(study))
+    if (auto evaluation = store.find(key))
+      answers[evaluation_key(evaluation->scene, "")] = std::move(evaluation->solution);
+  const Evaluate recall = [&](const RollingScene& scene) {
+    const auto answer = answers.find(evaluation_key(scene, ""));
+    return answer == answers.end() ? RollingSolution() : answer->second;
+  };
+  for (const std::vector<double>& point : points) {
+    Design design = evaluate_design(found.problem, point, recall);
+    if (!design.found()) continue;
+    if (design.feasible() && (!found.best || found.problem.goal.better(design.value, found.best->value)))
+      found.best = design;
+    found.designs.push_back(std::move(design));
+  }
+  return found;
+}
+
+}  // namespace rollres

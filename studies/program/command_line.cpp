@@ -1,0 +1,125 @@
+#include "studies/program/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+
+namespace rollres {
+
+namespace {
+
+OptionWords words_of(const CLI::Option& option) {
+  OptionWords words;
+  words.positional = option.get_positional();
+  if (words.positional) words.names.push_back(option.get_name(true));
+  for (const std::string& name : option.get_snames()) words.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) words.names.push_back("--" + name);
+  words.meaning = option.get_description();
+  words.required = option.get_required();
+  words.many = option.get_items_expected_max() > 1;
+  return words;
+}
+
+}  // namespace
+
+CommandOption::CommandOption(CLI::Option& option) : option_(&option), value_(option.get_type_name()) {}
+
+CommandOption* CommandOption::required() { return option_->required(), this; }
+CommandOption* CommandOption::between(int lowest, int highest) {
+  const std::string ends = std::to_string(lowest) + ".." + std::to_string(highest);
+  return option_->check(CLI::Range(lowest, highest).description(ends)), this;
+}
+CommandOption* CommandOption::positive() { return option_->check(CLI::PositiveNumber), this; }
+CommandOption* CommandOption::not_negative() { return option_->check(CLI::NonNegativeNumber), this; }
+CommandOption* CommandOption::one_of(std::span<const std::string_view> names) {
+  choices_.assign(names.begin(), names.end());
+  return option_->check(CLI::IsMember(choices_)), this;
+}
+CommandOption* CommandOption::one_of(std::initializer_list<std::string_view> names) {
+  return one_of(std::span<const std::string_view>(names.begin(), names.size()));
+}
+CommandOption* CommandOption::option_text(const std::string& word) {
+  value_ = word;
+  return option_->type_name(word), this;
+}
+CommandOption* CommandOption::delimiter(char letter) { return option_->delimiter(letter), this; }
+CommandOption* CommandOption::one_value_each() { return option_->allow_extra_args(false), this; }
+CommandOption* CommandOption::expected(int fewest, int most) { return option_->expected(fewest, most), this; }
+CommandOption* CommandOption::excludes(const CommandOption* other) { return option_->excludes(other->option_), this; }
+CommandOption* CommandOption::needs(const CommandOption* other) { return option_->needs(other->option_), this; }
+bool CommandOption::given() const { return option_->count() > 0; }
+
+OptionWords CommandOption::words() const {
+  OptionWords words = words_of(*option_);
+  words.value = value_;
+  words.choices = choices_;
+  return words;
+}
+
+Command::Command(const std::string& name, const std::string& meaning, const std::string& version)
+    : program_(std::make_unique<CLI::App>(meaning, name)), app_(program_.get()) {
+  app_->set_version_flag("--version", version);
+  app_->set_help_flag("-h,--help", "Print this help");
+  app_->require_subcommand(1);
+}
+
+Command::Command(CLI::App& app) : app_(&app) {}
+
+Command::~Command() = default;
+
+Command* Command::add_subcommand(const std::string& name, const std::string& meaning) {
+  subcommands_.push_back(std::unique_ptr<Command>(new Command(*app_->add_subcommand(name, meaning))));
+  return subcommands_.back().get();
+}
+
+template <class T>
+CommandOption* Command::add_option(const std::string& name, T& value, const std::string& meaning) {
+  options_.push_back(std::make_unique<CommandOption>(*app_->add_option(name, value, meaning)));
+  return options_.back().get();
+}
+
+template CommandOption* Command::add_option(const std::string&, std::string&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::vector<double>&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::filesystem::path&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, int&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::uint64_t&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, double&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::optional<int>&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::optional<std::int64_t>&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::optional<std::uint64_t>&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::optional<double>&, const std::string&);
+
+CommandOption* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
+  options_.push_back(std::make_unique<CommandOption>(*app_->add_flag(name, value, meaning)));
+  return options_.back().get();
+}
+
+void Command::footer(const std::string& text) { app_->footer(text); }
+void Command::callback(std::function<void()> act) { app_->callback(std::move(act)); }
+std::string Command::name() const { return app_->get_name(); }
+
+CommandWords Command::words() const {
+  CommandWords words{app_->get_name(), app_->get_description(), app_->get_footer(), {}, {}};
+  for (const auto& option : options_) words.options.push_back(option->words());
+  for (const CLI::Option* const option : {app_->get_help_ptr(), app_->get_version_ptr()})
+    if (option != nullptr) words.options.push_back(words_of(*option));
+  for (const auto& command : subcommands_) words.commands.push_back(command->words());
+  return words;
+}
+
+void Command::parse(std::vector<std::string> words, std::ostream& out, std::ostream& err) {
+  try {
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    app_->parse(words);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw std::invalid_argument(error.what());
+    app_->exit(error, out, err);  // help or version
+  }
+}
+
+}  // namespace rollres

@@ -1,0 +1,77 @@
+#include "studies/program/commands.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <ostream>
+#include <stdexcept>
+
+#include "studies/program/command_line.hpp"
+
+#ifndef ROLLRES_VERSION
+#define ROLLRES_VERSION "0.1.0"
+#endif
+
+namespace rollres {
+
+namespace {
+
+using AddCommand = void (*)(Command&, Session&);
+
+/// Every command, in the order of the help text.
+constexpr AddCommand commands[] = {
+    add_solve,     add_figures, add_material, add_gradient,   add_sensitivity, add_plan,       add_sweep,
+    add_optimise,  add_fit,     add_status,   add_list,       add_show,        add_query,      add_compare,
+    add_chart,     add_report,  add_merge,    add_slurm,      add_export,      add_import,     add_accuracy,
+    add_stability, add_verify,  add_schema,   add_quantities, add_manual,      add_completion,
+};
+
+/// A message as one line: what is not printable becomes a space.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }, ' ');
+  return text;
+}
+
+int complain(Session& session, const std::string& message, int status) {
+  session.err << "rollres: " << one_line(message) << std::endl;
+  return status;
+}
+
+void refuse_unknown_command(const Command& program, const std::vector<std::string>& words) {
+  if (words.empty() || words.front().empty() || words.front().front() == '-') return;
+  std::vector<std::string> names;
+  for (const auto& command : program.subcommands()) names.push_back(command->name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (find_name(known, words.front()) >= 0) return;
+  const std::string nearest = nearest_name(known, words.front());
+  throw std::invalid_argument(words.front() + ": unknown command" +
+                              (nearest.empty() ? "; see rollres --help" : "; did you mean " + nearest + "?"));
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> words, Session session) {
+  try {
+    Command program("rollres", "Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.",
+                    "rollres " ROLLRES_VERSION);
+    program.footer(
+        "Example: rollres solve studies/examples/paper_cylinder.json\n"
+        "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
+    for (const AddCommand add : commands) add(program, session);
+    refuse_unknown_command(program, words);
+    program.parse(std::move(words), session.out, session.err);
+    session.out.flush();
+    if (!session.out) return complain(session, "standard output: cannot be written", ExitStatus::failure);
+    return session.status;
+  } catch (const std::invalid_argument& error) {
+    return complain(session, error.what(), ExitStatus::wrong_input);
+  } catch (const std::bad_alloc&) {
+    return complain(session, "out of memory", ExitStatus::failure);
+  } catch (const std::exception& error) {
+    return complain(session, error.what(), ExitStatus::failure);
+  } catch (...) {
+    return complain(session, "an unknown error", ExitStatus::failure);
+  }
+}
+
+}  // namespace rollres

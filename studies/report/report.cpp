@@ -1,0 +1,56 @@
+#include "studies/report/report.hpp"
+
+#include <optional>
+#include <stdexcept>
+
+#include "studies/report/html.hpp"
+#include "studies/report/report_sections.hpp"
+#include "studies/stored/stored_study.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// What stands at the end: the file from which all of it can be computed again.
+std::string file_section(const std::string& heading, const std::string& text) {
+  return text.empty() ? "" : html::heading(heading) + html::listing(text);
+}
+
+StudyReport fit_report(const FitRecord& fit, const std::string& file) {
+  const PictureSection section = fit_section(fit);
+  return {fit.name,
+          html::page(fit.name, "<h1>" + html::text(fit.name) + "</h1>\n" +
+                                   html::paragraph("A fit in " + file + "; the database holds no study of this name.") +
+                                   section.html + file_section("Fit file", fit.definition)),
+          section.pictures};
+}
+
+}  // namespace
+
+StudyReport study_report(ResultStore& store, const ReportWishes& wishes) {
+  const std::string& file = store.database().name();
+  if (!wishes.study.empty() && !store.study(wishes.study))
+    if (const auto fit = find_fit(store.database(), wishes.study, FitParts::with_data)) return fit_report(*fit, file);
+
+  const StudySummary study = stored_study(store, wishes.study);
+  const std::string text = store.definition(study.name).value_or("");
+  const ReportSource source{store, study, text, definition_in(text, file + ": " + study.name),
+                            StudyRows(store, study.name)};
+  const PictureSection charts = chart_section(source, wishes), errors = accuracy_pictures(source);
+  StudyReport report{study.name, "<h1>" + html::text(study.name) + "</h1>\n", charts.pictures + errors.pictures};
+  report.html += asked_section(source) + charts.html + optimum_section(source) + scene_section(source) +
+                 model_section(source) + result_section(source, wishes.most_rows) + failure_section(source);
+  std::string fit_file;
+  if (const auto fit = find_fit(store.database(), study.name, FitParts::with_data)) {
+    const PictureSection section = fit_section(*fit);
+    report.html += section.html;
+    report.pictures += section.pictures;
+    fit_file = fit->definition;
+  }
+  report.html += accuracy_section(source) + errors.html + provenance_section(source) +
+                 file_section("Study file", text) + file_section("Fit file", fit_file);
+  report.html = html::page(study.name, report.html);
+  return report;
+}
+
+}  // namespace rollres

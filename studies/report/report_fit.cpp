@@ -1,0 +1,87 @@
+#include <cmath>
+#include <filesystem>
+
+#include "studies/report/html.hpp"
+#include "studies/report/report_sections.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+using html::TableRow;
+
+std::string number(double value) { return std::isfinite(value) ? short_number(value, 4) : "-"; }
+
+std::string percent(double share) { return std::isfinite(share) ? short_number(100 * share, 3) + " %" : "-"; }
+
+std::string interval(double lowest, double highest, const std::string& unit) {
+  if (std::isnan(lowest) && std::isnan(highest)) return "-";
+  return (std::isnan(lowest) ? "open" : readable(lowest, unit)) + " to " +
+         (std::isnan(highest) ? "open" : readable(highest, unit));
+}
+
+std::string parameter_table(const FitRecord& fit) {
+  std::vector<TableRow> rows;
+  for (const FitParameterRecord& p : fit.parameters)
+    rows.push_back(
+        {{p.name, readable(p.value, p.unit), p.fixed ? "fixed" : readable(p.standard_error, p.unit),
+          p.fixed ? "" : percent(p.relative_error), p.fixed ? "" : interval(p.linear_lowest, p.linear_highest, p.unit),
+          p.profile_low.empty() ? "-" : interval(p.profile_lowest, p.profile_highest, p.unit), p.flag},
+         false});
+  return html::table({{"parameter"},
+                      {"value", true},
+                      {"standard error", true},
+                      {"relative", true},
+                      {"95 % linear"},
+                      {"95 % profile"},
+                      {"flag"}},
+                     rows);
+}
+
+std::string test_table(const FitRecord& fit) {
+  const std::vector<TableRow> rows{
+      {{"degrees of freedom", std::to_string(fit.degrees)}},
+      {{"deviations", fit.deviations_known ? "as given" : "not given: errors are scaled by the reduced chi squared"}},
+      {{"chi squared",
+        number(fit.chi_squared) + ", reduced " + number(fit.reduced_chi_squared) + ", p = " + number(fit.p_value)}},
+      {{"rms of the residuals", number(fit.rms)}},
+      {{"runs test", "p = " + number(fit.runs_p_value)}},
+      {{"condition",
+        number(fit.condition) + (fit.weakest_direction.empty() ? "" : "; weakest: " + fit.weakest_direction)}},
+      {{"noise of the model", number(fit.noise) + " (relative)"}},
+      {{"descents", std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " starts agree"}},
+      {{"evaluations", std::to_string(fit.evaluations) + ", " + std::to_string(fit.recalled) + " of them recalled, " +
+                           std::to_string(fit.failures) + " failed, in " + readable(fit.seconds, "s")}}};
+  return html::table({{"what"}, {"value"}}, rows);
+}
+
+}  // namespace
+
+PictureSection fit_section(const FitRecord& fit) {
+  std::string section = html::heading("Fit") + html::paragraph(fit.name + " (" + fit.kind + "): " + fit.status);
+  for (const std::string* const words : {&fit.reason, &fit.warnings})
+    if (!words->empty()) section += html::listing(*words);
+  section += parameter_table(fit) + test_table(fit);
+  std::vector<TableRow> pairs, data;
+  for (const FitCorrelationRecord& pair : fit.correlations)
+    pairs.push_back({{pair.first, pair.second, number(pair.correlation)}});
+  if (!pairs.empty()) section += html::table({{"parameter"}, {"and"}, {"correlation", true}}, pairs);
+  const PictureSection pictures = fit_pictures(fit);
+  section += pictures.html;
+  for (const FitDataRecord& one : fit.data)
+    data.push_back({{std::filesystem::path(one.place).filename().string(), short_number(one.measured),
+                     number(one.deviation), short_number(one.predicted), number(one.residual), number(one.band)},
+                    std::abs(one.residual) > 3});
+  if (!data.empty())
+    section += html::table({{"measurement"},
+                            {"measured [SI]", true},
+                            {"deviation", true},
+                            {"fit", true},
+                            {"residual/deviation", true},
+                            {"95 % band", true}},
+                           data);
+  return {section, pictures.pictures};
+}
+
+}  // namespace rollres

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <map>
+#include <regex>
+
+#include "studies/report/html.hpp"
+#include "studies/report/report_sections.hpp"
+
+namespace rollres {
+
+namespace {
+
+using html::TableRow;
+
+/// Texts with how often they come, the most frequent first.
+std::vector<std::pair<std::string, std::size_t>> counted(const std::vector<std::string>& texts) {
+  std::map<std::string, std::size_t> counts;
+  for (const std::string& text : texts) ++counts[text];
+  std::vector<std::pair<std::string, std::size_t>> list(counts.begin(), counts.end());
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  return list;
+}
+
+/// Texts that differ only in their numbers become one, with the ranges of these.
+std::vector<std::string> with_ranges(const std::vector<std::string>& texts) {
+  static const std::regex number(R"([0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
+  struct Range {
+    std::string least, greatest;
+  };
+  std::map<std::string, std::vector<Range>> kinds;
+  std::vector<std::string> patterns;
+  for (const std::string& text : texts) {
+    const std::string pattern = patterns.emplace_back(std::regex_replace(text, number, "\x01"));
+    std::vector<Range>& ranges = kinds[pattern];
+    std::size_t place = 0;
+    for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found, ++place) {
+      const std::string value = found->str();
+      if (place == ranges.size()) ranges.push_back({value, value});
+      if (std::stod(value) < std::stod(ranges[place].least)) ranges[place].least = value;
+      if (std::stod(value) > std::stod(ranges[place].greatest)) ranges[place].greatest = value;
+    }
+  }
+  for (std::string& pattern : patterns) {
+    std::string text;
+    std::size_t place = 0;
+    for (const char letter : pattern) {
+      if (letter != '\x01') {
+        text += letter;
+        continue;
+      }
+      const auto& [least, greatest] = kinds[pattern][place++];
+      text += least == greatest ? least : least + " to " + greatest;
+    }
+    pattern = text;
+  }
+  return patterns;
+}
+
+void add_parts(std::vector<std::string>& parts, const std::string& text, std::string_view between) {
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find(between, start), text.size());
+    if (end > start) parts.push_back(text.substr(start, end - start));
+    start = end + between.size();
+  }
+}
+
+}  // namespace
+
+std::string count_table(const std::string& what, const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 20;
+  std::vector<TableRow> rows;
+  const auto kinds = counted(with_ranges(texts));
+  for (const auto& [text, count] : kinds)
+    if (rows.size() < most) rows.push_back({{text.empty() ? "-" : text, std::to_string(count)}});
+  return html::table({{what}, {"points", true}}, rows) +
+         (kinds.size() > most ? html::paragraph(std::to_string(kinds.size() - most) + " further ones are not listed.")
+                              : "");
+}
+
+std::string model_section(const ReportSource& source) {
+  std::vector<std::string> methods, models, warnings;
+  for (std::size_t row = 0; row < source.rows.size(); ++row) {
+    methods.push_back(source.rows.text(row, "method"));
+    add_parts(models, source.rows.text(row, "model"), "; ");
+    add_parts(warnings, source.rows.text(row, "warnings"), "\n");
+  }
+  return html::heading("Model") + count_table("method", methods) +
+         count_table("what the model keeps and leaves out, and why", models) +
+         (warnings.empty() ? html::paragraph("No warnings.") : count_table("warning", warnings));
+}
+
+}  // namespace rollres

@@ -1,0 +1,65 @@
+#pragma once
+
+/// The sections of a report (report.hpp), each as HTML: report_tables.cpp, report_model.cpp,
+/// report_optimum.cpp, report_pictures.cpp, report_fit.cpp.
+
+#include <string>
+#include <vector>
+
+#include "db/rows/fit_store.hpp"
+#include "studies/report/report.hpp"
+#include "studies/stored/study_rows.hpp"
+#include "studies/study/study_definition.hpp"
+
+namespace rollres {
+
+/// What the sections are made of.
+struct ReportSource {
+  ResultStore& store;
+  StudySummary study;
+  std::string definition_text;
+  StudyDefinition definition;
+  StudyRows rows;
+
+  std::string file() const { return store.database().name(); }
+  /// The axes that have more than one value among the rows.
+  std::vector<const QuantityColumn*> varied() const;
+};
+
+/// Texts with the points that each holds for, the most frequent first; texts that differ only in their numbers are one,
+/// with the ranges of these.
+std::string count_table(const std::string& what, const std::vector<std::string>& texts);
+
+/// Points, answers, and the least and the greatest rolling resistance.
+std::string asked_section(const ReportSource& source);
+/// Axes, inputs that all points share, and those at their defaults.
+std::string scene_section(const ReportSource& source);
+/// Methods, parts of the model, and warnings.
+std::string model_section(const ReportSource& source);
+std::string result_section(const ReportSource& source, std::size_t most_rows);
+std::string failure_section(const ReportSource& source);
+/// Seconds and estimated errors.
+std::string accuracy_section(const ReportSource& source);
+std::string provenance_section(const ReportSource& source);
+
+/// The best design, if the study is an optimisation.
+std::string optimum_section(const ReportSource& source);
+
+/// HTML, and how many pictures are in it.
+struct PictureSection {
+  std::string html;
+  std::size_t pictures = 0;
+};
+
+/// The charts of the study file, the shares of losses and a map where they can be drawn.
+PictureSection chart_section(const ReportSource& source, const ReportWishes& wishes);
+
+/// Estimated error against seconds.
+PictureSection accuracy_pictures(const ReportSource& source);
+/// Residuals.
+PictureSection fit_pictures(const FitRecord& fit);
+
+/// A stored fit: status, parameters, tests, correlations, residuals.
+PictureSection fit_section(const FitRecord& fit);
+
+}  // namespace rollres

@@ -1,0 +1,294 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "studies/optimise/stored_optimum.hpp"
+#include "studies/report/html.hpp"
+#include "studies/report/report_sections.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/stored/study_provenance.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/shell_word.hpp"
+
+namespace rollres {
+
+namespace {
+
+using html::TableColumn;
+using html::TableRow;
+
+const QuantityColumn& output(const std::string& key) { return *find_quantity_column(key); }
+
+Indenter indenter_of(const StudyRows& rows, std::size_t row) {
+  return rows.cell(row, output("indenter")) == Cell(std::string(name_of(Indenter::sphere))) ? Indenter::sphere
+                                                                                            : Indenter::cylinder;
+}
+
+/// A cell with its own unit.
+std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
+  return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(indenter_of(rows, row)));
+}
+
+/// "speed = 50 mm/s, load = 20 kN/m"
+std::string place_of(const ReportSource& source, std::size_t row) {
+  std::string place;
+  for (const QuantityColumn* const axis : source.varied())
+    place += (place.empty() ? "" : ", ") + in_words(std::string(axis->quantity.key)) + " = " +
+             shown_cell(source.rows, row, *axis);
+  return place;
+}
+
+std::string to_the_second(const std::string& time) {
+  return time.size() < 19 ? time : time.substr(0, 10) + " " + time.substr(11, 8);
+}
+
+bool at_default(const Cell& cell, const InputKind& kind) {
+  if (kind.optional || kind.list) return std::holds_alternative<std::monostate>(cell);
+  if (const auto* const text = std::get_if<std::string>(&kind.default_value)) return cell == Cell(*text);
+  const auto* const number = std::get_if<double>(&kind.default_value);
+  if (!number) return false;
+  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count) == *number;
+  return cell == Cell(*number);
+}
+
+/// The finite values of an output over the converged rows, rising.
+std::vector<double> sorted_values(const StudyRows& rows, const char* key) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (const double value = rows.number(row, key); rows.converged(row) && std::isfinite(value))
+      values.push_back(value);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+double quantile(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
+}
+
+/// A column of the table of results: one unit for all rows where they have one.
+struct ResultColumn {
+  const QuantityColumn* column;
+  std::optional<ColumnScale> scale = {};
+
+  ResultColumn(const ReportSource& source, const QuantityColumn& quantity) : column(&quantity) {
+    if (quantity.type == "TEXT") return;
+    const bool mixed = source.rows.values(output("indenter")).size() > 1 && !quantity.quantity.unit_2d.empty();
+    if (!mixed) scale = scale_of(source.rows, quantity, AxisScale::automatic, false, "");
+  }
+  TableColumn head() const {
+    const Quantity& q = column->quantity;
+    std::string words = in_words(q.key);
+    if (!q.symbol.empty()) words += " " + std::string(symbol_beside_name(q));
+    if (scale && !scale->unit.name.empty()) words += " [" + typeset_unit(scale->unit.name) + "]";
+    return {words, scale.has_value()};
+  }
+  std::string cell(const StudyRows& rows, std::size_t row) const {
+    if (!scale) return shown_cell(rows, row, *column);
+    const double value = rows.number(row, *column);
+    if (std::isnan(value)) return "-";
+    return std::isinf(value) ? "infinite" : short_number(value / scale->unit.factor, 5);
+  }
+};
+
+std::vector<ResultColumn> result_columns(const ReportSource& source) {
+  constexpr std::size_t most = 9;
+  std::vector<ResultColumn> columns;
+  const auto add = [&](const QuantityColumn& column) {
+    const bool there = std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.column == &column; });
+    if (!there && columns.size() < most) columns.emplace_back(source, column);
+  };
+  for (const QuantityColumn* const axis : source.varied()) add(*axis);
+  if (source.definition.compute.empty())
+    for (const char* key : {"rolling_resistance", "rolling_resistance_coefficient", "approach", "peak_pressure"})
+      add(output(key));
+  for (const std::string& key : source.definition.compute)
+    if (const QuantityColumn* const column = find_quantity_column(key)) add(*column);
+  add(output("error_estimate"));
+  return columns;
+}
+
+}  // namespace
+
+std::vector<const QuantityColumn*> ReportSource::varied() const {
+  std::vector<const QuantityColumn*> axes;
+  for (const std::string& key : study.axes)
+    if (const QuantityColumn& column = column_of(key, study, "axis"); rows.values(column).size() > 1)
+      axes.push_back(&column);
+  return axes;
+}
+
+std::string asked_section(const ReportSource& source) {
+  const StudySummary& study = source.study;
+  std::string section = html::heading("What was asked");
+  const bool optimisation = is_optimisation(source.definition_text, source.file() + ": " + study.name);
+  section +=
+      html::paragraph(std::to_string(study.points) + " points: " + std::to_string(study.answered - study.failed) +
+                      " converged, " + std::to_string(study.failed) + " without an answer, " +
+                      std::to_string(study.points - study.answered) + " not computed yet. First started " +
+                      to_the_second(study.created) + " UTC, last result " + to_the_second(study.last_result) + " UTC.");
+  std::optional<std::size_t> least, greatest;
+  for (std::size_t row = 0; row < source.rows.size(); ++row) {
+    const double value = source.rows.number(row, "rolling_resistance");
+    if (!source.rows.converged(row) || std::isnan(value)) continue;
+    if (!least || value < source.rows.number(*least, "rolling_resistance")) least = row;
+    if (!greatest || value > source.rows.number(*greatest, "rolling_resistance")) greatest = row;
+  }
+  for (const auto& [name, row] : {std::pair("Least", least), std::pair("Greatest", greatest)})
+    if (row) {
+      const std::string place = place_of(source, *row);
+      section += html::paragraph(std::string(name) +
+                                 " rolling resistance: " + shown_cell(source.rows, *row, output("rolling_resistance")) +
+                                 (place.empty() ? "" : " at " + place));
+    }
+  section +=
+      html::paragraph(source.definition_text.empty()
+                          ? "The study file was not stored."
+                          : "This command computes what is missing, from the study file at the end of this report:");
+  if (!source.definition_text.empty())
+    section += html::listing(std::string("rollres ") + (optimisation ? "optimise" : "sweep") + " study.json --db " +
+                             shell_word(source.file()));
+  return section;
+}
+
+std::string scene_section(const ReportSource& source) {
+  std::string section = html::heading("Scene");
+  std::vector<TableRow> axes, inputs;
+  std::string defaults;
+  const auto varied = source.varied();
+  for (const QuantityColumn* const each : source.rows.columns()) {
+    const QuantityColumn& column = *each;
+    if (!column.is_input) continue;
+    const Quantity& q = column.quantity;
+    const std::string key = in_words(q.key), symbol(symbol_beside_name(q)), meaning(q.meaning);
+    const std::set<Cell> values = source.rows.values(column);
+    const auto shown = [&](const Cell& cell) {
+      return value_in_words(q, cell, q.unit_for(indenter_of(source.rows, 0)));
+    };
+    if (values.size() > 1) {
+      constexpr std::size_t few = 8;
+      std::string list;
+      if (values.size() <= few)
+        for (const Cell& value : values) list += (list.empty() ? "" : ", ") + shown(value);
+      else
+        list = shown(*values.begin()) + " to " + shown(*values.rbegin());
+      const bool axis = std::find(varied.begin(), varied.end(), &column) != varied.end();
+      axes.push_back({{key, symbol, list, std::to_string(values.size()), axis ? meaning : meaning + " (follows)"}});
+      continue;
+    }
+    const Cell& value = *values.begin();
+    const InputKind* const kind = find_input(q.key);
+    if (std::holds_alternative<std::monostate>(value)) continue;
+    if (kind && at_default(value, *kind) && !q.symbol.empty() && q.unit != "1")
+      inputs.push_back({{key, symbol, shown(value), meaning}});
+    else if (kind && at_default(value, *kind))
+      defaults += (defaults.empty() ? "" : ", ") + key + " = " + shown(value);
+    else
+      inputs.push_back({{key, symbol, shown(value), meaning}});
+  }
+  if (!axes.empty()) section += html::table({{"varied"}, {"symbol"}, {"values"}, {"number", true}, {"meaning"}}, axes);
+  if (!inputs.empty()) section += html::table({{"the same in all points"}, {"symbol"}, {"value"}, {"meaning"}}, inputs);
+  if (!defaults.empty()) section += html::paragraph("At their defaults: " + defaults + ".");
+  return section;
+}
+
+std::string result_section(const ReportSource& source, std::size_t most_rows) {
+  std::string section = html::heading("Results");
+  const std::vector<ResultColumn> columns = result_columns(source);
+  const std::size_t points = source.rows.size(), step = std::max<std::size_t>(1, (points + most_rows - 1) / most_rows);
+  std::vector<TableColumn> heads;
+  for (const ResultColumn& column : columns) heads.push_back(column.head());
+  heads.push_back({"status"});
+  std::vector<TableRow> rows;
+  for (std::size_t row = 0; row < points; row += step) {
+    TableRow line{{}, !source.rows.converged(row)};
+    for (const ResultColumn& column : columns) line.cells.push_back(column.cell(source.rows, row));
+    line.cells.push_back(in_words(source.rows.text(row, "status")));
+    rows.push_back(std::move(line));
+  }
+  if (step > 1)
+    section += html::paragraph("Shown is one of every " + std::to_string(step) + " points, of " +
+                               std::to_string(points) + ".");
+  section += html::paragraph("All columns of all points: rollres query --db " + shell_word(source.file()) + " " +
+                             shell_word("study=" + source.study.name) + " --format csv");
+  return section + html::table(heads, rows);
+}
+
+std::string failure_section(const ReportSource& source) {
+  constexpr std::size_t most = 40;
+  std::vector<std::string> reasons;
+  std::vector<TableRow> places;
+  for (std::size_t row = 0; row < source.rows.size(); ++row) {
+    if (source.rows.converged(row)) continue;
+    const std::string status = in_words(source.rows.text(row, "status")), reason = source.rows.text(row, "reason");
+    reasons.push_back(status + (reason.empty() ? "" : ": ") + reason);
+    if (places.size() < most) places.push_back({{place_of(source, row), status, reason}});
+  }
+  std::string section = html::heading("Failures");
+  if (reasons.empty()) return section + html::paragraph("None: every computed point converged.");
+  section += count_table("reason", reasons) + html::table({{"point"}, {"status"}, {"reason"}}, places);
+  if (reasons.size() > most)
+    section += html::paragraph(std::to_string(reasons.size() - most) + " further points are not listed.");
+  return section;
+}
+
+std::string accuracy_section(const ReportSource& source) {
+  std::string section = html::heading("Speed and accuracy");
+  const auto line = [](const char* what, const std::vector<double>& sorted, double total, std::string_view unit) {
+    std::vector<std::string> cells{what};
+    for (const double share : {0.0, 0.5, 0.9, 1.0}) cells.push_back(readable(quantile(sorted, share), unit));
+    cells.push_back(std::isnan(total) ? "" : readable(total, unit));
+    return TableRow{cells};
+  };
+  std::vector<TableRow> rows;
+  const std::vector<double> seconds = sorted_values(source.rows, "seconds");
+  double total = 0;
+  for (const double one : seconds) total += one;
+  if (!seconds.empty()) rows.push_back(line("time of a solution", seconds, total, "s"));
+  const std::pair<const char*, const char*> measures[] = {{"error_estimate", "estimated relative error of R_r"},
+                                                          {"energy_residual", "what the power balance misses"},
+                                                          {"law_violation", "violation of the laws of contact"}};
+  for (const auto& [key, words] : measures)
+    if (const std::vector<double> values = sorted_values(source.rows, key); !values.empty())
+      rows.push_back(line(words, values, RollingSolution::absent, ""));
+  if (rows.empty()) return section + html::paragraph("Nothing was measured.");
+  section += html::table({{"over converged points"},
+                          {"least", true},
+                          {"median", true},
+                          {"90 % below", true},
+                          {"greatest", true},
+                          {"together", true}},
+                         rows);
+
+  std::map<int, std::size_t> decades;
+  for (const double error : sorted_values(source.rows, "error_estimate"))
+    ++decades[error > 0 ? std::max(-16, static_cast<int>(std::ceil(std::log10(error) - 1e-9))) : -16];
+  std::vector<TableRow> distribution;
+  for (const auto& [decade, count] : decades)
+    distribution.push_back({{"up to " + short_number(std::pow(10.0, decade), 3), std::to_string(count)}});
+  if (!distribution.empty()) section += html::table({{"estimated error"}, {"points", true}}, distribution);
+  return section;
+}
+
+std::string provenance_section(const ReportSource& source) {
+  std::vector<TableRow> rows;
+  for (const ComputedShare& share : computed_shares(source.store, source.study.name))
+    rows.push_back(
+        {{share.program.version + " (" + share.program.git_hash.substr(0, 12) + ")", share.program.solver.substr(0, 12),
+          share.program.compiler, share.program.machine, std::to_string(share.points), readable(share.seconds, "s"),
+          to_the_second(share.first) + " to " + to_the_second(share.last)}});
+  const Provenance& here = this_program();
+  return html::heading("Provenance") +
+         html::table({{"rollres"},
+                      {"solver"},
+                      {"compiler"},
+                      {"machine"},
+                      {"points", true},
+                      {"solutions took", true},
+                      {"stored (UTC)"}},
+                     rows) +
+         html::paragraph("Database " + source.file() + ". This report was written by rollres " + here.version + " (" +
+                         here.git_hash.substr(0, 12) + ").");
+}
+
+}  // namespace rollres

@@ -1,0 +1,178 @@
+#include "studies/run/sweep.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/numerics/parallel.hpp"
+#include "core/numerics/threads.hpp"
+#include "db/rows/point_states.hpp"
+#include "studies/run/evaluate.hpp"
+#include "studies/run/result_writer.hpp"
+#include "studies/run/work_list.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// What the threads of one sweep share.
+struct Run {
+  const std::atomic<bool>* stop_from_outside = nullptr;
+  std::atomic<bool> broken = false;
+  std::atomic<std::size_t> solved = 0, failed = 0;
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::size_t started = 0, ended = 0;
+  std::exception_ptr first_error;
+
+  bool asked_to_stop() const { return stop_from_outside && stop_from_outside->load(); }
+
+  void fail(std::exception_ptr error) {
+    const std::lock_guard lock(mutex);
+    if (!first_error) first_error = std::move(error);
+    broken = true;
+  }
+};
+
+bool is_wanted_again(const StoredAnswer& answer, const SweepOptions& options) {
+  const bool converged = answer.status == Status::converged;
+  switch (options.retry) {
+    case Retry::all:
+      return true;
+    case Retry::failed:
+      if (!converged) return true;
+      break;
+    case Retry::not_converged:
+      if (answer.status == Status::not_converged) return true;
+      break;
+    case Retry::nothing:
+      break;
+  }
+  return converged && options.fields == Fields::kept && !answer.has_fields;
+}
+
+/// Answers as they were at the start that are to be solved again, by their keys: any change is the new answer.
+std::unordered_map<std::string, StoredAnswer> wanted_again(ResultStore& reader, const std::vector<std::string>& keys,
+                                                           const SweepOptions& options) {
+  std::unordered_map<std::string, StoredAnswer> old;
+  if (options.retry == Retry::nothing && options.fields == Fields::dropped) return old;
+  for (const std::string& key : keys)
+    if (const auto answer = reader.find_answer(key); answer && is_wanted_again(*answer, options))
+      old.emplace(key, *answer);
+  return old;
+}
+
+void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
+          const Evaluate& evaluate, Fields fields, ResultWriter& writer, int cores) {
+  limit_threads(cores);
+  try {
+    while (!run.broken && !run.asked_to_stop()) {
+      const std::optional<std::size_t> point = list.next();
+      if (!point) break;
+      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point], fields)};
+      if (answer.solution.status != Status::converged) ++run.failed;
+      writer.add(std::move(answer));
+      ++run.solved;
+    }
+  } catch (...) {
+    run.fail(std::current_exception());
+  }
+  const std::lock_guard lock(run.mutex);
+  ++run.ended;
+  run.changed.notify_one();
+}
+
+/// Leaves the points of one shard.
+void keep_shard(const Shard& shard, std::vector<RollingScene>& scenes, std::vector<std::string>& keys) {
+  if (shard.count == 1) return;
+  const std::vector<int> shards = shards_of_points(keys, scenes, shard.count);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (shards[i] != shard.index) continue;
+    std::swap(scenes[kept], scenes[i]);
+    std::swap(keys[kept++], keys[i]);
+  }
+  scenes.resize(kept);
+  keys.resize(kept);
+}
+
+std::size_t count(const std::vector<PointState>& states, Answer answer) {
+  return static_cast<std::size_t>(
+      std::count_if(states.begin(), states.end(), [&](const PointState& state) { return state.answer == answer; }));
+}
+
+}  // namespace
+
+SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
+                      const SweepOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+
+  StudyPlan planned = plan(study);
+  std::vector<RollingScene>& scenes = planned.scenes;
+  std::vector<std::string> keys;
+  for (const RollingScene& scene : scenes) keys.push_back(evaluation_key(scene));
+  StudyRecord record{study.name, {}, options.definition};
+  for (const Axis& axis : study.axes) record.axes.push_back(axis.key);
+
+  ResultStore store(database), reader(database, Access::read);
+  store.start_study(record, keys);
+  keep_shard(options.shard, scenes, keys);
+  const std::size_t missing = count(point_states(reader.database(), keys), Answer::missing);
+  const auto old = wanted_again(reader, keys, options);
+
+  Run run;
+  run.stop_from_outside = options.stop;
+  WorkList list(keys, [&](const std::string& key) {
+    const auto answer = reader.find_answer(key);
+    const auto was = old.find(key);
+    return answer && (was == old.end() || *answer != was->second);
+  });
+  const std::size_t to_solve = list.open();
+  {
+    ResultWriter writer(
+        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); },
+        options.retry == Retry::nothing ? Existing::kept : Existing::replaced);
+    std::vector<std::jthread> threads;
+    try {
+      const std::size_t jobs = jobs_for(options.jobs, to_solve);
+      const int cores_each = cores_for_each(jobs);
+      for (std::size_t job = 0; job < jobs; ++job) {
+        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, options.fields, writer, cores_each); });
+        const std::lock_guard lock(run.mutex);
+        ++run.started;
+      }
+      std::unique_lock lock(run.mutex);
+      while (!run.changed.wait_for(lock, std::chrono::milliseconds(100), [&] { return run.ended == run.started; })) {
+        lock.unlock();
+        if (options.report)
+          options.report({to_solve, run.solved, run.failed, list.open(), seconds(), run.asked_to_stop()});
+        lock.lock();
+      }
+    } catch (...) {
+      run.fail(std::current_exception());
+    }
+  }
+  if (run.first_error) std::rethrow_exception(run.first_error);
+
+  SweepReport report;
+  report.study = store.study(study.name).value_or(StudySummary{});
+  const auto again = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return old.contains(key); });
+  const std::vector<PointState> states = point_states(reader.database(), keys);
+  report.dropped = planned.all_dropped();
+  report.points = keys.size();
+  report.answered = keys.size() - count(states, Answer::missing);
+  report.failed = count(states, Answer::failed);
+  report.recalled = keys.size() - missing - static_cast<std::size_t>(again);
+  report.solved = run.solved;
+  report.interrupted = run.asked_to_stop() && report.answered < report.points;
+  report.seconds = seconds();
+  return report;
+}
+
+}  // namespace rollres

@@ -1,0 +1,76 @@
+#pragma once
+
+/// Runs all points of a study. Threads solve; one more thread stores each answer as it comes.
+///
+/// What the store has is not solved again, so a study that was stopped, even by `kill -9`, is finished by starting it
+/// again, and several processes may work on one study in one database. Answers that come faster than twenty times a
+/// second are stored in groups: no more than about 0.1 s of them can be lost.
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "core/solve/rolling_contact.hpp"
+#include "db/rows/result_store.hpp"
+#include "studies/run/evaluate.hpp"
+#include "studies/study/shards.hpp"
+#include "studies/study/study.hpp"
+
+namespace rollres {
+
+/// Which stored answers are solved again. The new one takes the place of the old one, in one transaction and under the
+/// same key; what converged never gives way to what did not.
+enum class Retry {
+  nothing,
+  not_converged,  ///< those with this status
+  failed,         ///< all that did not converge: those without a steady state, too
+  all
+};
+template <>
+struct ChoiceNames<Retry> {
+  static constexpr std::array<std::string_view, 4> names{"nothing", "not_converged", "failed", "all"};
+};
+
+struct SweepProgress {
+  std::size_t to_solve = 0;  ///< points without an answer at the start, or with one that is asked for again
+  std::size_t solved = 0;    ///< by this process
+  std::size_t failed = 0;    ///< of these, without an answer
+  std::size_t left = 0;      ///< neither stored, nor being solved by this process
+  double seconds = 0;        ///< since the start
+  bool stopping = false;
+};
+
+struct SweepOptions {
+  int jobs = 0;                                           ///< threads that solve; 0: one for each core
+  const std::atomic<bool>* stop = nullptr;                ///< set from outside: finish the points in work, then return
+  std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second by the calling thread
+  std::string definition = {};                            ///< text of the study file, kept in the store
+  std::chrono::milliseconds grouping{50};                 ///< least time between two transactions
+  Shard shard = {};                                       ///< solve this part; the study is recorded whole
+  Retry retry = Retry::nothing;
+  Fields fields = Fields::dropped;  ///< kept: stored too; a point that converged without them is solved again
+};
+
+struct SweepReport {
+  StudySummary study;        ///< as it is stored now
+  std::size_t dropped = 0;   ///< combinations that constraints leave out of the study
+  std::size_t points = 0;    ///< of the shard; all, if there is one shard
+  std::size_t answered = 0;  ///< of these, now; failed ones included
+  std::size_t failed = 0;
+  std::size_t recalled = 0;  ///< points of the shard whose answer was there at the start and was good enough
+  std::size_t solved = 0;    ///< evaluations solved by this process
+  bool interrupted = false;  ///< stopped before all points were answered
+  double seconds = 0;
+};
+
+/// @param evaluate  called by several threads at once; an exception of it becomes the reason of a failed point
+/// @throws std::invalid_argument naming the point and the rule, before any point is solved
+/// @throws std::runtime_error if the database fails; what was stored before stays
+SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
+                      const SweepOptions& options = {});
+
+}  // namespace rollres

@@ -1,0 +1,109 @@
+#include "studies/scene_io/fields_file.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "core/newton/surface_window.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/write_file.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct Column {
+  std::string name, unit;
+  std::vector<double> values;
+};
+
+std::vector<Column> columns_of(const RollingScene& scene, const SurfaceFields& fields) {
+  std::vector<Column> columns;
+  auto add = [&](const char* name, const char* unit, const std::vector<double>& values, double factor) {
+    if (values.empty()) return;  // y in two dimensions
+    assert(values.size() == static_cast<std::size_t>(fields.grid.size()));
+    columns.push_back({name, unit, values});
+    for (double& value : columns.back().values) value = factor * value + 0.0;  // no negative zero
+  };
+  add("w", "m", fields.w, 1.0);
+  add("u", "m", fields.u, 1.0);
+  add("v", "m", fields.v, 1.0);
+  add("sigma_z", "Pa", fields.pressure, -1.0);
+  add("tau_xz", "Pa", fields.shear_x, 1.0);
+  add("tau_yz", "Pa", fields.shear_y, 1.0);
+  add("slip_x", "m/s", fields.slip_x, scene.speed);
+  add("slip_y", "m/s", fields.slip_y, scene.speed);
+  return columns;
+}
+
+std::string triple(double x, double y, double z) { return shortest(x) + ' ' + shortest(y) + ' ' + shortest(z); }
+
+}  // namespace
+
+std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields) {
+  const bool sphere = scene.indenter == Indenter::sphere;
+  const std::vector<Column> columns = columns_of(scene, fields);
+  std::string text = sphere ? "x [m],y [m]" : "x [m]";
+  for (const Column& column : columns) text += ',' + column.name + " [" + column.unit + ']';
+  text += ",zone\n";
+  for (int row = 0; row < fields.grid.rows; ++row)
+    for (int i = 0; i < fields.grid.columns; ++i) {
+      const auto node = static_cast<std::size_t>(fields.grid.index(i, row));
+      text += shortest(fields.grid.x(i));
+      if (sphere) text += ',' + shortest(fields.grid.y(row));
+      for (const Column& column : columns)
+        text += ',' + (std::isfinite(column.values[node]) ? shortest(column.values[node]) : std::string());
+      text += ',' + std::string(name_of(fields.zone[node])) + '\n';
+    }
+  return text;
+}
+
+std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields) {
+  std::vector<Column> columns = columns_of(scene, fields);
+  std::erase_if(columns, [](const Column& column) {
+    return !std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
+  });
+  const SurfaceGrid& grid = fields.grid;
+  const std::string extent = "0 " + std::to_string(grid.columns - 1) + " 0 " + std::to_string(grid.rows - 1) + " 0 0";
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"0.1\">\n<ImageData WholeExtent=\"" + extent +
+      "\" Origin=\"" + triple(grid.x(0), grid.y(0), 0) + "\" Spacing=\"" + triple(grid.spacing_x, grid.spacing_y, 1) +
+      "\">\n<Piece Extent=\"" + extent + "\">\n<PointData Scalars=\"sigma_z\" Vectors=\"displacement\">\n";
+  auto open = [&](const std::string& type, const std::string& name, int components) {
+    text += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+            std::to_string(components) + "\" format=\"ascii\">\n";
+  };
+  auto close = [&] { text += "</DataArray>\n"; };
+  for (const Column& column : columns) {
+    open("Float64", column.name, 1);
+    for (const double value : column.values) text += shortest(value) + '\n';
+    close();
+  }
+  const auto component = [&](const std::vector<double>& values, std::size_t node) {
+    return node < values.size() && std::isfinite(values[node]) ? values[node] : 0.0;
+  };
+  const auto vectors = [&](const char* name, const std::vector<double>& x, const std::vector<double>& y,
+                           const std::vector<double>& z, double factor_z) {
+    open("Float64", name, 3);
+    for (std::size_t node = 0; node < static_cast<std::size_t>(grid.size()); ++node)
+      text += triple(component(x, node), component(y, node), factor_z * component(z, node) + 0.0) + '\n';
+    close();
+  };
+  vectors("displacement", fields.u, fields.v, fields.w, 1);
+  vectors("traction", fields.shear_x, fields.shear_y, fields.pressure, -1);
+  const SurfaceVelocity velocity = surface_velocity(scene, fields);
+  vectors("velocity", velocity.x, velocity.y, {}, 1);
+  open("Int8", "zone", 1);
+  for (const Zone zone : fields.zone) text += std::to_string(static_cast<int>(zone)) + '\n';
+  close();
+  return text + "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
+}
+
+void write_fields(const std::filesystem::path& directory, const RollingScene& scene, const SurfaceFields& fields) {
+  make_directory(directory);
+  write_file(directory / "fields.csv", fields_csv(scene, fields));
+  write_file(directory / "fields.vti", fields_vti(scene, fields));
+}
+
+}  // namespace rollres

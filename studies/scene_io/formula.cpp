@@ -1,0 +1,190 @@
+#include "studies/scene_io/formula.hpp"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <type_traits>
+
+#include "core/scene/scene_input.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/units.hpp"
+
+namespace rollres {
+
+namespace {
+
+template <class Value>
+constexpr bool is_number =
+    std::is_arithmetic_v<std::decay_t<Value>> || std::is_same_v<std::decay_t<Value>, std::optional<double>>;
+
+double as_number(const std::optional<double>& value) { return value.value_or(RollingSolution::absent); }
+double as_number(double value) { return value; }
+
+/// The number with this key: of the solution where it has one, else of the scene.
+double number_of(const RollingScene& scene, const RollingSolution& solution, std::string_view key) {
+  double found = RollingSolution::absent;
+  visit_input(scene, key, [&](const Quantity&, const auto& value) {
+    if constexpr (is_number<decltype(value)>) found = as_number(value);
+  });
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    if constexpr (is_number<decltype(value)>)
+      if (quantity.key == key && !std::isnan(as_number(value))) found = as_number(value);
+  });
+  return found;
+}
+
+bool is_number_of_layer(std::string_view key) {
+  const InputKind* const input = layer_key(key) ? find_input(key) : nullptr;
+  return input && input->choices.empty() && !input->list;
+}
+
+/// What names consist of: those of further layers' inputs have brackets and a dot.
+constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[].";
+
+std::string trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return std::string(text);
+}
+
+/// The right side as a formula in SI: "2 MPa" becomes 2000000 if the left side is a pressure.
+std::string in_si(const std::string& right, const Formula& left, Indenter indenter) {
+  const std::string_view unit = unit_of(left, indenter);
+  const bool begins_as_number = !right.empty() && (std::isdigit(static_cast<unsigned char>(right.front())) ||
+                                                   right.front() == '.' || right.front() == '-');
+  if (unit.empty() || unit == "1" || !begins_as_number || plain_number(right)) return right;
+  try {
+    return text_of(InputValue(si_value(right, unit)));
+  } catch (const std::invalid_argument&) {
+    return right;  // a formula that begins with a number
+  }
+}
+
+}  // namespace
+
+std::string_view unit_of(const Formula& formula, Indenter indenter) {
+  if (formula.keys().size() != 1 || formula.keys().front() != formula.text()) return {};
+  std::string_view unit;
+  if (const InputKind* const input = find_input(formula.text())) unit = input->quantity.unit_for(indenter);
+  const RollingSolution solution;
+  visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
+    if (quantity.key == formula.text()) unit = quantity.unit_for(indenter);
+  });
+  return unit;
+}
+
+std::vector<std::string_view> number_keys(FormulaNames names) {
+  std::vector<std::string_view> keys;
+  auto add = [&](const Quantity& quantity, const auto& value) {
+    if constexpr (is_number<decltype(value)>)
+      if (find_name(keys, quantity.key) < 0) keys.push_back(quantity.key);
+  };
+  const RollingScene scene;
+  const RollingSolution solution;
+  visit_inputs(scene, add);
+  if (names == FormulaNames::inputs_and_outputs) visit_outputs(solution, add);
+  return keys;
+}
+
+struct Formula::Parts {
+  std::string text;
+  std::vector<std::string_view> known;
+  std::vector<std::string> keys;
+  std::deque<double> values;  // of the keys; muParser holds pointers to them
+  mu::Parser parser;
+  std::mutex mutex;
+
+  static double* place_for(const char* name, void* self) {
+    auto& parts = *static_cast<Parts*>(self);
+    if (find_name(parts.known, name) < 0 && !is_number_of_layer(name)) {
+      std::vector<std::string_view> known = parts.known;
+      for (const std::string_view key : keys_like(name))
+        if (is_number_of_layer(key)) known.push_back(key);
+      const std::string nearest = nearest_name(known, name);
+      throw std::invalid_argument(parts.text + ": " + name + ": unknown key" +
+                                  (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
+    }
+    parts.keys.emplace_back(name);
+    parts.values.push_back(1);
+    return &parts.values.back();
+  }
+
+  double value() {
+    if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
+      return RollingSolution::absent;
+    return parser.Eval();
+  }
+};
+
+Formula::Formula(const std::string& text, FormulaNames names) : parts_(std::make_shared<Parts>()) {
+  parts_->text = trimmed(text);
+  parts_->known = number_keys(names);
+  try {
+    parts_->parser.DefineNameChars(name_letters);
+    parts_->parser.SetVarFactory(&Parts::place_for, parts_.get());
+    parts_->parser.SetExpr(parts_->text);
+    parts_->parser.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw std::invalid_argument(parts_->text + ": " + error.GetMsg());
+  }
+  int results = 0;
+  parts_->parser.Eval(results);
+  if (results != 1) throw std::invalid_argument(parts_->text + ": must be one formula, without commas");
+}
+
+const std::string& Formula::text() const { return parts_->text; }
+const std::vector<std::string>& Formula::keys() const { return parts_->keys; }
+
+double Formula::operator()(const RollingScene& scene, const RollingSolution& solution) const {
+  const std::lock_guard lock(parts_->mutex);
+  for (std::size_t i = 0; i < parts_->keys.size(); ++i) parts_->values[i] = number_of(scene, solution, parts_->keys[i]);
+  return parts_->value();
+}
+
+double Formula::operator()(const RollingScene& scene) const { return (*this)(scene, RollingSolution{}); }
+
+struct Condition::Sides {
+  std::string text;
+  Formula left, right;
+  bool at_most, strict;
+
+  static Sides of(const std::string& text, FormulaNames names, Indenter indenter) {
+    const std::size_t sign = text.find_first_of("<>");
+    if (sign == std::string::npos || text.find_first_of("<>", sign + 1) != std::string::npos ||
+        text.find_first_of("=!") < sign)
+      throw std::invalid_argument(trimmed(text) + ": must be two formulas with one of <= < >= > between them");
+    const bool or_equal = sign + 1 < text.size() && text[sign + 1] == '=';
+    const Formula left(text.substr(0, sign), names);
+    const std::string right = trimmed(std::string_view(text).substr(sign + (or_equal ? 2 : 1)));
+    return {trimmed(text), left, Formula(in_si(right, left, indenter), names), text[sign] == '<', !or_equal};
+  }
+};
+
+Condition::Condition(const std::string& text, FormulaNames names, Indenter indenter)
+    : Condition(Sides::of(text, names, indenter)) {}
+
+Condition::Condition(Sides sides)
+    : text_(std::move(sides.text)),
+      left_(std::move(sides.left)),
+      right_(std::move(sides.right)),
+      at_most_(sides.at_most),
+      strict_(sides.strict) {}
+
+double Condition::excess(const RollingScene& scene, const RollingSolution& solution) const {
+  const double difference = left_(scene, solution) - right_(scene, solution);
+  return at_most_ ? difference : -difference;
+}
+
+bool Condition::holds(const RollingScene& scene, const RollingSolution& solution) const {
+  const double by = excess(scene, solution);
+  return strict_ ? by < 0 : by <= 0;
+}
+
+bool Condition::holds(const RollingScene& scene) const { return holds(scene, RollingSolution{}); }
+
+}  // namespace rollres

@@ -1,0 +1,80 @@
+#pragma once
+
+/// Formulas of the numbers of a scene and its solution, as people write them in study files:
+///
+///     "rolling_resistance * speed"            an objective
+///     "approach / layer_thickness <= 0.1"     a condition
+///     "peak_pressure <= 2 MPa"                the right side may have a unit where the left side is one quantity
+///
+/// Names are keys of inputs and outputs, numbers are SI. + - * / ^ ( ), min, max, abs, sqrt, exp, ln, log10 and the
+/// rest of muParser's functions, `a < b ? c : d`. A key that is an input and an output (load, approach, ...) stands for
+/// the output where there is one, else for the input. Inputs of further layers are coating_layers[0].layer_thickness.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "core/scene/solution.hpp"
+
+namespace rollres {
+
+/// Keys that a formula may name.
+enum class FormulaNames { inputs, inputs_and_outputs };
+
+/// Keys of all inputs, or of all inputs and outputs, that are numbers; without those of further layers.
+std::vector<std::string_view> number_keys(FormulaNames names);
+
+/// A formula that was understood. Copies share what was understood; it may be used by several threads.
+class Formula {
+ public:
+  /// @throws std::invalid_argument "text: what is wrong with it", naming the nearest key for an unknown one
+  Formula(const std::string& text, FormulaNames names);
+
+  const std::string& text() const;
+  const std::vector<std::string>& keys() const;  ///< that it uses, each once
+
+  /// Its value [SI]; NaN if a number that it uses is absent.
+  double operator()(const RollingScene& scene, const RollingSolution& solution) const;
+  double operator()(const RollingScene& scene) const;  ///< of inputs alone; what is an output is absent
+
+ private:
+  struct Parts;
+  std::shared_ptr<Parts> parts_;
+};
+
+/// The unit of a formula that is one quantity; empty for any other formula.
+std::string_view unit_of(const Formula& formula, Indenter indenter);
+
+/// A condition between two formulas.
+class Condition {
+ public:
+  /// @param text      "LEFT <= RIGHT" with <= < >= or >
+  /// @param indenter  whose units hold
+  /// @throws std::invalid_argument as Formula, or if there is not one comparison
+  Condition(const std::string& text, FormulaNames names, Indenter indenter);
+
+  const std::string& text() const { return text_; }
+  const Formula& left() const { return left_; }
+  const Formula& right() const { return right_; }
+  bool at_most() const { return at_most_; }  ///< <= or <, not >= or >
+
+  /// How far left exceeds right (<=, <) or falls short of it (>=, >) [unit of the left side]: at most 0 where the
+  /// condition holds (below 0 for < and >), NaN if a number is absent.
+  double excess(const RollingScene& scene, const RollingSolution& solution) const;
+  bool holds(const RollingScene& scene, const RollingSolution& solution) const;
+  bool holds(const RollingScene& scene) const;  ///< of inputs alone
+
+ private:
+  struct Sides;
+  explicit Condition(Sides sides);
+
+  std::string text_;
+  Formula left_, right_;
+  bool at_most_;  // left <= right, or left < right
+  bool strict_;
+};
+
+}  // namespace rollres

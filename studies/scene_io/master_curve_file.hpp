@@ -1,0 +1,31 @@
+#pragma once
+
+/// Tables of a master curve that scenes name: {"material": "master_curve", "master_curve_file": "rubber.csv"}. For
+/// sources only: it needs nlohmann_json.
+///
+/// Columns: frequency [Hz] or angular_frequency [rad/s], storage_modulus and loss_modulus [Pa], note. What the moduli
+/// are is said by the scene's `listed_moduli`.
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "studies/text/strict_json.hpp"
+
+namespace rollres {
+
+/// The key of a scene file; its place is taken by the inputs that the table gives.
+inline constexpr std::string_view master_curve_key = "master_curve_file";
+inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencies", "storage_moduli", "loss_moduli"};
+
+/// The lists of a table under the keys of inputs, in SI, rows in the order of the file.
+/// @throws std::invalid_argument naming file, line, column, value and rule
+/// @throws std::runtime_error if the file cannot be read
+Json read_master_curve(const std::filesystem::path& file);
+
+/// A scene or a part of one with the lists in place of the file's name; without the key it is left as it is.
+/// @param folder that the name is relative to   @param place in messages
+Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place);
+
+}  // namespace rollres

@@ -1,0 +1,249 @@
+#include "studies/scene_io/scene_entries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include "core/scene/scene_input.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "studies/scene_io/layer_entries.hpp"
+#include "studies/scene_io/master_curve_file.hpp"
+#include "studies/text/units.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::string joined(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+void refuse_unknown_key(const SceneEntry& entry) {
+  if (find_input(entry.key)) return;
+  std::vector<std::string_view> known = keys_like(entry.key);
+  known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
+  known.push_back(master_curve_key);
+  refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
+}
+
+/// The unit in the words of a rule; where the units of cylinder and sphere differ, with the body.
+std::string wanted_unit(const Quantity& quantity, Indenter indenter) {
+  std::string text = unit_in_words(quantity.unit_for(indenter));
+  if (!quantity.unit_2d.empty()) text += " for a " + std::string(name_of(indenter));
+  return text;
+}
+
+double number(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
+  const std::string_view unit = quantity.unit_for(indenter);
+  auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
+  if (entry.value.is_number()) return entry.value.get<double>();
+  if (!entry.value.is_string())
+    fail(unit == "1" ? "must be a number" : "must be a number or a text with " + wanted_unit(quantity, indenter));
+  const auto& text = entry.value.get_ref<const std::string&>();
+  if (quantity.range.infinity_allowed && text == "infinite") return std::numeric_limits<double>::infinity();
+  if (plain_number(text))
+    fail(unit == "1" ? "must be a number without quotes"
+                     : "must be a number without quotes, or have " + wanted_unit(quantity, indenter));
+  try {
+    return is_temperature(quantity) ? kelvin(text) : si_value(text, unit);
+  } catch (const std::invalid_argument& error) {
+    const bool per_body = !quantity.unit_2d.empty();
+    fail(error.what() + (per_body ? " for a " + std::string(name_of(indenter)) : std::string()));
+  }
+  return std::nan("");
+}
+
+/// A list whose values are as a number of the same quantity is.
+std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
+  if (!entry.value.is_array() || entry.value.empty())
+    refuse(entry.place, entry.key, entry.value, "must be a list of numbers: [1, 2]");
+  std::vector<double> values;
+  for (const Json& item : entry.value) {
+    const SceneEntry single{entry.key + "[" + std::to_string(values.size()) + "]", item, entry.place};
+    values.push_back(number(single, quantity, indenter));
+    if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.range.rule());
+  }
+  return values;
+}
+
+void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
+  for (const InputKind& kind : input_kinds()) {
+    const bool needed = kind.needed_by_all() || kind.needed_by(scene.material);
+    if (!needed || value_given(entries, kind.quantity.key)) continue;
+    const std::string who =
+        kind.needed_by_all() ? "every scene" : "material \"" + std::string(name_of(scene.material)) + '"';
+    throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who + " needs it (" +
+                                std::string(kind.quantity.unit_for(scene.indenter)) + ")");
+  }
+}
+
+}  // namespace
+
+Indenter indenter_of(const std::vector<SceneEntry>& entries) {
+  RollingScene scene;
+  for (const SceneEntry& entry : entries)
+    if (entry.key == "indenter") assign_input(scene, entry.key, input_value(entry, scene.indenter));
+  return scene.indenter;
+}
+
+std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,
+                                      const std::string& place) {
+  std::vector<SceneEntry> entries;
+  const Json complete = with_master_curve(object, folder, place);
+  for (const auto& [key, value] : complete.items()) {
+    if (find_name(ignored_keys, key) >= 0) {
+      if (!value.is_string()) refuse(place, key, value, "must be a text");
+      continue;
+    }
+    entries.push_back({key, value, place});
+    refuse_unknown_key(entries.back());
+    if (const auto layered = layer_key(key))
+      refuse(place, key, value, "must stand in the layer's own object, in the list " + std::string(layered->list));
+  }
+  const Indenter indenter = indenter_of(entries);
+  for (const SceneEntry& entry : entries) input_value(entry, indenter);
+  return entries;
+}
+
+std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place) {
+  std::vector<SceneEntry> entries;
+  for (const std::string& word : words) {
+    const auto equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw std::invalid_argument(place + ": " + word + ": must be KEY=VALUE");
+    SceneEntry entry{word.substr(0, equals), word.substr(equals + 1), place};
+    if (word[equals + 1] == '[') {
+      entry.value = Json::parse(word.begin() + static_cast<std::ptrdiff_t>(equals) + 1, word.end(), nullptr, false);
+      if (!entry.value.is_array()) refuse(place, entry.key, word.substr(equals + 1), "must be a list: [1, 2]");
+    } else if (const auto value = plain_number(word.substr(equals + 1))) {
+      constexpr double exact = 1e15;  // whole numbers are shown without a decimal point
+      if (*value == std::floor(*value) && std::abs(*value) < exact)
+        entry.value = static_cast<long long>(*value);
+      else
+        entry.value = *value;
+    }
+    std::vector<SceneEntry> meant{entry};
+    if (entry.key == master_curve_key) {
+      meant.clear();
+      Json named = Json::object();
+      named[entry.key] = word.substr(equals + 1);
+      const Json lists = with_master_curve(named, {}, place);
+      for (const auto& [key, value] : lists.items()) meant.push_back({key, value, place});
+    } else {
+      refuse_unknown_key(entry);
+    }
+    for (SceneEntry& one : meant) {
+      for (const SceneEntry& earlier : entries)
+        if (earlier.key == one.key) refuse(place, one.key, one.value, "key given twice");
+      entries.push_back(std::move(one));
+    }
+  }
+  return entries;
+}
+
+namespace {
+
+/// The inputs that an override takes the place of.
+std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
+  const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
+  return replaced_inputs(entry.key, value);
+}
+
+/// The entry of this key, or the end.
+template <class Entries>
+auto entry_of(Entries& entries, std::string_view key) {
+  return std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
+}
+
+/// The object of the layer that an override means.
+Json& layer_object(std::vector<SceneEntry>& entries, const SceneEntry& override) {
+  const LayerKey parts = layer_key(override.key).value();
+  const auto list = entry_of(entries, parts.list);
+  RollingScene scene;
+  if (list != entries.end()) assign_input(scene, parts.list, layers_of(*list));
+  if (const std::string why = absent_layer(scene, override.key); !why.empty())
+    refuse(override.place, override.key, override.value, why);
+  return list->value[parts.layer];
+}
+
+}  // namespace
+
+std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides) {
+  std::vector<SceneEntry> of_layers;
+  std::set<std::string, std::less<>> dropped;
+  for (const SceneEntry& entry : overrides) {
+    if (layer_key(entry.key)) {
+      input_value(entry, Indenter::cylinder);  // refuses a wrong one here, where its own place is known
+      of_layers.push_back(entry);
+      continue;
+    }
+    dropped.insert(entry.key);
+    for (const std::string_view key : replaced_by(entry)) dropped.emplace(key);
+  }
+  std::erase_if(entries, [&](const SceneEntry& entry) { return dropped.contains(entry.key); });
+  std::copy_if(overrides.begin(), overrides.end(), std::back_inserter(entries),
+               [](const SceneEntry& entry) { return !layer_key(entry.key); });
+  // All are dropped before any is set, so that `check` sees two overrides that exclude each other.
+  for (const SceneEntry& entry : of_layers)
+    for (const std::string_view key : replaced_by(entry)) layer_object(entries, entry).erase(std::string(own_key(key)));
+  for (const SceneEntry& entry : of_layers) layer_object(entries, entry)[std::string(own_key(entry.key))] = entry.value;
+  return entries;
+}
+
+const Json* value_given(const std::vector<SceneEntry>& entries, std::string_view key) {
+  const std::optional<LayerKey> layered = layer_key(key);
+  const auto found = entry_of(entries, layered ? layered->list : key);
+  if (found == entries.end()) return nullptr;
+  if (!layered) return &found->value;
+  if (!found->value.is_array() || layered->layer >= found->value.size()) return nullptr;
+  const Json& layer = found->value[layered->layer];
+  const auto value = layer.find(std::string(layered->input));
+  return value == layer.end() ? nullptr : &*value;
+}
+
+InputValue input_value(const SceneEntry& entry, Indenter indenter) {
+  const InputKind* const kind = find_input(entry.key);
+  if (!kind) refuse(entry.place, entry.key, entry.value, "unknown key");
+  return input_value(entry, *kind, indenter);
+}
+
+InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
+  if (kind.layers) return layers_of(entry);
+  auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
+  if (!kind.choices.empty()) {
+    const std::string rule = "must be one of " + joined(kind.choices);
+    if (!entry.value.is_string()) fail(rule);
+    const auto& name = entry.value.get_ref<const std::string&>();
+    if (find_name(kind.choices, name) < 0) fail(unknown(rule, kind.choices, name));
+    return name;
+  }
+  if (kind.list) return numbers(entry, kind.quantity, indenter);
+  const double value = number(entry, kind.quantity, indenter);
+  const bool whole = !kind.whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
+  if (!whole) fail("must be a whole number");
+  if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
+  return value;
+}
+
+RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {
+  RollingScene scene;
+  scene.indenter = indenter_of(entries);  // first: the units of the others depend on it
+  // Nothing is cleared here, so that `check` sees two inputs that exclude each other.
+  for (const SceneEntry& entry : entries) assign_input(scene, entry.key, input_value(entry, scene.indenter));
+  refuse_missing(entries, scene, place);
+  return scene;
+}
+
+RollingScene scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {
+  RollingScene scene = unchecked_scene_from(entries, place);
+  if (const auto broken = check(scene); !broken.empty()) throw std::invalid_argument(place + ": " + broken.front());
+  return scene;
+}
+
+}  // namespace rollres

@@ -1,0 +1,26 @@
+#include "studies/scene_io/scene_file.hpp"
+
+#include "studies/scene_io/scene_entries.hpp"
+
+namespace rollres {
+
+namespace {
+
+RollingScene scene_with(const Json& object, const std::filesystem::path& folder, const std::string& place,
+                        const std::vector<std::string>& overrides) {
+  const std::vector<SceneEntry> own = scene_entries(object, folder, place);
+  if (overrides.empty()) return scene_from(own, place);
+  return scene_from(overridden(own, override_entries(overrides)), place + " with --set");
+}
+
+}  // namespace
+
+RollingScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return scene_with(read_object(file.string()), file.parent_path(), file.string(), overrides);
+}
+
+RollingScene parse_scene(std::string_view json, const std::string& place, const std::vector<std::string>& overrides) {
+  return scene_with(parse_object(json, place), {}, place, overrides);
+}
+
+}  // namespace rollres

@@ -1,0 +1,58 @@
+#include "studies/scene_io/solution_json.hpp"
+
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+#include "db/rows/layer_list.hpp"
+#include "studies/text/strict_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+template <class Value>
+Json json_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return std::string(name_of(value));
+  else if constexpr (std::is_floating_point_v<Value>)
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  else
+    return value;
+}
+
+Json inputs_json(const RollingScene& scene) {
+  Json object = Json::object();
+  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+    const std::string key(quantity.key);
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>) {
+      if (value) object[key] = json_of(*value);
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
+      if (!value.empty()) object[key] = value;
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>) {
+      if (!value.empty()) object[key] = Json::parse(text_of_layers(value));
+    } else if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
+      object[key] = std::isinf(value) ? Json("infinite") : json_of(value);
+    } else {
+      object[key] = json_of(value);
+    }
+  });
+  return object;
+}
+
+std::string text(const Json& object) { return object.dump(2, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+std::string scene_json(const RollingScene& scene) { return text(inputs_json(scene)); }
+
+std::string solution_json(const RollingScene& scene, const RollingSolution& solution) {
+  Json object = Json::object();
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    object[std::string(quantity.key)] = json_of(value);
+  });
+  object["scene"] = inputs_json(scene);
+  return text(object);
+}
+
+}  // namespace rollres

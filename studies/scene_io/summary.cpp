@@ -1,0 +1,126 @@
+#include "studies/scene_io/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "core/scene/scene_input.hpp"
+#include "studies/text/key_words.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+struct Line {
+  std::string key, symbol, value;
+};
+
+/// Short lists in full, of longer ones the ends.
+std::string list_text(const std::vector<double>& values, std::string_view unit) {
+  constexpr std::size_t most = 6;
+  std::string text;
+  if (values.size() > most)
+    return std::to_string(values.size()) + " values, " + readable(values.front(), unit) + " ... " +
+           readable(values.back(), unit);
+  for (const double value : values) text += (text.empty() ? "" : ", ") + readable(value, unit);
+  return text;
+}
+
+template <class Value>
+std::string value_text(const Value& value, std::string_view unit) {
+  if constexpr (std::is_enum_v<Value>)
+    return std::string(name_of(value));
+  else if constexpr (std::is_same_v<Value, std::optional<double>>)
+    return value ? readable(*value, unit) : "";
+  else if constexpr (std::is_floating_point_v<Value>)
+    return std::isnan(value) ? "" : readable(value, unit);
+  else if constexpr (std::is_integral_v<Value>)
+    return std::to_string(value);
+  else if constexpr (std::is_same_v<Value, std::vector<double>>)
+    return list_text(value, unit);
+  else
+    return "";  // texts stand at the top, layers' inputs one by one
+}
+
+/// What the inputs of a further layer are by default.
+std::map<std::string_view, std::string> usual_layer() {
+  std::map<std::string_view, std::string> texts;
+  const BondedLayer layer;
+  visit_layer_inputs(layer, [&](const Quantity& quantity, const auto& value) {
+    texts[quantity.key] = value_text(value, quantity.unit);
+  });
+  return texts;
+}
+
+std::string aligned(const std::vector<Line>& lines) {
+  std::size_t keys = 0, symbols = 0;
+  for (const Line& line : lines) {
+    keys = std::max(keys, width(line.key));
+    symbols = std::max(symbols, width(line.symbol));
+  }
+  std::string text;
+  for (const Line& line : lines)
+    text += "  " + padded(line.key, keys + 2) + padded(line.symbol, symbols + 2) + line.value + '\n';
+  return text;
+}
+
+std::string headline(const RollingSolution& solution) {
+  switch (solution.status) {
+    case Status::converged:
+      return "converged";
+    case Status::no_steady_state:
+      return "NO STEADY STATE";
+    case Status::not_converged:
+      return "NOT CONVERGED: the numbers below are where the solver stopped, not an answer";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string summary(const RollingScene& scene, const RollingSolution& solution) {
+  std::string text = "status   " + headline(solution) + '\n';
+  if (!solution.reason.empty()) text += "reason   " + solution.reason + '\n';
+  for (const std::string& warning : solution.warnings) text += "warning  " + warning + '\n';
+  if (!solution.model.empty()) text += "model    " + solution.model + '\n';
+
+  std::vector<Line> inputs, outputs;
+  const std::map<std::string_view, std::string> usual = usual_layer();
+  visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+    const std::string shown = value_text(value, quantity.unit_for(scene.indenter));
+    const std::optional<LayerKey> layered = layer_key(quantity.key);
+    if (!layered || shown != usual.at(layered->input))
+      inputs.push_back({std::string(quantity.key), std::string(symbol_beside_name(quantity)), shown});
+  });
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_arithmetic_v<Value>)
+      outputs.push_back({std::string(quantity.key), std::string(quantity.symbol),
+                         value_text(value, quantity.unit_for(scene.indenter))});
+  });
+  for (auto* const lines : {&inputs, &outputs})
+    std::erase_if(*lines, [](const Line& line) { return line.value.empty(); });
+  return text + "\nscene\n" + aligned(inputs) + "\nsolution\n" + aligned(outputs);
+}
+
+std::string explanation(const RollingScene& scene, const RollingSolution& solution) {
+  std::string text = "decisions\n  - method " + std::string(name_of(solution.method)) +
+                     (scene.method == solution.method ? ", as asked for" : ", chosen for the scene") + '\n';
+  for (std::size_t begin = 0; begin < solution.model.size();) {
+    const std::size_t end = std::min(solution.model.find("; ", begin), solution.model.size());
+    text += "  - " + solution.model.substr(begin, end - begin) + '\n';
+    begin = end + 2;
+  }
+  if (std::isfinite(solution.error_estimate)) {
+    text += "  - estimated error of R_r: " + short_number(solution.error_estimate, 2);
+    if (scene.tolerance) text += ", wanted " + short_number(*scene.tolerance, 2);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace rollres

@@ -1,0 +1,191 @@
+#include "studies/sensitivity/gradient_report.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <ostream>
+
+#include "core/scene/scene_input.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "studies/run/progress.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+
+namespace rollres {
+
+double InputReport::relative_noise() const { return calibration.noise / std::abs(output); }
+
+double InputReport::elasticity_error() const {
+  return std::isnan(gradient.elasticity) ? RollingSolution::absent : gradient.error() * std::abs(value / output);
+}
+
+InputReport GradientReport::operator[](std::size_t i) const {
+  return {objective.variables[i], gradient.point[i], calibration.inputs[i], gradient.inputs[i], gradient.centre.value};
+}
+
+int GradientReport::evaluations() const {
+  int sum = 1;
+  for (std::size_t i = 0; i < size(); ++i) sum += (*this)[i].evaluations();
+  return sum;
+}
+
+std::string GradientReport::derivative_unit(const Variable& variable) const {
+  const std::string unit(variable.quantity.unit_for(indenter()));
+  if (unit == "1") return std::string(output_unit());
+  return std::string(output_unit()) + " / " + (unit.find('/') == std::string::npos ? unit : '(' + unit + ')');
+}
+
+namespace {
+
+GradientReport plain_report(Objective objective, const GradientOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  GradientReport report{std::move(objective), {}, {}, 0};
+  const std::vector<double> point = base_point(report.objective);
+  report.calibration = calibrate(report.objective, point, options.jobs);
+  report.gradient = report.calibration.centre.found() ? gradient(report.objective, point, report.calibration, options)
+                                                      : Gradient{point, report.calibration.centre, {}};
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+/// Where a Poisson's ratio that needs the grid stands among the inputs, if the others had better be solved without.
+std::optional<std::size_t> compressibility_apart(const Objective& objective) {
+  if (resolved_method(objective.base) != Method::spectral) return {};
+  for (std::size_t i = 0; i < objective.variables.size(); ++i)
+    if (decides_spectral(objective.variables[i].quantity.key)) return i;
+  return {};
+}
+
+}  // namespace
+
+GradientReport gradient_report(Objective objective, const GradientOptions& options) {
+  const std::optional<std::size_t> place = compressibility_apart(objective);
+  if (!place) return plain_report(std::move(objective), options);
+  // Compressible layers need the grid: at what a grid can reach, and only where they are asked for.
+  constexpr double reached_by_grids = 1e-5;
+  Objective compressible = objective;
+  compressible.variables = {objective.variables[*place]};
+  compressible.base.tolerance = std::max(objective.base.tolerance.value_or(0), reached_by_grids);
+  GradientReport part = plain_report(std::move(compressible), options);
+  if (objective.variables.size() == 1) return part;
+  const auto at = static_cast<std::ptrdiff_t>(*place);
+  objective.variables.erase(objective.variables.begin() + at);
+  GradientReport report = gradient_report(std::move(objective), options);
+  if (report.size() == 0 || part.size() == 0) return report;
+  const auto insert = [&](auto& list, const auto& from) { list.insert(list.begin() + at, from.front()); };
+  insert(report.objective.variables, part.objective.variables);
+  insert(report.calibration.point, part.calibration.point);
+  insert(report.calibration.inputs, part.calibration.inputs);
+  insert(report.gradient.point, part.gradient.point);
+  insert(report.gradient.inputs, part.gradient.inputs);
+  report.seconds += part.seconds;
+  return report;
+}
+
+void sort_by_elasticity(GradientReport& report) {
+  std::vector<std::size_t> order(report.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto size = [&](std::size_t i) {
+    const double elasticity = std::abs(report.gradient.inputs[i].elasticity);
+    return std::isnan(elasticity) ? -1 : elasticity;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  const auto sort = [&](auto& list) {
+    auto sorted = list;
+    for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = list[order[i]];
+    list = std::move(sorted);
+  };
+  if (order.empty()) return;
+  sort(report.objective.variables);
+  sort(report.calibration.point);
+  sort(report.calibration.inputs);
+  sort(report.gradient.point);
+  sort(report.gradient.inputs);
+}
+
+Table table_of(const GradientReport& report) {
+  Table table{{"input", "value", "elasticity", "+-", "derivative", "+-", "unit", "noise", "scale", "step", "scheme",
+               "evaluations"},
+              {}};
+  const auto number = [](double value) { return std::isfinite(value) ? Cell(value) : Cell(); };
+  const auto rough = [](double value) { return std::isfinite(value) ? Cell(short_number(value, 2)) : Cell(); };
+  for (std::size_t i = 0; i < report.size(); ++i) {
+    const InputReport input = report[i];
+    const InputGradient& gradient = input.gradient;
+    const Quantity& quantity = input.variable.quantity;
+    table.rows.push_back({std::string(quantity.key), readable(input.value, quantity.unit_for(report.indenter())),
+                          number(gradient.elasticity), rough(input.elasticity_error()), number(gradient.derivative),
+                          rough(gradient.error()), report.derivative_unit(input.variable),
+                          rough(input.relative_noise()), input.variable.logarithmic ? "logarithmic" : "linear",
+                          rough(gradient.step), std::string(name_of(gradient.scheme)),
+                          static_cast<std::int64_t>(input.evaluations())});
+  }
+  return table;
+}
+
+Json json_of(const GradientReport& report) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  const ObjectiveValue& centre = report.gradient.centre;
+  Json object{{"output", report.objective.output.key},
+              {"unit", report.output_unit()},
+              {"value", number(centre.value)},
+              {"status", name_of(centre.status)},
+              {"reason", centre.reason},
+              {"evaluations", report.evaluations()},
+              {"seconds", report.seconds},
+              {"inputs", Json::array()}};
+  for (std::size_t i = 0; i < report.size(); ++i) {
+    const InputReport input = report[i];
+    const Variable& variable = input.variable;
+    const InputGradient& gradient = input.gradient;
+    Json failures = Json::array();
+    for (const auto* const points : {&input.calibration.failures, &gradient.failures})
+      for (const FailedPoint& point : *points)
+        failures.push_back({{"value", point.value}, {"status", name_of(point.status)}, {"reason", point.reason}});
+    object["inputs"].push_back({{"key", variable.quantity.key},
+                                {"unit", variable.quantity.unit_for(report.indenter())},
+                                {"value", input.value},
+                                {"lowest", number(variable.lowest)},
+                                {"highest", number(variable.highest)},
+                                {"scale", variable.logarithmic ? "logarithmic" : "linear"},
+                                {"derivative", number(gradient.derivative)},
+                                {"derivative_unit", report.derivative_unit(variable)},
+                                {"error", number(gradient.error())},
+                                {"truncation_error", number(gradient.truncation_error)},
+                                {"noise_error", number(gradient.noise_error)},
+                                {"elasticity", number(gradient.elasticity)},
+                                {"elasticity_error", number(input.elasticity_error())},
+                                {"noise", number(input.calibration.noise)},
+                                {"relative_noise", number(input.relative_noise())},
+                                {"step", number(gradient.step)},
+                                {"scheme", name_of(gradient.scheme)},
+                                {"evaluations", input.evaluations()},
+                                {"failures", failures}});
+  }
+  return object;
+}
+
+void print_text(const GradientReport& report, std::ostream& out, std::ostream& err) {
+  const ObjectiveValue& centre = report.gradient.centre;
+  const std::string key(report.objective.output.key);
+  if (!centre.found()) {
+    out << "status   " << name_of(centre.status) << "\nreason   " << centre.reason << '\n';
+    return;
+  }
+  out << key << " = " << readable(centre.value, report.output_unit()) << ", " << report.evaluations()
+      << " evaluations in " << duration_in_words(report.seconds) << "\n\n";
+  write_aligned(out, table_of(report));
+  for (std::size_t i = 0; i < report.size(); ++i) {
+    const InputReport input = report[i];
+    const auto& first = input.calibration.failures.empty() ? input.gradient.failures : input.calibration.failures;
+    if (first.empty()) continue;
+    err << input.variable.quantity.key << ": " << input.calibration.failures.size() + input.gradient.failures.size()
+        << " points without an answer, the first at " << short_number(first.front().value) << ": "
+        << first.front().reason << '\n';
+  }
+}
+
+}  // namespace rollres

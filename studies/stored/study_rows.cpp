@@ -1,0 +1,158 @@
+#include "studies/stored/study_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/scene/scene_input.hpp"
+#include "db/rows/layer_list.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/strict_json.hpp"
+
+namespace rollres {
+
+const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const std::string& option) {
+  const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
+  if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
+  std::vector<std::string_view> names = keys_like(key);
+  for (const QuantityColumn& column : quantity_columns()) names.push_back(column.name);
+  throw std::invalid_argument(option + " = " + key + ": " + unknown("unknown key", names, key));
+}
+
+const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const std::string& option) {
+  const QuantityColumn& column = column_of(key, study, option);
+  if (column.type == "TEXT") throw std::invalid_argument(option + " = " + key + ": must be a number");
+  return column;
+}
+
+std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters) {
+  std::map<std::string_view, std::size_t> layers;
+  GroupQuery lists{.filters = filters};
+  for (const InputKind& kind : input_kinds())
+    if (kind.layers) lists.by.emplace_back(kind.quantity.key);
+  for (const auto& group : run_group_query(database, lists).rows)
+    for (std::size_t i = 0; i < lists.by.size(); ++i)
+      if (const auto* const text = std::get_if<std::string>(&group[i]))
+        layers[lists.by[i]] = std::max(layers[lists.by[i]], layers_in(*text).size());
+  std::vector<const QuantityColumn*> columns;
+  for (const QuantityColumn& column : quantity_columns()) {
+    const std::string_view key = column.quantity.key;
+    if (std::find(lists.by.begin(), lists.by.end(), key) == lists.by.end()) columns.push_back(&column);
+    for (std::size_t i = 0; i < layers[key]; ++i)
+      for (const InputKind& own : layer_kinds())
+        columns.push_back(find_quantity_column(layer_quantity(key, i, own.quantity).key));
+  }
+  return columns;
+}
+
+StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
+  Query query{.filters = filters, .sort = {"position"}};
+  query.filters.push_back({"study", Comparison::equal, study});
+  columns_ = quantity_columns_of(store.database(), query.filters);
+  for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
+  table_ = run_query(store.database(), query);
+  for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
+  if (table_.rows.empty())
+    throw std::invalid_argument(store.database().name() + ": " + study + ": " +
+                                (filters.empty() ? "no point is computed yet" : "no point matches"));
+}
+
+const Cell& StudyRows::cell(std::size_t row, const Column& column) const {
+  const auto place = places_.find(column.name);
+  if (place == places_.end()) throw std::invalid_argument(column.name + ": no point of the study has this layer");
+  return table_.rows[row][place->second];
+}
+
+double StudyRows::number(std::size_t row, const Column& column) const {
+  const Cell& value = cell(row, column);
+  if (const auto* const count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
+  if (const auto* const number = std::get_if<double>(&value)) return *number;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double StudyRows::number(std::size_t row, const char* key) const { return number(row, *find_quantity_column(key)); }
+
+std::string StudyRows::text(std::size_t row, const char* key) const {
+  const auto* const text = std::get_if<std::string>(&cell(row, *find_quantity_column(key)));
+  return text ? *text : std::string();
+}
+
+bool StudyRows::converged(std::size_t row) const {
+  return cell(row, *find_quantity_column("status")) == Cell(std::string(name_of(Status::converged)));
+}
+
+std::set<Cell> StudyRows::values(const Column& column) const {
+  std::set<Cell> values;
+  for (std::size_t row = 0; row < size(); ++row) values.insert(cell(row, column));
+  return values;
+}
+
+std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column) {
+  const auto indenters = rows.values(*find_quantity_column("indenter"));
+  if (indenters.size() > 1 && !column.quantity.unit_2d.empty())
+    throw std::invalid_argument(column.name + ": has another unit for a cylinder than for a sphere; choose one with " +
+                                "indenter=cylinder or indenter=sphere");
+  const bool cylinder = *indenters.begin() == Cell(std::string(name_of(Indenter::cylinder)));
+  return column.quantity.unit_for(cylinder ? Indenter::cylinder : Indenter::sphere);
+}
+
+std::string value_in_words(const Cell& cell, std::string_view unit) {
+  if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
+  if (const auto* const number = std::get_if<double>(&cell)) return readable(*number, unit);
+  return "none";
+}
+
+std::string value_in_words(const Quantity& quantity, const Cell& cell, std::string_view unit) {
+  const auto* const number = std::get_if<double>(&cell);
+  if (!number || unit != "K" || !quantity.key.ends_with("temperature")) return value_in_words(cell, unit);
+  constexpr double ice = 273.15;
+  return short_number(*number - ice, 5) + " °C";
+}
+
+ChartAxis described(const QuantityColumn& column) {
+  return {.name = in_words(column.quantity.key), .symbol = std::string(symbol_beside_name(column.quantity))};
+}
+
+ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisScale wish, bool hint,
+                     const std::string& option) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  bool all_positive = true;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const double value = rows.number(row, column);
+    if (!std::isfinite(value)) continue;
+    all_positive = all_positive && value > 0;
+    smallest = std::min(smallest, std::abs(value));
+    largest = std::max(largest, std::abs(value));
+  }
+  constexpr double two_decades = 100 * (1 - 1e-9);
+  if (wish == AxisScale::logarithmic && !all_positive)
+    throw std::invalid_argument(option + " = logarithmic: " + column.name + " has values that are not positive");
+  const bool logarithmic = wish == AxisScale::logarithmic || (wish == AxisScale::automatic && all_positive &&
+                                                              (hint || largest >= two_decades * smallest));
+  const std::string_view unit = unit_in(rows, column);
+  return {logarithmic ? scaled_unit_logarithmic(unit, smallest, largest) : scaled_unit(unit, largest), logarithmic};
+}
+
+ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale) {
+  ChartAxis axis = described(column);
+  axis.unit = typeset_unit(scale.unit.name);
+  axis.logarithmic = scale.logarithmic;
+  return axis;
+}
+
+std::string common_inputs(const StudyRows& rows) {
+  std::string lines;
+  for (const QuantityColumn* const column : rows.columns()) {
+    if (!column->is_input) continue;
+    const auto values = rows.values(*column);
+    if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
+    lines += "\n" + std::string(column->quantity.key) + " = " +
+             value_in_words(column->quantity, *values.begin(), unit_in(rows, *column));
+  }
+  return lines;
+}
+
+}  // namespace rollres

@@ -1,0 +1,92 @@
+#pragma once
+
+/// The stored rows of a study, read by column, and how a column is shown: words, units, scales.
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "db/queries/query.hpp"
+#include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
+#include "studies/drawing/chart.hpp"
+#include "studies/text/key_words.hpp"
+#include "studies/text/scaled_unit.hpp"
+
+namespace rollres {
+
+enum class AxisScale { automatic, linear, logarithmic };
+template <>
+struct ChoiceNames<AxisScale> {
+  static constexpr std::array<std::string_view, 3> names{"auto", "linear", "logarithmic"};
+};
+
+/// A column of the stored rows; an axis is shown as it was given, not as it was found.
+/// @param option  for the message
+/// @throws std::invalid_argument naming option and key, and the nearest known one
+const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const std::string& option);
+
+/// The same for a column of numbers.
+const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const std::string& option);
+
+/// The columns of quantities of these rows: in place of each list of further layers, the inputs of as many layers as
+/// the longest one has.
+std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters);
+
+class StudyRows {
+ public:
+  /// All rows of the study that meet the filters, in the order of its points.
+  /// @throws std::invalid_argument if there is none
+  /// @throws std::runtime_error naming the file if the database fails
+  StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters = {});
+
+  std::size_t size() const { return table_.rows.size(); }
+  /// As quantity_columns_of.
+  const std::vector<const QuantityColumn*>& columns() const { return columns_; }
+  /// @throws std::invalid_argument for an input of a layer that no row has
+  const Cell& cell(std::size_t row, const Column& column) const;
+  double number(std::size_t row, const Column& column) const;  ///< NaN if absent
+  double number(std::size_t row, const char* key) const;       ///< of an output
+  std::string text(std::size_t row, const char* key) const;    ///< of an output; empty if absent
+  bool converged(std::size_t row) const;
+  std::set<Cell> values(const Column& column) const;
+
+ private:
+  Table table_;
+  std::vector<const QuantityColumn*> columns_;
+  std::map<std::string, std::size_t> places_;
+};
+
+/// The unit of a column in these rows.
+/// @throws std::invalid_argument if it is not the same in all, because cylinders stand beside spheres
+std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column);
+
+/// A value as people read it; "none" if it is absent.
+std::string value_in_words(const Cell& cell, std::string_view unit);
+/// The same of a quantity, whose temperatures people read in degrees Celsius.
+std::string value_in_words(const Quantity& quantity, const Cell& cell, std::string_view unit);
+
+/// Name and symbol of a column.
+ChartAxis described(const QuantityColumn& column);
+
+/// Unit, and whether logarithmic.
+struct ColumnScale {
+  ScaledUnit unit;
+  bool logarithmic = false;
+};
+
+/// @param hint  the study spaced the column logarithmically
+/// @param option  for the message
+/// @throws std::invalid_argument if a logarithmic scale is wished for values that are not positive
+ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisScale wish, bool hint,
+                     const std::string& option);
+
+/// An axis with its name, unit and scale.
+ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale);
+
+/// What all rows have in common, line by line: "radius = 20 mm".
+std::string common_inputs(const StudyRows& rows);
+
+}  // namespace rollres

@@ -1,0 +1,77 @@
+#include "studies/study/shards.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+#include "studies/study/predicted_cost.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Nanoseconds, rounded to two digits.
+std::int64_t rounded_cost(const RollingScene& scene) {
+  const double nanoseconds = 1e9 * predicted_seconds(scene);
+  const double unit = std::pow(10.0, std::floor(std::log10(nanoseconds)) - 1);
+  return std::llround(std::round(nanoseconds / unit) * unit);
+}
+
+bool read_number(std::string_view text, int& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+}  // namespace
+
+Shard parse_shard(std::string_view text) {
+  Shard shard;
+  const std::size_t slash = text.find('/');
+  const bool read = slash != std::string_view::npos && read_number(text.substr(0, slash), shard.index) &&
+                    read_number(text.substr(slash + 1), shard.count);
+  if (!read || shard.index < 1 || shard.index > shard.count || shard.count > most_shards)
+    throw std::invalid_argument("shard = " + std::string(text) + ": must be I/N with I from 1 to N, N up to " +
+                                std::to_string(most_shards));
+  return shard;
+}
+
+std::vector<int> shards_of_points(std::span<const std::string> keys, std::span<const RollingScene> scenes, int count) {
+  std::vector<int> shards(keys.size(), 1);
+  if (count == 1) return shards;
+  std::unordered_map<std::string_view, std::size_t> first;
+  std::vector<std::pair<std::int64_t, std::size_t>> work;  // of each key, at its first point
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (first.emplace(keys[i], i).second) work.emplace_back(rounded_cost(scenes[i]), i);
+  std::stable_sort(work.begin(), work.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+
+  using Load = std::pair<std::int64_t, int>;  // of a shard
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
+  for (int shard = 1; shard <= count; ++shard) loads.emplace(0, shard);
+  for (const auto& [cost, point] : work) {
+    const auto [load, shard] = loads.top();
+    loads.pop();
+    shards[point] = shard;
+    loads.emplace(load + cost, shard);
+  }
+  for (std::size_t i = 0; i < keys.size(); ++i) shards[i] = shards[first.at(keys[i])];
+  return shards;
+}
+
+std::string array_list(std::span<const int> numbers) {
+  std::string list;
+  for (std::size_t begin = 0, end = 0; begin < numbers.size(); begin = end) {
+    for (end = begin + 1; end < numbers.size() && numbers[end] == numbers[end - 1] + 1;) ++end;
+    list += (list.empty() ? "" : ",") + std::to_string(numbers[begin]);
+    if (end > begin + 1) list += (end > begin + 2 ? "-" : ",") + std::to_string(numbers[end - 1]);
+  }
+  return list;
+}
+
+}  // namespace rollres

@@ -1,0 +1,97 @@
+#pragma once
+
+/// A study: one scene and what is varied of it. Every combination of the axes' values is one point.
+///
+///     {"study": "speed and load", "scene": "paper_cylinder.json", "set": {"method": "newton"},
+///      "axes": {"speed": {"from": "1 mm/s", "to": "10 m/s", "points": 60, "spacing": "logarithmic"},
+///               "load": ["10 kN/m", "20 kN/m"]},
+///      "chart": {"x": "speed", "y": "rolling_resistance", "family": "load"}}
+///
+/// `scene` is the name of a scene file, relative to the study file, or the scene itself; `set` replaces inputs of it as
+/// `--set` does. Every input can be an axis: `from`, `to` and `points` with linear (the default) or logarithmic
+/// spacing, or a list; a choice such as `method` is a list of names. A zip lets several inputs vary together, its first
+/// point being the first value of each:
+///
+///     "axes": {"layer": {"zip": {"layer_thickness": ["5 mm", "10 mm"], "static_shear_modulus": ["1 MPa", "2 MPa"]}}}
+///
+/// Inputs of further layers are "coating_layers[0].layer_thickness", counted from 0; the scene must have the layer.
+///
+/// A sample spreads points over a box, in place of axes or beside them; every point of the sample is then combined with
+/// every combination of the axes:
+///
+///     "sample": {"method": "sobol", "points": 64, "seed": 0,
+///                "ranges": {"layer_thickness": {"from": "2 mm", "to": "20 mm", "spacing": "logarithmic"},
+///                           "static_shear_modulus": {"from": "1 MPa", "to": "5 MPa"}}}
+///
+/// `constraints` are conditions between inputs; points that break one are dropped:
+///
+///     "constraints": ["layer_thickness <= radius / 2", "speed >= 36 km/h"]
+///
+/// `compute` lists the outputs that the study is about, in the order of its tables; `fields` keeps the fields of every
+/// solution; `charts` is a list of charts, each as `chart` and with a `name`; {"map": OUTPUT, "x": AXIS, "y": AXIS} is
+/// one too. study_keys.hpp lists all keys.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "studies/scene_io/formula.hpp"
+
+namespace rollres {
+
+/// The values that one input takes.
+struct Axis {
+  std::string key;
+  std::vector<double> values = {};      ///< [SI unit of the key]; empty for a choice
+  std::vector<std::string> texts = {};  ///< names, for a choice; empty for a number
+  bool logarithmic = false;             ///< spaced so; a chart draws it so
+  std::string group = {};               ///< neighbours of one group vary together and are of one size; empty: alone
+
+  std::size_t size() const { return values.empty() ? texts.size() : values.size(); }
+};
+
+/// What a chart of the study shows; empty where the file says nothing.
+struct StudyChart {
+  std::string name;      ///< by which a chart is asked for
+  std::string x;         ///< an axis or an output
+  std::string y;         ///< an output
+  std::string family;    ///< the axis with one curve for each of its values
+  std::string map = {};  ///< an output: a contour map of it over x and y, two axes, in place of curves
+};
+
+struct Study {
+  std::string name;
+  RollingScene base;  ///< inputs that are axes hold one of their values; what only some drives of an axis use is kept
+  std::vector<Axis> axes;
+  std::vector<Condition> constraints = {};  ///< of inputs
+  std::vector<std::string> compute = {};    ///< outputs; empty where the file says nothing
+  bool fields = false;                      ///< keep the fields of every solution
+  std::vector<StudyChart> charts = {};
+  std::string source = {};  ///< where the study was read from, for messages
+};
+
+/// Reads a study file and checks every point of it.
+/// @throws std::invalid_argument one line naming file, key, value and the rule that is broken
+/// @throws std::runtime_error if the study file or its scene file cannot be read
+Study read_study(const std::filesystem::path& file);
+
+/// The points of a study, and what became of the others.
+struct StudyPlan {
+  std::vector<RollingScene> scenes;  ///< that meet all constraints
+  /// At each constraint, in their order: how many combinations break it that meet those before it.
+  std::vector<std::size_t> dropped;
+
+  std::size_t all_dropped() const;
+};
+
+/// Every combination of the axes' values that meets the constraints, the last axis varying fastest. An axis that gives
+/// one of load and approach, or of spacing and tolerance, replaces the other.
+/// @throws std::invalid_argument naming the point and the rule if a scene breaks one, or saying that no point is left
+StudyPlan plan(const Study& study);
+
+/// The scenes of the plan.
+std::vector<RollingScene> points(const Study& study);
+
+}  // namespace rollres

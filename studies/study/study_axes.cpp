@@ -1,0 +1,215 @@
+#include "studies/study/study_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "core/scene/scene_input.hpp"
+#include "studies/study/sampling.hpp"
+#include "studies/study/study_keys.hpp"
+
+namespace rollres {
+
+namespace {
+
+bool is_logarithmic(const Json& object, const std::string& place) {
+  return object.contains("spacing") &&
+         needed_name(object, "spacing", spacing_names, place, "must be one of linear, logarithmic") == "logarithmic";
+}
+
+int number_of_points(const Json& object, int least, const std::string& place, const std::string& rule) {
+  return whole_number(needed(object, "points", place, rule), "points", least, most_points, place);
+}
+
+/// An axis between two ends, its positions still to be filled.
+GivenAxis between(const std::string& key, const Json& object, const std::string& place, const std::string& rule) {
+  GivenAxis axis{.key = key, .place = place, .shown = object, .values = {}};
+  if (axis.choice()) refuse(place, key, object, "must be a list of names");
+  for (const char* const end : {"from", "to"})
+    axis.values.push_back({key, needed(object, end, place, rule), place + ": " + end});
+  axis.logarithmic = is_logarithmic(object, place);
+  return axis;
+}
+
+GivenAxis interval(const std::string& key, const Json& object, const std::string& place) {
+  refuse_unknown_keys(object, interval_keys, place);
+  const std::string rule = "an interval has from, to and points";
+  GivenAxis axis = between(key, object, place, rule);
+  const int points = number_of_points(object, 2, place, rule);
+  for (int i = 0; i < points; ++i) axis.positions.push_back(i / (points - 1.0));
+  return axis;
+}
+
+/// A list or an interval of one input.
+GivenAxis single_axis(const std::string& key, const Json& value, const std::string& place) {
+  if (!find_input(key)) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
+  if (find_input(key)->list) refuse(place, key, value, "a list of numbers cannot vary; vary a number, or the scene");
+  if (value.is_object()) return interval(key, value, place + ": " + key);
+  if (!value.is_array() || value.empty())
+    refuse(place, key, value, "must be a list of values, or an object with from, to and points");
+  GivenAxis axis{.key = key, .place = place + ": " + key, .shown = value, .values = {}};
+  for (const Json& item : value) axis.values.push_back({key, item, place});
+  return axis;
+}
+
+std::vector<GivenAxis> zip(const std::string& name, const Json& object, const std::string& axes_place) {
+  const std::string place = axes_place + ": " + name;
+  if (find_input(name) || name == sample_group || name.empty())
+    refuse(place, "zip", object["zip"], "a zip needs a name of its own, not that of an input and not \"sample\"");
+  refuse_unknown_keys(object, zip_keys, place);
+  const Json& inputs = object["zip"];
+  if (!inputs.is_object() || inputs.size() < 2) refuse(place, "zip", inputs, "must be an object of two or more inputs");
+  std::vector<GivenAxis> axes;
+  for (const auto& [key, value] : inputs.items()) {
+    axes.push_back(single_axis(key, value, place + ": zip"));
+    axes.back().group = name;
+    if (axes.back().size() != axes.front().size())
+      refuse(place + ": zip", key, value,
+             "has " + std::to_string(axes.back().size()) + " values, but " + axes.front().key + " has " +
+                 std::to_string(axes.front().size()));
+  }
+  return axes;
+}
+
+std::vector<GivenAxis> sample(const Json& object, const std::string& place) {
+  if (!object.is_object()) throw std::invalid_argument(place + ": must be an object with method, points and ranges");
+  refuse_unknown_keys(object, sample_keys, place);
+  constexpr auto& methods = ChoiceNames<SampleMethod>::names;
+  const std::string method = needed_name(object, "method", methods, place, "must be one of sobol, latin_hypercube");
+  const int points = number_of_points(object, 1, place, "a sample has method, points and ranges");
+  std::uint64_t seed = 0;
+  if (const auto found = object.find("seed"); found != object.end()) {
+    if (!found->is_number_unsigned()) refuse(place, "seed", *found, "must be a whole number >= 0");
+    seed = found->get<std::uint64_t>();
+  }
+  const std::string rule = "must be an object with at least one input";
+  const Json& ranges = needed(object, "ranges", place, rule);
+  if (!ranges.is_object() || ranges.empty()) refuse(place, "ranges", ranges, rule);
+  std::vector<GivenAxis> axes;
+  for (const auto& [key, range] : ranges.items()) {
+    const InputKind* const input = find_input(key);
+    const std::string ranges_place = place + ": ranges";
+    if (!input) refuse(ranges_place, key, range, unknown("unknown key", keys_like(key), key));
+    if (!input->real()) refuse(ranges_place, key, range, "must be an input that is a real number; make it an axis");
+    if (!range.is_object()) refuse(ranges_place, key, range, "must be an object with from and to");
+    refuse_unknown_keys(range, range_keys, ranges_place + ": " + key);
+    axes.push_back(between(key, range, ranges_place + ": " + key, "a range has from and to"));
+    axes.back().group = sample_group;
+  }
+  const auto columns = unit_sample(static_cast<SampleMethod>(find_name(methods, method)),
+                                   static_cast<std::size_t>(points), axes.size(), seed);
+  for (std::size_t i = 0; i < axes.size(); ++i) axes[i].positions = columns[i];
+  return axes;
+}
+
+void refuse_axes_that_exclude_each_other(const std::vector<GivenAxis>& axes) {
+  for (const GivenAxis& axis : axes) {
+    const std::string outer = axis.place.substr(0, axis.place.rfind(": "));
+    for (const GivenAxis& other : axes)
+      if (&other < &axis && other.key == axis.key) refuse(outer, axis.key, axis.shown, "varies already");
+    if (axis.choice()) continue;
+    for (const std::string_view replaced : replaced_inputs(axis.key, 0.0))
+      for (const GivenAxis& other : axes)
+        if (other.key == replaced) refuse(outer, axis.key, axis.shown, "cannot be an axis together with " + other.key);
+  }
+}
+
+std::vector<double> spaced(const GivenAxis& axis, double from, double to) {
+  const Json& last = axis.values.back().value;
+  if (!std::isfinite(from) || !std::isfinite(to)) refuse(axis.place, "to", last, "the ends must be finite");
+  if (from == to) refuse(axis.place, "to", last, "must differ from \"from\"");
+  if (axis.logarithmic && (from <= 0 || to <= 0)) refuse(axis.place, "to", last, "logarithmic: both ends must be > 0");
+  std::vector<double> values;
+  for (const double at : axis.positions)
+    values.push_back(at == 1 ? to : axis.logarithmic ? from * std::pow(to / from, at) : from + (to - from) * at);
+  return values;
+}
+
+/// The body that goes with a value of an axis, or the bodies.
+std::vector<Indenter> indenters_at(const std::vector<GivenAxis>& axes, const GivenAxis& axis, std::size_t index,
+                                   Indenter usual) {
+  auto body = [&](const SceneEntry& entry) {
+    return static_cast<Indenter>(
+        find_name(ChoiceNames<Indenter>::names, std::get<std::string>(input_value(entry, usual))));
+  };
+  for (const GivenAxis& other : axes) {
+    if (other.key != "indenter") continue;
+    const bool row_by_row = !axis.group.empty() && other.group == axis.group && axis.positions.empty();
+    if (row_by_row) return {body(other.values[index])};
+    std::vector<Indenter> bodies;
+    for (const SceneEntry& entry : other.values) bodies.push_back(body(entry));
+    return bodies;
+  }
+  return {usual};
+}
+
+Axis axis_of(const std::vector<GivenAxis>& all, const GivenAxis& given, Indenter usual) {
+  Axis axis{.key = given.key, .logarithmic = given.logarithmic, .group = given.group};
+  for (std::size_t i = 0; i < given.values.size(); ++i) {
+    const SceneEntry& entry = given.values[i];
+    InputValue value;
+    for (const Indenter indenter : indenters_at(all, given, i, usual)) value = input_value(entry, indenter);
+    if (const auto* const name = std::get_if<std::string>(&value))
+      axis.texts.push_back(*name);
+    else
+      axis.values.push_back(std::get<double>(value));
+  }
+  if (!given.positions.empty()) axis.values = spaced(given, axis.values.front(), axis.values.back());
+  if (find_input(given.key)->whole)
+    for (const double value : axis.values)
+      if (value != std::floor(value)) refuse(given.place, given.key, value, "must be a whole number; give a list");
+  return axis;
+}
+
+/// The same value, or the same values of what varies together, would be the same point again.
+void refuse_repeated_values(const std::vector<GivenAxis>& given, const std::vector<Axis>& axes) {
+  for (const auto& group : groups_of(axes)) {
+    if (!given[group.front()].positions.empty()) continue;
+    std::set<std::vector<std::string>> seen;
+    for (std::size_t i = 0; i < axes[group.front()].size(); ++i) {
+      std::vector<std::string> values;
+      for (const std::size_t axis : group)
+        values.push_back(axes[axis].texts.empty() ? text_of(axes[axis].values[i]) : axes[axis].texts[i]);
+      if (seen.insert(values).second) continue;
+      const SceneEntry& first = given[group.front()].values[i];
+      refuse(first.place, first.key, first.value,
+             group.size() == 1 ? "value given twice" : "values given twice, with those that vary together with it");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<GivenAxis> given_axes(const Json& study, const std::string& place) {
+  const auto axes = study.find("axes"), box = study.find("sample");
+  if (axes == study.end() && box == study.end())
+    throw std::invalid_argument(place + ": axes is missing: a study needs axes or a sample");
+  std::vector<GivenAxis> given;
+  if (axes != study.end()) {
+    if (!axes->is_object() || axes->empty()) refuse(place, "axes", *axes, "must be an object with at least one input");
+    for (const auto& [key, value] : axes->items()) {
+      if (value.is_object() && value.contains("zip"))
+        for (GivenAxis& axis : zip(key, value, place + ": axes")) given.push_back(std::move(axis));
+      else
+        given.push_back(single_axis(key, value, place + ": axes"));
+    }
+  }
+  if (box != study.end())
+    for (GivenAxis& axis : sample(*box, place + ": sample")) given.push_back(std::move(axis));
+  refuse_axes_that_exclude_each_other(given);
+  double count = 1;
+  for (const auto& group : groups_of(given)) count *= static_cast<double>(given[group.front()].size());
+  if (count > most_points)
+    throw std::invalid_argument(place + ": axes: more than " + std::to_string(most_points) + " points");
+  return given;
+}
+
+std::vector<Axis> axes_of(const std::vector<GivenAxis>& given, Indenter usual) {
+  std::vector<Axis> axes;
+  for (const GivenAxis& axis : given) axes.push_back(axis_of(given, axis, usual));
+  refuse_repeated_values(given, axes);
+  return axes;
+}
+
+}  // namespace rollres

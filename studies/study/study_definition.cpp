@@ -1,0 +1,88 @@
+#include "studies/study/study_definition.hpp"
+
+#include <algorithm>
+
+#include "studies/text/strict_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::string text_under(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+const Json& under(const Json& object, const char* key) {
+  static const Json nothing;
+  const auto found = object.find(key);
+  return found == object.end() ? nothing : *found;
+}
+
+StudyChart chart_in(const Json& object) {
+  return {text_under(object, "name"), text_under(object, "x"), text_under(object, "y"), text_under(object, "family"),
+          text_under(object, "map")};
+}
+
+void add_axis(StudyDefinition& definition, const std::string& key, const Json& axis) {
+  if (axis.is_object() && (text_under(axis, "spacing") == "logarithmic" || text_under(axis, "scale") == "logarithmic"))
+    definition.logarithmic.insert(key);
+}
+
+/// Axes of an object whose values vary together.
+std::set<std::string> add_group(StudyDefinition& definition, const Json& inputs) {
+  std::set<std::string> group;
+  if (!inputs.is_object()) return group;
+  for (const auto& [key, axis] : inputs.items()) {
+    add_axis(definition, key, axis);
+    group.insert(key);
+  }
+  definition.together.push_back(group);
+  return group;
+}
+
+}  // namespace
+
+bool StudyDefinition::are_together(const std::string& one, const std::string& other) const {
+  return std::any_of(together.begin(), together.end(),
+                     [&](const auto& group) { return group.contains(one) && group.contains(other); });
+}
+
+std::vector<std::string> StudyDefinition::chart_names() const {
+  std::vector<std::string> names;
+  for (const StudyChart& chart : charts)
+    names.push_back(chart.name.empty() ? std::to_string(names.size() + 1) : chart.name);
+  return names;
+}
+
+const StudyChart& StudyDefinition::chart(const std::string& name, const std::string& place) const {
+  const std::vector<std::string> names = chart_names();
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (name.empty() || name == names[i] || name == std::to_string(i + 1)) return charts[i];
+  std::string list;
+  for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
+  throw std::invalid_argument(place + ": chart = " + name + ": must be one of " + list);
+}
+
+StudyDefinition definition_in(const std::string& text, const std::string& place) {
+  StudyDefinition definition{.charts = {}, .compute = {}, .logarithmic = {}, .together = {}, .sampled = {}};
+  const Json study = text.empty() ? Json::object() : parse_object(text, place);
+  if (const Json& chart = under(study, "chart"); chart.is_object()) definition.charts = {chart_in(chart)};
+  for (const Json& chart : under(study, "charts"))
+    if (chart.is_object()) definition.charts.push_back(chart_in(chart));
+  if (definition.charts.empty()) definition.charts.emplace_back();
+  for (const Json& output : under(study, "compute"))
+    if (output.is_string()) definition.compute.push_back(output.get<std::string>());
+  if (const Json& axes = under(study, "axes"); axes.is_object())
+    for (const auto& [key, axis] : axes.items()) {
+      add_axis(definition, key, axis);
+      if (axis.is_object()) add_group(definition, under(axis, "zip"));
+    }
+  if (const Json& sample = under(study, "sample"); sample.is_object())
+    definition.sampled = add_group(definition, under(sample, "ranges"));
+  if (const Json& variables = under(study, "variables"); variables.is_object())  // of an optimisation
+    definition.sampled = add_group(definition, variables);
+  return definition;
+}
+
+}  // namespace rollres

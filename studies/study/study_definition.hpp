@@ -1,0 +1,38 @@
+#pragma once
+
+/// What a study file that is kept in a database says about its pictures and tables. The scene file that it names need
+/// not be there any more, so this is read without it.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "studies/study/study.hpp"
+
+namespace rollres {
+
+struct StudyDefinition {
+  std::vector<StudyChart> charts;               ///< at least one; it is empty where the file has none
+  std::vector<std::string> compute;             ///< outputs; empty where the file says nothing
+  std::set<std::string> logarithmic;            ///< inputs that are spaced so
+  std::vector<std::set<std::string>> together;  ///< inputs that vary together
+  std::set<std::string> sampled;                ///< inputs of a sample
+
+  /// Whether two inputs vary together.
+  bool are_together(const std::string& one, const std::string& other) const;
+
+  /// The chart with this name, or with this number, from 1 on; the first for an empty name.
+  /// @param place  for messages
+  /// @throws std::invalid_argument naming the charts that there are
+  const StudyChart& chart(const std::string& name, const std::string& place) const;
+
+  /// Name of each chart, or its number where it has none.
+  std::vector<std::string> chart_names() const;
+};
+
+/// @param text   of the study file; may be empty
+/// @param place  for messages
+/// @throws std::invalid_argument if the text is no JSON object
+StudyDefinition definition_in(const std::string& text, const std::string& place);
+
+}  // namespace rollres

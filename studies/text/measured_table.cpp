@@ -1,0 +1,142 @@
+#include "studies/text/measured_table.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "studies/text/units.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+[[noreturn]] void fail(const std::string& place, const std::string& rule) {
+  throw std::invalid_argument(place + ": " + rule);
+}
+
+std::string line_place(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
+
+/// The cells of a line. Quotes may enclose separators; two quotes inside stand for one.
+std::vector<std::string> cells_of(const std::string& line, char separator, const std::string& place) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char letter = line[i];
+    if (letter == '"') {
+      if (quoted && i + 1 < line.size() && line[i + 1] == '"') {
+        cells.back() += '"';
+        ++i;
+      } else {
+        quoted = !quoted;
+      }
+    } else if (letter == separator && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += letter;
+    }
+  }
+  if (quoted) fail(place, "a quote does not end on this line");
+  for (std::string& cell : cells) cell = trimmed(cell);
+  return cells;
+}
+
+MeasuredColumn column_of(const std::string& name, const std::string& place) {
+  const auto layer = name.find("].");  // of coating_layers[0].layer_thickness [mm]
+  const auto open = name.find('[', layer == std::string::npos ? 0 : layer);
+  if (open == std::string::npos) {
+    if (name.empty()) fail(place, "a column has no name");
+    return {name, "", {}};
+  }
+  if (name.back() != ']') fail(place, "\"" + name + "\": must be a name with its unit in brackets: \"speed [m/s]\"");
+  MeasuredColumn column{trimmed(name.substr(0, open)), trimmed(name.substr(open + 1, name.size() - open - 2)), {}};
+  if (column.name.empty()) fail(place, "\"" + name + "\": a column has no name");
+  return column;
+}
+
+char separator_of(const std::string& names) {
+  for (const char separator : {',', ';', '\t'})
+    if (names.find(separator) != std::string::npos) return separator;
+  return ',';
+}
+
+std::string text_of(const std::string& file) {
+  errno = 0;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf()))
+    throw std::runtime_error(file + ": cannot be read" +
+                             (errno ? ": " + std::generic_category().message(errno) : std::string(" or is empty")));
+  return text.str();
+}
+
+}  // namespace
+
+const MeasuredColumn* MeasuredTable::find(std::string_view name) const {
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&](const MeasuredColumn& column) { return column.name == name; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+std::string MeasuredTable::place(std::size_t row) const { return line_place(file, lines.at(row)); }
+
+std::string heading(const MeasuredColumn& column) {
+  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+}
+
+MeasuredTable read_measured_table(const std::filesystem::path& file) {
+  MeasuredTable table{file.string(), text_of(file.string()), {}, {}};
+  std::istringstream lines(table.text.starts_with("\xEF\xBB\xBF") ? table.text.substr(3) : table.text);
+  char separator = ',';
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string place = line_place(table.file, ++number);
+    const std::string content = trimmed(line);
+    if (content.empty() || content.front() == '#') continue;
+    if (table.columns.empty()) {
+      separator = separator_of(content);
+      for (const std::string& name : cells_of(content, separator, place)) {
+        MeasuredColumn column = column_of(name, place);
+        if (table.find(column.name)) fail(place, "\"" + column.name + "\": column given twice");
+        table.columns.push_back(std::move(column));
+      }
+      continue;
+    }
+    const std::vector<std::string> cells = cells_of(line, separator, place);
+    if (cells.size() != table.columns.size())
+      fail(place, std::to_string(cells.size()) + " cells where the first line names " +
+                      std::to_string(table.columns.size()) + " columns");
+    for (std::size_t i = 0; i < cells.size(); ++i) table.columns[i].cells.push_back(cells[i]);
+    table.lines.push_back(number);
+  }
+  if (table.lines.empty()) fail(table.file, "has no row of measured values");
+  return table;
+}
+
+double measured_number(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row,
+                       std::string_view unit) {
+  const std::string& cell = column.cells.at(row);
+  const std::string place = table.place(row);
+  if (cell.empty()) fail(place, heading(column) + " is missing");
+  const auto plain = plain_number(cell);
+  if (!plain) fail(place, heading(column) + " = " + cell + ": must be a finite number");
+  if (column.unit.empty() || column.unit == "1") {
+    if (unit != "1") fail(place, heading(column) + ": the first line must name " + unit_in_words(unit));
+    return *plain;
+  }
+  try {
+    return si_value(cell + " " + column.unit, unit);
+  } catch (const std::invalid_argument& error) {
+    fail(place, heading(column) + ": " + error.what());
+  }
+}
+
+}  // namespace rollres

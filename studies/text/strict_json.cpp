@@ -1,0 +1,136 @@
+#include "studies/text/strict_json.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+namespace rollres {
+
+namespace {
+
+/// Follows the parser: notices a key that one object gives twice (nlohmann_json would silently keep the last value),
+/// and knows the last key for messages.
+class KeyWatch {
+ public:
+  explicit KeyWatch(std::string place) : place_(std::move(place)) {}
+
+  bool operator()(int, Json::parse_event_t event, Json& parsed) {
+    using Event = Json::parse_event_t;
+    if (twice_ && event != Event::key) {
+      const std::string value = event == Event::object_start  ? "{...}"
+                                : event == Event::array_start ? "[...]"
+                                                              : shown(parsed);
+      throw std::invalid_argument(place_ + ": " + last_key_ + " = " + value + ": key given twice");
+    }
+    if (event == Event::object_start) seen_.emplace_back();
+    if (event == Event::object_end) seen_.pop_back();
+    if (event == Event::key) {
+      last_key_ = parsed.get<std::string>();
+      twice_ = !seen_.back().insert(last_key_).second;
+    }
+    return true;
+  }
+
+  const std::string& last_key() const { return last_key_; }
+
+ private:
+  std::string place_, last_key_;
+  std::vector<std::set<std::string>> seen_;
+  bool twice_ = false;
+};
+
+/// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while parsing ..." without its tags.
+std::string syntax_message(std::string text) {
+  if (const auto tag = text.find("] "); text.starts_with("[json.exception") && tag != std::string::npos)
+    text.erase(0, tag + 2);
+  for (const std::string_view prefix : {"parse error at ", "parse error: "})
+    if (text.starts_with(prefix)) text.erase(0, prefix.size());
+  return text;
+}
+
+}  // namespace
+
+Json parse_object(std::string_view text, const std::string& place) {
+  KeyWatch watch(place);
+  Json parsed;
+  try {
+    parsed = Json::parse(text.begin(), text.end(), std::ref(watch));
+  } catch (const Json::out_of_range& error) {
+    throw std::invalid_argument(place + ": " + watch.last_key() + ": must be a finite number (" +
+                                syntax_message(error.what()) + ")");
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(place + ": " + syntax_message(error.what()));
+  }
+  if (!parsed.is_object()) throw std::invalid_argument(place + ": " + shown(parsed) + ": must be an object { ... }");
+  return parsed;
+}
+
+Json read_object(const std::string& path) {
+  constexpr std::size_t largest = 10'000'000;  // no scene or study comes near
+  auto fail = [&](const std::string& why) { throw std::runtime_error(path + ": cannot be read: " + why); };
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(std::generic_category().message(errno));
+  std::string text(largest, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(largest));
+  if (file.bad()) fail(std::generic_category().message(errno));
+  if (!file.eof()) fail("it is larger than 10 MB");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return parse_object(text, path);
+}
+
+std::string shown(const Json& value) {
+  constexpr std::size_t longest = 80;
+  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (text.size() > longest) {
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 letter
+    text = text.substr(0, end) + "...";
+  }
+  return text;
+}
+
+void refuse(const std::string& place, std::string_view key, const Json& value, const std::string& rule) {
+  throw std::invalid_argument(place + ": " + std::string(key) + " = " + shown(value) + ": " + rule);
+}
+
+std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name) {
+  const std::string nearest = nearest_name(known, name);
+  return nearest.empty() ? what : what + "; did you mean " + nearest + "?";
+}
+
+void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place) {
+  for (const auto& [key, value] : object.items())
+    if (find_name(known, key) < 0) refuse(place, key, value, unknown("unknown key", known, key));
+}
+
+const Json& needed(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw std::invalid_argument(place + ": " + key + " is missing: " + rule);
+  return *found;
+}
+
+std::string needed_text(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
+  const Json& value = needed(object, key, place, rule);
+  if (!value.is_string() || value.get_ref<const std::string&>().empty()) refuse(place, key, value, rule);
+  return value.get<std::string>();
+}
+
+int whole_number(const Json& value, std::string_view key, int lowest, int highest, const std::string& place) {
+  if (!value.is_number_integer() || value < lowest || value > highest)
+    refuse(place, key, value,
+           "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+  return value.get<int>();
+}
+
+int whole_number_or(const Json& object, const std::string& key, int usual, int lowest, int highest,
+                    const std::string& place) {
+  const auto found = object.find(key);
+  return found == object.end() ? usual : whole_number(*found, key, lowest, highest, place);
+}
+
+}  // namespace rollres

@@ -1,0 +1,51 @@
+#pragma once
+
+/// JSON as this program accepts it. For sources only: public headers stay free of nlohmann_json.
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/scene/quantity.hpp"
+
+namespace rollres {
+
+using Json = nlohmann::ordered_json;
+
+/// Parses JSON text; objects keep the order of their keys.
+/// @param place where the text comes from, for messages
+/// @throws std::invalid_argument for a syntax error (with its line), a key given twice, a number beyond double, or
+/// anything but an object
+Json parse_object(std::string_view text, const std::string& place);
+
+/// The object in a file.
+/// @throws std::runtime_error if the file cannot be read
+Json read_object(const std::string& path);
+
+/// A value as it stands in a message: JSON on one line, shortened where it is long.
+std::string shown(const Json& value);
+
+/// Throws std::invalid_argument with the one line "place: key = value: rule".
+[[noreturn]] void refuse(const std::string& place, std::string_view key, const Json& value, const std::string& rule);
+
+/// The rule for an unknown key or name: `what`, then the nearest known one.
+std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name);
+
+/// Refuses keys of `object` that are not among `known`.
+void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place);
+
+/// The value of a key that must be there; the rule says what it must be.
+const Json& needed(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
+
+/// The same for a text that must not be empty.
+std::string needed_text(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
+
+/// A whole number from `lowest` to `highest`, both included. @throws std::invalid_argument naming place, key and value
+int whole_number(const Json& value, std::string_view key, int lowest, int highest, const std::string& place);
+
+/// The same under a key of `object`, or `usual` without it.
+int whole_number_or(const Json& object, const std::string& key, int usual, int lowest, int highest,
+                    const std::string& place);
+
+}  // namespace rollres

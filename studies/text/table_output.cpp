@@ -1,0 +1,166 @@
+#include "studies/text/table_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+std::string six_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string in_words(const Cell& cell) {
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
+  if (const auto* number = std::get_if<double>(&cell)) return std::isinf(*number) ? "infinite" : six_digits(*number);
+  if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) {
+    std::string line = *text;
+    std::replace(line.begin(), line.end(), '\n', ';');
+    return line;
+  }
+  return "-";
+}
+
+std::string csv_cell(const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return "";
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
+  if (const auto* number = std::get_if<double>(&cell))
+    return std::isinf(*number) ? (*number > 0 ? "inf" : "-inf") : shortest(*number);
+  const std::string& text = std::get<std::string>(cell);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + '"';
+}
+
+}  // namespace
+
+Json json_of(const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return nullptr;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
+  if (const auto* number = std::get_if<double>(&cell)) {
+    if (std::isinf(*number)) return *number > 0 ? "infinite" : "-infinite";
+    return *number;
+  }
+  return std::get<std::string>(cell);
+}
+
+Json json_of(const Table& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json& object = rows.emplace_back(Json::object());
+    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = json_of(row[i]);
+  }
+  return rows;
+}
+
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+namespace {
+
+/// The names and then each row as texts; columns that hold texts stand to the left.
+struct WordedTable {
+  std::vector<std::vector<std::string>> lines;
+  std::vector<std::size_t> widths;
+  std::vector<bool> left;
+
+  explicit WordedTable(const Table& table) : lines{table.columns}, widths(table.columns.size(), 0) {
+    for (const auto& row : table.rows) {
+      lines.emplace_back();
+      for (const Cell& cell : row) lines.back().push_back(in_words(cell));
+    }
+    for (const auto& line : lines)
+      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      left.push_back(std::any_of(table.rows.begin(), table.rows.end(),
+                                 [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
+  }
+
+  std::string padded(const std::vector<std::string>& line, std::size_t i) const {
+    const std::string blanks(widths[i] - width(line[i]), ' ');
+    return left[i] ? line[i] + blanks : blanks + line[i];
+  }
+};
+
+}  // namespace
+
+void write_aligned(std::ostream& out, const Table& table) {
+  const WordedTable worded(table);
+  for (const auto& line : worded.lines) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) text += (i > 0 ? "  " : "") + worded.padded(line, i);
+    text.erase(text.find_last_not_of(' ') + 1);
+    out << text << '\n';
+  }
+}
+
+void write_markdown(std::ostream& out, const Table& table) {
+  Table escaped = table;
+  for (auto& row : escaped.rows)
+    for (Cell& cell : row)
+      if (auto* const text = std::get_if<std::string>(&cell))
+        for (std::size_t bar = text->find('|'); bar != std::string::npos; bar = text->find('|', bar + 2))
+          text->insert(bar, "\\");
+  const WordedTable worded(escaped);
+  const auto write_line = [&](const std::vector<std::string>& line) {
+    for (std::size_t i = 0; i < line.size(); ++i) out << "| " << worded.padded(line, i) << ' ';
+    out << "|\n";
+  };
+  write_line(worded.lines.front());
+  for (std::size_t i = 0; i < worded.widths.size(); ++i)
+    out << '|' << std::string(worded.widths[i] + 1, '-') << (worded.left[i] ? '-' : ':');
+  out << "|\n";
+  for (std::size_t i = 1; i < worded.lines.size(); ++i) write_line(worded.lines[i]);
+}
+
+void write_csv(std::ostream& out, const Table& table) {
+  auto write_line = [&](const auto& cells, auto&& text_of) {
+    const char* comma = "";
+    for (const auto& cell : cells) {
+      out << comma << text_of(cell);
+      comma = ",";
+    }
+    out << '\n';
+  };
+  write_line(table.columns, [](const std::string& name) { return name; });
+  for (const auto& row : table.rows) write_line(row, csv_cell);
+}
+
+void write_json(std::ostream& out, const Table& table) {
+  const Json rows = json_of(table);
+  const char* begin = "[\n  ";
+  for (const Json& row : rows) {
+    out << begin << text_of(row, -1);
+    begin = ",\n  ";
+  }
+  out << (rows.empty() ? "[]" : "\n]") << '\n';
+}
+
+void write_json_lines(std::ostream& out, const Table& table) {
+  for (const Json& row : json_of(table)) out << text_of(row, -1) << '\n';
+}
+
+void write_table(std::ostream& out, const Table& table, std::string_view format) {
+  if (format == "csv")
+    write_csv(out, table);
+  else if (format == "json")
+    write_json(out, table);
+  else if (format == "jsonl")
+    write_json_lines(out, table);
+  else if (format == "markdown")
+    write_markdown(out, table);
+  else if (!table.rows.empty())
+    write_aligned(out, table);
+}
+
+}  // namespace rollres

@@ -1,0 +1,35 @@
+#pragma once
+
+/// Tables of stored results as text.
+
+#include <array>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+#include "db/queries/table.hpp"
+
+namespace rollres {
+
+/// Aligned columns under their names, six digits; "-" where something is absent.
+void write_aligned(std::ostream& out, const Table& table);
+
+/// The same as a table of Markdown.
+void write_markdown(std::ostream& out, const Table& table);
+
+/// RFC 4180 with a line of names; all digits; empty where something is absent, "inf" for an infinite number.
+void write_csv(std::ostream& out, const Table& table);
+
+/// An array with one object for each row; all digits; null where something is absent, "infinite" for an infinite
+/// number.
+void write_json(std::ostream& out, const Table& table);
+
+/// The objects of write_json, each on a line of its own (JSON lines).
+void write_json_lines(std::ostream& out, const Table& table);
+
+inline constexpr std::array<std::string_view, 5> table_formats{"table", "csv", "json", "jsonl", "markdown"};
+
+/// One of the above, by its name; of an empty table nothing as "table".
+void write_table(std::ostream& out, const Table& table, std::string_view format);
+
+}  // namespace rollres

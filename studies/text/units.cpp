@@ -1,0 +1,158 @@
+#include "studies/text/units.hpp"
+
+#include <udunits2.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+namespace rollres {
+
+namespace {
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+struct FreeConverter {
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+struct FreeSystem {
+  void operator()(ut_system* system) const { ut_free_system(system); }
+};
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+using System = std::unique_ptr<ut_system, FreeSystem>;
+
+std::mutex udunits;  // the library keeps global state: one thread at a time
+
+/// Call with `udunits` held.
+ut_system* unit_system() {
+  static const System system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    System read(ut_read_xml(nullptr));
+    if (!read)
+      throw std::runtime_error("the database of units (udunits2) cannot be read; is libudunits2-data installed?");
+    return read;
+  }();
+  return system.get();
+}
+
+std::string_view trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// A number at the start of a text and what follows it; `number` is NaN if the text does not start with one.
+struct Leading {
+  double number = std::nan("");
+  std::string_view rest;
+};
+
+Leading leading_number(std::string_view text) {
+  text = trim(text);
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  const char* const end = text.data() + text.size();
+  Leading found;
+  const auto [stop, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, found.number);
+  if (error != std::errc{} || !std::isfinite(found.number))
+    found.number = std::nan("");
+  else
+    found.rest = trim({stop, static_cast<std::size_t>(end - stop)});
+  return found;
+}
+
+double with_15_digits(double value) {
+  std::array<char, 40> digits;
+  const auto written =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific, 14);
+  std::from_chars(digits.data(), written.ptr, value);
+  return value;
+}
+
+Converter converter(const std::string& from, const std::string& to) {
+  constexpr std::size_t longest = 40;  // bounds what the library's parser is fed
+  if (from.size() > longest) return nullptr;
+  const std::scoped_lock lock(udunits);
+  ut_system* const system = unit_system();
+  const Unit source(ut_parse(system, from.c_str(), UT_UTF8)), target(ut_parse(system, to.c_str(), UT_UTF8));
+  if (!source || !target) return nullptr;
+  return Converter(ut_get_converter(source.get(), target.get()));
+}
+
+}  // namespace
+
+std::optional<double> plain_number(std::string_view text) {
+  const Leading leading = leading_number(text);
+  if (std::isnan(leading.number) || !leading.rest.empty()) return std::nullopt;
+  return leading.number;
+}
+
+std::string unit_in_words(std::string_view unit) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> measures{{{"m", "length"},
+                                                                                    {"m2", "area"},
+                                                                                    {"m/s", "speed"},
+                                                                                    {"s", "time"},
+                                                                                    {"Pa", "stress"},
+                                                                                    {"N", "force"},
+                                                                                    {"N/m", "force per length"},
+                                                                                    {"N.m", "torque"},
+                                                                                    {"W", "power"},
+                                                                                    {"W/m", "power per length"},
+                                                                                    {"kg/m3", "density"},
+                                                                                    {"rad/s", "rotational speed"},
+                                                                                    {"K", "temperature"},
+                                                                                    {"Hz", "frequency"},
+                                                                                    {"J/mol", "molar energy"}}};
+  for (const auto& [known, measure] : measures)
+    if (known == unit) return "a unit of " + std::string(measure) + " (" + std::string(unit) + ")";
+  return "a unit that converts to " + std::string(unit);
+}
+
+namespace {
+
+/// A number with a unit, taken apart.
+struct NumberWithUnit {
+  double number;
+  Converter to_si;
+};
+
+NumberWithUnit number_with_unit(std::string_view text, std::string_view unit, const std::string& rule) {
+  const Leading leading = leading_number(text);
+  if (std::isnan(leading.number)) throw std::invalid_argument("must be a finite number, or one with a unit");
+  // A second number ("5 10 mm") or a sum ("5 +3 mm") would be read by the library as part of the unit.
+  if (leading.rest.empty() || std::string_view("+-.0123456789").find(leading.rest.front()) != std::string_view::npos)
+    throw std::invalid_argument(rule);
+  Converter to_si = converter(std::string(leading.rest), std::string(unit));
+  if (!to_si) throw std::invalid_argument(rule);
+  return {leading.number, std::move(to_si)};
+}
+
+double finite(double value) {
+  if (!std::isfinite(value)) throw std::invalid_argument("must be a finite number");
+  return value;
+}
+
+}  // namespace
+
+double si_value(std::string_view text, std::string_view unit) {
+  const std::string rule =
+      unit == "1" ? std::string("must be a number without a unit") : "must have " + unit_in_words(unit);
+  const auto [number, to_si] = number_with_unit(text, unit, rule);
+  // Scales with an origin (degC, "m since 3") or a logarithm have no place here.
+  const double one = cv_convert_double(to_si.get(), 1.0);
+  if (cv_convert_double(to_si.get(), 0.0) != 0.0 || !std::isfinite(one) || one <= 0) throw std::invalid_argument(rule);
+  const double value = finite(cv_convert_double(to_si.get(), number));
+  return one == 1.0 ? value : with_15_digits(value);
+}
+
+double kelvin(std::string_view text) {
+  const auto [number, to_si] = number_with_unit(text, "K", "must have a unit of temperature (K or degC)");
+  return with_15_digits(finite(cv_convert_double(to_si.get(), number)));
+}
+
+}  // namespace rollres

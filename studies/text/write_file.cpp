@@ -1,0 +1,52 @@
+#include "studies/text/write_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace rollres {
+
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, const std::string& why) {
+  throw std::runtime_error(path.string() + ": " + what + ": " + why);
+}
+
+std::string last_error() { return std::generic_category().message(errno != 0 ? errno : EIO); }
+
+}  // namespace
+
+void write_file(const std::filesystem::path& file, std::string_view content) {
+  std::filesystem::path part = file;
+  part += "." + std::to_string(::getpid()) + ".part";
+  errno = 0;
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  if (!stream) fail(file, "cannot be written", last_error());
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  std::error_code error;
+  if (!stream) {
+    const std::string why = last_error();
+    std::filesystem::remove(part, error);
+    fail(file, "cannot be written", why);
+  }
+  std::filesystem::rename(part, file, error);
+  if (error) {
+    const std::string why = error.message();
+    std::filesystem::remove(part, error);
+    fail(file, "cannot be written", why);
+  }
+}
+
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (!error && !std::filesystem::is_directory(directory)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error) fail(directory, "cannot be made a directory", error.message());
+}
+
+}  // namespace rollres

@@ -1,0 +1,280 @@
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "core/material/fractional_zener.hpp"
+#include "core/material/lumped_spectrum.hpp"
+#include "core/material/master_curve.hpp"
+#include "core/material/material_functions.hpp"
+#include "core/material/prony_series.hpp"
+#include "core/material/relaxation.hpp"
+#include "core/messages/number_list.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
+#include "tests/core/rubber.hpp"
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+namespace {
+
+PronySeries wide_series(int terms) {
+  PronySeries series{1e6, {}};
+  for (int j = 0; j < terms; ++j)
+    series.terms.push_back({1e5 * (1 + 3.0 * (j % 4)), std::pow(10.0, -9 + 12.0 * j / (terms - 1))});
+  return series;
+}
+
+MasterCurve sampled(const PronySeries& series, int rows_per_decade) {
+  MasterCurve curve;
+  for (int i = 0; i <= 8 * rows_per_decade; ++i) {
+    curve.frequencies.push_back(std::pow(10.0, -3 + static_cast<double>(i) / rows_per_decade));
+    const auto modulus = complex_modulus(series, 2 * std::numbers::pi * curve.frequencies.back());
+    curve.storage.push_back(modulus.real());
+    curve.loss.push_back(modulus.imag());
+  }
+  return curve;
+}
+
+/// max |J_a/J_b - 1| of two compliances.
+template <class A, class B>
+double largest_difference(A&& a, B&& b, double from, double to) {
+  double largest = 0;
+  for (double omega = from; omega < to; omega *= 1.37) largest = std::max(largest, std::abs(a(omega) / b(omega) - 1.0));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("a Prony series and its spectrum of creep are each other's inverse, over twelve decades",
+          "[core][material]") {
+  for (const int terms : {2, 9, 27, 81}) {
+    CAPTURE(terms);
+    const PronySeries series = wide_series(terms);
+    const CreepSpectrum creep = creep_spectrum(series);
+    REQUIRE(std::ssize(creep.terms) == terms);
+    CHECK(creep.at_rest() == Approx(1e-6).epsilon(1e-13));
+    const auto exact = [&](double omega) { return 1.0 / complex_modulus(series, omega); };
+    CHECK(largest_difference(creep, exact, 1e-6, 1e12) < 1e-12);
+    const RelaxationSpectrum back = relaxation_spectrum(creep);
+    for (std::size_t j = 0; j < series.terms.size(); ++j) {
+      CHECK(creep.terms[j].time > series.terms[j].time);
+      CHECK(back.terms[j].time == Approx(series.terms[j].time).epsilon(1e-11));
+      CHECK(back.terms[j].modulus == Approx(series.terms[j].modulus).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("the order of a Prony series' terms, equal times and moduli that are zero make no difference",
+          "[core][material]") {
+  MaterialInputs layer;
+  layer.material = MaterialModel::prony;
+  layer.static_shear_modulus = 2e6;
+  layer.relaxation_times = {1e-3, 1};
+  layer.relaxation_moduli = {1e6, 3e6};
+  MaterialInputs mixed = layer;
+  mixed.relaxation_times = {1, 7, 1e-3, 1};
+  mixed.relaxation_moduli = {2e6, 0, 1e6, 1e6};
+  CHECK(largest_difference(creep_spectrum(layer), creep_spectrum(mixed), 1e-3, 1e6) < 1e-14);
+}
+
+TEST_CASE("the spectrum of a fractional Zener solid meets its modulus to 1e-7 of the compliance at rest, for any order",
+          "[core][material]") {
+  for (const double order : {0.2, 0.5, 0.8, 0.95, 0.999, 1 - 1e-6, 1 - 1e-12, 1.0}) {
+    CAPTURE(order);
+    const FractionalZener solid{2e6, 9, 0.1, order};
+    const CreepSpectrum creep = creep_spectrum(solid);
+    CHECK(creep.at_rest() == Approx(0.5e-6).epsilon(1e-13));
+    for (double omega = 1e-8; omega < 1e10; omega *= 2.3)
+      CHECK(std::abs(creep(omega) - 1.0 / complex_modulus(solid, omega)) < 1e-7 / 2e6);
+    for (const CreepSpectrum::Term& term : creep.terms) CHECK(term.compliance > 0);
+    CHECK(creep.terms.size() < 200);
+  }
+  CHECK(creep_spectrum(FractionalZener{2e6, 9, 0.1, 1}).terms.size() == 1);
+}
+
+TEST_CASE("a master curve drawn from a Prony series is fitted within 3 %, from few rows or many", "[core][material]") {
+  const PronySeries series = wide_series(25);
+  for (const int rows_per_decade : {2, 10}) {
+    CAPTURE(rows_per_decade);
+    const MasterCurve curve = sampled(series, rows_per_decade);
+    const MasterCurveFit fit = fit_master_curve(curve);
+    CAPTURE(fit.in_words());
+    CHECK(fit.rms_misfit < 0.03);
+    CHECK(fit.remarks.empty());
+    for (const PronySeries::Term& term : fit.series.terms) CHECK(term.modulus > 0);
+    CHECK(fit.series.static_modulus > 0);
+  }
+}
+
+TEST_CASE("a master curve's fit says its misfit, and rows in any order are the same curve", "[core][material]") {
+  const MaterialInputs rubber = filled_rubber();
+  MasterCurve curve{rubber.frequencies, rubber.storage_moduli, rubber.loss_moduli};
+  const MasterCurveFit fit = fit_master_curve(curve);
+  // Storage and loss do not quite belong together: closer, the loss would wave between the rows.
+  CHECK(fit.rms_misfit < 0.06);
+  CHECK(fit.largest_misfit < 0.08);
+  CHECK(loss_peaks(creep_spectrum(fit.series)).size() <= 2);
+  CHECK(fit.worst_frequency == 1.51e4);
+  CHECK_THAT(fit.in_words(), Contains("Prony terms, misfit ") && Contains(" % at most (at 1.51e+04 Hz)"));
+  for (auto* const column : {&curve.frequencies, &curve.storage, &curve.loss}) std::swap((*column)[2], (*column)[5]);
+  const MasterCurveFit mixed = fit_master_curve(curve);
+  CHECK(mixed.rms_misfit == Approx(fit.rms_misfit).epsilon(1e-6));
+  CHECK(fit.remarks.empty());
+  REQUIRE(mixed.remarks.size() == 2);
+  CHECK(mixed.remarks.front() == "master curve: row 4 (2.09e+03 Hz) is out of the order of frequencies");
+  CHECK(shared_master_curve_fit(curve) == shared_master_curve_fit(curve));
+}
+
+TEST_CASE("rows of a master curve that are repeated, fall or lie far off are named", "[core][material]") {
+  MasterCurve curve = sampled(wide_series(25), 4);
+  curve.frequencies.push_back(curve.frequencies[3]);
+  curve.storage.push_back(curve.storage[3]);
+  curve.loss.push_back(curve.loss[3]);
+  curve.storage[20] *= 1.6;
+  const std::vector<std::string> remarks = fit_master_curve(curve).remarks;
+  std::string all;
+  for (const std::string& remark : remarks) all += remark + '\n';
+  CHECK_THAT(all, Contains("row 34 (0.00562 Hz) is out of the order of frequencies"));
+  CHECK_THAT(all, Contains("row 34 (0.00562 Hz) has the frequency of row 4; both count"));
+  CHECK_THAT(all, Contains("row 22 (178 Hz): the storage modulus falls from "));
+  CHECK_THAT(all, Contains("row 21 (100 Hz) is an outlier: "));
+}
+
+TEST_CASE("a master curve keeps a modulus at rest that is given", "[core][material]") {
+  MaterialInputs rubber = filled_rubber();
+  CHECK(static_modulus(rubber) < 6.68e6 / 3);
+  rubber.static_shear_modulus = 1.8e6;
+  CHECK(check_material(rubber).empty());
+  CHECK(static_modulus(rubber) == 1.8e6);
+  CHECK(1 / creep_spectrum(rubber).at_rest() == Approx(1.8e6).epsilon(1e-12));
+}
+
+TEST_CASE("Young's modulus E is 2 (1 + ν) G, at rest and in lists", "[core][material]") {
+  MaterialInputs shear;
+  shear.material = MaterialModel::prony;
+  shear.poisson_ratio = 0.4;
+  shear.static_shear_modulus = 1e6;
+  shear.relaxation_times = {1e-3, 1};
+  shear.relaxation_moduli = {1e6, 3e6};
+  MaterialInputs young = shear;
+  young.static_shear_modulus.reset();
+  young.static_young_modulus = 2.8e6;
+  young.listed_moduli = ListedModuli::young;
+  young.relaxation_moduli = {2.8e6, 8.4e6};
+  CHECK(largest_difference(creep_spectrum(shear), creep_spectrum(young), 1e-3, 1e6) < 1e-14);
+  CHECK(static_modulus(young) == Approx(1e6).epsilon(1e-15));
+}
+
+TEST_CASE("a temperature shifts all times by the shift law", "[core][material]") {
+  MaterialInputs layer = filled_rubber();
+  layer.reference_temperature = 293.15;
+  layer.wlf_c1 = 4.41;
+  layer.wlf_c2 = 137.64;
+  CreepSpectrum at_reference = creep_spectrum(layer);
+  layer.temperature = 253.15;
+  const double shift = std::pow(10, 4.41 * 40 / (137.64 - 40));
+  const auto shifted = [&](double omega) { return at_reference(shift * omega); };
+  CHECK(largest_difference(creep_spectrum(layer), shifted, 1e-3, 1e6) < 1e-13);
+  CHECK_THAT(material_route(layer), Contains("times at 253.15 K: 64.067 of those at 293.15 K (WLF)"));
+  layer.temperature = layer.reference_temperature;
+  CHECK(largest_difference(creep_spectrum(layer), at_reference, 1e-3, 1e6) < 1e-14);
+
+  MaterialInputs zener;
+  zener.static_shear_modulus = 1e6;
+  zener.stiffening = 2;
+  zener.creep_time = 0.1;
+  zener.activation_energy = 1e5;
+  zener.reference_temperature = 300;
+  zener.temperature = 310;
+  CHECK(check_material(zener).empty());
+  CHECK(creep_spectrum(zener).terms.front().time ==
+        Approx(0.1 * std::exp(1e5 / 8.31446261815324 * (1 / 310. - 1 / 300.))).epsilon(1e-14));
+}
+
+TEST_CASE("terms too short or too long to tell apart become one, exact to first order", "[core][material]") {
+  const CreepSpectrum creep = creep_spectrum(FractionalZener{1e6, 9, 1, 0.5});
+  const CreepSpectrum few = lumped(creep, 1e-6, 1e6);
+  CHECK(10 * few.terms.size() < 6 * creep.terms.size());
+  CHECK(few.at_rest() == Approx(creep.at_rest()).epsilon(1e-14));
+  CHECK(largest_difference(few, creep, 1e-3, 1e3) < 1e-6);
+  CHECK(lumped(few, 1e-6, 1e6).terms.size() == few.terms.size());
+}
+
+TEST_CASE("a Zener solid creeps and relaxes as it should, and loses most at 1/τ times the root of 1 + f",
+          "[core][material]") {
+  const double G0 = 2e6, f = 3, tau = 0.1;
+  const CreepSpectrum creep = creep_spectrum(FractionalZener{G0, f, tau, 1});
+  const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
+  for (const double t : {0.0, 1e-3, 0.1, 7.0}) {
+    CHECK(creep_compliance(creep, t) == Approx((1 - f / (1 + f) * std::exp(-t / tau)) / G0).epsilon(1e-14));
+    CHECK(relaxation_modulus(relaxation, t) == Approx(G0 * (1 + f * std::exp(-t * (1 + f) / tau))).epsilon(1e-13));
+  }
+  CHECK(slow_loss_time(creep) == Approx(f * tau / (1 + f)).epsilon(1e-14));
+  const std::vector<LossPeak> peaks = loss_peaks(creep);
+  REQUIRE(peaks.size() == 1);
+  CHECK(peaks.front().omega == Approx(std::sqrt(1 + f) / tau).epsilon(1e-6));
+  CHECK(peaks.front().tangent == Approx(f / (2 * std::sqrt(1 + f))).epsilon(1e-12));
+  CHECK(loss_peaks(creep_spectrum(FractionalZener{G0, 0, tau, 1})).empty());
+}
+
+TEST_CASE("a material's inputs that are missing, too many or do not go together are named", "[core][material]") {
+  const auto first = [](auto&& change) {
+    RollingScene scene = paper_cylinder();
+    change(scene);
+    const auto broken = check(scene);
+    return broken.empty() ? std::string() : broken.front();
+  };
+  using Scene = RollingScene;
+  CHECK(first([](Scene&) {}).empty());
+  CHECK(first([](Scene& s) { s.static_young_modulus = 9e6; }) ==
+        "static_young_modulus = 9e+06: give static_shear_modulus or static_young_modulus, not both");
+  CHECK(first([](Scene& s) { s.static_shear_modulus.reset(); }) ==
+        "static_shear_modulus is missing: give static_shear_modulus or static_young_modulus (Pa)");
+  CHECK(first([](Scene& s) { s.material = MaterialModel::prony; }) ==
+        "relaxation_times is missing: material \"prony\" needs it");
+  CHECK(first([](Scene& s) {
+          s.material = MaterialModel::prony;
+          s.relaxation_times = {1, 2};
+          s.relaxation_moduli = {1};
+        }) == "relaxation_moduli: has 1 values, but relaxation_times has 2");
+  CHECK(first([](Scene& s) { s.relaxation_times = {1, -2}; }) == "relaxation_times[1] = -2: must be > 0");
+  CHECK(first([](Scene& s) {
+          s = with_material(s, filled_rubber());
+          s.loss_moduli[4] = -1;
+        }) == "loss_moduli[4] = -1: must be >= 0");
+  CHECK(first([](Scene& s) {
+          s = with_material(s, filled_rubber());
+          s.frequencies.assign(9, 1.0);
+        }) == "frequencies: must have at least two different values");
+  CHECK(first([](Scene& s) { s.fractional_order = 1.1; }) == "fractional_order = 1.1: must be above 0 and up to 1");
+  CHECK(first([](Scene& s) { s.temperature = 300; }) ==
+        "temperature = 300: has no effect without a shift law: give wlf_c1 and wlf_c2, or activation_energy");
+  CHECK(first([](Scene& s) { s.wlf_c1 = 8; }) == "wlf_c2 is missing: wlf_c1 and wlf_c2 go together");
+  CHECK(first([](Scene& s) {
+          s.temperature = 300;
+          s.activation_energy = 1e5;
+        }) == "reference_temperature is missing: a temperature needs it (K)");
+  CHECK(first([](Scene& s) {
+          s.wlf_c1 = 8;
+          s.wlf_c2 = 50;
+          s.activation_energy = 1e5;
+        }) == "activation_energy = 100000: give wlf_c1 and wlf_c2 or activation_energy, not both");
+  CHECK(first([](Scene& s) {
+          s.wlf_c1 = 8;
+          s.wlf_c2 = 50;
+          s.reference_temperature = 300;
+          s.temperature = 250;
+        }) == "temperature = 250: must be above reference_temperature - wlf_c2");
+}
+
+TEST_CASE("a list of numbers as text reads back bit by bit, and nothing else does", "[core][quantity]") {
+  const std::vector<double> numbers{1.0 / 3, 0.1 + 0.2, 5e-324, 1e17 / 3};
+  CHECK(list_in(text_of_list(numbers)) == numbers);
+  CHECK(text_of_list({}) == "[]");
+  CHECK(list_in("[ 1,2 ]") == std::vector<double>{1, 2});
+  CHECK(list_in("[]")->empty());
+  for (const char* const wrong : {"", "1", "[1", "[1,]", "[1 2]", "[1] 2", "[nan]", "[inf]", "[x]"})
+    CHECK_FALSE(list_in(wrong));
+}

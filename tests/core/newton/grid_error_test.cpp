@@ -1,0 +1,141 @@
+#include "core/newton/grid_error.hpp"
+
+#include <cmath>
+
+#include "core/reference/reference_hunter.hpp"
+#include "core/solve/rolling_contact.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
+
+using namespace rollres;
+
+namespace {
+
+/// Without friction: R = 0.1 m, G0 = 1 MPa, tau = 1 s; memories V tau are then lengths.
+RollingScene frictionless(Indenter indenter, double thickness, double stiffening, double memory) {
+  RollingScene scene;
+  scene.indenter = indenter;
+  scene.radius = 0.1;
+  scene.layer_thickness = thickness;
+  scene.static_shear_modulus = 1e6;
+  scene.stiffening = stiffening;
+  scene.creep_time = 1;
+  scene.speed = memory;
+  scene.load = indenter == Indenter::sphere ? 5.0 : 800.0;
+  return scene;
+}
+
+/// A cylinder on a half-space whose rubbery contact is 2 x 5 mm wide, of so large a radius that slopes do not matter.
+RollingScene line_on_half_space(double stiffening, double memory) {
+  RollingScene scene = frictionless(Indenter::cylinder, INFINITY, stiffening, memory);
+  scene.radius = 50;
+  scene.layer_density = 0;  // Hunter leaves inertia out
+  scene.load = M_PI * *scene.static_shear_modulus * 25e-6 / scene.radius;
+  return scene;
+}
+
+double hunter(const RollingScene& scene) {
+  return hunter_line(scene.radius, *scene.load, *scene.static_shear_modulus, scene.stiffening, scene.creep_time,
+                     scene.speed)
+      .rolling_resistance;
+}
+
+/// V tau' P/R.
+double slow_limit(const RollingScene& scene) {
+  const double f = scene.stiffening;
+  return scene.speed * scene.creep_time * f / (1 + f) * *scene.load / scene.radius;
+}
+
+/// Of the limit V -> infinity: int p (d - x^2/2R) / (V tau") over the glassy elastic contact.
+double fast_limit(RollingScene scene) {
+  const double relaxation = scene.speed * scene.creep_time / scene.stiffening;
+  *scene.static_shear_modulus *= 1 + scene.stiffening;
+  scene.stiffening = 0;
+  const RollingSolution elastic = solve(scene);
+  const SurfaceGrid& grid = elastic.fields.grid;
+  double work = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const auto i = static_cast<std::size_t>(grid.index(column, row));
+      const double x = grid.x(column), y = scene.indenter == Indenter::sphere ? grid.y(row) : 0;
+      work += elastic.fields.pressure[i] * grid.cell_area() * (elastic.approach - (x * x + y * y) / (2 * scene.radius));
+    }
+  return work / relaxation;
+}
+
+}  // namespace
+
+TEST_CASE("rolling slowly without friction the resistance is V tau' P/R, for any layer, body and method",
+          "[core][grid_error]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere})
+    for (const double thickness : {2e-3, 2e-2, static_cast<double>(INFINITY)})
+      for (const bool spaced : {false, true}) {
+        RollingScene scene = frictionless(indenter, thickness, 3, 1e-7);
+        if (spaced) scene.spacing = 2.5e-4;
+        CAPTURE(name_of(indenter), thickness, spaced);
+        const RollingSolution solution = solve(scene);
+        REQUIRE(solution.status == Status::converged);
+        CHECK(solution.rolling_resistance == Approx(slow_limit(scene)).epsilon(2e-3));
+      }
+}
+
+TEST_CASE("rolling fast without friction the resistance is the glassy contact's work over V tau\"",
+          "[core][grid_error]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    const RollingScene scene = frictionless(indenter, 5e-3, 3, 20.0);
+    CAPTURE(name_of(indenter));
+    CHECK(solve(scene).rolling_resistance == Approx(fast_limit(scene)).epsilon(0.01));
+  }
+}
+
+TEST_CASE("on a grid slow rolling follows Hunter's closed form where the memory is shorter than a cell or a few",
+          "[core][grid_error]") {
+  for (const double f : {0.1, 1.0, 9.0})
+    for (const double cells : {0.01, 0.1, 0.5, 1.0}) {
+      constexpr double spacing = 2.5e-4;
+      RollingScene scene = line_on_half_space(f, cells * spacing);
+      scene.spacing = spacing;
+      const double exact = hunter(scene);
+      const RollingSolution solution = solve(scene);
+      CAPTURE(f, cells, solution.model);
+      CHECK(solution.rolling_resistance == Approx(exact).epsilon(5e-3));
+      CHECK(std::abs(solution.rolling_resistance / exact - 1) < solution.error_estimate);
+      CHECK(solution.model.find("slow rolling") != std::string::npos);
+    }
+}
+
+TEST_CASE("the Newton method with a tolerance of 1e-3 is within it of Hunter's closed form", "[core][grid_error]") {
+  for (const double f : {1.0, 9.0, 99.0})
+    for (const double memory : {0.1, 1.0, 10.0, 100.0}) {
+      RollingScene scene = line_on_half_space(f, memory * 5e-3);
+      const double exact = hunter(scene);
+      scene.method = Method::newton;
+      scene.tolerance = 1e-3;
+      CAPTURE(f, memory);
+      CHECK(solve(scene).rolling_resistance == Approx(exact).epsilon(1e-3));
+      scene.method = Method::automatic;
+      CHECK(solve(scene).rolling_resistance == Approx(exact).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("the error of the paper's cylinder on its grid is below its estimate, by both methods",
+          "[core][grid_error]") {
+  RollingScene scene = paper_cylinder();
+  for (const Method method : {Method::newton, Method::active_set}) {
+    scene.method = method;
+    const RollingSolution solution = solve(scene);
+    const double error = std::abs(solution.rolling_resistance / 357.1785671916 - 1);  // oracle: continuous edges
+    CHECK(error < solution.error_estimate);
+    CHECK(solution.error_estimate < 10 * error);
+  }
+}
+
+TEST_CASE("a sphere's grid is no finer than its tolerance asks for", "[core][grid_error]") {
+  RollingScene scene = frictionless(Indenter::sphere, 5e-3, 3, 5e-3);
+  scene.tolerance = 1e-2;
+  const RollingSolution coarse = solve(scene);
+  scene.tolerance = 1e-3;
+  const RollingSolution fine = solve(scene);
+  CHECK(4 * coarse.contact_nodes < fine.contact_nodes);
+  CHECK(coarse.rolling_resistance == Approx(fine.rolling_resistance).epsilon(1e-2));
+}

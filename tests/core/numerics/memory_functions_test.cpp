@@ -1,0 +1,56 @@
+#include "core/numerics/memory_functions.hpp"
+
+#include <cmath>
+
+#include "core/numerics/quadrature.hpp"
+#include "tests/catch.hpp"
+
+using namespace rollres;
+
+TEST_CASE("scaled Bessel functions are the standard library's where that does not overflow",
+          "[core][memory_functions]") {
+  for (const double x : {1e-6, 0.1, 1.0, 20.0, 99.0, 300.0}) {
+    const Eigen::VectorXd i = scaled_bessel_i(x, 12);
+    // The library's own errors grow with x.
+    for (int n = 0; n < 12; ++n) CHECK(i(n) == Approx(std::exp(-x) * std::cyl_bessel_i(n, x)).epsilon(1e-11).margin(0));
+    const ScaledBesselK k = scaled_bessel_k(x);
+    CHECK(k.order_0 == Approx(std::exp(x) * std::cyl_bessel_k(0, x)).epsilon(1e-12));
+    CHECK(k.order_1 == Approx(std::exp(x) * std::cyl_bessel_k(1, x)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("scaled Bessel functions of huge arguments sum to one", "[core][memory_functions]") {
+  for (const double x : {1e3, 1e4, 1e5}) {
+    const Eigen::VectorXd i = scaled_bessel_i(x, static_cast<int>(10 * std::sqrt(x)));
+    CHECK(i(0) + 2 * i.tail(i.size() - 1).sum() == Approx(1).epsilon(1e-12));
+  }
+  // Upwards and downwards give the same.
+  CHECK(scaled_bessel_i(1e4, 20)(19) == Approx(scaled_bessel_i(1e4, 500)(19)).epsilon(1e-12));
+}
+
+TEST_CASE("the memory beyond an edge is its integral", "[core][memory_functions]") {
+  const QuadratureRule rule = gauss_legendre(20);
+  for (const double x : {1e-4, 0.3, 4.0, 150.0, 1e4}) {
+    const Eigen::VectorXd b = edge_memory(x, 30, scaled_bessel_k(x));
+    CHECK(b(0) == 1);
+    for (const int n : {1, 2, 7, 29}) {
+      const double last = std::acosh(1 + 40 / x);
+      const int panels = 8 + static_cast<int>(last * n);
+      double sum = 0;
+      for (int panel = 0; panel < panels; ++panel)
+        for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+          const double h = last * (panel + rule.nodes[q]) / panels;
+          sum += last / panels * rule.weights[q] * x * std::exp(-2 * x * std::pow(std::sinh(h / 2), 2) - n * h) *
+                 std::sinh(h);
+        }
+      CAPTURE(x, n);
+      CHECK(b(n) == Approx(sum).epsilon(1e-11));
+    }
+  }
+}
+
+TEST_CASE("the scaled exponential integral is the standard library's", "[core][memory_functions]") {
+  for (const double x : {1e-8, 1e-3, 0.5, 0.999, 1.001, 5.0, 50.0})
+    CHECK(scaled_exponential_integral(x) == Approx(-std::exp(x) * std::expint(-x)).epsilon(1e-12));
+  CHECK(scaled_exponential_integral(1e6) == Approx(1e-6 * (1 - 1e-6)).epsilon(1e-11));
+}

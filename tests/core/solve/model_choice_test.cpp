@@ -1,0 +1,192 @@
+/// What is left out of a model for a tolerance's sake, against the full model.
+
+#include "core/solve/model_choice.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/solve/rolling_contact.hpp"
+#include "core/surface/contact_surface.hpp"
+#include "tests/catch.hpp"
+
+using namespace rollres;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+BondedLayer elastic_layer(double thickness, double modulus, double poisson_ratio) {
+  BondedLayer layer;
+  layer.layer_thickness = thickness;
+  layer.material = MaterialModel::elastic;
+  layer.static_shear_modulus = modulus;
+  layer.poisson_ratio = poisson_ratio;
+  return layer;
+}
+
+void make_rubber(MaterialInputs& layer) {
+  layer.static_shear_modulus = 1e6;
+  layer.stiffening = 3;
+  layer.creep_time = 5e-3;
+}
+
+/// 10 mm of rubber on 100 mm of concrete on soil.
+RollingScene rubber_mat(Indenter indenter) {
+  RollingScene scene;
+  scene.indenter = indenter;
+  scene.radius = 0.05;
+  make_rubber(scene);
+  scene.layer_thickness = 0.01;
+  scene.lower_layers = {elastic_layer(0.1, 12.5e9, 0.2), elastic_layer(infinite, 4e7, 0.3)};
+  scene.load = indenter == Indenter::sphere ? 20 : 3000;
+  scene.friction_coefficient = 0.5;
+  scene.drive = Drive::free;
+  scene.speed = 0.2;
+  scene.tolerance = 1e-2;
+  return scene;
+}
+
+/// A rubber tyre on concrete.
+RollingScene rubber_tyre() {
+  RollingScene scene;
+  scene.radius = 0.05;
+  static_cast<MaterialInputs&>(scene) = elastic_layer(0, 12.5e9, 0.2);
+  scene.layer_thickness = infinite;
+  BondedLayer tyre;
+  make_rubber(tyre);
+  tyre.layer_thickness = 0.012;
+  scene.coating_layers = {tyre};
+  scene.load = 8000;
+  scene.friction_coefficient = 0.5;
+  scene.drive = Drive::free;
+  scene.speed = 0.2;
+  scene.tolerance = 1e-3;
+  return scene;
+}
+
+/// Relative change of the resistance, both scenes by the same method.
+double change_of_resistance(RollingScene full, RollingScene simpler, double spacing = 0) {
+  for (RollingScene* const scene : {&full, &simpler}) {
+    scene->tolerance.reset();
+    if (spacing > 0) scene->spacing = spacing;
+  }
+  const RollingSolution with = solve(full), without = solve(simpler);
+  REQUIRE(with.status == Status::converged);
+  REQUIRE(without.status == Status::converged);
+  REQUIRE(with.method == without.method);
+  return std::abs(without.rolling_resistance / with.rolling_resistance - 1);
+}
+
+}  // namespace
+
+TEST_CASE("a hard floor under a mat is taken as rigid where the tolerance allows it", "[core][model_choice]") {
+  RollingScene scene = rubber_mat(Indenter::cylinder);
+  const ModelChoice choice = choose_model(scene);
+  REQUIRE(choice.decisions.size() == 1);
+  CHECK(choice.decisions[0].find("what lies below the first layer taken as rigid, which changes R_r by ") == 0);
+  CHECK(choice.scene.lower_layers.empty());
+  CHECK(*choice.scene.tolerance == Approx(1e-2 - choice.left_out));
+  const double change = change_of_resistance(scene, choice.scene);
+  CHECK(change < choice.left_out);
+  CHECK(change > 0.1 * choice.left_out);  // the estimate is one
+
+  const RollingSolution solution = solve(scene);
+  CHECK(solution.error_estimate > choice.left_out);
+  CHECK(solution.model.find(choice.decisions[0]) != std::string::npos);
+
+  scene.tolerance = 1e-5;
+  CHECK(choose_model(scene).decisions.empty());
+  scene.tolerance.reset();
+  CHECK(choose_model(scene).decisions.empty());
+}
+
+TEST_CASE("a hard floor under a mat is rigid for a ball as well", "[core][model_choice]") {
+  RollingScene scene = rubber_mat(Indenter::sphere);
+  scene.lower_layers[1].static_shear_modulus = 4e8;
+  const ModelChoice choice = choose_model(scene);
+  CHECK(choice.scene.lower_layers.empty());
+  CHECK(change_of_resistance(scene, choice.scene, 0.3e-3) < choice.left_out);
+}
+
+TEST_CASE("a hard surface may be incompressible where the soft one yields", "[core][model_choice]") {
+  for (const Drive drive : {Drive::free, Drive::top_force, Drive::torque}) {
+    CAPTURE(name_of(drive));
+    RollingScene scene = rubber_tyre();
+    scene.drive = drive;
+    if (drive == Drive::torque) scene.driving_torque = 0.1 * *scene.load * scene.radius;
+    if (drive == Drive::torque) scene.tolerance = 1e-2;
+    const ModelChoice choice = choose_model(scene);
+    REQUIRE(choice.decisions.size() == 1);
+    CHECK(choice.scene.poisson_ratio == 0.5);
+    CHECK(change_of_resistance(scene, choice.scene, 0.2e-3) < choice.left_out);
+    const RollingSolution solution = solve(scene);
+    CHECK(solution.method == Method::spectral);
+    CHECK(solution.error_estimate < *scene.tolerance);
+  }
+}
+
+TEST_CASE("a hard core of a coating is taken as the body's, and layers that matter are kept", "[core][model_choice]") {
+  RollingScene scene = rubber_tyre();
+  scene.coating_layers.push_back(elastic_layer(0.01, 8e10, 0.3));
+  CHECK(choose_model(scene).scene.coating_layers.size() == 1);
+
+  RollingScene soft = rubber_mat(Indenter::cylinder);
+  make_rubber(soft.lower_layers[0]);
+  soft.lower_layers[0].poisson_ratio = 0.5;
+  soft.lower_layers[0].layer_thickness = 0.02;
+  soft.lower_layers[1].static_shear_modulus = 12.5e9;
+  CHECK(choose_model(soft).scene.lower_layers.size() == 1);
+  CHECK(change_of_resistance(soft, choose_model(soft).scene) < choose_model(soft).left_out);
+}
+
+TEST_CASE("layers left out of random scenes change the resistance by less than is said", "[core][model_choice]") {
+  std::mt19937_64 random(20);
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random));
+  };
+  int simplified = 0;
+  for (int i = 0; i < 40; ++i) {
+    RollingScene scene = rubber_mat(Indenter::cylinder);
+    scene.radius = between(0.01, 0.2);
+    scene.layer_thickness = between(2e-3, 0.1);
+    scene.static_shear_modulus = between(3e5, 1e7);
+    scene.stiffening = between(0.05, 30);
+    scene.creep_time = between(1e-4, 1);
+    scene.speed = between(1e-3, 5);
+    scene.inertia = Inertia::off;
+    scene.friction_coefficient = i % 2 == 0 ? 0 : between(0.05, 0.8);
+    scene.lower_layers = {elastic_layer(between(0.01, 0.3), between(3e7, 3e11), 0.3),
+                          elastic_layer(infinite, between(3e7, 3e11), 0.2)};
+    scene.load = *scene.static_shear_modulus * scene.radius * between(1e-3, 3e-2);
+    scene.tolerance = i % 3 == 0 ? 1e-2 : 1e-3;
+    const ModelChoice choice = choose_model(scene);
+    if (choice.decisions.empty()) continue;
+    CAPTURE(i, choice.left_out);
+    CHECK(choice.left_out < 0.2 * *scene.tolerance);
+    RollingScene full = scene;
+    full.tolerance.reset();
+    if (solve(full).method != Method::spectral) continue;  // a grid's own error is larger
+    ++simplified;
+    CHECK(change_of_resistance(scene, choice.scene) < choice.left_out);
+  }
+  CHECK(simplified > 15);
+}
+
+TEST_CASE("inertia is left out where it matters less than the tolerance, and by what is said", "[core][model_choice]") {
+  RollingScene scene = rubber_mat(Indenter::cylinder);
+  scene.lower_layers.clear();
+  for (const double speed : {1.1, 1.2}) {
+    scene.speed = speed;
+    CAPTURE(speed);
+    REQUIRE(inertia_included(scene));  // as rho V^2 / G0 alone would have it
+    const ModelChoice choice = choose_model(scene);
+    REQUIRE(choice.decisions.size() == 1);
+    CHECK(choice.decisions[0].find("inertia left out, which changes R_r by ") == 0);
+    RollingScene with = scene;
+    with.inertia = Inertia::on;
+    CHECK(change_of_resistance(with, choice.scene, 0.1e-3) < choice.left_out);
+  }
+  scene.speed = 8;
+  CHECK(choose_model(scene).decisions.empty());
+}

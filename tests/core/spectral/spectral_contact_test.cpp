@@ -1,0 +1,327 @@
+#include "core/spectral/spectral_contact.hpp"
+
+#include <cmath>
+
+#include "core/estimate/contact_estimate.hpp"
+#include "core/reference/reference_hunter.hpp"
+#include "core/solve/rolling_contact.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
+
+using namespace rollres;
+
+namespace {
+
+RollingScene gridless_cylinder(double friction) {
+  RollingScene scene = paper_cylinder();
+  scene.spacing.reset();
+  scene.friction_coefficient = friction;
+  return scene;
+}
+
+RollingSolution spectral(const RollingScene& scene) {
+  const RollingSolution solution = solve(scene);
+  INFO(solution.reason << solution.model);
+  REQUIRE(solution.method == Method::spectral);
+  REQUIRE(solution.status == Status::converged);
+  CHECK(solution.law_violation < 1e-8);
+  return solution;
+}
+
+/// A cylinder on a half-space with the rubbery half-width 1e-5 R, so that its lower surface is a parabola.
+RollingScene half_space_scene(double creep_over_half_width, double stiffening) {
+  RollingScene scene;
+  scene.indenter = Indenter::cylinder;
+  scene.radius = 1;
+  scene.layer_thickness = INFINITY;
+  scene.static_shear_modulus = 1e6;
+  scene.stiffening = stiffening;
+  scene.creep_time = creep_over_half_width;
+  scene.speed = 1e-5;
+  scene.load = M_PI * 1e6 * 1e-10;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("the cylinder of Zehil and Gavin has the resistance of two independent programs", "[core][spectral]") {
+  const RollingSolution rolling = spectral(gridless_cylinder(0.2));
+  CHECK(rolling.rolling_resistance == Approx(357.1785671916).epsilon(1e-9));
+  CHECK(rolling.rotation_ratio == Approx(1.040730611).epsilon(1e-9));
+  CHECK(rolling.trailing_edge == Approx(-3.482414e-3).epsilon(1e-6));
+  CHECK(rolling.leading_edge == Approx(3.993285e-3).epsilon(1e-6));
+  CHECK(rolling.energy_residual < 1e-8);
+  CHECK(rolling.error_estimate < 1e-8);
+  const RollingSolution smooth = spectral(gridless_cylinder(0));
+  CHECK(smooth.rolling_resistance == Approx(370.2717666).epsilon(1e-9));
+  CHECK(smooth.energy_residual < 1e-8);
+}
+
+TEST_CASE("with little friction the leading edge slips as well, and then stick and slip take turns",
+          "[core][spectral]") {
+  const double friction[] = {0.12, 0.10, 0.08}, resistance[] = {359.30478, 360.41078, 361.82921};
+  for (int i = 0; i < 3; ++i) {
+    const RollingSolution solution = spectral(gridless_cylinder(friction[i]));
+    CHECK(solution.rolling_resistance == Approx(resistance[i]).epsilon(2e-8));
+    CHECK(solution.energy_residual < 1e-8);
+  }
+  const RollingSolution turns = spectral(gridless_cylinder(0.05));
+  RollingScene gridded = gridless_cylinder(0.05);
+  gridded.spacing = 0.02e-3;
+  // First order in the spacing: 5e-5 at this one.
+  CHECK(turns.rolling_resistance == Approx(solve(gridded).rolling_resistance).epsilon(1e-4));
+}
+
+TEST_CASE("a wanted error is kept, and the estimate is not below the error", "[core][spectral]") {
+  for (const double tolerance : {1e-4, 1e-6, 1e-10}) {
+    RollingScene scene = gridless_cylinder(0.2);
+    scene.tolerance = tolerance;
+    const RollingSolution solution = spectral(scene);
+    CHECK(solution.error_estimate <= tolerance);
+    CHECK(std::abs(solution.rolling_resistance / 357.1785671916 - 1) < tolerance);
+  }
+}
+
+TEST_CASE("a cylinder on a Zener half-space has Hunter's resistance at any speed", "[core][spectral]") {
+  for (const double stiffening : {1.0, 9.0, 99.0})
+    for (const double creep : {1e-6, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e6}) {
+      RollingScene scene = half_space_scene(creep, stiffening);
+      const HunterLine exact =
+          hunter_line(scene.radius, *scene.load, *scene.static_shear_modulus, stiffening, creep, 1e-5);
+      const RollingSolution solution = spectral(scene);
+      CAPTURE(stiffening, creep);
+      // Where R_r/P is 1e-6 of the slopes, rounding takes digits.
+      CHECK(solution.rolling_resistance ==
+            Approx(exact.rolling_resistance).epsilon(creep > 0.001 && creep < 1e4 ? 1e-9 : 1e-8));
+      CHECK(solution.leading_edge == Approx(exact.leading_edge()).epsilon(1e-8));
+      CHECK(solution.peak_pressure == Approx(exact.peak_pressure).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("on an elastic half-space tractive rolling is Carter's", "[core][spectral]") {
+  RollingScene scene = half_space_scene(0, 0);
+  scene.friction_coefficient = 0.3;
+  scene.drive = Drive::rotation;
+  const double stick = 0.6, a = 1e-5;  // a'/a
+  for (const double direction : {1.0, -1.0}) {
+    scene.rotation_ratio = 1 - direction * 0.3 * a * (1 - stick);
+    const RollingSolution solution = spectral(scene);
+    // The shear carries a part mu a/R of the load.
+    CHECK(solution.driving_torque == Approx(-direction * 0.3 * *scene.load * (1 - stick * stick)).epsilon(1e-5));
+    CHECK(solution.contact_area == Approx(2 * a).epsilon(1e-5));
+    RollingScene driven = scene;
+    driven.drive = Drive::torque;
+    driven.rotation_ratio.reset();
+    driven.driving_torque = -direction * 0.3 * *scene.load * (1 - stick * stick);
+    CHECK((spectral(driven).rotation_ratio - 1) / (*scene.rotation_ratio - 1) == Approx(1).epsilon(2e-5));
+  }
+}
+
+TEST_CASE("free rolling on an elastic half-space is without shear", "[core][spectral]") {
+  RollingScene scene = half_space_scene(0, 0);
+  scene.friction_coefficient = 0.3;
+  scene.drive = Drive::free;
+  const RollingSolution solution = spectral(scene);
+  CHECK(solution.peak_shear_x < 1e-9 * solution.peak_pressure);
+  CHECK(solution.rotation_ratio == Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("a spectral solution obeys the power balance with every drive", "[core][spectral]") {
+  for (const Drive drive : {Drive::top_force, Drive::torque, Drive::free, Drive::rotation})
+    for (const double thickness : {0.005, 0.0015, 0.1}) {
+      RollingScene scene = gridless_cylinder(0.3);
+      scene.layer_thickness = thickness;
+      scene.drive = drive;
+      if (drive == Drive::torque) scene.driving_torque = 30;
+      if (drive == Drive::rotation) scene.rotation_ratio = 0;
+      const RollingSolution solution = spectral(scene);
+      CAPTURE(name_of(drive), thickness);
+      CHECK(solution.energy_residual < 1e-8);
+      if (drive == Drive::torque) CHECK(solution.driving_torque == Approx(30).epsilon(1e-9));
+      if (drive == Drive::free) CHECK(std::abs(solution.driving_torque) < 1e-9 * *scene.load * scene.radius);
+      if (drive == Drive::top_force)
+        CHECK(solution.driving_torque == Approx(solution.driving_force * scene.radius).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("an approach leads back to the load that leads to it", "[core][spectral]") {
+  for (const double friction : {0.0, 0.2}) {
+    RollingScene scene = gridless_cylinder(friction);
+    const RollingSolution loaded = spectral(scene);
+    scene.load.reset();
+    scene.approach = loaded.approach;
+    const RollingSolution approached = spectral(scene);
+    CHECK(approached.load == Approx(20e3).epsilon(1e-8));
+    CHECK(approached.rolling_resistance == Approx(loaded.rolling_resistance).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("a spectrum of memories from far below the contact to far beyond it obeys all laws", "[core][spectral]") {
+  const double compliance = 1 / 6e6;
+  const CreepSpectrum spectrum{
+      compliance,
+      {{0.2 * compliance, 1e-4}, {0.3 * compliance, 0.01}, {0.5 * compliance, 0.4}, {0.4 * compliance, 50}}};
+  for (const double thickness : {0.005, static_cast<double>(INFINITY)})
+    for (const double friction : {0.0, 0.3}) {
+      RollingScene scene = gridless_cylinder(friction);
+      scene.layer_thickness = thickness;
+      const SpectralOutcome outcome = solve_spectral(scene, spectrum);
+      INFO(outcome.reason);
+      REQUIRE(outcome.solution);
+      CHECK(outcome.solution->law_violation < 1e-8);
+      CHECK(outcome.solution->energy_residual < 1e-7);
+    }
+}
+
+TEST_CASE("one memory split into two nearly equal ones is one memory", "[core][spectral]") {
+  const RollingScene scene = gridless_cylinder(0.2);
+  const double compliance = 1 / 6e6;
+  const CreepSpectrum split{compliance, {{0.5 * compliance, 0.25 * (1 - 1e-4)}, {0.5 * compliance, 0.25 * (1 + 1e-4)}}};
+  const SpectralOutcome outcome = solve_spectral(scene, split);
+  REQUIRE(outcome.solution);
+  // Second order in the difference of the times.
+  CHECK(outcome.solution->rolling_resistance == Approx(357.1785671916).epsilon(1e-7));
+}
+
+TEST_CASE("the resistance is smooth in the scene's numbers, and continuous where zones change", "[core][spectral]") {
+  std::vector<double> logarithms;
+  for (int i = 0; i < 24; ++i) {
+    RollingScene scene = gridless_cylinder(0.2);
+    *scene.load *= 1 + 0.1 * i / 199;
+    logarithms.push_back(std::log(spectral(scene).rolling_resistance));
+  }
+  for (std::size_t i = 0; i + 4 < logarithms.size(); ++i) {
+    const double* y = &logarithms[i];
+    CHECK(std::abs(y[0] - 4 * y[1] + 6 * y[2] - 4 * y[3] + y[4]) < 1e-8);
+  }
+  // Slip at the leading edge begins between these.
+  double last = 0;
+  for (double friction = 0.140; friction < 0.1501; friction += 0.001) {
+    const double resistance = spectral(gridless_cylinder(friction)).rolling_resistance;
+    if (last > 0) CHECK(std::abs(resistance / last - 1) < 2e-4);
+    last = resistance;
+  }
+}
+
+TEST_CASE("a drive that asks for too much is refused with the friction that it needs", "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0.004);
+  const RollingSolution refused = solve(scene);
+  CHECK(refused.method == Method::spectral);
+  CHECK(refused.status == Status::no_steady_state);
+  CHECK(refused.friction_needed == Approx(0.009).epsilon(0.05));
+  RollingScene gridded = scene;
+  gridded.spacing = 0.02e-3;
+  CHECK(solve(gridded).friction_needed == Approx(refused.friction_needed).epsilon(0.01));
+}
+
+TEST_CASE("what the spectral method does not know is solved on a grid, and the answer says so", "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0);
+  scene.adhesion_threshold = 1e4;
+  const RollingSolution solution = solve(scene);
+  CHECK(solution.method == Method::newton);
+  CHECK_THAT(solution.model, Catch::Contains("solved on a grid, not with continuous edges: adhesion"));
+}
+
+TEST_CASE("the spectral method is a cylinder's, without a grid or a period", "[core][spectral]") {
+  RollingScene scene = with_method(paper_cylinder(), Method::spectral);
+  CHECK(check(scene).empty());
+  CHECK(solve(scene).warnings ==
+        std::vector<std::string>{"spacing = 0.00025 m is not used by method spectral, which has no grid"});
+  scene.period = 0.2;
+  CHECK(check(scene) == std::vector<std::string>{"period = 0.2: not with method \"spectral\""});
+  scene.period.reset();
+  scene.indenter = Indenter::sphere;
+  CHECK(check(scene) == std::vector<std::string>{"method = spectral: only for a cylinder"});
+  scene.method = Method::automatic;
+  CHECK(resolved_method(scene) == Method::newton);
+  CHECK(resolved_method(paper_cylinder()) == Method::newton);
+  CHECK(resolved_method(gridless_cylinder(0.2)) == Method::spectral);
+}
+
+TEST_CASE("the fields of a spectral solution are those of a fine grid", "[core][spectral]") {
+  RollingScene gridded = gridless_cylinder(0.2);
+  gridded.spacing = 0.02e-3;
+  const RollingSolution fine = solve(gridded);
+  const RollingSolution smooth = spectral(gridless_cylinder(0.2));
+  const SurfaceFields &a = smooth.fields, &b = fine.fields;
+  for (int i = 0; i < a.grid.columns; ++i) {
+    const double x = a.grid.x(i), place = (x - b.grid.x(0)) / b.grid.spacing_x;
+    const auto j = static_cast<std::size_t>(place);
+    if (place < 0 || j + 1 >= b.w.size()) continue;
+    const double part = place - static_cast<double>(j);
+    const auto between = [&](const std::vector<double>& values) {
+      return (1 - part) * values[j] + part * values[j + 1];
+    };
+    const auto k = static_cast<std::size_t>(i);
+    CAPTURE(x);
+    CHECK(a.w[k] == Approx(between(b.w)).margin(1e-2 * smooth.approach));
+    CHECK(a.u[k] == Approx(between(b.u)).margin(1e-2 * smooth.approach));
+    // The grid's pressure has its root at the edges smeared over a cell.
+    CHECK(a.pressure[k] == Approx(between(b.pressure)).margin(0.05 * smooth.peak_pressure));
+    CHECK(a.shear_x[k] == Approx(between(b.shear_x)).margin(0.1 * smooth.peak_shear_x));
+  }
+}
+
+TEST_CASE("a stick between slips in opposite directions is answered, of whatever order", "[core][spectral]") {
+  // Nearly elastic cylinders pushed at the top; the middle of the stick was a border of the quadrature and of a check.
+  struct {
+    double radius, thickness, modulus, stiffening, creep_time, speed, load, friction;
+  } const cases[] = {{0.04425, 0.01051, 582400, 0.01278, 2.338, 4.128, 122.8, 0.04963},
+                     {0.026, 0.0424, 1341000, 0.01438, 8.614, 1.267, 439.1, 0.005772}};
+  for (const auto& c : cases) {
+    RollingScene scene = gridless_cylinder(c.friction);
+    scene.radius = c.radius;
+    scene.layer_thickness = c.thickness;
+    scene.static_shear_modulus = c.modulus;
+    scene.stiffening = c.stiffening;
+    scene.creep_time = c.creep_time;
+    scene.speed = c.speed;
+    scene.load = c.load;
+    const RollingSolution solution = solve(scene);
+    CAPTURE(c.radius, solution.model);
+    REQUIRE(solution.method == Method::spectral);
+    CHECK(solution.law_violation < 1e-8);
+    RollingScene gridded = scene;
+    gridded.spacing = (solution.leading_edge - solution.trailing_edge) / 600;
+    // The grid's own error: 0.5 % where R_r is so small a difference
+    CHECK(solve(gridded).rolling_resistance == Approx(solution.rolling_resistance).epsilon(0.01));
+  }
+}
+
+TEST_CASE("the approach of a slow cylinder, whose memories are much shorter than its contact, is that of a fine grid",
+          "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0);
+  scene.friction_coefficient = 0;
+  scene.speed = 1e-4;
+  const RollingSolution limit = solve(scene);
+  REQUIRE(limit.method == Method::spectral);
+  scene.spacing = 0.02e-3;
+  CHECK(solve(scene).approach == Approx(limit.approach).epsilon(2e-6));
+}
+
+TEST_CASE("on an elastic layer a driven cylinder has the edges and the borders of every law, whichever drive",
+          "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0.3);
+  scene.material = MaterialModel::elastic;
+  scene.method = Method::spectral;
+  for (const double traction : {0.0, 0.02, -0.1, 0.2}) {
+    scene.drive = Drive::torque;
+    scene.driving_torque = traction * *scene.load * scene.radius;
+    CAPTURE(traction);
+    const RollingSolution driven = spectral(scene);
+    CHECK(driven.law_violation < 5e-9);
+    CHECK(driven.driving_torque == Approx(*scene.driving_torque).margin(1e-9 * *scene.load * scene.radius));
+    // The rotation that it has, as a drive, gives the same torque.
+    RollingScene turned = scene;
+    turned.drive = Drive::rotation;
+    turned.driving_torque.reset();
+    turned.rotation_ratio = driven.rotation_ratio;
+    if (traction != 0) CHECK(spectral(turned).driving_torque == Approx(driven.driving_torque).epsilon(1e-5));
+    RollingScene gridded = scene;
+    gridded.method = Method::newton;
+    gridded.spacing = 0.02e-3;
+    const RollingSolution grid = solve(gridded);
+    CHECK(driven.rotation_ratio - 1 == Approx(grid.rotation_ratio - 1).epsilon(5e-3).margin(1e-5));
+  }
+}

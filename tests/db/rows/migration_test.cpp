@@ -1,0 +1,153 @@
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "db/queries/query.hpp"
+#include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+
+namespace {
+
+std::string text_in(SQLite::Database& connection, const std::string& query) {
+  return connection.execAndGet(query).getString();
+}
+
+/// A database of the first schema, as the first version left it: nine evaluations, one of them failed, and a study of
+/// six. Rows go in by plain SQL, as this version's store would bring the file up to date.
+class FirstSchema {
+ public:
+  FirstSchema() : file_(folder_.path / "first.db") {
+    { Database(file_, Access::write, {schema_migrations().first(1), add_missing_columns}); }
+    const auto model = folder_.path / "model.db";
+    {
+      ResultStore store(model);
+      for (int i = 1; i <= 9; ++i) {
+        const RollingScene scene = plain_scene(0.1 * i);
+        RollingSolution solution = closed_form(scene);
+        if (i == 4) {
+          solution = {};
+          solution.reason = "singular matrix";
+        }
+        const Evaluation one{evaluation_key(scene), scene, solution};
+        keys_.push_back(one.key);
+        store.save({&one, 1});
+      }
+      store.start_study({"a study", {"speed"}, "{}"}, std::span(keys_).first(6));
+    }
+    SQLite::Database plain(file_.string(), SQLite::OPEN_READWRITE);
+    plain.exec("ATTACH '" + model.string() + "' AS model");
+    for (const std::string table : {"provenance", "study", "study_point", "evaluation"})
+      plain.exec("INSERT INTO main." + table + " SELECT * FROM model." + table);
+    plain.exec("DETACH model");
+    before_ = content(plain);
+  }
+
+  /// Every cell of every table of the first schema.
+  static std::string content(SQLite::Database& connection) {
+    std::string all;
+    for (const std::string table : {"provenance", "study", "study_point", "evaluation", "result"}) {
+      std::string columns;
+      for (const Column& column : columns_of(connection, table))
+        columns += (columns.empty() ? "quote(" : " || '|' || quote(") + column.name + ")";
+      all += text_in(connection, "SELECT group_concat(" + columns + ", x'0a') FROM " + table) + "\n\n";
+    }
+    return all;
+  }
+
+  const std::filesystem::path& folder() const { return folder_.path; }
+  const std::filesystem::path& file() const { return file_; }
+  const std::string& before() const { return before_; }
+  const std::vector<std::string>& keys() const { return keys_; }
+
+ private:
+  TemporaryDirectory folder_;
+  std::filesystem::path file_;
+  std::vector<std::string> keys_;
+  std::string before_;
+};
+
+}  // namespace
+
+TEST_CASE("a file of the first schema keeps every cell through the migrations, and its rows are found and written",
+          "[db][migration]") {
+  const FirstSchema first;
+  REQUIRE(first.before().find("singular matrix") != std::string::npos);
+  {
+    SQLite::Database plain(first.file().string());
+    REQUIRE(plain.execAndGet("PRAGMA user_version").getInt() == 1);
+    REQUIRE_FALSE(plain.tableExists("fields"));
+  }
+  ResultStore store(first.file(), Access::read);
+  SQLite::Database& connection = store.database().connection();
+  CHECK(connection.execAndGet("PRAGMA user_version").getInt() == static_cast<int>(schema_migrations().size()));
+  CHECK(FirstSchema::content(connection) == first.before());
+  CHECK(text_in(connection, "PRAGMA integrity_check") == "ok");
+  CHECK(connection.execAndGet("SELECT count(*) FROM pragma_foreign_key_check").getInt() == 0);
+  CHECK(store.find(first.keys()[2])->solution.rolling_resistance ==
+        closed_form(plain_scene(0.1 * 3)).rolling_resistance);
+  CHECK(connection.execAndGet("SELECT count(*) FROM converged WHERE study = 'a study'").getInt() == 5);
+  CHECK_FALSE(store.find_fields(first.keys()[0]));
+
+  ResultStore writer(first.file());
+  const Evaluation again{first.keys()[3], plain_scene(0.4), closed_form(plain_scene(0.4))};
+  CHECK(writer.save({&again, 1}) == 0);
+  CHECK(writer.save({&again, 1}, Existing::replaced) == 1);
+  CHECK(store.find(std::int64_t{4})->solution.status == Status::converged);
+}
+
+TEST_CASE("a file of the first schema that may not be written is read as it is", "[db][migration]") {
+  const FirstSchema first;
+  std::filesystem::create_directory(first.folder() / "archive");
+  const auto file = first.folder() / "archive/a.db";
+  std::filesystem::copy(first.file(), file);
+  const std::string before = file_text(file);
+  chmod(first.folder().c_str(), 0755);
+  chmod(file.c_str(), 0444);
+  chmod((first.folder() / "archive").c_str(), 0555);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (geteuid() == 0 && seteuid(65534) != 0) _exit(9);  // root may write everything
+    int wrong = 0;
+    const std::string message = message_of([&] {
+      ResultStore store(file, Access::read);
+      if (store.studies().size() != 1 || store.study("a study")->failed != 1) wrong |= 1;
+      if (!store.find(first.keys()[0]) || store.find_fields(first.keys()[0])) wrong |= 2;
+      if (store.find_answer(first.keys()[0])->has_fields) wrong |= 4;
+      const Query page{.filters = {parse_filter("speed>0.2"), parse_filter("status=converged")},
+                       .sort = {"-rolling_resistance"},
+                       .limit = 3};
+      if (run_query(store.database(), page).rows.size() != 3) wrong |= 8;
+    });
+    if (message != "nothing") std::fprintf(stderr, "child: %s\n", message.c_str());
+    _exit(message == "nothing" ? wrong : 10);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  chmod((first.folder() / "archive").c_str(), 0755);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(file_text(file) == before);
+}
+
+TEST_CASE("the views hold what is plotted: every point, those with an answer, and few columns of these",
+          "[db][migration]") {
+  const FirstSchema first;
+  const Database database = open_database(first.file(), Access::read);
+  SQLite::Database& connection = database.connection();
+  auto count = [&](const std::string& view) { return connection.execAndGet("SELECT count(*) FROM " + view).getInt(); };
+  CHECK(count("result") == 6);
+  CHECK(count("converged") == 5);
+  CHECK(count("resistance") == 5);
+  CHECK(columns_of(connection, "converged").size() == columns_of(connection, "result").size());
+  std::string names;
+  for (const Column& column : columns_of(connection, "resistance")) names += column.name + " ";
+  CHECK(names ==
+        "study position indenter radius layer_thickness speed load friction_coefficient drive rolling_resistance "
+        "rolling_resistance_coefficient approach contact_area peak_pressure ");
+}

@@ -1,0 +1,240 @@
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "db/queries/query.hpp"
+#include "db/rows/fit_store.hpp"
+#include "db/rows/schema.hpp"
+#include "tests/catch.hpp"
+#include "tests/fitting/measured_hunter.hpp"
+#include "tests/source_directory.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+using nlohmann::json;
+
+namespace {
+
+/// A fit file, its table, and a database, in a directory of their own.
+struct FitFiles {
+  TemporaryDirectory directory;
+  std::string table = "load [kN/m],speed [cm/s],rolling_resistance [N/m],sigma [%]\n";
+
+  FitFiles() {
+    for (const MeasuredScene& row : measured(quick_resistance, spread_speeds(0.005, 5, 8), {1e4, 4e4}, 0.02)) {
+      std::ostringstream line;
+      line << *row.scene.load / 1e3 << ',' << row.scene.speed * 100 << ',' << row.measured.value << ",2\n";
+      table += line.str();
+    }
+  }
+
+  static json definition() {
+    return {
+        {"fit", "half space"},
+        {"scene",
+         {{"radius", 0.1},
+          {"layer_thickness", "infinite"},
+          {"static_shear_modulus", 1e6},
+          {"stiffening", 2},
+          {"creep_time", 0.1},
+          {"speed", 1},
+          {"load", 1e4}}},
+        {"data", "table.csv"},
+        {"parameters", {{"static_shear_modulus", "2 MPa"}, {"stiffening", json::object()}, {"creep_time", "30 ms"}}}};
+  }
+  std::string database() const { return (directory / "fit.db").string(); }
+  ProgramRun run(const json& fit, std::vector<std::string> more = {}) const {
+    directory.write("table.csv", table);
+    std::vector<std::string> words{"fit", directory.write("fit.json", fit.dump()).string(), "--db", database()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_rollres(words, quick_resistance);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
+  const FitFiles files;
+  const ProgramRun first = files.run(FitFiles::definition(), {"--json"});
+  REQUIRE(first.status == 0);
+  CHECK(first.err.empty());
+  const json answer = json::parse(first.out);
+  CHECK(answer["status"].get<std::string>().starts_with("USABLE"));
+  CHECK(answer["deviations"] == "absolute");
+  CHECK(answer["degrees"] == 13);
+  CHECK(answer["recalled"] == 0);
+  REQUIRE(answer["parameters"].size() == 3);
+  const json& time = answer["parameters"][0];
+  CHECK(std::abs(time["value"].get<double>() - 0.1) < 4 * time["standard_error"].get<double>());
+  CHECK(time["profile_interval"]["low"] == "closed");
+  CHECK(time["start"] == 0.03);
+  CHECK(answer["data"][0]["place"] == (files.directory / "table.csv").string() + ", line 2");
+
+  const json again = json::parse(files.run(FitFiles::definition(), {"--json"}).out);
+  CHECK(again["solved"] == 0);
+  CHECK(again["parameters"] == answer["parameters"]);
+
+  const auto stored = find_fit(open_database(files.database(), Access::read), "half space");
+  REQUIRE(stored);
+  CHECK(stored->status == answer["status"]);
+  CHECK(stored->parameters[0].value == time["value"].get<double>());
+  CHECK(stored->data_digest == answer["data_digest"]);
+  CHECK(stored->correlations.size() == answer["correlations"].size());
+
+  const ProgramRun text = files.run(FitFiles::definition());
+  CHECK_THAT(text.out, Catch::StartsWith("half space: USABLE") && Catch::Contains("95 % profile") &&
+                           Catch::Contains("degrees of freedom") && Catch::Contains("recalled"));
+}
+
+TEST_CASE("rollres fit designs, counts coverage and says what it keeps fixed", "[studies][fit]") {
+  const FitFiles files;
+  json fit = FitFiles::definition();
+  fit["parameters"]["stiffening"] = {{"start", 2}, {"fixed", true}};
+  fit["parameters"]["creep_time"] = json::object();  // from closed forms
+  const json answer = json::parse(files.run(fit, {"--json", "--design", "--coverage", "20", "--seed", "5"}).out);
+  CHECK(answer["fixed"][0]["name"] == "stiffening");
+  CHECK(answer["parameters"].size() == 2);
+  CHECK(answer["design"]["speeds"].size() == 5);
+  CHECK(answer["design"]["speeds"][0]["ratio"].get<double>() < 1);
+  CHECK(answer["design"]["loads"][0]["relative_errors"].contains("creep_time"));
+  CHECK(answer["coverage"]["seed"] == 5);
+  CHECK(answer["coverage"]["draws"] == 20);
+  CHECK(answer["coverage"]["parameters"][1]["linear"].get<int>() >= 15);
+}
+
+TEST_CASE("rollres fit warns of a row given twice and of a negative resistance", "[studies][fit]") {
+  FitFiles files;
+  const std::string row = files.table.substr(files.table.find('\n') + 1);
+  files.table.replace(files.table.find("[%]"), 3, "[N/m]");
+  files.table += row.substr(0, row.find('\n') + 1) + "10,700,-1,30\n";
+  const json answer = json::parse(files.run(FitFiles::definition(), {"--json", "--no-profiles"}).out);
+  const std::string warnings = answer["warnings"].dump();
+  CHECK_THAT(warnings, Catch::Contains("line 18: the same row as") && Catch::Contains("line 2; both count") &&
+                           Catch::Contains("line 19: rolling_resistance [N/m] = -1: is negative"));
+}
+
+TEST_CASE("rollres fit refuses a wrong table in one line with file and line", "[studies][fit]") {
+  FitFiles files;
+  const auto refused = [&](const std::string& table) {
+    files.table = table;
+    const ProgramRun run = files.run(FitFiles::definition());
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    return run.err;
+  };
+  const std::string names = "speed [m/s],rolling_resistance [N/m],sigma [N/m]\n";
+  CHECK_THAT(refused("speed [m/s],rolling_resistance [N/m],sigma [%]\n1,-3,2\n"),
+             Catch::Contains("table.csv, line 2: rolling_resistance [N/m] = -3: must be > 0 where deviations are"));
+  CHECK_THAT(refused(names + "1,x,2\n"), Catch::Contains("table.csv, line 2: rolling_resistance [N/m] = x: must be a"));
+  CHECK_THAT(refused(names + "\n# note\n1,5,\n"), Catch::Contains("table.csv, line 4: sigma [N/m] is missing"));
+  CHECK_THAT(refused(names + "1,5,0\n"), Catch::Contains("line 2: sigma [N/m] = 0: must be > 0"));
+  CHECK_THAT(refused(names + "1,5\n"), Catch::Contains("line 2: 2 cells where the first line names 3 columns"));
+  CHECK_THAT(refused(names + "-1,5,1\n"), Catch::Contains("line 2: speed = \"-1 m/s\": must be > 0"));
+  CHECK_THAT(refused(names + "1,\"5,1\n"), Catch::Contains("line 2: a quote does not end"));
+  CHECK_THAT(refused(names), Catch::Contains("has no row"));
+  CHECK_THAT(refused(names + "1,5,1\n2,5,1\n"), Catch::Contains("2 measurements cannot tell 3 parameters"));
+  CHECK_THAT(refused("sped [m/s],rolling_resistance [N/m]\n1,5\n"), Catch::Contains("did you mean speed?"));
+  CHECK_THAT(refused("speed,rolling_resistance [N/m]\n1,5\n"), Catch::Contains("must name a unit of speed"));
+  CHECK_THAT(refused("speed [m/s]\n1\n"), Catch::Contains("has no column rolling_resistance"));
+}
+
+TEST_CASE("rollres fit refuses a wrong file naming key and rule", "[studies][fit]") {
+  const FitFiles files;
+  const auto refused = [&](const json& patch) {
+    json fit = FitFiles::definition();
+    fit.merge_patch(patch);
+    const ProgramRun run = files.run(fit);
+    CHECK(run.status == 2);
+    return run.err;
+  };
+  CHECK_THAT(refused({{"los", "huber"}}), Catch::Contains("los") && Catch::Contains("did you mean loss?"));
+  CHECK_THAT(refused({{"loss", "hubber"}}), Catch::Contains("must be one of none, huber, cauchy"));
+  CHECK_THAT(refused({{"parameters", {{"creep_tine", 1}}}}), Catch::Contains("did you mean creep_time?"));
+  CHECK_THAT(refused({{"parameters", {{"speed", 1}}}}), Catch::Contains("is a column of the data too"));
+  CHECK_THAT(refused({{"parameters", {{"creep_time", {{"start", "1 m"}}}}}}), Catch::Contains("unit of time"));
+  CHECK_THAT(refused({{"parameters", {{"creep_time", {{"start", 1}, {"highest", 0.5}}}}}}),
+             Catch::Contains("must be inside its bounds"));
+  CHECK_THAT(refused({{"output", "rolling"}}), Catch::Contains("output"));
+  CHECK_THAT(refused({{"starts", 0}}), Catch::Contains("starts = 0: must be a whole number from 1"));
+  CHECK_THAT(refused({{"step", 1}}), Catch::Contains("step = 1"));
+}
+
+TEST_CASE("noise of the model above the scatter of the data is told in words, with what to do", "[studies][fit]") {
+  const FitFiles files;
+  json fit = FitFiles::definition();
+  fit["set"] = {{"spacing", "1 mm"}, {"method", "newton"}};
+  files.directory.write("table.csv", files.table);
+  const std::string file = files.directory.write("fit.json", fit.dump()).string();
+  const Evaluate jumping = [](const RollingScene& scene) {
+    RollingSolution solution = quick_resistance(scene);
+    solution.rolling_resistance *= 1 + 0.05 * std::sin(1e12 * solution.rolling_resistance);
+    return solution;
+  };
+  const ProgramRun run = run_rollres({"fit", file, "--db", files.database(), "--no-profiles"}, jumping);
+  CHECK_THAT(run.out, Catch::Contains("the noise of the model") && Catch::Contains("times the scatter of the data") &&
+                          Catch::Contains("leave out spacing and method"));
+}
+
+TEST_CASE("a fit leaves out the scene's own spacing where there are smooth answers", "[studies][fit]") {
+  const FitFiles files;
+  json fit = FitFiles::definition();
+  fit["scene"]["spacing"] = "1 mm";
+  CHECK_THAT(files.run(fit, {"--no-profiles"}).out, Catch::Contains("model    spacing = 1 mm of the scene left out"));
+  fit["set"] = {{"spacing", "1 mm"}};  // insisted on
+  CHECK_THAT(files.run(fit, {"--no-profiles"}).out, !Catch::Contains("left out"));
+}
+
+TEST_CASE("a forced step below the noise ends with exit status 1 and the reason", "[studies][fit]") {
+  const FitFiles files;
+  json fit = FitFiles::definition();
+  fit["step"] = 1e-8;
+  files.directory.write("table.csv", files.table);
+  const std::string file = files.directory.write("fit.json", fit.dump()).string();
+  const Evaluate noisy = [](const RollingScene& scene) {
+    RollingSolution solution = quick_resistance(scene);
+    solution.rolling_resistance *= 1 + 1e-3 * std::sin(1e12 * solution.rolling_resistance);
+    return solution;
+  };
+  const ProgramRun run = run_rollres({"fit", file, "--db", files.database(), "--no-profiles"}, noisy);
+  CHECK(run.status == 1);
+  CHECK_THAT(run.out, Catch::StartsWith("half space: NOT CONVERGED") && Catch::Contains("are noise"));
+}
+
+TEST_CASE("rollres fit draws data, residuals, profiles and the ellipse", "[studies][fit]") {
+  const FitFiles files;
+  const auto folder = files.directory / "pictures";
+  const ProgramRun run = files.run(FitFiles::definition(), {"--out", folder.string()});
+  REQUIRE(run.status == 0);
+  for (const char* name :
+       {"data", "residuals", "profile_creep_time", "profile_stiffening", "profile_static_shear_modulus", "ellipse"})
+    CHECK(std::filesystem::file_size(folder / ("half space_" + std::string(name) + ".svg")) > 1000);
+}
+
+TEST_CASE("the example of moduli at three temperatures gives its WLF constants back", "[studies][fit]") {
+  const TemporaryDirectory directory;
+  const std::string file = (source_directory() / "studies/examples/fit_temperatures.json").string();
+  const ProgramRun run = run_rollres({"fit", file, "--db", (directory / "m.db").string(), "--json"}, quick_resistance);
+  CHECK(run.status == 0);
+  const json answer = json::parse(run.out);
+  const std::map<std::string, double> truth{{"static_shear_modulus", 1e6},
+                                            {"stiffening", 200},
+                                            {"creep_time", 20},
+                                            {"order", 0.6},
+                                            {"wlf_c1", 8.86},
+                                            {"wlf_c2", 101.6}};
+  for (const json& fitted : answer["parameters"]) {
+    const double distance = fitted["value"].get<double>() - truth.at(fitted["name"]);
+    CHECK(std::abs(distance) < 3 * fitted["standard_error"].get<double>());
+  }
+}
+
+TEST_CASE("the example of measured moduli is fitted", "[studies][fit]") {
+  const TemporaryDirectory directory;
+  const std::string file = (source_directory() / "studies/examples/fit_rubber.json").string();
+  const ProgramRun run = run_rollres({"fit", file, "--db", (directory / "m.db").string(), "--json"}, quick_resistance);
+  const json answer = json::parse(run.out);
+  CHECK(answer["kind"] == "material");
+  CHECK(answer["values"] == 18);
+  CHECK(answer["parameters"].size() == 4);
+}

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "studies/text/shell_word.hpp"
+#include "studies/text/strict_json.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/shell.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::string& readme() {
+  static const std::string text = file_text(source_directory() / "README.md");
+  return text;
+}
+
+/// A block between lines of three back quotes.
+struct Block {
+  std::string language;
+  std::vector<std::string> lines;
+
+  std::string text() const {
+    std::string all;
+    for (const std::string& line : lines) all += line + "\n";
+    return all;
+  }
+};
+
+std::vector<Block> blocks() {
+  std::vector<Block> found;
+  std::istringstream stream(readme());
+  bool inside = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("```")) {
+      inside = !inside;
+      if (inside) found.push_back({line.substr(3), {}});
+    } else if (inside) {
+      found.back().lines.push_back(line);
+    }
+  }
+  CHECK_FALSE(inside);
+  return found;
+}
+
+/// Lines of a shell; one whose quotes are open goes on.
+std::vector<std::string> commands(const Block& block) {
+  std::vector<std::string> found;
+  bool open = false;
+  for (const std::string& line : block.lines) {
+    if (open)
+      found.back() += "\n" + line;
+    else
+      found.push_back(line);
+    open ^= std::count(line.begin(), line.end(), '"') % 2 == 1;
+  }
+  return found;
+}
+
+/// Commands that this test leaves out.
+struct LeftOut {
+  const char *begin, *reason;
+};
+constexpr LeftOut left_out[] = {
+    {"sh studies/quickstart.sh", "installs packages, and builds for minutes"},
+    {"sh tests/run.sh", "runs this test"},
+    {"cmake --install build/release", "another test installs"},
+    {"cmake --workflow --preset package", "builds for minutes"},
+    {"cmake --workflow --preset dev", "builds for minutes"},
+    {"cmake --workflow --preset asan", "builds for minutes"},
+    {"cmake --workflow --preset release", "builds for minutes"},
+};
+
+/// Programs that a command needs besides; without them it is left out.
+bool can_run(const std::string& program, const std::string& probe) {
+  if (run_shell(probe).status == 0) return true;
+  WARN(program << " is not there: not tried");
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("every command of the README runs, and every file that it names is there", "[studies][readme]") {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory / "bin");
+  std::filesystem::create_symlink(ROLLRES_PROGRAM, directory / "bin" / "rollres");
+  std::filesystem::create_directory_symlink(source_directory() / "studies", directory / "studies");
+  const std::string here =
+      "cd " + shell_word(directory.path.string()) + " && PATH=\"$PWD/bin:$PATH\" && export PATH && ";
+
+  std::set<std::string> unused;
+  for (const LeftOut& entry : left_out) unused.insert(entry.begin);
+  int ran = 0;
+  for (const Block& block : blocks()) {
+    if (block.language == "sh")
+      for (const std::string& command : commands(block)) {
+        const auto skipped = std::find_if(std::begin(left_out), std::end(left_out),
+                                          [&](const LeftOut& entry) { return command.starts_with(entry.begin); });
+        if (skipped != std::end(left_out)) {
+          unused.erase(skipped->begin);
+          continue;
+        }
+        if (command.starts_with("sqlite3 ") && !can_run("sqlite3", "command -v sqlite3")) continue;
+        const ShellRun run = run_shell("{ " + here + command + "\n}");
+        INFO(command << "\n" << run.out);
+        CHECK(run.status == 0);
+        ++ran;
+      }
+    if (block.language == "python" && can_run("pandas", "/usr/bin/env python3 -c 'import pandas'")) {
+      directory.write("read.py", block.text());
+      const ShellRun run = run_shell(here + "python3 read.py");
+      INFO(run.out);
+      CHECK(run.status == 0);
+    }
+    if (block.language == "r" && can_run("R with RSQLite", "Rscript -e 'library(RSQLite)'")) {
+      directory.write("read.r", block.text());
+      const ShellRun run = run_shell(here + "Rscript read.r");
+      INFO(run.out);
+      CHECK(run.status == 0);
+    }
+  }
+  CHECK(unused.empty());
+  CHECK(ran > 15);
+  CHECK(std::filesystem::exists(directory / "out" / "speed_resistance.svg"));
+
+  // The table of verification, but for differences, which rounding makes.
+  const ShellRun table = run_shell(here + "rollres verify --summary --format markdown");
+  const std::regex difference(R"(\| [0-9.e+-]+ +\|( [0-9.e+-]+ +\|)$)");
+  std::istringstream lines(table.out);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("| ") && line.find("| difference") == std::string::npos)
+      CHECK_THAT(std::regex_replace(readme(), std::regex(R"(\| [0-9.e+-]+ +\|( [0-9.e+-]+ +\|)\n)"), "$1\n"),
+                 Contains(std::regex_replace(line, difference, "$1") + "\n"));
+  const std::regex count("([0-9]+) of [0-9]+ pass");
+  std::smatch match;
+  REQUIRE(std::regex_search(table.out, match, count));
+  CHECK_THAT(readme(), Contains("solves " + match[1].str() + " cases"));
+}
+
+TEST_CASE("links, pictures, paths, options and files of the README are as it says", "[studies][readme]") {
+  const std::string& text = readme();
+  const auto each = [](const std::string& all, const std::string& pattern, const auto& act) {
+    const std::regex expression(pattern);
+    for (std::sregex_iterator at(all.begin(), all.end(), expression), end; at != end; ++at) act((*at)[1].str());
+  };
+  const auto check_there = [&](const std::string& path) {
+    INFO(path);
+    CHECK(std::filesystem::exists(source_directory() / path));
+  };
+  each(text, R"(\]\(([^):]+)\))", check_there);
+  each(text, R"((?:^|[^A-Za-z0-9_/.])((?:core|db|fitting|studies|tests)/[A-Za-z0-9_./-]*[A-Za-z0-9_]))", check_there);
+
+  // In the text: commands with options as they are declared.
+  std::string prose;
+  std::istringstream stream(text);
+  bool inside = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("```"))
+      inside = !inside;
+    else if (!inside)
+      prose += line + " ";
+  }
+  int commands = 0;
+  each(prose, "`(rollres [^`]+)`", [&](const std::string& command) {
+    INFO(command);
+    std::istringstream words(command);
+    std::string word, name;
+    words >> word >> name;
+    const ProgramRun help = run_rollres({name, "--help"}, closed_form);
+    CHECK(help.status == 0);
+    while (words >> word && word != "|")
+      if (word.starts_with("--")) CHECK_THAT(help.out, Contains("  " + word.substr(0, word.find('='))));
+    ++commands;
+  });
+  CHECK(commands > 10);
+
+  // A scene and a study that stand there whole.
+  const TemporaryDirectory directory;
+  std::filesystem::copy(source_directory() / "studies/examples/paper_cylinder.json", directory.path);
+  int whole = 0;
+  for (const Block& block : blocks()) {
+    if (block.language != "json" || block.lines.front() != "{") continue;
+    const std::string file = directory.write("block.json", block.text()).string();
+    const bool study = parse_object(block.text(), "README.md").contains("study");
+    const ProgramRun run = run_rollres({study ? "plan" : "solve", file}, closed_form);
+    INFO(block.text() << run.err);
+    CHECK(run.status == 0);
+    ++whole;
+  }
+  CHECK(whole == 2);
+}

@@ -1,0 +1,223 @@
+#include <nlohmann/json.hpp>
+
+#include "db/rows/result_store.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+using Json = nlohmann::json;
+
+namespace {
+
+/// Six points; those at the highest speed fail.
+RollingSolution fails_when_fast(const RollingScene& scene) {
+  if (scene.speed > 0.9) throw std::runtime_error("singular matrix");
+  return closed_form(scene);
+}
+
+class Studied {
+ public:
+  Studied() {
+    study_ = folder_.write("study.json", R"({"study": "speed and load",
+      "scene": {"indenter": "cylinder", "radius": "10 cm", "layer_thickness": "infinite", "static_shear_modulus": "1 MPa",
+                "stiffening": 2, "creep_time": 0.1, "friction_coefficient": 0.3, "speed": 1, "load": 1},
+      "axes": {"speed": [0.1, 0.5, 1], "load": ["10 kN/m", "20 kN/m"]}})");
+  }
+
+  std::string database() const { return (folder_.path / "a.db").string(); }
+  std::string study() const { return study_.string(); }
+  const TemporaryDirectory& folder() const { return folder_; }
+
+  /// `rollres COMMAND --db FILE WORDS...`
+  ProgramRun run(const std::string& command, std::vector<std::string> words = {}) const {
+    words.insert(words.begin(), {command, "--db", database()});
+    return run_rollres(words, fails_when_fast);
+  }
+  ProgramRun sweep() const { return run("sweep", {study()}); }
+
+ private:
+  TemporaryDirectory folder_;
+  std::filesystem::path study_;
+};
+
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("sweep says in one line what became of a study, and why points failed", "[studies][commands]") {
+  const Studied studied;
+  const ProgramRun first = studied.sweep();
+  CHECK(first.status == ExitStatus::no_answer);
+  CHECK(lines_in(first.out) == 1);
+  CHECK(first.out.starts_with("speed and load: 6 of 6 points in " + studied.database() + ", 0 recalled, 6 solved in "));
+  CHECK(first.out.ends_with(", 2 failed\n"));
+  CHECK(first.err == "2 x not_converged: singular matrix\n");
+
+  const ProgramRun again = studied.run("sweep", {studied.study(), "--json", "--jobs", "1"});
+  CHECK(again.status == ExitStatus::no_answer);
+  CHECK(again.err.empty());
+  const Json object = Json::parse(again.out);
+  CHECK(object["study"] == "speed and load");
+  CHECK(object["points"] == 6);
+  CHECK(object["answered"] == 6);
+  CHECK(object["recalled"] == 6);
+  CHECK(object["solved"] == 0);
+  CHECK(object["failed"] == 2);
+  CHECK(object["interrupted"] == false);
+  CHECK(object["failures"][0]["reason"] == "singular matrix");
+  CHECK(object["failures"][0]["points"] == 2);
+}
+
+TEST_CASE("list tells the studies of a database and how far they are", "[studies][commands]") {
+  const Studied studied;
+  { ResultStore empty(studied.database()); }
+  const ProgramRun none = studied.run("list");
+  CHECK(none.status == 0);
+  CHECK(none.out.empty());
+  CHECK(none.err == studied.database() + ": holds no study\n");
+  studied.sweep();
+  {
+    ResultStore store(studied.database());
+    store.start_study({"later", {"speed"}, "{}"}, std::vector<std::string>{"a", "b"});
+  }
+  const ProgramRun text = studied.run("list");
+  CHECK(lines_in(text.out) == 3);
+  CHECK(text.out.find("speed and load       6         6       2  20") != std::string::npos);
+  const Json object = Json::parse(studied.run("list", {"--json"}).out);
+  REQUIRE(object["studies"].size() == 2);
+  CHECK(object["studies"][0]["study"] == "later");
+  CHECK(object["studies"][0]["answered"] == 0);
+  CHECK(object["studies"][0]["last_result"] == "");
+  CHECK(object["studies"][1]["axes"] == Json({"speed", "load"}));
+  CHECK(object["studies"][1]["failed"] == 2);
+}
+
+TEST_CASE("show prints a study's axes and main outputs with units, in the order of its points", "[studies][commands]") {
+  const Studied studied;
+  studied.sweep();
+  const ProgramRun text = studied.run("show", {"speed and load"});
+  CHECK(text.status == 0);
+  CHECK(text.out.starts_with("speed and load: 6 of 6 points answered, 2 failed\n\n"));
+  CHECK(text.out.find("speed [m/s]  load [N/m]  rolling_resistance [N/m]  rolling_resistance_coefficient") !=
+        std::string::npos);
+  CHECK(lines_in(text.out) == 2 + 1 + 6);
+  const Json object = Json::parse(studied.run("show", {"speed and load", "--json"}).out);
+  REQUIRE(object["results"].size() == 6);
+  CHECK(object["results"][2]["position"] == 3);
+  CHECK(object["results"][2]["speed"] == 0.5);
+  CHECK(object["results"][2]["load"] == 1e4);
+  CHECK(object["results"][5]["load"] == 2e4);  // as given: this point has no answer
+  CHECK(object["results"][5]["rolling_resistance"].is_null());
+  CHECK(object["results"][5]["status"] == "not_converged");
+}
+
+TEST_CASE("show prints one evaluation in full, with what computed it", "[studies][commands]") {
+  const Studied studied;
+  studied.sweep();
+  const std::string id = std::to_string(ResultStore(studied.database(), Access::read).find(std::int64_t{1})->id);
+  const ProgramRun text = studied.run("show", {id});
+  CHECK(text.status == 0);
+  for (const std::string part : {"evaluation 1, stored 20", "a point of the study speed and load", "layer_thickness",
+                                 "infinite", "rolling_resistance", "GNU"})
+    CHECK(text.out.find(part) != std::string::npos);
+  const Json object = Json::parse(studied.run("show", {id, "--json"}).out);
+  CHECK(object["id"] == 1);
+  CHECK(object["scene"]["layer_thickness"] == "infinite");
+  CHECK(object["studies"] == Json({"speed and load"}));
+  CHECK(object["provenance"]["solver"] == this_program().solver);
+  CHECK(object.contains("rolling_resistance"));
+
+  for (const std::string what : {"7", "speed and laod", "1x"}) {
+    const ProgramRun unknown = studied.run("show", {what});
+    CHECK(unknown.status == ExitStatus::wrong_input);
+    CHECK(unknown.err == "rollres: " + studied.database() + ": " + what + ": no such study or evaluation" +
+                             (what == "speed and laod" ? "; did you mean speed and load?\n" : "\n"));
+  }
+}
+
+TEST_CASE("query prints the same rows as table, CSV and JSON", "[studies][commands]") {
+  const Studied studied;
+  studied.sweep();
+  const std::vector<std::string> words{
+      "study=speed and load", "speed>36 m/min", "given_load=20 kN/m",
+      "--sort=-speed",        "--columns",      "speed,status,reason,layer_thickness,approach"};
+  auto as = [&](const std::string& format) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--format", format});
+    return studied.run("query", all);
+  };
+  CHECK(as("table").out ==
+        "speed  status         reason           layer_thickness  approach\n"
+        "    1  not_converged  singular matrix         infinite         -\n");
+  CHECK(as("csv").out == "speed,status,reason,layer_thickness,approach\n1,not_converged,singular matrix,inf,\n");
+  CHECK(Json::parse(as("json").out) == Json::parse(R"([{"speed": 1.0, "status": "not_converged",
+        "reason": "singular matrix", "layer_thickness": "infinite", "approach": null}])"));
+  CHECK(as("csv").status == 0);
+
+  const ProgramRun all = studied.run("query", {"--format", "csv"});
+  CHECK(lines_in(all.out) == 7);
+  CHECK(all.out.starts_with("id,key,created,provenance,indenter,radius,layer_thickness,"));
+  CHECK(lines_in(studied.run("query", {"status=converged", "--limit", "3"}).out) == 4);
+
+  const ProgramRun nothing = studied.run("query", {"speed>5", "--format", "json"});
+  CHECK(nothing.status == ExitStatus::no_answer);
+  CHECK(nothing.out == "[]\n");
+  CHECK(nothing.err == studied.database() + ": nothing matches\n");
+}
+
+TEST_CASE("CSV quotes what would break it, JSON replaces what is no text", "[studies][commands]") {
+  const Studied studied;
+  RollingSolution solution = closed_form(plain_scene());
+  solution.reason = "a \"quoted\", reason";
+  solution.model = "\xff";
+  solution.warnings = {"one", "two"};
+  const Evaluation one{evaluation_key(plain_scene()), plain_scene(), solution};
+  ResultStore(studied.database()).save({&one, 1});
+  CHECK(studied.run("query", {"--columns", "reason,warnings", "--format", "csv"}).out ==
+        "reason,warnings\n\"a \"\"quoted\"\", reason\",\"one\ntwo\"\n");
+  CHECK(Json::parse(studied.run("query", {"--columns", "model", "--format", "json"}).out)[0]["model"] == "\uFFFD");
+}
+
+TEST_CASE("the commands of the store refuse in one line what they cannot do", "[studies][commands]") {
+  const Studied studied;
+  studied.sweep();
+  const std::string missing = (studied.folder().path / "none.db").string();
+  const std::string text = studied.folder().write("text.db", "no database").string();
+  struct Refusal {
+    std::vector<std::string> words;
+    int status;
+    std::string message;
+  };
+  const std::vector<Refusal> refusals{
+      {{"list", "--db", missing}, 3, missing + ": no such file"},
+      {{"show", "1", "--db", missing}, 3, missing + ": no such file"},
+      {{"query", "--db", text}, 3, text + ": file is not a database"},
+      {{"sweep", studied.study(), "--db", text}, 3, text + ": file is not a database"},
+      {{"sweep", studied.study(), "--db", ""}, 2, "db = : must name a file"},
+      {{"query", "--db", studied.database(), "sped>1"}, 2, "sped: unknown column; did you mean speed?"},
+      {{"query", "--db", studied.database(), "speed>1 kg"}, 2, "speed = 1 kg: must have a unit of speed (m/s)"},
+      {{"query", "--db", studied.database(), "speed=fast"}, 2, "speed = fast: "},
+      {{"query", "--db", studied.database(), "--sort", "colour"}, 2, "colour: unknown column; see rollres quantities"},
+      {{"query", "--db", studied.database(), "--limit", "-1"}, 2, ""},
+      {{"query", "--db", studied.database(), "--limit", "1.5"}, 2, ""},
+      {{"query", "--db", studied.database(), "--format", "xml"}, 2, ""},
+      {{"sweep", studied.study(), "--db", studied.database(), "--jobs", "0"}, 2, ""},
+      {{"sweep", studied.study(), "--db", studied.database(), "--jobs", "two"}, 2, ""},
+      {{"sweep", studied.study()}, 2, ""},
+      {{"sweep", missing, "--db", studied.database()}, 3, missing},
+  };
+  for (const Refusal& refusal : refusals) {
+    const ProgramRun run = run_rollres(refusal.words, closed_form);
+    INFO(refusal.message + " / " + run.err);
+    CHECK(run.status == refusal.status);
+    CHECK(run.out.empty());
+    CHECK(run.err.starts_with("rollres: " + refusal.message));
+    CHECK(lines_in(run.err) == 1);
+  }
+  CHECK(file_text(text) == "no database");
+  CHECK_FALSE(std::filesystem::exists(missing));
+}

@@ -1,0 +1,245 @@
+#include "studies/drawing/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "studies/drawing/gnuplot.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+ChartRequest two_loads() {
+  return {.title = "speed and load",
+          .x = {"speed", "V", "m/s", true},
+          .y = {"rolling resistance", "R_r", "N/m"},
+          .family = {"load", "P"},
+          .curves = {{"10 kN/m", {{0.01, 20}, {0.1, 140}, {1, 60}, {10, 7}}},
+                     {"20 kN/m", {{0.01, 60}, {0.1, 370}, {1, none, false}, {10, 20}}}}};
+}
+
+/// Writes a program that stands in for gnuplot.
+fs::path stand_in(const TemporaryDirectory& folder, const std::string& commands) {
+  const fs::path program = folder / "drawer";
+  std::ofstream(program) << "#!/bin/sh\n" << commands << "\n";
+  fs::permissions(program, fs::perms::owner_all);
+  return program;
+}
+
+}  // namespace
+
+TEST_CASE("a chart is drawn as SVG and PNG with its script and data beside them", "[studies][chart]") {
+  const TemporaryDirectory folder;
+  const ChartFiles files = draw_chart(two_loads(), folder / "new" / "chart.svg");
+
+  CHECK(files.svg == folder / "new" / "chart.svg");
+  CHECK(file_text(files.png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  const std::string svg = file_text(files.svg);
+  CHECK_THAT(svg, Contains("<svg") && Contains("</svg>"));
+  CHECK_THAT(svg, Contains("speed and load") && Contains("rolling resistance") && Contains("10 kN/m"));
+  CHECK_THAT(file_text(files.data), Contains("0.1 140 1 1\n"));
+
+  // The files left behind draw the same picture again.
+  fs::remove(files.svg);
+  gnuplot::run(files.script);
+  CHECK(file_text(files.svg) == svg);
+}
+
+TEST_CASE("a point without an answer stays in the data as a gap, with its status", "[studies][chart]") {
+  const std::string data = chart_data(two_loads());
+  CHECK_THAT(data, Contains("# column 1: speed V [m/s]\n# column 2: rolling resistance R_r [N/m]\n"));
+  CHECK_THAT(data, Contains("# load P = 20 kN/m\n0.01 60 1 1\n0.1 370 1 1\n1 NaN 0 1\n10 20 1 1\n"));
+}
+
+TEST_CASE("points without an answer are crosses on the lower edge and those not converged are hollow",
+          "[studies][chart]") {
+  ChartRequest request = two_loads();
+  const ChartFiles files = chart_files("chart");
+  CHECK_THAT(chart_script(request, files), Contains("at first 1, graph 0.055 point pt 2") && Contains("'no answer'"));
+  CHECK_THAT(chart_script(request, files), !Contains("not converged"));
+
+  request.curves[1].points[2] = {1, 90, false};
+  CHECK_THAT(chart_script(request, files), Contains("$3 == 0") && Contains("'not converged'"));
+  CHECK_THAT(chart_script(request, files), !Contains("'no answer'"));
+
+  request.curves[1].points[2] = {1, none, true};  // not computed: a gap without a sign
+  CHECK_THAT(chart_script(request, files), !Contains("'no answer'") && !Contains("not converged"));
+}
+
+TEST_CASE("the peak of a curve lies between lower converged points", "[studies][chart]") {
+  CHECK(peak({"", {{1, 1}, {2, 3}, {3, 2}}}) == 1);
+  CHECK_FALSE(peak({"", {{1, 1}, {2, 2}, {3, 3}}}));
+  CHECK_FALSE(peak({"", {{1, 3}, {2, 2}, {3, 1}}}));
+  CHECK_FALSE(peak({"", {{1, 1}, {2, 3}, {3, none, false}}}));
+  CHECK(peak({"", {{1, 1}, {2, 3}, {3, 2}, {4, 9, false}}}) == 1);
+  CHECK_FALSE(peak({"", {}}));
+
+  const std::string script = chart_script(two_loads(), chart_files("chart"));
+  CHECK_THAT(script, Contains("set label '140' at first 0.1, first 140"));
+  CHECK_THAT(script, Contains("data index 0 every ::1::1 using 1:2 with points pt 6"));
+  CHECK_THAT(script, !Contains("data index 1 every"));
+}
+
+TEST_CASE("the value of a peak has as many digits as its axis tells apart", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.curves = {{"", {{0.01, 1.0371}, {0.1, 1.0853}, {1, 1.0568}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.085'"));
+  request.curves = {{"", {{0.01, 0}, {0.1, 1.0853}, {1, 0.5}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.09'"));
+}
+
+TEST_CASE("values of peaks are left out where they would cover a curve or each other", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.curves = {{"a", {{0.01, 10}, {0.1, 100}, {1, 10}}},
+                    {"b", {{0.01, 11}, {0.1, 101}, {1, 11}}},
+                    {"c", {{0.01, 12}, {0.1, 102}, {1, 12}}}};
+  const std::string script = chart_script(request, chart_files("chart"));
+  CHECK_THAT(script, Contains("set label '102'") && Contains("center offset 0,0.9"));
+  CHECK_THAT(script, Contains("set label '101'") && Contains("center offset 0,-0.9"));
+  CHECK_THAT(script, !Contains("set label '100'"));
+}
+
+TEST_CASE("an axis is logarithmic as asked for unless a value is not positive", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set logscale x") && !Contains("set logscale y"));
+  request.y.logarithmic = true;
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set logscale y"));
+  request.curves[0].points[0].y = 0;
+  CHECK_THAT(chart_script(request, chart_files("chart")), !Contains("set logscale y"));
+}
+
+TEST_CASE("a short logarithmic axis has numbers between its powers of ten", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.curves = {{"", {{2, 1}, {5, 2}, {9, 1}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set xtics (1, 2, 3, 5, 7)"));
+  request.curves = {{"", {{0.0015, 1}, {0.005, 2}, {0.08, 1}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set xtics (0.001, 0.002, 0.005, 0.01, 0.02, 0.05"));
+  request.curves = {{"", {{2.1, 1}, {2.2, 2}, {2.4, 1}}}};
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set xtics (2.1, 2.15, 2.2, 2.25, 2.3, 2.35, 2.4)"));
+}
+
+TEST_CASE("210 curves all look different", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  const ChartCurve curve = request.curves[0];
+  request.curves.assign(210, curve);
+  std::istringstream script(chart_script(request, chart_files("chart")));
+  std::vector<std::string> looks;
+  for (std::string line; std::getline(script, line);)
+    if (line.starts_with("set linetype ")) looks.push_back(line.substr(line.find(" lc ")));
+  REQUIRE(looks.size() == 210);
+  std::sort(looks.begin(), looks.end());
+  CHECK(std::adjacent_find(looks.begin(), looks.end()) == looks.end());
+}
+
+TEST_CASE("names of studies and files are never read as commands of gnuplot or the shell", "[studies][chart]") {
+  const TemporaryDirectory folder;
+  ChartRequest request = two_loads();
+  const std::string file_name = "<it's `touch here` $(touch here) \"|x\" %d & ~.chart";
+  request.title = "it's `touch here` $(touch here) \"q\" %d _{a} ^b @c &{d} \\n <b>\n$E";
+  request.curves[0].label = "'.system('touch here').'";
+  request.x.name = "\"; system 'touch here'; #";
+  request.comment = "one\nsystem('touch here')";
+  const ChartFiles files = draw_chart(request, folder / file_name);
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator((folder / "x").parent_path()))
+    found.push_back(entry.path().filename().string());
+  std::sort(found.begin(), found.end());
+  CHECK(found ==
+        std::vector<std::string>{file_name + ".dat", file_name + ".gp", file_name + ".png", file_name + ".svg"});
+  CHECK_THAT(file_text(files.svg), Contains("'.system('touch here').'"));
+  CHECK_THAT(file_text(files.data), Contains("\n# system('touch here')\n"));
+}
+
+TEST_CASE("text in gnuplot's quotes and markup says itself", "[studies][gnuplot]") {
+  CHECK(gnuplot::quoted("it's\n") == "'it''s '");
+  CHECK(gnuplot::plain("a_b^{c}@d&e~f\\g") == "a\\_b\\^\\{c\\}\\@d\\&e\\~f\\\\g");
+  CHECK(gnuplot::symbol("R_r") == "{/:Italic R}_{r}");
+  CHECK(gnuplot::symbol("G0") == "{/:Italic G}_{0}");
+  CHECK(gnuplot::symbol("RΩ/V") == "{/:Italic RΩ}/{/:Italic V}");
+  CHECK(gnuplot::symbol("max|τ_xz|") == "{/:Italic max}|{/:Italic τ}_{xz}|");
+}
+
+TEST_CASE("entries of the legend stand in rows inside the picture", "[studies][chart]") {
+  for (const std::size_t count : {1U, 3U, 12U})
+    for (const char* label : {"1", "10 kN/m", "P = 10 kN/m, μ = 0.25, f = 1"}) {
+      ChartRequest request = two_loads();
+      request.curves.assign(count, {label, request.curves[0].points});
+      std::istringstream script(chart_script(request, chart_files("chart")));
+      std::vector<std::pair<double, double>> places;
+      for (std::string line; std::getline(script, line);)
+        if (const auto at = line.rfind("' at ");
+            line.find("keyentry") != std::string::npos && at != std::string::npos) {
+          std::istringstream numbers(line.substr(at + 5));
+          double x = 0, y = 0;
+          char comma = 0;
+          numbers >> x >> comma >> y;
+          places.emplace_back(x, y);
+        }
+      REQUIRE(places.size() == count);
+      // 560 pixels wide; a letter of this size takes 8.8 pixels on average, the sample 54 to the left of the text.
+      const double text = 8.8 * (static_cast<double>(std::string(label).size()) + 4) / 560;
+      for (const auto& [x, y] : places) {
+        CHECK(x > 54.0 / 560);
+        CHECK(x + text < 1.01);
+        CHECK(y < 1);
+      }
+      std::sort(places.begin(), places.end());
+      CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());
+    }
+}
+
+TEST_CASE("the files of a chart share its name whatever suffix it is given", "[studies][chart]") {
+  for (const char* name : {"out/a.b", "out/a.b.svg", "out/a.b.png", "out/a.b.gp", "out/a.b.dat"}) {
+    const ChartFiles files = chart_files(name);
+    CHECK(files.svg == "out/a.b.svg");
+    CHECK(files.png == "out/a.b.png");
+    CHECK(files.script == "out/a.b.gp");
+    CHECK(files.data == "out/a.b.dat");
+  }
+  for (const char* name : {"", "out/", ".", "out/..", "a\nb"})
+    CHECK_THROWS_AS(chart_files(name), std::invalid_argument);
+}
+
+TEST_CASE("a chart that cannot be drawn says why", "[studies][chart]") {
+  const TemporaryDirectory folder;
+  const fs::path chart = folder / "chart";
+
+  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, "no-such-gnuplot"),
+                    Contains("no-such-gnuplot: cannot be started") && Contains("gnuplot-nox"));
+  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder, "echo first; echo 'line 7: no font' >&2; exit 4")),
+                    Contains("chart.gp") && Contains("exit status 4") && Contains("line 7: no font"));
+  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder, "kill -9 $$")), Contains("signal 9"));
+  CHECK_THROWS_WITH(draw_chart(two_loads(), chart, stand_in(folder, "exit 0")),
+                    Contains("chart.svg") && Contains("drew nothing"));
+  CHECK_THROWS_AS(draw_chart(two_loads(), folder / "drawer" / "chart"), std::runtime_error);  // a file, no folder
+
+  std::ofstream(folder / "wrong.gp") << "plot no_such_function(x)\n";
+  CHECK_THROWS_WITH(gnuplot::run(folder / "wrong.gp"), Contains("undefined function"));
+
+  ChartRequest empty = two_loads();
+  for (ChartCurve& curve : empty.curves)
+    for (ChartPoint& point : curve.points) point.y = none;
+  CHECK_THROWS_AS(draw_chart(empty, chart), std::invalid_argument);
+}
+
+TEST_CASE("a chart of a single point, and of points of one height, is drawn", "[studies][chart]") {
+  const TemporaryDirectory folder;
+  ChartRequest request = two_loads();
+  request.curves = {{"", {{0.1, 5}}}};
+  CHECK_NOTHROW(draw_chart(request, folder / "one"));
+  request.curves = {{"", {{0.1, 0}, {1, 0}}}};
+  CHECK_NOTHROW(draw_chart(request, folder / "flat"));
+  request.curves = {{"", {{-1, -2}, {1, -1e-7}}}, {"empty", {}}};
+  CHECK_NOTHROW(draw_chart(request, folder / "negative"));
+}

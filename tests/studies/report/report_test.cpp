@@ -1,0 +1,180 @@
+#include "studies/report/report.hpp"
+
+#include <set>
+#include <stdexcept>
+
+#include "db/rows/fit_store.hpp"
+#include "db/rows/schema.hpp"
+#include "studies/report/html.hpp"
+#include "studies/run/sweep.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// What is wrong with the nesting of the tags, or nothing.
+std::string fault_of(const std::string& page) {
+  const std::set<std::string> without_end{"meta", "img"};
+  std::vector<std::string> open;
+  for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
+    const std::size_t end = page.find('>', at);
+    if (end == std::string::npos) return "a tag without an end";
+    const std::string tag = page.substr(at + 1, end - at - 1), name = tag.substr(0, tag.find_first_of(" \n"));
+    if (name == "!DOCTYPE" || without_end.contains(name)) continue;
+    if (name.front() != '/')
+      open.push_back(name);
+    else if (open.empty() || open.back() != name.substr(1))
+      return name + " closes " + (open.empty() ? "nothing" : open.back());
+    else
+      open.pop_back();
+  }
+  return open.empty() ? "" : open.back() + " stays open";
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+RollingSolution with_evidence(const RollingScene& scene) {
+  RollingSolution solution = closed_form(scene);
+  if (scene.speed > 50) {
+    solution = RollingSolution();
+    solution.status = Status::no_steady_state;
+    solution.reason = "friction <too> small & slow";
+    return solution;
+  }
+  solution.viscous_loss = 0.8 * solution.rolling_resistance * scene.speed;
+  solution.frictional_loss = 0.2 * solution.rolling_resistance * scene.speed;
+  solution.error_estimate = 0.05;
+  solution.model = scene.speed > 5 ? "inertia left out" : "friction as given";
+  solution.warnings = {"strain d/H = 0.2"};
+  return solution;
+}
+
+Study speed_and_load(const std::string& name) {
+  return {.name = name,
+          .base = plain_scene(),
+          .axes = {{.key = "load", .values = {1e4, 2e4, 3e4, 4e4}},
+                   {.key = "speed", .values = {0.01, 0.1, 1, 10, 100}, .logarithmic = true}}};
+}
+
+std::string stored(const TemporaryDirectory& scratch, const Study& study) {
+  SweepOptions options;
+  options.definition = R"({"study": "x", "comment": "<script>alert(1)</script>"})";
+  run_sweep(study, with_evidence, scratch / "results.db", options);
+  return (scratch / "results.db").string();
+}
+
+}  // namespace
+
+TEST_CASE("a report holds all that is known of a study in one file that stands by itself", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  const std::string file = stored(scratch, speed_and_load("speed and load"));
+  const ProgramRun run =
+      run_rollres({"report", "--db", file, "--out", (scratch / "new" / "report.html").string()}, closed_form);
+  CHECK(run.err.empty());
+  REQUIRE(run.status == 0);
+  CHECK_THAT(run.out, Contains("report.html: speed and load, 4 pictures"));
+  const std::string page = file_text(scratch / "new" / "report.html");
+  CHECK(fault_of(page).empty());
+  for (const char* heading : {"What was asked", "Charts", "Scene", "Model", "Results", "Failures", "Speed and accuracy",
+                              "Provenance", "Study file"})
+    CHECK_THAT(page, Contains("<h2>" + std::string(heading) + "</h2>"));
+  CHECK_THAT(page, Contains("20 points: 16 converged, 4 without an answer, 0 not computed yet"));
+  CHECK_THAT(page, Contains("<td>layer thickness</td><td>H</td><td>10 mm</td>"));
+  CHECK_THAT(page, Contains("rolling resistance R_r [N/m]"));
+  CHECK_THAT(page, Contains("<td>inertia left out</td><td class=\"number\">4</td>"));
+  CHECK_THAT(page, Contains("<td>strain d/H = 0.2</td><td class=\"number\">16</td>"));
+  CHECK_THAT(page, Contains("Greatest rolling resistance: 200 N/m at load = 40 kN/m, speed = 1 m/s"));
+  CHECK_THAT(page, Contains(this_program().compiler));
+  CHECK(count_of(page, "<img ") == 4);
+  CHECK(count_of(page, "src=\"data:image/svg+xml") == 4);
+  CHECK(count_of(page, "src=") == 4);
+  for (const char* outside : {"href=", "<script", "<link", "<iframe", "@import", "url("})
+    CHECK_THAT(page, !Contains(outside));
+}
+
+TEST_CASE("texts of a study cannot become markup of its report", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  const std::string name = "<b onclick='x()'>\"A&B\"</b>";
+  const std::string file = stored(scratch, speed_and_load(name));
+  ResultStore store(file, Access::read);
+  const std::string page = study_report(store, {.study = name}).html;
+  CHECK(fault_of(page).empty());
+  CHECK_THAT(page, Contains("<title>&lt;b onclick=&#39;x()&#39;&gt;&quot;A&amp;B&quot;&lt;/b&gt;</title>"));
+  CHECK_THAT(page, Contains("friction &lt;too&gt; small &amp; slow"));
+  CHECK_THAT(page, Contains("&lt;script&gt;alert(1)&lt;/script&gt;") && !Contains("<script>"));
+}
+
+TEST_CASE("escaped text is UTF-8 without control characters", "[studies][report]") {
+  CHECK(html::text("a<b>&\"'") == "a&lt;b&gt;&amp;&quot;&#39;");
+  CHECK(html::text("τ µm² 𝛼") == "τ µm² 𝛼");
+  CHECK(html::text("a\x01\x7f\n\tb") == "a  \n\tb");
+  CHECK(html::text("\xff") == "\uFFFD");
+  CHECK(html::text("\xc0\xaf") == "\uFFFD\uFFFD");            // longer than need be
+  CHECK(html::text("\xed\xa0\x80") == "\uFFFD\uFFFD\uFFFD");  // half of a pair
+  CHECK(html::text("\xe2\x82") == "\uFFFD\uFFFD");            // cut off
+}
+
+TEST_CASE("the table of a long study shows every n-th point and says so", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  ResultStore store(stored(scratch, speed_and_load("long")), Access::read);
+  const std::string page = study_report(store, {.most_rows = 7}).html;
+  CHECK_THAT(page, Contains("Shown is one of every 3 points, of 20."));
+  CHECK(count_of(page, "<td>converged</td></tr>") + count_of(page, "<td>no steady state</td></tr>") == 7);
+}
+
+TEST_CASE("a fit of the study's name is in its report, and has one of its own without a study", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  const std::string file = stored(scratch, speed_and_load("rubber"));
+  FitRecord fit{};
+  fit.name = "rubber";
+  fit.kind = "resistance";
+  fit.definition = R"({"fit": "rubber"})";
+  fit.status = "usable_with_warnings";
+  fit.warnings = "creep_time < start";
+  FitParameterRecord& parameter = fit.parameters.emplace_back();
+  parameter.name = "creep_time";
+  parameter.unit = "s";
+  parameter.value = 0.25;
+  parameter.flag = "<flag>";
+  fit.data = {{"data.csv, line 2", 100, 1, 101, 1, 0.5}, {"data.csv, line 3", 120, 1, 116, -4, 0.5}};
+  save_fit(open_database(file, Access::write), fit);
+  fit.name = "alone";
+  save_fit(open_database(file, Access::write), fit);
+
+  ResultStore store(file, Access::read);
+  const StudyReport both = study_report(store, {.study = "rubber"});
+  CHECK(fault_of(both.html).empty());
+  CHECK(both.pictures == 5);
+  CHECK_THAT(both.html, Contains("<h2>Results</h2>") && Contains("<h2>Fit</h2>") && Contains("<h2>Fit file</h2>"));
+  CHECK_THAT(both.html, Contains("<td>creep_time</td><td class=\"number\">250 ms</td>") && Contains("&lt;flag&gt;"));
+  CHECK_THAT(both.html, Contains("<tr class=\"marked\"><td>data.csv, line 3</td>"));  // four deviations away
+  const StudyReport alone = study_report(store, {.study = "alone"});
+  CHECK(fault_of(alone.html).empty());
+  CHECK_THAT(alone.html, Contains("usable_with_warnings") && !Contains("<h2>Results</h2>"));
+}
+
+TEST_CASE("rollres report refuses what it cannot report", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  const std::string file = stored(scratch, speed_and_load("speed and load"));
+  const std::string out = (scratch / "report.html").string();
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "report");
+    return run_rollres(words, closed_form);
+  };
+  CHECK(run({"--db", file, "--study", "sped and load", "--out", out}).status == 2);
+  CHECK(run({"--db", file, "--out", out, "--rows", "0"}).status == 2);
+  CHECK(run({"--db", file, "--out", ""}).status == 2);
+  CHECK_THAT(run({"--db", file, "--out", out, "--optimum", "speed and load"}).err, Contains("is no optimisation"));
+  CHECK(run({"--db", (scratch / "none.db").string(), "--out", out}).status == 3);
+  CHECK(run({"--db", file, "--out", (scratch / "results.db" / "report.html").string()}).status == 3);
+  CHECK_FALSE(std::filesystem::exists(out));
+}

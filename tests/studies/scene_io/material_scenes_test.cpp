@@ -1,0 +1,154 @@
+#include <nlohmann/json.hpp>
+
+#include "core/solve/rolling_contact.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "db/rows/result_store.hpp"
+#include "studies/scene_io/scene_file.hpp"
+#include "studies/scene_io/solution_json.hpp"
+#include "studies/study/study.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr const char* table = R"(# a rubber
+frequency [kHz],storage_modulus [MPa],loss_modulus [MPa],note
+0.001,3,0.3,slow
+1,6,0.9,
+1000,30,9,fast
+)";
+
+std::string scene_text(const std::string& material) {
+  return R"({"radius": 0.02, "layer_thickness": 0.005, "speed": 1, "load": 1e4, )" + material + "}";
+}
+
+const std::string curve_scene = scene_text(R"("material": "master_curve", "master_curve_file": "rubber.csv")");
+
+std::string refusal_of_table(const std::string& text) {
+  const TemporaryDirectory folder;
+  folder.write("rubber.csv", text);
+  const auto scene = folder.write("scene.json", curve_scene);
+  std::string message = message_of([&] { read_scene(scene); });
+  const std::string place = folder.path.string() + "/";
+  for (auto at = message.find(place); at != std::string::npos; at = message.find(place))
+    message.erase(at, place.size());
+  return message;
+}
+
+}  // namespace
+
+TEST_CASE("a scene file names the table of its master curve, relative to itself", "[studies][material]") {
+  const TemporaryDirectory folder;
+  folder.write("rubber.csv", table);
+  const RollingScene scene = read_scene(folder.write("scene.json", curve_scene));
+  CHECK(scene.material == MaterialModel::master_curve);
+  CHECK(scene.frequencies == std::vector<double>{1, 1e3, 1e6});
+  CHECK(scene.storage_moduli == std::vector<double>{3e6, 6e6, 30e6});
+  CHECK(scene.loss_moduli == std::vector<double>{0.3e6, 0.9e6, 9e6});
+  // What was read stands in the scene, so that it needs the table no more.
+  CHECK(scene_json(parse_scene(scene_json(scene), "text")) == scene_json(scene));
+  const std::string other = folder.write("other.csv", std::string(table) + "2e3,40,10,\n").string();
+  CHECK(read_scene(folder / "scene.json", {"master_curve_file=" + other}).frequencies.size() == 4);
+}
+
+TEST_CASE("angular frequencies of a master curve become frequencies", "[studies][material]") {
+  const TemporaryDirectory folder;
+  folder.write("rubber.csv",
+               "angular_frequency [rad/s],storage_modulus [Pa],loss_modulus [Pa]\n1,2e6,0\n100,3e6,1e5\n");
+  const RollingScene scene = read_scene(folder.write("scene.json", curve_scene));
+  CHECK(scene.frequencies[1] == Approx(100 / (2 * M_PI)).epsilon(1e-15));
+  CHECK(scene.loss_moduli[0] == 0);
+}
+
+TEST_CASE("a master curve that is not passive, or no table, is refused with its line", "[studies][material]") {
+  const std::string head = "frequency [Hz],storage_modulus [MPa],loss_modulus [MPa]\n1,3,0.3\n";
+  CHECK(refusal_of_table(head + "10,4,-0.1\n") ==
+        "rubber.csv, line 3: loss_modulus [MPa] = -0.1: must be >= 0: no passive material gives energy back");
+  CHECK(refusal_of_table(head + "0,4,0.1\n") == "rubber.csv, line 3: frequency [Hz] = 0: must be > 0");
+  CHECK(refusal_of_table(head + "10,,0.1\n").starts_with("rubber.csv, line 3: storage_modulus [MPa]"));
+  CHECK(refusal_of_table("frequency [Hz],storage_modulus [MPa]\n1,3\n") == "rubber.csv: has no column loss_modulus");
+  CHECK(refusal_of_table("frequency [Hz],storage_modulus [MPa],lossmodulus [MPa]\n1,3,1\n") ==
+        "rubber.csv: lossmodulus: unknown column; did you mean loss_modulus?");
+  CHECK(refusal_of_table(head) == "scene.json: frequencies: must have at least two different values");
+}
+
+TEST_CASE("lists of inputs have units, are overridden whole and cannot vary", "[studies][material]") {
+  const std::string text = scene_text(R"("material": "prony", "static_young_modulus": "3 MPa",
+    "relaxation_times": ["1 ms", 2], "relaxation_moduli": ["1 MPa", 2e6])");
+  const RollingScene scene = parse_scene(text, "text", {"relaxation_times=[1, 0.5]", "poisson_ratio=0.4"});
+  CHECK(scene.relaxation_times == std::vector<double>{1, 0.5});
+  CHECK(scene.relaxation_moduli == std::vector<double>{1e6, 2e6});
+  const auto refusal = [&](const std::string& override_word) {
+    return message_of([&] { parse_scene(text, "text", {override_word}); });
+  };
+  CHECK(refusal("relaxation_times=[1, -1]") == "--set: relaxation_times[1] = -1: must be > 0");
+  CHECK(refusal("relaxation_times=[1, 2") == "--set: relaxation_times = \"[1, 2\": must be a list: [1, 2]");
+  CHECK(refusal("relaxation_times=1") == "--set: relaxation_times = 1: must be a list of numbers: [1, 2]");
+  CHECK(refusal("relaxation_times=[1]") ==
+        "text with --set: relaxation_moduli: has 2 values, but relaxation_times has 1");
+  CHECK(refusal("relaxation_times=[\"1 m\", 2]") ==
+        "--set: relaxation_times[0] = \"1 m\": must have a unit of time (s)");
+  CHECK(refusal("static_shear_modulus=1e6") == "nothing");  // takes the place of Young's modulus
+
+  const TemporaryDirectory folder;
+  const auto study = folder.write(
+      "study.json", R"({"study": "a", "scene": )" + text + R"(, "axes": {"relaxation_times": [[1, 2], [3, 4]]}})");
+  CHECK_THAT(message_of([&] { read_study(study); }), Contains("a list of numbers cannot vary"));
+}
+
+TEST_CASE("a scene with lists returns from the database bit by bit, and is found again", "[studies][material]") {
+  const TemporaryDirectory folder;
+  folder.write("rubber.csv", table);
+  RollingScene scene = read_scene(folder.write("scene.json", curve_scene));
+  scene.frequencies[1] = 0.1 + 0.2;
+  scene.temperature = 293.15;
+  ResultStore store(folder / "a.db");
+  const Evaluation one{evaluation_key(scene), scene, closed_form(scene)};
+  store.save({&one, 1});
+  const auto found = store.find(evaluation_key(scene));
+  REQUIRE(found);
+  CHECK(static_cast<const MaterialInputs&>(found->scene) == static_cast<const MaterialInputs&>(scene));
+  scene.loss_moduli[2] *= 1.001;
+  CHECK_FALSE(store.find(evaluation_key(scene)));
+}
+
+TEST_CASE("a study sweeps the temperature of a master curve, and its record needs no other file",
+          "[studies][material]") {
+  const TemporaryDirectory folder;
+  folder.write("rubber.csv", table);
+  const std::string text = scene_text(R"("material": "master_curve", "master_curve_file": "rubber.csv",
+    "reference_temperature": "20 degC", "wlf_c1": 4.41, "wlf_c2": "137.64 K")");
+  const auto file = folder.write("study.json", R"({"study": "cold", "scene": )" + text +
+                                                   R"(, "axes": {"temperature": ["-20 degC", "253 K", "20 °C"]}})");
+  const Study study = read_study(file);
+  CHECK(study.axes.front().values == std::vector<double>{253.15, 253, 293.15});
+  CHECK(points(study).front().frequencies.size() == 3);
+  const std::string database = folder / "a.db";
+  CHECK(run_rollres({"sweep", file.string(), "--db", database}, closed_form).status == 0);
+  std::filesystem::remove(folder / "rubber.csv");
+  const ProgramRun out = run_rollres({"export", "--db", database, "--out", (folder / "out").string()}, closed_form);
+  CHECK(out.status == 0);
+  CHECK(read_study(folder / "out" / "study.json").base.frequencies.size() == 3);
+  CHECK(message_of([&] {
+          parse_scene(scene_text(R"("static_shear_modulus": 1e6, "stiffening": 1, "creep_time": 1,
+    "wlf_c2": "20 degC")"),
+                      "text");
+        }) == "text: wlf_c2 = \"20 degC\": must have a unit of temperature (K)");
+}
+
+TEST_CASE("the example of a filled rubber has a peak of rolling resistance that moves with temperature",
+          "[studies][examples]") {
+  const Study study = read_study(source_directory() / "studies/examples/rubber_speed.json");
+  REQUIRE(study.axes.front().key == "temperature");
+  std::vector<RollingScene> scenes = points(study);
+  CHECK(scenes.size() == 183);
+  CHECK(scenes.back().speed / scenes.front().speed == Approx(1e12).epsilon(1e-12));
+  CHECK(check(scenes.front()).empty());
+  CHECK(solve(scenes[100]).status == Status::converged);
+}

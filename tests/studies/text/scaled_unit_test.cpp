@@ -1,0 +1,47 @@
+#include "studies/text/scaled_unit.hpp"
+
+#include "studies/text/readable_number.hpp"
+#include "tests/catch.hpp"
+
+using namespace rollres;
+
+TEST_CASE("the prefix of a unit puts its number between 1 and 1000", "[studies][scaled_unit]") {
+  CHECK(scaled_unit("N/m", 20000).name == "kN/m");
+  CHECK(scaled_unit("N/m", 20000).factor == Approx(1e3));
+  CHECK(scaled_unit("m/s", 0.05).name == "mm/s");
+  CHECK(scaled_unit("W/m", -1500).name == "kW/m");
+  CHECK(scaled_unit("N", 999.999).name == "kN");
+  CHECK(scaled_unit("N", 999.98).name == "N");
+  CHECK(scaled_unit("m", 2000).name == "m");
+  CHECK(scaled_unit("s", 5000).name == "s");
+  CHECK(scaled_unit("kg/m3", 1000).name == "kg/m3");
+  CHECK(scaled_unit("rad/s", 2000).name == "rad/s");
+  CHECK(scaled_unit("1", 1e-9).name.empty());
+}
+
+TEST_CASE("a square takes the square of its prefix", "[studies][scaled_unit]") {
+  CHECK(scaled_unit("m2", 5.9e-5).name == "mm2");
+  CHECK(scaled_unit("m2", 5.9e-5).factor == Approx(1e-6));
+}
+
+TEST_CASE("a logarithmic axis keeps the plain unit where its numbers are short", "[studies][scaled_unit]") {
+  CHECK(scaled_unit_logarithmic("m/s", 1e-3, 10).name == "m/s");
+  CHECK(scaled_unit_logarithmic("Pa", 1e5, 1e9).name == "MPa");
+  CHECK(scaled_unit_logarithmic("m", 1e-6, 1e-4).name == "µm");
+  CHECK(scaled_unit_logarithmic("m", 1e-6, 1e-4).factor == Approx(1e-6));
+  CHECK(scaled_unit_logarithmic("1", 1e-9, 1).name.empty());
+}
+
+TEST_CASE("units are printed with raised powers", "[studies][scaled_unit]") {
+  CHECK(typeset_unit("kg/m3") == "kg/m³");
+  CHECK(typeset_unit("mN.m") == "mN·m");
+}
+
+TEST_CASE("short numbers have no exponent at everyday sizes and no trailing zeros", "[studies][scaled_unit]") {
+  CHECK(short_number(4030.4, 3) == "4030");
+  CHECK(short_number(100000) == "100000");
+  CHECK(short_number(0.25, 3) == "0.25");
+  CHECK(short_number(0.1 + 0.2) == "0.3");
+  CHECK(short_number(1.25e-9, 3) == "1.25e-09");
+  CHECK(short_number(0) == "0");
+}
