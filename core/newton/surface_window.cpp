@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/convolution/influence_operator.hpp"
+#include "core/newton/contact_problem.hpp"
 
 namespace rollres {
 

@@ -13,8 +13,8 @@ namespace rollres {
 
 /// Lengths in m, moduli in Pa. A memory of length T = V tau is int_0^inf e^{-s/T}/T (.)(x + s) ds, written R_T; with
 /// the elastic slope g of a surface of unit modulus the slope of the surface is w' = [J_inf + sum_m C_m R_{T_m}] g, and
-/// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/material/relaxation.hpp). The spectrum is that of what lies
-/// next to the contact; all else is in the corrections to g.
+/// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/material/relaxation.hpp). The spectrum is that of
+/// what lies next to the contact; all else is in the corrections to g.
 struct SpectralProblem {
   /// @param creep what lies next to the contact, as by near_spectrum (contact_surface.hpp); of a single incompressible
   /// layer it is the material, and the scene's own is not looked at

@@ -1,5 +1,7 @@
 #include "db/file/digest.hpp"
 
+#include <charconv>
+
 namespace rollres {
 
 std::string digest(std::string_view text) {

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "core/scene/scene_input.hpp"
+#include "db/file/digest.hpp"
 #include "db/rows/result_store.hpp"
 
 namespace rollres {

@@ -38,8 +38,8 @@ std::vector<FitParameter> fit_parameters(const std::vector<MeasuredScene>& scene
 
 /// The problem of least squares. Slopes are differences whose steps suit the noise of the output, which is measured
 /// once for each input at the first point with slopes, on one of its scenes, or where that is not smooth on three
-/// (core/derivatives/calibration.hpp), and taken to be proportional to the output. Where it is all but rounding, differences are to
-/// one side. No scene outside the bounds is evaluated (core/derivatives/gradient.hpp).
+/// (core/derivatives/calibration.hpp), and taken to be proportional to the output. Where it is all but rounding,
+/// differences are to one side. No scene outside the bounds is evaluated (core/derivatives/gradient.hpp).
 /// @param parameters  fit_parameters(scenes, inputs), or those of a fit to other scenes
 /// @param evaluate    called by several threads at once
 /// @throws std::invalid_argument naming key, value and rule

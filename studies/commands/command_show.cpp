@@ -3,6 +3,7 @@
 #include <memory>
 #include <ostream>
 
+#include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/program/command_line.hpp"

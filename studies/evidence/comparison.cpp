@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
+#include "db/file/digest.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/stored/stored_study.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "studies/text/shell_word.hpp"
+
 namespace rollres {
 
 namespace {

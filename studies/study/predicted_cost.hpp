@@ -7,8 +7,8 @@
 namespace rollres {
 
 /// Seconds of one core, of the machine it was measured on, for a cold solution. Power laws in the cells x on the
-/// half-width of the contact (core/estimate/grid_choice.hpp: estimate_contact), or in the tolerance where that decides on the
-/// grid; without friction a half to a fifth of it.
+/// half-width of the contact (core/estimate/grid_choice.hpp: estimate_contact), or in the tolerance where that decides
+/// on the grid; without friction a half to a fifth of it.
 ///
 /// Fitted to 848 random scenes (R 5 mm to 0.2 m, H/R 0.05 to 3, f 0.1 to 10, τ 1 ms to 1 s, V 1 mm/s to 10 m/s, x 4 to
 /// 60 for a sphere and 5 to 500 for a cylinder): standard deviation of log(seconds/predicted) 0.1 to 0.25 for a

@@ -1,5 +1,5 @@
-/// Random scenes (studies/evidence/stability_scene.hpp) on which the Newton method alone finds nothing: contacts that friction
-/// draws aside, with several solutions, and bodies on the verge of sliding.
+/// Random scenes (studies/evidence/stability_scene.hpp) on which the Newton method alone finds nothing: contacts that
+/// friction draws aside, with several solutions, and bodies on the verge of sliding.
 
 #include <cmath>
 #include <string>

@@ -1,5 +1,5 @@
-#include "core/surface/scene_rules.hpp"
 #include "db/rows/result_store.hpp"
+#include "core/surface/scene_rules.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 

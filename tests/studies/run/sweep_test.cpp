@@ -1,5 +1,5 @@
-#include "db/rows/schema.hpp"
 #include "studies/run/sweep.hpp"
+#include "db/rows/schema.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sys/resource.h>

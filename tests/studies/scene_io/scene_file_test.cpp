@@ -1,5 +1,5 @@
-#include "core/surface/scene_rules.hpp"
 #include "studies/scene_io/scene_file.hpp"
+#include "core/surface/scene_rules.hpp"
 
 #include <cmath>
 #include <stdexcept>
