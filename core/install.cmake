@@ -7,15 +7,15 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/rollres)
 target_include_directories(rollres_core INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rollres>)
 target_compile_features(rollres_core INTERFACE cxx_std_20)
-if(ROLLRES_NATIVE)
-  # Eigen aligns its memory by the instruction set: all sources of a program must agree on it.
-  target_compile_options(rollres_core INTERFACE $<INSTALL_INTERFACE:-march=native>)
-endif()
 set_target_properties(rollres_core PROPERTIES EXPORT_NAME core)
 
 install(TARGETS rollres_core EXPORT rollres-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
-install(DIRECTORY core/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollres/core COMPONENT library
-        FILES_MATCHING PATTERN "*.hpp")
+# What a program needs to ask: a scene, its solution and `solve`. The other headers stay inside.
+install(FILES core/rolling_contact.hpp core/scene.hpp core/solution.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollres/core COMPONENT library)
+install(FILES core/solve/rolling_contact.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollres/core/solve COMPONENT library)
+install(DIRECTORY core/scene DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollres/core COMPONENT library
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "contact_state.hpp" EXCLUDE)
 install(EXPORT rollres-targets NAMESPACE rollres:: DESTINATION ${package_folder} COMPONENT library)
 configure_file(core/rollres-config.cmake.in generated/rollres-config.cmake COPYONLY)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/generated/rollres-config-version.cmake

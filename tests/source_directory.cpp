@@ -4,3 +4,5 @@ const std::filesystem::path& source_directory() {
   static const std::filesystem::path top = ROLLRES_SOURCE_DIR;
   return top;
 }
+
+std::string example(const std::string& name) { return (source_directory() / "studies/examples" / name).string(); }

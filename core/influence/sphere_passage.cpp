@@ -11,7 +11,7 @@ namespace rollres {
 namespace {
 
 using Eigen::Index;
-constexpr int table_degree = 15;
+constexpr int panel_degree = 15;
 
 /// Bessel functions J_0 ... J_{count - 1} by Miller's backward recurrence.
 std::vector<double> bessel_functions(double z, int count) {
@@ -81,11 +81,11 @@ class RadialHarmonics {
   /// @param next_sample at the nodes of one panel after the other
   template <class Sample>
   RadialHarmonics(const std::vector<double>& borders, int count, const Sample& next_sample) {
-    std::vector<Harmonics> all((borders.size() - 1) * (table_degree + 1));
+    std::vector<Harmonics> all((borders.size() - 1) * (panel_degree + 1));
     for (Harmonics& sample : all) sample = next_sample();
     for (Index n = 0; n < count; ++n) {
       std::size_t next = 0;
-      tables_.emplace_back(borders, table_degree, [&](double) -> Coefficients { return all[next++].col(n); });
+      tables_.emplace_back(borders, panel_degree, [&](double) -> Coefficients { return all[next++].col(n); });
     }
   }
   Harmonics operator()(double r) const {
@@ -99,8 +99,8 @@ class RadialHarmonics {
 };
 
 /// Distance over the length beyond which every term's surface is at rest (rigid base), or close to that of the base.
-double table_end(const WaveDirections& directions, const std::vector<Harmonics>& deep, double length, double finite,
-                 bool rigid) {
+double farthest_panel(const WaveDirections& directions, const std::vector<Harmonics>& deep, double length,
+                      double finite, bool rigid) {
   constexpr double longest = 300, on_half_space = 60, at_rest = 1e-9;
   if (!rigid) return on_half_space * finite / length;
   double largest = 0;
@@ -139,13 +139,13 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
 
   const bool rigid = std::isfinite(medium.back().thickness);
   const double length = directions.finest_length();
-  const std::vector<double> borders = distance_panels(table_end(directions, deep, length, finite, rigid));
+  const std::vector<double> borders = distance_panels(farthest_panel(directions, deep, length, finite, rigid));
   std::vector<std::vector<Harmonics>> samples;  // in the order in which a table asks for them
   for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
     const double from = borders[panel], to = borders[panel + 1];
     const HankelTransform transform(directions, length, from, to);
-    for (int node = 0; node <= table_degree; ++node)
-      samples.push_back(transform(from + 0.5 * (to - from) * (1 + std::cos(M_PI * (node + 0.5) / (table_degree + 1)))));
+    for (int node = 0; node <= panel_degree; ++node)
+      samples.push_back(transform(from + 0.5 * (to - from) * (1 + std::cos(M_PI * (node + 0.5) / (panel_degree + 1)))));
   }
 
   const double end = borders.back();
@@ -176,7 +176,7 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
     }
     return values;
   };
-  correction_ = std::make_unique<const PanelField>(distances, table_degree, value);
+  correction_ = std::make_unique<const PanelField>(distances, panel_degree, value);
 }
 
 /// The responses of all terms to a cell along a row.

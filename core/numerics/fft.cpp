@@ -47,19 +47,19 @@ typename Fftw<Real>::Complex* fftw(std::complex<Real>* data) {
 }
 
 template <class Real>
-struct BothWays {
-  typename Fftw<Real>::Plan forward, inverse;
-  ~BothWays() {
-    const std::lock_guard lock(planner_mutex());
-    Fftw<Real>::destroy(forward);
-    Fftw<Real>::destroy(inverse);
-  }
-};
+void destroy(typename Fftw<Real>::Plan forward, typename Fftw<Real>::Plan inverse) {
+  const std::lock_guard lock(planner_mutex());
+  Fftw<Real>::destroy(forward);
+  Fftw<Real>::destroy(inverse);
+}
 
 }  // namespace
 
 template <class Real>
-struct FftLine<Real>::Plans : BothWays<Real> {};
+struct FftLine<Real>::Plans {
+  typename Fftw<Real>::Plan forward, inverse;
+  ~Plans() { destroy<Real>(forward, inverse); }
+};
 
 template <class Real>
 FftLine<Real>::FftLine(int length) : plans_(std::make_unique<Plans>()) {
@@ -83,7 +83,10 @@ void FftLine<Real>::inverse(std::complex<Real>* from, std::complex<Real>* to) co
 }
 
 template <class Real>
-struct RealFftLine<Real>::Plans : BothWays<Real> {};
+struct RealFftLine<Real>::Plans {
+  typename Fftw<Real>::Plan forward, inverse;
+  ~Plans() { destroy<Real>(forward, inverse); }
+};
 
 template <class Real>
 RealFftLine<Real>::RealFftLine(int length) : plans_(std::make_unique<Plans>()) {

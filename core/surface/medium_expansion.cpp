@@ -15,10 +15,10 @@ using complex = std::complex<double>;
 using Eigen::Index;
 using Symbols = Eigen::Array<complex, 4, 1>;
 
-constexpr int degree = 11, coefficients = degree + 1;
+constexpr int panel_degree = 11, coefficients = panel_degree + 1;
 constexpr double panel_ratio = 2;  // of the wavenumbers at a panel's ends
 // Rayleigh waves of an incompressible half-space need rho V^2/G = 0.9126, of a compressible one less.
-constexpr double rayleigh_number = 0.9126;
+constexpr double incompressible_rayleigh_number = 0.9126;
 
 Symbols scaled(const SurfaceCompliance& c, double wavenumber) {
   return wavenumber * Symbols(c.normal, c.longitudinal, c.transverse, c.cross);
@@ -32,7 +32,7 @@ Symbols half_space(const MediumLayer& layer, complex modulus, double wave_speed)
 /// Waves in a layer decay like e^{-k beta z}, slowest at rest.
 double slowest_decay(const MediumLayer& layer, double wave_speed) {
   const double number = layer.density * wave_speed * wave_speed * layer.material.at_rest();
-  return std::sqrt(1 - std::min(number, rayleigh_number));
+  return std::sqrt(1 - std::min(number, incompressible_rayleigh_number));
 }
 
 struct TimeRange {
@@ -44,7 +44,7 @@ struct TimeRange {
 /// response of a layer with inertia has its last pole.
 double slowest_time(const MediumLayer& layer, double longest_creep_time, double wave_speed) {
   if (layer.density * wave_speed == 0) return longest_creep_time;
-  const double enough = rayleigh_number / (layer.density * wave_speed * wave_speed);
+  const double enough = incompressible_rayleigh_number / (layer.density * wave_speed * wave_speed);
   const auto excess = [&](double share) {  // at the rate -share / time
     double compliance = layer.material.instantaneous;
     for (const CreepSpectrum::Term& term : layer.material.terms)
@@ -203,7 +203,7 @@ MediumExpansion::Corrections MediumExpansion::correction(double wavenumber) cons
   const double t = 2 * (at - borders_[panel]) / step - 1;
   const Corrections* c = &coefficients_[panel * coefficients];
   Corrections b1 = Corrections::Zero(4, c[0].cols()), b2 = b1;
-  for (int i = degree; i > 0; --i) {
+  for (int i = panel_degree; i > 0; --i) {
     Corrections b0 = c[i] + 2 * t * b1 - b2;
     b2.swap(b1);
     b1.swap(b0);

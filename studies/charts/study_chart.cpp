@@ -40,8 +40,6 @@ bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vec
   return true;
 }
 
-std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
-
 Choice choose(const StudySummary& study, const StudyRows& rows, const StudyDefinition& definition,
               const StudyChart& hints, const StudyChartWishes& wishes) {
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };

@@ -24,8 +24,6 @@ std::vector<const QuantityColumn*> longest_axes(const StudySummary& study, const
   return axes;
 }
 
-std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
-
 struct MapAxes {
   const QuantityColumn *x = nullptr, *y = nullptr;
 };

@@ -68,7 +68,7 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
   return methods;
 }
 
-Json json_of(const AccuracyReport& report) {
+Json object_of(const AccuracyReport& report) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   const AccuracyReference& reference = report.reference;
   Json object{{"scene", report.name},
@@ -183,7 +183,7 @@ void accuracy(const AccuracyWords& words, Session& session) {
   }
   if (words.json) {
     Json object{{"scenes", Json::array()}, {"files", Json::array()}};
-    for (const AccuracyReport& report : reports) object["scenes"].push_back(json_of(report));
+    for (const AccuracyReport& report : reports) object["scenes"].push_back(object_of(report));
     for (const auto& file : written) object["files"].push_back(file.string());
     session.out << text_of(object, 2) << '\n';
   } else {

@@ -23,7 +23,7 @@ struct CompareWords {
 
 constexpr std::size_t lines_on_screen = 20;
 
-std::string in_words(const Cell& cell) {
+std::string cell_in_words(const Cell& cell) {
   if (const auto* const number = std::get_if<double>(&cell)) return readable(*number, "");
   if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
@@ -46,7 +46,7 @@ Table table_of(const StudyComparison& comparison, std::optional<std::size_t> lim
 
 void print_summary(std::ostream& out, const StudyComparison& comparison) {
   for (const ComparedInput& input : comparison.compared)
-    out << input.key << ": " << in_words(input.first) << " against " << in_words(input.second) << '\n';
+    out << input.key << ": " << cell_in_words(input.first) << " against " << cell_in_words(input.second) << '\n';
   out << comparison.matched << " points match, " << comparison.only_first << " are only in the first study, "
       << comparison.only_second << " only in the second\n";
   if (comparison.half_answered > 0) out << comparison.half_answered << " have an answer in one study only\n";

@@ -33,7 +33,7 @@ struct StabilityWords {
   bool json = false;
 };
 
-std::vector<Method> methods_named(const std::vector<std::string>& names) {
+std::vector<Method> methods_to_try(const std::vector<std::string>& names) {
   std::vector<Method> methods;
   constexpr auto& known = ChoiceNames<Method>::names;
   for (std::size_t i = 0; i < known.size(); ++i)
@@ -56,7 +56,7 @@ StabilityPlan plan_of(const StabilityWords& words) {
   if (words.indenter != "sphere") plan.cylinders = words.scenes > 0 ? words.scenes : usual_cylinders;
   if (words.indenter != "cylinder") plan.spheres = words.scenes > 0 ? words.scenes : usual_spheres;
   plan.seed = words.seed;
-  plan.methods = methods_named(words.methods);
+  plan.methods = methods_to_try(words.methods);
   plan.jobs = words.jobs;
   plan.time_limit = words.time_limit;
   return plan;
@@ -98,7 +98,7 @@ Table table_of(const std::vector<StabilityCount>& all) {
   return table;
 }
 
-Json json_of(const StabilityCount& count) {
+Json object_of(const StabilityCount& count) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   Json object{{"method", name_of(count.method)}, {"indenter", name_of(count.indenter)}, {"scenes", count.trials()}};
   for (std::size_t i = 0; i < count.of.size(); ++i) object[std::string(ChoiceNames<Outcome>::names[i])] = count.of[i];
@@ -155,7 +155,7 @@ void stability(const StabilityWords& words, Session& session) {
                 {"results", Json::array()},
                 {"failed", failed_files},
                 {"files", Json::array()}};
-    for (const StabilityCount& count : all) object["results"].push_back(json_of(count));
+    for (const StabilityCount& count : all) object["results"].push_back(object_of(count));
     for (const fs::path& file : files) object["files"].push_back(file.string());
     session.out << text_of(object, 2) << '\n';
   } else {

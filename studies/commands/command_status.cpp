@@ -23,7 +23,7 @@ struct StatusWords {
   bool json = false, array = false;
 };
 
-Json json_of(const std::string& name, const StudyStatus& status) {
+Json object_of(const std::string& name, const StudyStatus& status) {
   Json object{{"study", name},
               {"points", status.points},
               {"converged", status.converged},
@@ -34,7 +34,7 @@ Json json_of(const std::string& name, const StudyStatus& status) {
 }
 
 void print_json(std::ostream& out, const std::string& name, const StudyStatus& status, const StatusWords& words) {
-  Json object = json_of(name, status);
+  Json object = object_of(name, status);
   if (words.shards > 0) {
     object["shards"] = words.shards;
     object["shards_missing"] = status.shards_missing;
@@ -64,7 +64,7 @@ void status_of_stored(const std::string& file, const StatusWords& words, Session
     status.converged = static_cast<std::size_t>(study.answered - study.failed);
     status.missing = static_cast<std::size_t>(study.points - study.answered);
     if (words.json)
-      object["studies"].push_back(json_of(study.name, status));
+      object["studies"].push_back(object_of(study.name, status));
     else
       print_lines(session.out, study.name, status, words);
     if (status.missing > 0) session.status = ExitStatus::no_answer;

@@ -10,14 +10,14 @@ namespace rollres {
 namespace {
 
 constexpr int most_relief_nodes = 64;
-constexpr double room_around_contact = 0.2, room_for_displacements = 1.1;  // [half-lengths of the contact]
+constexpr double room_around_relief = 0.2, room_for_relief = 1.1;  // [half-lengths of the contact]
 
 }  // namespace
 
 FigureText relief(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   const std::string_view name = figure.name.substr(0, figure.name.find("_surface"));
   const ShownField shown = shown_field(source, name);
-  const MapView view(source, shown.traction ? room_around_contact : room_for_displacements);
+  const MapView view(source, shown.traction ? room_around_relief : room_for_relief);
   const ScaledUnit unit = figure_unit(shown.unit, largest(shown.values));
   const PlaneField field = plane_field(source.surface.grid, view.nodes(source.surface.grid, most_relief_nodes), view,
                                        shown.values, unit.factor);

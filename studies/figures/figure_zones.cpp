@@ -6,12 +6,12 @@ namespace rollres {
 namespace {
 
 constexpr int most_marks = 60;
-constexpr double room_around_contact = 0.15;  // [half-lengths of the contact]
+constexpr double room_around_zones = 0.15;  // [half-lengths of the contact]
 
 }  // namespace
 
 FigureText zone_map(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
-  const MapView view(source, room_around_contact);
+  const MapView view(source, room_around_zones);
   FigureMap map(figure, source, files, view, false);
   map.fill_contact();
   map.draw_borders();

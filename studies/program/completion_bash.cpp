@@ -7,7 +7,7 @@ namespace rollres {
 
 namespace {
 
-constexpr const char* script = R"sh(# Completion of rollres for bash, written by `rollres completion bash`.
+constexpr const char* bash_script = R"sh(# Completion of rollres for bash, written by `rollres completion bash`.
 
 _rollres_inputs=@INPUTS@
 _rollres_keys=@KEYS@
@@ -90,7 +90,7 @@ _rollres() {
 complete -o bashdefault -o default -F _rollres rollres
 )sh";
 
-std::string action(const OptionWords& option) {
+std::string bash_action(const OptionWords& option) {
   switch (word_kind(option)) {
     case WordKind::choice:
       return "_rollres_words " + shell_word(one_line_of(option.choices));
@@ -137,13 +137,13 @@ std::string bash_completion(const CommandWords& program) {
     std::string of_words = "_rollres_nothing";
     for (const OptionWords& option : command.options) {
       if (option.positional) {
-        of_words = action(option);
+        of_words = bash_action(option);
         continue;
       }
       names.insert(names.end(), option.names.begin(), option.names.end());
       if (option.value.empty()) continue;
       for (const std::string& name : option.names)
-        values[action(option)].push_back(shell_word(command.name + " " + name));
+        values[bash_action(option)].push_back(shell_word(command.name + " " + name));
     }
     options["_rollres_words " + shell_word(one_line_of(names))].push_back(command.name);
     words[of_words].push_back(command.name);
@@ -154,13 +154,13 @@ std::string bash_completion(const CommandWords& program) {
   std::string names;
   for (const NamedInput& input : named_inputs())
     names += "    " + input.key + ") echo " + shell_word(one_line_of(input.names)) + " ;;\n";
-  return filled(script, {{"INPUTS", shell_word(words_of_inputs())},
-                         {"KEYS", shell_word(words_of_all_keys())},
-                         {"NAMES", names},
-                         {"STUDIES", std::string(list_stored)},
-                         {"VALUES", text_of(values, "    ")},
-                         {"OPTIONS", text_of(options, "          ")},
-                         {"WORDS", text_of(words, "          ")}});
+  return filled(bash_script, {{"INPUTS", shell_word(words_of_inputs())},
+                              {"KEYS", shell_word(words_of_all_keys())},
+                              {"NAMES", names},
+                              {"STUDIES", std::string(list_stored)},
+                              {"VALUES", text_of(values, "    ")},
+                              {"OPTIONS", text_of(options, "          ")},
+                              {"WORDS", text_of(words, "          ")}});
 }
 
 }  // namespace rollres

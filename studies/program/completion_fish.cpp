@@ -4,7 +4,7 @@ namespace rollres {
 
 namespace {
 
-constexpr const char* script = R"sh(# Completion of rollres for fish, written by `rollres completion fish`.
+constexpr const char* fish_script = R"sh(# Completion of rollres for fish, written by `rollres completion fish`.
 
 set -g __rollres_inputs @INPUTS@
 set -g __rollres_keys @KEYS@
@@ -62,7 +62,7 @@ std::string fish_word(std::string_view text) {
 }
 
 /// Switches of `complete` for a value.
-std::string action(const OptionWords& option) {
+std::string fish_action(const OptionWords& option) {
   switch (word_kind(option)) {
     case WordKind::choice:
       return " -x -a " + fish_word(one_line_of(option.choices));
@@ -87,10 +87,10 @@ std::string action(const OptionWords& option) {
 /// @param command empty: the program itself
 std::string line(const std::string& command, const OptionWords& option) {
   std::string text = "complete -c rollres -n '__rollres_command_is" + (command.empty() ? "" : " " + command) + "'";
-  if (option.positional) return text + (word_kind(option) == WordKind::file ? " -F" : action(option)) + "\n";
+  if (option.positional) return text + (word_kind(option) == WordKind::file ? " -F" : fish_action(option)) + "\n";
   for (const std::string& name : option.names)
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-  return text + (option.value.empty() ? "" : action(option)) + " -d " + fish_word(option.meaning) + "\n";
+  return text + (option.value.empty() ? "" : fish_action(option)) + " -d " + fish_word(option.meaning) + "\n";
 }
 
 }  // namespace
@@ -105,11 +105,11 @@ std::string fish_completion(const CommandWords& program) {
         "complete -c rollres -n __rollres_command_is -a " + command.name + " -d " + fish_word(command.meaning) + "\n";
   for (const CommandWords& command : program.commands)
     for (const OptionWords& option : command.options) lines += line(command.name, option);
-  return filled(script, {{"INPUTS", words_of_inputs()},
-                         {"KEYS", words_of_all_keys()},
-                         {"NAMES", names},
-                         {"STUDIES", std::string(list_stored)},
-                         {"COMPLETE", lines}});
+  return filled(fish_script, {{"INPUTS", words_of_inputs()},
+                              {"KEYS", words_of_all_keys()},
+                              {"NAMES", names},
+                              {"STUDIES", std::string(list_stored)},
+                              {"COMPLETE", lines}});
 }
 
 }  // namespace rollres

@@ -5,7 +5,7 @@ namespace rollres {
 
 namespace {
 
-constexpr const char* script = R"sh(#compdef rollres
+constexpr const char* zsh_script = R"sh(#compdef rollres
 # Completion of rollres for zsh, written by `rollres completion zsh`.
 
 # Values of an input that takes one of some names.
@@ -68,7 +68,7 @@ std::string inside(std::string_view text) {
   return out;
 }
 
-std::string action(const OptionWords& option) {
+std::string zsh_action(const OptionWords& option) {
   switch (word_kind(option)) {
     case WordKind::choice:
       return "(" + one_line_of(option.choices) + ")";
@@ -96,7 +96,7 @@ std::string specifications(const CommandWords& command, const std::string& inden
   int position = 0;
   const auto add = [&](const std::string& words) { text += " \\\n" + indent + shell_word(words); };
   for (const OptionWords& option : command.options) {
-    const std::string value = option.value.empty() ? "" : ":" + inside(option.value) + ":" + action(option);
+    const std::string value = option.value.empty() ? "" : ":" + inside(option.value) + ":" + zsh_action(option);
     if (option.positional) {
       add((option.many ? "*" : std::to_string(++position)) + (option.required || option.many ? "" : ":") + value);
       continue;
@@ -119,13 +119,13 @@ std::string zsh_completion(const CommandWords& program) {
     commands += "    " + shell_word(inside(command.name) + ":" + inside(command.meaning)) + "\n";
     arguments += "    " + command.name + ")\n      _arguments" + specifications(command, "        ") + "\n      ;;\n";
   }
-  return filled(script, {{"NAMES", names},
-                         {"STUDIES", std::string(list_stored)},
-                         {"INPUTS", words_of_inputs()},
-                         {"KEYS", words_of_all_keys()},
-                         {"COMMANDS", commands},
-                         {"PROGRAM", specifications(program, "    ")},
-                         {"ARGUMENTS", arguments}});
+  return filled(zsh_script, {{"NAMES", names},
+                             {"STUDIES", std::string(list_stored)},
+                             {"INPUTS", words_of_inputs()},
+                             {"KEYS", words_of_all_keys()},
+                             {"COMMANDS", commands},
+                             {"PROGRAM", specifications(program, "    ")},
+                             {"ARGUMENTS", arguments}});
 }
 
 }  // namespace rollres

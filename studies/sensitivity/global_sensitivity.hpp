@@ -14,6 +14,8 @@ namespace rollres {
 /// A function of the unit cube; NaN where it has no value. Called by several threads at once.
 using CubeFunction = std::function<double(std::span<const double>)>;
 
+inline constexpr double in_95_percent = 1.96;  ///< standard deviations
+
 struct EstimatedIndex {
   double value = 0;
   double error = 0;  ///< half-width of its 95 % interval

@@ -12,8 +12,6 @@ namespace rollres {
 namespace {
 
 constexpr double step = 2.0 / 3;  // between levels 0, 1/3, 2/3, 1
-constexpr double in_95_percent = 1.96;
-
 /// Where one trajectory goes: from `start`, along the inputs in this order.
 struct Trajectory {
   std::vector<double> start;

@@ -12,8 +12,6 @@ namespace rollres {
 namespace {
 
 constexpr std::size_t fewest_rows = 8;
-constexpr double in_95_percent = 1.96;  // standard deviations
-
 /// Values of a row: at A, at B, and at A with each column of B.
 struct Row {
   double a, b;

@@ -23,6 +23,8 @@ struct ChoiceNames<AxisScale> {
   static constexpr std::array<std::string_view, 3> names{"auto", "linear", "logarithmic"};
 };
 
+inline std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
+
 /// A column of the stored rows; an axis is shown as it was given, not as it was found.
 /// @param option  for the message
 /// @throws std::invalid_argument naming option and key, and the nearest known one

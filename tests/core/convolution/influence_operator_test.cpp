@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "core/newton/contact_problem.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 

@@ -1,7 +1,6 @@
 #include "core/estimate/contact_estimate.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -9,13 +8,13 @@
 #include "core/reference/reference_solutions.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/elastic_layer_contact.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 using std::numbers::pi;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double R = 0.1, G = 0.8e6;
 
 }  // namespace

@@ -1,17 +1,15 @@
 #include "core/influence/elastic_kernel.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "core/numerics/quadrature.hpp"
 #include "tests/catch.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 using namespace rollres::coefficient;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Boussinesq (normal) and Cerruti (tangential) for a point force on an incompressible half-space of unit modulus.
 Coefficients point_force(double x, double y) {

@@ -2,7 +2,6 @@
 /// trains.
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "core/influence/corner_function.hpp"
@@ -11,15 +10,15 @@
 #include "core/numerics/quadrature.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 using Component = std::vector<double> InfluenceTable::*;
-constexpr Component components[] = {&InfluenceTable::ww, &InfluenceTable::uu, &InfluenceTable::vv,
-                                    &InfluenceTable::uv, &InfluenceTable::uw, &InfluenceTable::vw};
+constexpr Component all_components[] = {&InfluenceTable::ww, &InfluenceTable::uu, &InfluenceTable::vv,
+                                        &InfluenceTable::uv, &InfluenceTable::uw, &InfluenceTable::vw};
 
 RollingScene with_inertia(double rayleigh) {
   RollingScene scene;
@@ -53,7 +52,7 @@ double largest(const InfluenceTable& table) {
 
 double difference(const InfluenceTable& a, const InfluenceTable& b) {
   double most = 0;
-  for (const Component c : components)
+  for (const Component c : all_components)
     for (std::size_t i = 0; i < (a.*c).size(); ++i) most = std::max(most, std::abs((a.*c)[i] - (b.*c)[i]));
   return most / largest(b);
 }
@@ -181,7 +180,7 @@ TEST_CASE("a moving force is one of a train far apart", "[core][moving_load]") {
   scene.series_terms = 4 * 75;
   const InfluenceTable train = influence_table(scene, grid);
   const double peak = largest(passage);
-  for (const Component c : components)
+  for (const Component c : all_components)
     for (int row = 2; row <= 8; ++row)
       for (int column = -8; column <= 8; ++column) {
         if (std::abs(column) < 2) continue;

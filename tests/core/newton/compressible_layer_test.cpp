@@ -1,7 +1,6 @@
 /// Bodies on compressible layers: Poisson's ratio below one half.
 
 #include <cmath>
-#include <limits>
 
 #include "core/derivatives/objective.hpp"
 #include "core/estimate/contact_estimate.hpp"
@@ -9,12 +8,11 @@
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 RollingScene elastic_scene(Indenter indenter, const Layer& layer) {
   RollingScene scene;

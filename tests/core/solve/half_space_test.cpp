@@ -2,17 +2,15 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/reference/reference_solutions.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 RollingScene on_half_space(Indenter indenter) {
   RollingScene scene;

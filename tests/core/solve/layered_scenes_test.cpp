@@ -1,19 +1,17 @@
 /// Rolling on several bonded layers, with coated bodies and with inertia.
 
 #include <cmath>
-#include <limits>
 
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
+#include "tests/infinite.hpp"
 #include "tests/plain_scene.hpp"
 
 using namespace rollres;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 RollingScene on_one_layer(Indenter indenter) {
   RollingScene scene;

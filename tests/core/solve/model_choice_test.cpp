@@ -3,18 +3,16 @@
 #include "core/solve/model_choice.hpp"
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 BondedLayer elastic_layer(double thickness, double modulus, double poisson_ratio) {
   BondedLayer layer;

@@ -84,7 +84,7 @@ bool check_answer(const RollingScene& scene, const RollingSolution& s) {
   return false;
 }
 
-void check_same(const RollingSolution& a, const RollingSolution& b) {
+void check_same_answer(const RollingSolution& a, const RollingSolution& b) {
   CHECK(a.status == b.status);
   if (a.status != Status::converged || b.status != Status::converged) return;
   // Both hold all laws to 2e-10 of the largest pressure; forces are measured by the load, as the resistance may vanish.
@@ -126,14 +126,14 @@ TEST_CASE("Krylov iteration and factorisation find the same contact", "[core][ra
     INFO("cylinder, seed " << seed);
     const RollingSolution iterated = solve(scene);
     scene.method = Method::newton_dense;
-    check_same(iterated, solve(scene));
+    check_same_answer(iterated, solve(scene));
   }
   for (unsigned seed = 401; seed <= 408; ++seed) {
     RollingScene scene = random_scene(Indenter::sphere, seed, 9);
     INFO("sphere, seed " << seed);
     const RollingSolution iterated = solve(scene);
     scene.method = Method::newton_dense;
-    check_same(iterated, solve(scene));
+    check_same_answer(iterated, solve(scene));
   }
 }
 

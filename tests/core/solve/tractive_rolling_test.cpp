@@ -1,18 +1,16 @@
 /// Rolling with a given torque or a given rotation on thick layers: Carter, Kalker, CONTACT.
 
 #include <cmath>
-#include <limits>
 
 #include "core/reference/reference_solutions.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/layer_compliance.hpp"
 #include "tests/catch.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Elastic incompressible layer under a cylinder whose Hertz half-width is R/500.
 RollingScene carter_scene(double used_friction, int nodes_in_half, double friction = 0.3) {

@@ -5,17 +5,16 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
-#include <limits>
 
 #include "core/surface/medium_expansion.hpp"
 #include "tests/catch.hpp"
+#include "tests/infinite.hpp"
 
 using namespace rollres;
 
 namespace {
 
 using complex = std::complex<double>;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 CreepSpectrum elastic(double modulus) { return {1 / modulus, {}}; }
 CreepSpectrum zener(double modulus, double stiffening, double time) {

@@ -32,7 +32,7 @@ Study grid() {
                    {.key = "speed", .values = {std::begin(speeds), std::end(speeds)}, .logarithmic = true}}};
 }
 
-std::string stored(const TemporaryDirectory& scratch, const Study& study, const Evaluate& evaluate = hill) {
+std::string stored_grid(const TemporaryDirectory& scratch, const Study& study, const Evaluate& evaluate = hill) {
   run_sweep(study, evaluate, scratch / "results.db");
   return (scratch / "results.db").string();
 }
@@ -41,7 +41,7 @@ std::string stored(const TemporaryDirectory& scratch, const Study& study, const 
 
 TEST_CASE("a map has a study's two longest axes, and marks the peak inside", "[studies][chart]") {
   const TemporaryDirectory scratch;
-  ResultStore store(stored(scratch, grid()), Access::read);
+  ResultStore store(stored_grid(scratch, grid()), Access::read);
   const StoredMap map = stored_map(store, {});
   const MapRequest& request = map.request;
   CHECK(map.points == 15);
@@ -68,7 +68,7 @@ TEST_CASE("a map is blank around a point without an answer and marks it", "[stud
     if (scene.speed == 100) solution.status = Status::not_converged;
     return solution;
   };
-  const std::string file = stored(scratch, grid(), failing);
+  const std::string file = stored_grid(scratch, grid(), failing);
   ResultStore store(file, Access::read);
   const MapRequest request = stored_map(store, {}).request;
   CHECK(request.nodes[7] == MapNode::unanswered);
@@ -112,7 +112,7 @@ TEST_CASE("a study file asks for a map as for any chart", "[studies][chart]") {
 
 TEST_CASE("the optimum of an optimisation is drawn into the map of the same inputs", "[studies][chart]") {
   const TemporaryDirectory scratch;
-  const std::string file = stored(scratch, grid());
+  const std::string file = stored_grid(scratch, grid());
   const auto study = scratch.write("best.json", R"({"study": "best",
       "scene": {"radius": 0.1, "layer_thickness": 0.01, "static_shear_modulus": 1e6, "material": "elastic",
                 "speed": 0.5, "load": 1.5e4},
@@ -144,7 +144,7 @@ TEST_CASE("a map that cannot be drawn is refused with what would help", "[studie
   const TemporaryDirectory scratch;
   Study study = grid();
   study.axes.push_back({.key = "radius", .values = {0.1, 0.2}});
-  const std::string file = stored(scratch, study);
+  const std::string file = stored_grid(scratch, study);
   const auto refusal = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"chart", "--db", file, "--map", "rolling_resistance"});
     const ProgramRun run = run_rollres(words, closed_form);

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
@@ -8,8 +8,6 @@
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
-using Json = nlohmann::json;
-
 namespace {
 
 /// A study of 20 points whose scene is a file of its own.

@@ -16,8 +16,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::string example(const std::string& name) { return source_directory().string() + "/studies/examples/" + name; }
-
 ProgramRun solving(const std::vector<std::string>& words) {
   return run_rollres(words, [](const RollingScene& scene) { return solve(scene); });
 }
@@ -53,7 +51,7 @@ void check_pictures(const std::filesystem::path& folder, const std::string& out,
 }
 
 /// Two speeds and two loads, with or without fields.
-std::string database(const TemporaryDirectory& scratch, bool with_fields) {
+std::string database_of_two_speeds(const TemporaryDirectory& scratch, bool with_fields) {
   const Study study{.name = "two speeds",
                     .base = plain_scene(),
                     .axes = {{.key = "load", .values = {1e4, 2e4}}, {.key = "speed", .values = {1, 0.1}}}};
@@ -124,7 +122,7 @@ TEST_CASE("rollres figures refuses bad input before it solves, and says why a sc
 
 TEST_CASE("the stored fields of a study become VTK collections with an axis as the time", "[studies][figure]") {
   const TemporaryDirectory scratch;
-  const std::string file = database(scratch, true);
+  const std::string file = database_of_two_speeds(scratch, true);
   const ProgramRun run = guarded({"figures", "--db", file, "--axis", "speed", "--out", scratch / "film"});
   CHECK(run.status == 0);
   CHECK(run.err.empty());
@@ -147,7 +145,8 @@ TEST_CASE("the stored fields of a study become VTK collections with an axis as t
 
 TEST_CASE("a study without stored fields says how to store them", "[studies][figure]") {
   const TemporaryDirectory scratch;
-  const ProgramRun run = guarded({"figures", "--db", database(scratch, false), "--out", scratch / "film"});
+  const ProgramRun run =
+      guarded({"figures", "--db", database_of_two_speeds(scratch, false), "--out", scratch / "film"});
   CHECK(run.status == 1);
   CHECK_THAT(run.err, Contains("4 points have no stored fields; rollres sweep STUDY --fields stores them"));
 }

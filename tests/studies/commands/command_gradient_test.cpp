@@ -12,10 +12,8 @@ using nlohmann::json;
 
 namespace {
 
-const std::string cylinder = source_directory().string() + "/studies/examples/paper_cylinder.json";
-
 ProgramRun run_gradient(std::vector<std::string> words, const Evaluate& evaluate = closed_form) {
-  words.insert(words.begin(), {"gradient", cylinder});
+  words.insert(words.begin(), {"gradient", example("paper_cylinder.json")});
   return run_rollres(words, evaluate);
 }
 
@@ -95,7 +93,8 @@ TEST_CASE("gradient reports the points where a step found no answer", "[studies]
 TEST_CASE("wrong words after gradient end with exit status 2 and one line", "[studies][gradient]") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> commands{
       {{}, "--inputs"},
-      {{"--inputs", "laod"}, cylinder + " with --inputs: laod: unknown input; did you mean load?"},
+      {{"--inputs", "laod"},
+       example("paper_cylinder.json") + " with --inputs: laod: unknown input; did you mean load?"},
       {{"--inputs", "approach"}, "approach: must be in the scene to be varied"},
       {{"--inputs", "load,load"}, "load: input given twice"},
       {{"--inputs", "method"}, "method: must be an input that is a real number"},

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-const char* const bowl = R"({"study": "bowl",
+const char* const bowl_study = R"({"study": "bowl",
   "scene": {"radius": 0.1, "layer_thickness": 0.005, "static_shear_modulus": 2e6, "stiffening": 2, "creep_time": 0.1,
             "speed": 1, "load": 1e4, "friction_coefficient": 0.3},
   "variables": {"layer_thickness": {"from": "1 mm", "to": "20 mm"}, "static_shear_modulus": {"from": 1e6, "to": 1e7}},
@@ -24,7 +24,7 @@ const char* const bowl = R"({"study": "bowl",
 TEST_CASE("rollres optimise prints the optimum, stores its evaluations as a study and repeats itself at no cost",
           "[studies][optimise]") {
   const TemporaryDirectory folder;
-  const std::string study = folder.write("bowl.json", std::string(bowl) + "}"), db = folder / "results.db";
+  const std::string study = folder.write("bowl.json", std::string(bowl_study) + "}"), db = folder / "results.db";
   const ProgramRun text = run_rollres({"optimise", study, "--db", db, "--out", folder / "course"}, Bowl::solve);
   CHECK(text.status == 0);
   CHECK_THAT(text.out, Catch::StartsWith("bowl: optimum\nminimise rolling_resistance: 1.0") &&
@@ -52,7 +52,8 @@ TEST_CASE("rollres optimise ends with status 1 without an optimum, 2 for wrong w
   const std::string db = folder / "results.db";
   const std::string none = folder.write(
       "none.json",
-      std::string(bowl).replace(std::string(bowl).find("\"peak_pressure >= 1\""), 20, "\"peak_pressure >= 100\"") +
+      std::string(bowl_study)
+              .replace(std::string(bowl_study).find("\"peak_pressure >= 1\""), 20, "\"peak_pressure >= 100\"") +
           "}");
   const ProgramRun text = run_rollres({"optimise", none, "--db", db}, Bowl::solve);
   CHECK(text.status == 1);
@@ -61,7 +62,7 @@ TEST_CASE("rollres optimise ends with status 1 without an optimum, 2 for wrong w
   CHECK(object.status == 1);
   CHECK(json::parse(object.out)["value"].is_null());
 
-  const std::string good = folder.write("good.json", std::string(bowl) + "}");
+  const std::string good = folder.write("good.json", std::string(bowl_study) + "}");
   CHECK(run_rollres({"optimise", good}, Bowl::solve).status == 2);
   CHECK(run_rollres({"optimise", good, "--db", db, "--algorithm", "simplex"}, Bowl::solve).status == 2);
   CHECK(run_rollres({"optimise", good, "--db", db, "--max-evaluations", "0"}, Bowl::solve).status == 2);
@@ -75,7 +76,7 @@ TEST_CASE("rollres optimise stores and draws a front", "[studies][optimise]") {
   const TemporaryDirectory folder;
   const std::string db = folder / "results.db";
   const std::string study =
-      folder.write("bowl.json", std::string(bowl) + R"(, "pareto": {"maximise": "peak_pressure", "points": 5}})");
+      folder.write("bowl.json", std::string(bowl_study) + R"(, "pareto": {"maximise": "peak_pressure", "points": 5}})");
   const ProgramRun text = run_rollres({"optimise", study, "--db", db, "--out", folder / "front"}, Bowl::solve);
   CHECK(text.status == 0);
   CHECK_THAT(text.out, Contains("the front is stored as study \"bowl front\""));

@@ -1,5 +1,5 @@
-#include <nlohmann/json.hpp>
 
+#include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
@@ -8,14 +8,12 @@
 
 using namespace rollres;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
-
 namespace {
 
 RollingSolution never(const RollingScene&) { throw std::logic_error("solved"); }
 
 /// Those at the highest speed fail.
-RollingSolution fails_when_fast(const RollingScene& scene) {
+RollingSolution fails_when_very_fast(const RollingScene& scene) {
   if (scene.speed > 2.5) throw std::runtime_error("singular matrix");
   return closed_form(scene);
 }
@@ -69,7 +67,7 @@ TEST_CASE("plan tells which points a database has, whichever study asked for the
   std::string part = study_text;
   part.replace(part.find("small"), 5, "other").replace(part.find("\"20 kN/m\""), 9, "\"30 kN/m\"");
   const std::string other = folder.write("other.json", part).string();
-  CHECK(run_rollres({"sweep", other, "--db", database}, fails_when_fast).status == 1);
+  CHECK(run_rollres({"sweep", other, "--db", database}, fails_when_very_fast).status == 1);
 
   const Json object = Json::parse(run_rollres({"plan", study, "--db", database, "--json"}, never).out);
   CHECK(object["stored"] == 3);

@@ -13,8 +13,6 @@ using nlohmann::json;
 
 namespace {
 
-const std::string cylinder = source_directory().string() + "/studies/examples/paper_cylinder.json";
-
 /// R = load * speed^2 / radius: its elasticities are 1, 2 and -1.
 RollingSolution power_law(const RollingScene& scene) {
   RollingSolution solution = closed_form(scene);
@@ -26,7 +24,8 @@ RollingSolution power_law(const RollingScene& scene) {
 
 TEST_CASE("sensitivity sorts the elasticities of all inputs that are present by their size", "[studies][sensitivity]") {
   const TemporaryDirectory folder;
-  const ProgramRun object = run_rollres({"sensitivity", cylinder, "--json", "--out", folder / "bars"}, power_law);
+  const ProgramRun object =
+      run_rollres({"sensitivity", example("paper_cylinder.json"), "--json", "--out", folder / "bars"}, power_law);
   CHECK(object.status == 0);
   const json inputs = json::parse(object.out)["inputs"];
   REQUIRE(inputs.size() == 10);  // neither spacing, nor what is absent or zero
@@ -38,17 +37,21 @@ TEST_CASE("sensitivity sorts the elasticities of all inputs that are present by 
   for (const json& input : inputs) CHECK(input["key"] != "spacing");
   CHECK(std::filesystem::file_size(folder / "bars.png") > 10000);
   CHECK_THAT(file_text(folder / "bars.svg"), Contains("radius"));
-  const ProgramRun text = run_rollres({"sensitivity", cylinder, "--set", "speed=1"}, power_law);
+  const ProgramRun text = run_rollres({"sensitivity", example("paper_cylinder.json"), "--set", "speed=1"}, power_law);
   CHECK(text.out.find("\nspeed ") < text.out.find("\nload "));
 }
 
 TEST_CASE("sensitivity gives indices over ranges of a scene and over those of study files", "[studies][sensitivity]") {
   const TemporaryDirectory folder;
   const std::string db = folder / "results.db";
-  const std::vector<std::string> words{
-      "sensitivity",          cylinder,  "--indices",          "sobol", "--samples", "64",     "--range",
-      "load=10 kN/m:30 kN/m", "--range", "creep_time=0.1:0.2", "--db",  db,          "--json", "--out",
-      folder / "sobol"};
+  const std::vector<std::string> words{"sensitivity",   example("paper_cylinder.json"),
+                                       "--indices",     "sobol",
+                                       "--samples",     "64",
+                                       "--range",       "load=10 kN/m:30 kN/m",
+                                       "--range",       "creep_time=0.1:0.2",
+                                       "--db",          db,
+                                       "--json",        "--out",
+                                       folder / "sobol"};
   const ProgramRun run = run_rollres(words, power_law);
   CHECK(run.status == 0);
   const json answer = json::parse(run.out);
@@ -61,7 +64,8 @@ TEST_CASE("sensitivity gives indices over ranges of a scene and over those of st
   CHECK(again["inputs"] == answer["inputs"]);
   CHECK_THAT(run_rollres({"list", "--db", db}, power_law).out, Contains("paper_cylinder sobol"));
 
-  const std::string sweep = folder.write("sweep.json", R"({"study": "s", "scene": ")" + cylinder + R"(",
+  const std::string sweep =
+      folder.write("sweep.json", R"({"study": "s", "scene": ")" + example("paper_cylinder.json") + R"(",
       "axes": {"speed": {"from": 1, "to": 2, "points": 2}, "load": [1e4, 2e4]}})");
   const json morris = json::parse(run_rollres({"sensitivity", sweep, "--indices", "morris", "--json"}, power_law).out);
   REQUIRE(morris["inputs"].size() == 1);
@@ -77,7 +81,7 @@ TEST_CASE("sensitivity gives indices over ranges of a scene and over those of st
 
 TEST_CASE("sensitivity refuses ranges that are none", "[studies][sensitivity]") {
   const auto refusal = [](const std::vector<std::string>& more) {
-    std::vector<std::string> words{"sensitivity", cylinder};
+    std::vector<std::string> words{"sensitivity", example("paper_cylinder.json")};
     words.insert(words.end(), more.begin(), more.end());
     const ProgramRun run = run_rollres(words, power_law);
     CHECK(run.status == 2);

@@ -1,18 +1,14 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/solve/rolling_contact.hpp"
+#include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
-using Json = nlohmann::json;
-
 namespace {
-
-std::string example(const std::string& name) { return source_directory().string() + "/studies/examples/" + name; }
 
 Json solved(const std::string& name, const std::string& method) {
   const ProgramRun run = run_rollres({"solve", example(name), "--json", "--set", "method=" + method},

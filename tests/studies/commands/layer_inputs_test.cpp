@@ -1,6 +1,5 @@
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "core/material/material.hpp"
@@ -11,6 +10,7 @@
 #include "studies/sensitivity/sensitivity.hpp"
 #include "studies/study/plan_table.hpp"
 #include "studies/text/key_words.hpp"
+#include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
@@ -19,8 +19,6 @@
 
 using namespace rollres;
 using Catch::Matchers::Contains;
-using json = nlohmann::ordered_json;
-
 namespace {
 
 constexpr const char* thickness = "coating_layers[0].layer_thickness";
@@ -35,8 +33,8 @@ RollingSolution bowl(const RollingScene& scene) {
   return solution;
 }
 
-json coated_scene() {
-  const json coating{
+Json coated_scene() {
+  const Json coating{
       {"layer_thickness", "12 mm"}, {"static_shear_modulus", "2 MPa"}, {"stiffening", 1}, {"creep_time", "5 ms"}};
   return {{"radius", "50 mm"},
           {"layer_thickness", "infinite"},
@@ -48,30 +46,30 @@ json coated_scene() {
           {"friction_coefficient", 0}};
 }
 
-json study_of(const json& axes) { return {{"study", "tyres"}, {"scene", coated_scene()}, {"axes", axes}}; }
+Json study_of(const Json& axes) { return {{"study", "tyres"}, {"scene", coated_scene()}, {"axes", axes}}; }
 
 /// A folder in which the program runs on files written for it.
 struct Workshop {
   TemporaryDirectory folder;
   std::string database = folder / "results.db";
 
-  std::string write(const json& object) const { return folder.write("input.json", object.dump()).string(); }
+  std::string write(const Json& object) const { return folder.write("input.json", object.dump()).string(); }
   ProgramRun run(std::vector<std::string> words) const { return run_rollres(words, bowl); }
   ProgramRun solve(const std::vector<std::string>& overrides) const {
     std::vector<std::string> words{"solve", write(coated_scene()), "--json"};
     for (const std::string& word : overrides) words.insert(words.end(), {"--set", word});
     return run(words);
   }
-  std::vector<RollingScene> points(const json& study) const { return rollres::points(read_study(write(study))); }
-  std::string refusal(const json& study) const {
+  std::vector<RollingScene> points(const Json& study) const { return rollres::points(read_study(write(study))); }
+  std::string refusal(const Json& study) const {
     const std::string file = write(study);
     return message_of([&] { read_study(file); }).substr(file.size() + 2);
   }
-  json query(std::vector<std::string> words) const {
+  Json query(std::vector<std::string> words) const {
     words.insert(words.begin(), {"query", "--db", database, "--format", "json"});
     const ProgramRun found = run(words);
     CHECK(found.err.empty());
-    return json::parse(found.out);
+    return Json::parse(found.out);
   }
 };
 
@@ -81,7 +79,7 @@ TEST_CASE("an override replaces one input of a further layer and keeps the other
   const Workshop shop;
   const ProgramRun run = shop.solve({std::string(thickness) + "=8 mm", "coating_layers[0].static_young_modulus=9 MPa"});
   REQUIRE(run.status == 0);
-  const json coating = json::parse(run.out)["scene"]["coating_layers"][0];
+  const Json coating = Json::parse(run.out)["scene"]["coating_layers"][0];
   CHECK(coating["layer_thickness"] == 8e-3);
   CHECK(coating["static_young_modulus"] == 9e6);
   CHECK_FALSE(coating.contains("static_shear_modulus"));  // its place was taken
@@ -115,7 +113,7 @@ TEST_CASE("an override of a layer that is not there, or of what it has not, is r
   CHECK_THAT(refused("coating_layers[0].material=fractional_zener"), Contains("fractional_order is missing"));
   const ProgramRun both = shop.solve({std::string(modulus) + "=1 MPa", "coating_layers[0].static_young_modulus=9 MPa"});
   CHECK(both.status == 2);
-  json scene = coated_scene();
+  Json scene = coated_scene();
   scene[thickness] = "8 mm";
   const ProgramRun misplaced = shop.run({"solve", shop.write(scene)});
   CHECK(misplaced.status == 2);
@@ -135,7 +133,7 @@ TEST_CASE("further layers' inputs are axes: lists, intervals, choices, zips, sam
   CHECK(*scenes[2].coating_layers[0].static_shear_modulus == Approx(2e6).epsilon(1e-14));
   CHECK(scenes[1].coating_layers[0].material == MaterialModel::elastic);
 
-  json varied = study_of({{"tyre", {{"zip", {{thickness, {"4 mm", "8 mm"}}, {"load", {"8 kN/m", "9 kN/m"}}}}}}});
+  Json varied = study_of({{"tyre", {{"zip", {{thickness, {"4 mm", "8 mm"}}, {"load", {"8 kN/m", "9 kN/m"}}}}}}});
   varied["sample"] = {
       {"method", "sobol"}, {"points", 8}, {"ranges", {{modulus, {{"from", "1 MPa"}, {"to", "4 MPa"}}}}}};
   varied["set"] = {{"coating_layers[0].stiffening", 3}};
@@ -156,7 +154,7 @@ TEST_CASE("the example of a tyre varies its thickness and its modulus", "[studie
 
 TEST_CASE("axes of layers that a scene has not are refused by name", "[studies][layers]") {
   const Workshop shop;
-  const auto refusal = [&](const std::string& key, const json& values) {
+  const auto refusal = [&](const std::string& key, const Json& values) {
     return shop.refusal(study_of({{key, values}}));
   };
   CHECK_THAT(refusal("coating_layers[1].layer_thickness", {1e-3, 2e-3}),
@@ -167,7 +165,7 @@ TEST_CASE("axes of layers that a scene has not are refused by name", "[studies][
   CHECK_THAT(refusal(thickness, {1e-3, 2}), Contains("axes at coating_layers[0].layer_thickness = 2: coating_layers"));
   CHECK_THAT(shop.refusal(study_of({{modulus, {1e6, 2e6}}, {"coating_layers[0].static_young_modulus", {3e6, 4e6}}})),
              Contains("cannot be an axis together with coating_layers[0].static_young_modulus"));
-  json unknown_name = study_of({{thickness, {1e-3, 2e-3}}});
+  Json unknown_name = study_of({{thickness, {1e-3, 2e-3}}});
   unknown_name["constraints"] = {"coating_layers[0].layer_thicknes > 0"};
   CHECK_THAT(shop.refusal(unknown_name), Contains("did you mean coating_layers[0].layer_thickness?"));
 }
@@ -206,14 +204,14 @@ TEST_CASE("queries filter, sort and group by further layers' inputs", "[studies]
   const std::string study =
       shop.write(study_of({{thickness, {"4 mm", "8 mm", "12 mm"}}, {modulus, {"1 MPa", "3 MPa"}}}));
   REQUIRE(shop.run({"sweep", study, "--db", shop.database}).status == 0);
-  const json thin = shop.query({std::string(thickness) + "<9 mm", std::string("--sort=-") + modulus + "," + thickness,
+  const Json thin = shop.query({std::string(thickness) + "<9 mm", std::string("--sort=-") + modulus + "," + thickness,
                                 "--columns", std::string(thickness) + "," + modulus});
   REQUIRE(thin.size() == 4);
   CHECK(thin[0][thickness] == 4e-3);
   CHECK(thin[0][modulus] == 3e6);
   CHECK(thin[3][modulus] == 1e6);
   CHECK(shop.query({"coating_layers[0].material=zener", "lower_layers[0].material="}).size() == 6);
-  const json groups =
+  const Json groups =
       shop.query({"--by", thickness, "--aggregate", std::string("count, max ") + modulus, "--sort", "-count"});
   REQUIRE(groups.size() == 3);
   CHECK(groups[0][std::string("max_") + modulus] == 3e6);
@@ -225,7 +223,7 @@ TEST_CASE("queries filter, sort and group by further layers' inputs", "[studies]
 TEST_CASE("studies whose coatings differ are compared point by point, and exported with columns for them",
           "[studies][compare][layers]") {
   const Workshop shop;
-  json study = study_of({{thickness, {"4 mm", "8 mm"}}});
+  Json study = study_of({{thickness, {"4 mm", "8 mm"}}});
   REQUIRE(shop.run({"sweep", shop.write(study), "--db", shop.database}).status == 0);
   study["study"] = "harder tyres";
   study["set"] = {{modulus, "3 MPa"}};
@@ -282,7 +280,7 @@ TEST_CASE("an optimisation finds the best thickness and modulus of a coating", "
        {"constraints", {"coating_layers[0].layer_thickness >= 10 mm"}}});
   const ProgramRun run = shop.run({"optimise", file, "--db", shop.database, "--json"});
   REQUIRE(run.status == 0);
-  const json variables = json::parse(run.out)["best"]["variables"];
+  const Json variables = Json::parse(run.out)["best"]["variables"];
   CHECK(variables[thickness].get<double>() == Approx(10e-3).epsilon(1e-3));
   CHECK(variables[modulus].get<double>() == Approx(3e6).epsilon(1e-2));
   CHECK(shop.run({"report", "--db", shop.database, "--out", shop.folder / "report.html"}).status == 0);
@@ -292,9 +290,9 @@ TEST_CASE("sensitivities of a scene are also those by its further layers' inputs
   const Workshop shop;
   const ProgramRun run = shop.run({"sensitivity", shop.write(coated_scene()), "--json"});
   REQUIRE(run.status == 0);
-  const json answer = json::parse(run.out);
+  const Json answer = Json::parse(run.out);
   double found = 0;
-  for (const json& input : answer["inputs"])
+  for (const Json& input : answer["inputs"])
     if (input["key"] == thickness) found = input["elasticity"];
   const double h = std::log(12.0 / 8), g = std::log(2.0 / 3);
   CHECK(found == Approx(2 * h / (1 + h * h + g * g)).epsilon(1e-4));
@@ -319,7 +317,7 @@ TEST_CASE("a fit finds a coating's modulus from tests on coatings of several thi
                                        {"parameters", {{modulus, {{"start", "4 MPa"}, {"lowest", "3.5 MPa"}}}}}});
   const ProgramRun run = shop.run({"fit", file, "--db", shop.database, "--json", "--out", shop.folder / "fit"});
   CHECK(run.status == 0);
-  const json parameter = json::parse(run.out)["parameters"][0];
+  const Json parameter = Json::parse(run.out)["parameters"][0];
   CHECK(parameter["name"] == modulus);
   CHECK(parameter["value"].get<double>() == Approx(5e6).epsilon(1e-4));
 }
@@ -327,8 +325,8 @@ TEST_CASE("a fit finds a coating's modulus from tests on coatings of several thi
 TEST_CASE("the list of quantities tells how further layers' inputs are named", "[studies][layers]") {
   const Workshop shop;
   CHECK_THAT(shop.run({"quantities"}).out, Contains("LIST[N].KEY"));
-  const json layers = json::parse(shop.run({"quantities", "--json"}).out)["further_layers"];
-  CHECK(layers["lists"] == json{"lower_layers", "coating_layers"});
+  const Json layers = Json::parse(shop.run({"quantities", "--json"}).out)["further_layers"];
+  CHECK(layers["lists"] == Json{"lower_layers", "coating_layers"});
   CHECK(layers["keys"].size() == 20);
   CHECK(in_words(thickness) == "layer thickness of coating 1");
   CHECK(in_words("rolling_resistance") == "rolling resistance");

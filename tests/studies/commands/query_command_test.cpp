@@ -1,16 +1,14 @@
-#include <nlohmann/json.hpp>
 
 #include "db/rows/result_store.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/stored/read_filter.hpp"
+#include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
-using Json = nlohmann::json;
-
 namespace {
 
 SurfaceFields two_nodes(double speed) {
@@ -21,7 +19,7 @@ SurfaceFields two_nodes(double speed) {
   return fields;
 }
 
-RollingSolution fails_when_fast(const RollingScene& scene) {
+RollingSolution with_fields_unless_fast(const RollingScene& scene) {
   if (scene.speed > 0.9) throw std::runtime_error("singular matrix");
   RollingSolution solution = closed_form(scene);
   solution.fields = two_nodes(scene.speed);
@@ -29,9 +27,9 @@ RollingSolution fails_when_fast(const RollingScene& scene) {
 }
 
 /// A study of six points, of which two have no answer.
-class Studied {
+class StudiedWithFields {
  public:
-  Studied() {
+  StudiedWithFields() {
     study_ = folder_
                  .write("study.json", R"({"study": "speed and load",
       "scene": {"indenter": "cylinder", "radius": "10 cm", "layer_thickness": "1 cm", "static_shear_modulus": "1 MPa",
@@ -44,11 +42,11 @@ class Studied {
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
 
   ProgramRun run(const std::string& command, std::vector<std::string> words,
-                 const Evaluate& evaluate = fails_when_fast) const {
+                 const Evaluate& evaluate = with_fields_unless_fast) const {
     words.insert(words.begin(), {command, "--db", database()});
     return run_rollres(words, evaluate);
   }
-  ProgramRun sweep(std::vector<std::string> words, const Evaluate& evaluate = fails_when_fast) const {
+  ProgramRun sweep(std::vector<std::string> words, const Evaluate& evaluate = with_fields_unless_fast) const {
     words.push_back(study_);
     return run("sweep", words, evaluate);
   }
@@ -61,7 +59,7 @@ class Studied {
 }  // namespace
 
 TEST_CASE("query groups rows and prints one line for each group", "[studies][commands]") {
-  const Studied studied;
+  const StudiedWithFields studied;
   CHECK(studied
             .run("query", {"speed<36 m/min", "--aggregate", "max rolling_resistance, mean speed,count", "--by", "load",
                            "--sort=-load"})
@@ -79,7 +77,7 @@ TEST_CASE("query groups rows and prints one line for each group", "[studies][com
 }
 
 TEST_CASE("query prints the answer to SQL in every format, and none as exit status 1", "[studies][commands]") {
-  const Studied studied;
+  const StudiedWithFields studied;
   const std::vector<std::string> words{"--sql", "SELECT speed, count(*) AS n FROM converged GROUP BY speed"};
   auto as = [&](const std::string& format) { return studied.run("query", {words[0], words[1], "--format", format}); };
   CHECK(as("table").out == "speed  n\n  0.1  2\n  0.5  2\n");
@@ -93,14 +91,14 @@ TEST_CASE("query prints the answer to SQL in every format, and none as exit stat
 }
 
 TEST_CASE("query takes a temperature on any scale", "[studies][commands]") {
-  const Studied studied;
+  const StudiedWithFields studied;
   CHECK(studied.run("query", {"temperature>200 degC"}).status == 1);  // nothing matches
   CHECK(read_filter("temperature=20 degC").value == "293.15");
   CHECK(read_filter("temperature>-4 degF").value == "253.15");
 }
 
 TEST_CASE("query refuses in one line what does not go together", "[studies][commands]") {
-  const Studied studied;
+  const StudiedWithFields studied;
   const std::vector<std::pair<std::vector<std::string>, std::string>> refusals{
       {{"--sql", "DELETE FROM evaluation"}, "sql: must only read"},
       {{"--sql", ""}, "sql: must be a statement, as in SELECT * FROM resistance"},
@@ -118,7 +116,7 @@ TEST_CASE("query refuses in one line what does not go together", "[studies][comm
 }
 
 TEST_CASE("sweep --retry solves failed points again", "[studies][commands]") {
-  const Studied studied;
+  const StudiedWithFields studied;
   const ProgramRun still = studied.sweep({"--retry", "failed"});
   CHECK(still.status == ExitStatus::no_answer);
   CHECK(still.out.find("6 of 6 points in " + studied.database() + ", 4 recalled, 2 solved in ") != std::string::npos);
@@ -130,7 +128,7 @@ TEST_CASE("sweep --retry solves failed points again", "[studies][commands]") {
 }
 
 TEST_CASE("show --fields writes the files that solve --fields writes", "[studies][commands]") {
-  const Studied studied;
+  const StudiedWithFields studied;
   const std::string out = studied.path("out").string();
   const ProgramRun none = studied.run("show", {"1", "--fields", out});
   CHECK(none.status == ExitStatus::no_answer);

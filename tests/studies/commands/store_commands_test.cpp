@@ -1,14 +1,12 @@
-#include <nlohmann/json.hpp>
 
 #include "db/rows/result_store.hpp"
+#include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
-using Json = nlohmann::json;
-
 namespace {
 
 /// Six points; those at the highest speed fail.

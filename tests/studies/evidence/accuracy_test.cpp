@@ -16,15 +16,13 @@ using namespace rollres;
 
 namespace {
 
-RollingScene example(const std::string& name) {
-  return read_scene(source_directory().string() + "/studies/examples/" + name + ".json");
-}
+RollingScene example_scene(const std::string& name) { return read_scene(example(name + ".json")); }
 
 constexpr double exact = 357.0, length = 7.5e-3;
 
 /// A scene that only the methods on a grid solve.
 RollingScene periodic_cylinder() {
-  RollingScene scene = example("paper_cylinder");
+  RollingScene scene = example_scene("paper_cylinder");
   scene.period = 0.2;
   return scene;
 }
@@ -84,17 +82,17 @@ AccuracyTrend trend_of(const AccuracyReport& report, Method method) {
 
 TEST_CASE("the usual spacings hold the scene's own and go from 8 to 500 nodes in 2D, to 130 in 3D",
           "[studies][accuracy]") {
-  const std::vector<double> cylinder = usual_spacings(example("paper_cylinder"));
+  const std::vector<double> cylinder = usual_spacings(example_scene("paper_cylinder"));
   REQUIRE(cylinder.size() == 13);
   CHECK(cylinder.front() == 1e-3);
   CHECK(cylinder[4] == 0.25e-3);
   CHECK(cylinder[5] == 176.8e-6);
   CHECK(cylinder.back() == 1e-3 / 64);
-  const std::vector<double> sphere = usual_spacings(example("paper_sphere"));
+  const std::vector<double> sphere = usual_spacings(example_scene("paper_sphere"));
   REQUIRE(sphere.size() == 9);
   CHECK(sphere.front() == 1e-3);
   CHECK(sphere.back() == 0.0625e-3);
-  RollingScene free_of_grid = example("paper_cylinder");
+  RollingScene free_of_grid = example_scene("paper_cylinder");
   free_of_grid.spacing.reset();
   CHECK(usual_spacings(free_of_grid).size() == 13);
 }
@@ -295,7 +293,7 @@ TEST_CASE("a cylinder's errors are measured against the spectral method, which h
   };
   AccuracyOptions options = unlimited;
   options.levels = 3;
-  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), options, measure);
+  const AccuracyReport report = measure_accuracy("scene", example_scene("paper_cylinder"), options, measure);
   CHECK(report.reference.method == Method::spectral);
   CHECK(report.reference.rolling_resistance == Approx(true_resistance).epsilon(1e-11));
   CHECK(report.reference.uncertainty == 5e-12);
@@ -326,7 +324,7 @@ TEST_CASE("where a grid answers in place of the spectral method, it is no refere
     measured.solution.method = scene.method;
     return measured;
   };
-  const AccuracyReport report = measure_accuracy("scene", example("paper_cylinder"), unlimited, measure);
+  const AccuracyReport report = measure_accuracy("scene", example_scene("paper_cylinder"), unlimited, measure);
   CHECK(report.reference.method == Method::newton);
   const AccuracyPoint& left = *std::find_if(report.points.begin(), report.points.end(), [](const AccuracyPoint& point) {
     return point.method == Method::spectral;
