@@ -17,7 +17,8 @@ ScaledBesselK scaled_bessel_k(double x);
 
 /// b_n(x) = x int_0^inf e^{-x (cosh h - 1)} e^{-n h} sinh h dh for n = 0 ... count - 1, x > 0 (b_0 = 1): the mean over
 /// an exponential memory of length l/x beyond the edge of a contact of half-length l of the slope that pressures sqrt(1
-/// - t^2) U_{n-1}(t) give a half-space there. Between 0 and 1; relative accuracy is kept as x -> 0.
+/// - t^2) U_{n-1}(t) give a half-space there (core/spectral/README.md, (S12)). Between 0 and 1; relative accuracy is
+/// kept as x -> 0.
 /// @param k of the same x
 Eigen::VectorXd edge_memory(double x, int count, const ScaledBesselK& k);
 

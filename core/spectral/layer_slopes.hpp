@@ -10,7 +10,8 @@
 ///     tangential(x) = -1/(pi H^2) int k c'_ll sin(k x/H) dk    du/dx from a tangential force, odd
 ///     cross(x)      = -1/(pi H^2) int k c_x   cos(k x/H) dk    du/dx from a normal force, -dw/dx from a tangential,
 ///     even
-/// with the tables in units of 1/H. Beyond `layer_reach` the layer is at rest: the corrections cancel the half-space.
+/// with the tables in units of 1/H (core/spectral/README.md, (S24) for one material). Beyond `layer_reach` the layer is
+/// at rest: the corrections cancel the half-space.
 
 #include <vector>
 

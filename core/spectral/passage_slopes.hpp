@@ -2,13 +2,8 @@
 
 /// Slopes of any layered surface under a line force in steady passage, as corrections to those of a half-space.
 ///
-/// At the wavenumber k along the motion the surface yields by c(k, -k V), and the half-spaces of the materials next to
-/// the contact by D(-k V)/(2k), D being the problem's spectrum of creep. The slope is w' = D g; so that the elastic
-/// slopes g have the corrections
-///     normal(x)     = Re 1/pi int_0^inf i s_ww(k) e^{i k x} dk,      s = (k c - k c_deep)/D,
-///     tangential(x) = Re 1/pi int_0^inf i s_ll(k) e^{i k x} dk,
-///     cross(x)      = -Re 1/pi int_0^inf s_x(k) e^{i k x} dk,
-/// with a factor 1/(1 - i k T) for the mean over a memory T (wave_table.hpp).
+/// Fourier integrals of the surface's compliance at the frequencies of the passage over that of the half-spaces next to
+/// the contact, for their means over a memory as well (core/spectral/README.md, (S24); wave_table.hpp).
 
 #include <complex>
 #include <span>

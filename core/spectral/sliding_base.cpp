@@ -104,7 +104,7 @@ double SlidingBase::direction(double x) const {
   return m;
 }
 
-/// Mean of F_n(t; s) over the borders.
+/// Mean of F_n(t; s) over the borders: the recursion (S21).
 Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x) const {
   const double t = place_in(contact_, x);
   const Eigen::Index borders = transition.border_angles.size();
@@ -124,8 +124,9 @@ Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x
       leading_part = 2 * std::sinh(rate) * std::atan2(cosine_half, std::tanh(0.5 * rate) * sine_half);
     first(k) = leading_part + t * (M_PI - s) - 2 * sine_half * cosine_half;
   }
-  // What the rule over s makes of ln|t - s| against its exact mean. Inside the stick both are singular at every border
-  // of the rule, and their sum is not: it is taken in one at the nearest, the middle of the stick being one of them.
+  // What the rule over s makes of ln|t - s| against its exact mean (S22). Inside the stick both are singular at every
+  // border of the rule, and their sum is not: it is taken in one at the nearest, the middle of the stick being one of
+  // them.
   const double signed_place = place_in(transition.stick, x), place = std::abs(signed_place);
   const auto count = static_cast<double>(borders);
   double correction = 0;
@@ -154,6 +155,7 @@ Eigen::RowVectorXd SlidingBase::jump_mean(const Transition& transition, double x
   return mean;
 }
 
+/// (S21)
 Eigen::RowVectorXd SlidingBase::slope(double x) const {
   const double t = place_in(contact_, x);
   if (!transitions_.empty() && std::abs(t) > 1 && order_ * std::acosh(std::abs(t)) > 8) {

@@ -3,14 +3,9 @@
 /// The part of the shear that zones of stick start from: mu p m(x), with m = +-1 in the zones of slip.
 ///
 /// Slip in one direction: m is that direction on the whole contact. Between zones of different directions a and b the
-/// stick x = c' + l' t' has
-///     m = a (1/2 - arcsin(t')/pi) + b (1/2 + arcsin(t')/pi),
-/// a constant plus half-integer powers of the distance at each border, as the exact shear is, so that what remains is
-/// sqrt(1 - t'^2) times a smooth function. Then mu p m is the mean, over borders s that are distributed like
-/// 1/(pi sqrt(1 - s'^2)), of shear that jumps at s, whose field for p = sqrt(1 - t^2) U_n(t) follows from
-///     F_n(t; s) = int_{-1}^{s} sqrt(1 - r^2) U_n(r)/(t - r) dr,   F_{n+1} = 2 t F_n - F_{n-1} - 2 int sqrt(1-r^2) U_n
-///     dr;
-/// its logarithm at s = t is integrated over s exactly.
+/// stick at t' has m = a (1/2 - arcsin(t')/pi) + b (1/2 + arcsin(t')/pi), the mean of shear that jumps at borders
+/// distributed like 1/(pi sqrt(1 - s'^2)), so that what remains is sqrt(1 - t'^2) times a smooth function:
+/// core/spectral/README.md, (S20) to (S22).
 
 #include <Eigen/Core>
 #include <vector>

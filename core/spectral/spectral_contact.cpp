@@ -25,8 +25,8 @@ constexpr double plainly_wrong = 0.01;      // the same, seen at once
 constexpr int most_stays = 3;               // checks of all laws that find no smaller violation
 constexpr double slowest_fall = 0.9;        // of the last coefficients, from one order to the next
 
-/// The change from one order to the next, times how fast coefficients fall, is often too hopeful: so is the answer's
-/// estimate, which takes the laws between the points into account; calibrated by `rollres accuracy --random`. A
+/// The error estimate (core/spectral/README.md, (S27)). The change from one order to the next, times how fast
+/// coefficients fall, is often too hopeful; the laws between the points are taken into account too. A
 /// rotation that is given hands what the edges lack on to the traction.
 double cautious(double error, double violation, Drive drive) {
   constexpr double rounding = 1e-12;

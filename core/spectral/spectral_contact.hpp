@@ -1,6 +1,7 @@
 #pragma once
 
-/// Rolling of a cylinder with continuous contact edges: one domain for each zone, spectral in each.
+/// Rolling of a cylinder with continuous contact edges: one domain for each zone, spectral in each. Theory:
+/// core/spectral/README.md.
 ///
 /// The zones are guessed from a chain of cheap solutions (frictionless; one border between stick and slip; slip at the
 /// leading edge where that would overload the stick; the zones of a coarse grid), and every answer is checked against

@@ -1,7 +1,8 @@
 #pragma once
 
 /// Tractions and slopes of the surface at any point, from a spectral state. Nothing here uses the equations that the
-/// state was made to fulfil: what it finds in the contact is a check on them.
+/// state was made to fulfil: what it finds in the contact is a check on them. The fields are those of (S1), (S2) and
+/// (S21) in core/spectral/README.md.
 
 #include <optional>
 #include <vector>
@@ -16,8 +17,8 @@ class SpectralField {
  public:
   SpectralField(const SpectralProblem& problem, const SpectralState& state);
 
-  double pressure(double x) const;  // [Pa]
-  double shear(double x) const;     // [Pa]
+  double pressure(double x) const;  // (S9) with its tails [Pa]
+  double shear(double x) const;     // (S15) [Pa]
   double shear(double x, double pressure_there) const;
   Zone zone(double x) const;
 

@@ -38,11 +38,11 @@ IntervalMemory::IntervalMemory(const SpectralProblem& problem, const Interval& i
     series(0, j) = bessel(0);
     has_tail.push_back(bessel(order) > 1e-17);
     if (!has_tail.back()) continue;
-    // U_{n-1} lifts it by -1/2 1/(n^2 - 1); sum_{n>1} I_n 2/(n^2 - 1) = I_0 + I_1/2 - (e^x - I_0)/x.
+    // (S23): U_{n-1} lifts it by -1/2 1/(n^2 - 1); sum_{n>1} I_n 2/(n^2 - 1) = I_0 + I_1/2 - (e^x - I_0)/x.
     tail_lift(j) = -(bessel(0) + 0.5 * bessel(1) - (1 - bessel(0)) / rate);
     for (Index n = 2; n <= order; ++n) tail_lift(j) += series(n, j) / static_cast<double>(n * n - 1);
     beyond.col(j) = 2 * scaled_bessel_i(rate, order + 1 + terms_at_a_distance).tail(terms_at_a_distance);
-    for (Index m = 0; m < terms; ++m) {  // all orders together in closed form, less those of the series
+    for (Index m = 0; m < terms; ++m) {  // all orders together (S13), less those of the series
       const double decay = half / problem.creep_length[static_cast<std::size_t>(m)];
       const ScaledBesselK& k = edge[static_cast<std::size_t>(m)];
       const double all =

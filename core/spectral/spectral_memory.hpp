@@ -10,7 +10,7 @@
 namespace rollres {
 
 /// The exponentials e^{(x - to)/rho_j} of an interval that ends at `to`, split at a density's order, and the memories
-/// R_{T_m} beyond its leading end.
+/// R_{T_m} beyond its leading end (core/spectral/README.md, (S10), (S12), (S13)).
 struct IntervalMemory {
   Eigen::MatrixXd series;      // [n, j]: Chebyshev coefficients, n = 0 ... order; beyond it they are left to tails
   Eigen::MatrixXd beyond;      // [k, j]: and those of n = order + 1 + k, as many as matter at a distance; perhaps none
@@ -26,7 +26,7 @@ struct IntervalMemory {
   bool any_tail() const;
 };
 
-/// Solutions r_j of r - rho_j r' = slope of the body, at any point of the contact.
+/// Solutions r_j of r - rho_j r' = slope of the body, at any point of the contact (S6).
 class SlopeMemory {
  public:
   SlopeMemory(const SpectralProblem& problem, const Interval& contact, std::size_t term);

@@ -11,10 +11,10 @@
 
 namespace rollres {
 
-/// Lengths in m, moduli in Pa. A memory of length T = V tau is int_0^inf e^{-s/T}/T (.)(x + s) ds, written R_T; with
-/// the elastic slope g of a surface of unit modulus the slope of the surface is w' = [J_inf + sum_m C_m R_{T_m}] g, and
-/// g = [G_inf - sum_j g_j R_{rho_j}] w' (creep and relaxation, core/material/relaxation.hpp). The spectrum is that of
-/// what lies next to the contact; all else is in the corrections to g.
+/// Lengths in m, moduli in Pa. With g the elastic slope of a surface of unit modulus the slope of the surface is
+/// w' = [J_inf + sum_m C_m R_{T_m}] g, and g = [G_inf - sum_j g_j R_{rho_j}] w', R_T the mean over a memory
+/// (core/spectral/README.md, (S3) and (S4)). The spectrum is that of what lies next to the contact; all else is in the
+/// corrections to g.
 struct SpectralProblem {
   /// @param creep what lies next to the contact, as by near_spectrum (contact_surface.hpp); of a single incompressible
   /// layer it is the material, and the scene's own is not looked at
@@ -33,8 +33,8 @@ struct SpectralProblem {
   double glassy_compliance;                                   // J_inf [1/Pa]
   std::vector<double> creep_length, creep_compliance;         // T_m, C_m
   std::vector<double> relaxation_length, relaxation_modulus;  // rho_j, g_j
-  Eigen::MatrixXd memory_factor;  // [j, m]: C_m T_m/(T_m - rho_j), so that R_{rho_j} w' = sum_m factor R_{T_m} g
-  double local_cross;             // slope u' of unit modulus under unit pressure, there only (nu < 1/2) [1]
+  Eigen::MatrixXd memory_factor;                              // [j, m]: F_jm of (S5)
+  double local_cross;  // slope u' of unit modulus under unit pressure, there only (section 6) [1]
   std::shared_ptr<const SlopeCorrection> correction;  // none for a half-space
 
   bool layered() const { return correction != nullptr; }

@@ -8,8 +8,8 @@
 
 namespace rollres {
 
-/// Newton's method with Broyden's updates on the residuals of `solve_inside`. Kept between orders: the slopes hardly
-/// change with them.
+/// Newton's method with Broyden's updates on the residuals of `solve_inside` (core/spectral/README.md, (S25)). Kept
+/// between orders: the slopes hardly change with them.
 class EdgeSearch {
  public:
   EdgeSearch(const SpectralProblem& problem, const SlipPattern& pattern) : problem_(problem), pattern_(pattern) {}

@@ -27,11 +27,12 @@ TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges
 /// Slopes of the surface under unit forces at a distance [m], as those of core/spectral/layer_slopes.hpp.
 using LayerKernel = std::function<LayerSlopes(double)>;
 
-/// What the layer adds to the elastic slopes g_w and g_u of unit modulus at points x [m], by unknown: [point, unknown].
+/// What the layer adds to the elastic slopes g_w and g_u of unit modulus at points x [m], by unknown: [point, unknown]
+/// (core/spectral/README.md, (S2)).
 Eigen::MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 Eigen::MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 
-/// Resultants by unknown, as in core/newton/contact_problem.hpp: P [N/m], Q [N/m], T/R [N/m].
+/// Resultants by unknown, as in core/newton/contact_problem.hpp: P [N/m], Q [N/m], T/R [N/m] (S18).
 Eigen::RowVectorXd load_row(const SpectralProblem& problem, const TractionSources& sources);
 Eigen::RowVectorXd force_row(const SpectralProblem& problem, const TractionSources& sources);
 Eigen::RowVectorXd torque_row(const TractionSources& sources);

@@ -13,7 +13,7 @@ struct PatternStart {
   SpectralEdges edges;
 };
 
-/// Coefficients that resolve a layer, for a first try.
+/// Coefficients that resolve a layer, for a first try (core/spectral/README.md, (S26)).
 int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance);
 
 /// The contact without friction, roughly. With long steps of the stiffening if need be.

@@ -95,6 +95,7 @@ class System {
     return [&correction = *problem_.correction](double x) { return correction.slope(x); };
   }
 
+  /// The rows (S11).
   void collocate_normal() {
     const Interval& contact = edges_.contact;
     const VectorXd x = points(contact, rule_);
@@ -110,7 +111,7 @@ class System {
     }
   }
 
-  /// Z_j + g_j sum_m factor_jm R_{T_m} g = ...
+  /// Left sides of (S8) and (S14): Z_j + g_j sum_m F_jm R_{T_m} g.
   void remember(Index amplitude, const MatrixXd& means) {
     for (Index j = 0; j < terms_; ++j) {
       auto row = matrix_.row(amplitude + j);
@@ -119,6 +120,7 @@ class System {
     }
   }
 
+  /// The means at the leading edge, by (S12) and (S13), and the rows (S8) of the pressure's amplitudes.
   void remember_normal() {
     means_ = MatrixXd::Zero(terms_, size_);
     const VectorXd leading_edge = VectorXd::Constant(1, edges_.contact.to);
@@ -164,13 +166,14 @@ class System {
         row(zone.amplitude() + j) += zone.memory.tail_field(static_cast<std::size_t>(j), zone.interval, x);
   }
 
+  /// The rows (S16).
   void collocate_stick(std::size_t z) {
     const Stick& zone = zones_[z];
     matrix_.block(zone.psi, zone.psi, stick_n_ + 1, stick_n_) = -0.5 * stick_rule_.images.rightCols(stick_n_);
     matrix_.block(zone.psi, zone.slack(), stick_n_ + 1, 1).setOnes();
     matrix_.block(zone.psi, rotation_, stick_n_ + 1, 1).setConstant(-1);
     // The amplitudes are those of the exponentials in the densities' own field: without slip ahead, the tails of the
-    // pressure, which the base follows, are tails of the stick as well.
+    // pressure, which the base follows, are tails of the stick as well (S17).
     MatrixXd kept;
     if (terms_ > 0) {
       kept = stick_rule_.images * zone.memory.series;
@@ -194,6 +197,7 @@ class System {
     }
   }
 
+  /// The rows of a stick's amplitudes, (S14) or (S17).
   void remember_stick(std::size_t z) {
     const Stick& zone = zones_[z];
     MatrixXd means = MatrixXd::Zero(terms_, size_);
@@ -246,7 +250,7 @@ class System {
       row(zone.amplitude() + j) += exponential(zone.interval, j, x) - images.dot(zone.memory.series.col(j));
   }
 
-  /// What the drive asks of the tractions, and how much.
+  /// What the drive asks of the tractions, and how much (S18).
   std::pair<RowVectorXd, double> drive_row() const {
     const RollingScene& scene = problem_.scene;
     const double half = edges_.contact.half_length();
@@ -280,6 +284,7 @@ class System {
     return 0;
   }
 
+  /// (S23)
   double approach() const {
     if (!problem_.layered()) return NAN;
     const double half = edges_.contact.half_length(), leading = edges_.contact.to;
@@ -342,7 +347,7 @@ class System {
     return wanted - row.dot(solution_);
   }
 
-  /// Bounded slip ahead of a stick: no root of the distance in the shear there, be it the base's or the rest's.
+  /// Bounded slip ahead of a stick: no root of the distance in the shear there, be it the base's or the rest's (S19).
   double root_at_leading_end(std::size_t z) const {
     const Stick& zone = zones_[z];
     const int change = pattern_.direction(z + 1) - pattern_.direction(z);

@@ -2,16 +2,12 @@
 
 /// The linear problem inside given edges of contact and borders of stick: tractions, memories and rotation.
 ///
-/// Contact x = c + l t, |t| <= 1; p = sqrt(1 - t^2) sum phi_n U_n(t). Where the body touches, w' is its slope, so that
-/// the elastic slope g = G_inf w' - sum_j g_j R_{rho_j} w' is known but for what each memory has at the leading edge:
-///     R_{rho_j} w'(x) = r_j(x) + (z_j - r_j(x+)) e^{(x - x+)/rho_j},      z_j = sum_m factor_jm R_{T_m} g (x+),
-/// r_j being any solution of r - rho_j r' = w'. The exponential's Chebyshev series is known to any order (Bessel
-/// functions); what lies beyond the order N of the densities goes into the pressure directly, as
-/// 4 Z_j e^{-l/rho_j} I_n(l/rho_j) U_{n-1}, n > N ("tails"), so that memories much shorter than the contact need no
-/// more unknowns. The same holds in the zone of stick, x = c' + l' t', where u' = R Omega/V - 1: there
-///     shear = base + sqrt(1 - t'^2) sum psi_n U_n(t'),
-/// the base being +-mu p outside the stick (sliding_base.hpp). Bounded tractions are possible for the right edges only:
-/// the constants that each system lacks are the residuals that the search for edges and borders must bring to zero.
+/// In the contact p = sqrt(1 - t^2) sum phi_n U_n(t), in a zone of stick shear = base + sqrt(1 - t'^2) sum psi_n
+/// U_n(t'), t and t' the places in contact and zone, the base being +-mu p outside the stick (sliding_base.hpp). Where
+/// the body touches w' is its slope, where it sticks u' = R Omega/V - 1, so that the elastic slopes are known but for
+/// what each memory has at the leading end, amplitudes Z_j of exponentials. Bounded tractions are possible for the
+/// right edges only: the constants that the system lacks are the residuals that the search for edges and borders must
+/// bring to zero. Derived in core/spectral/README.md, (S6) to (S19).
 
 #include <Eigen/Core>
 #include <cmath>
@@ -67,7 +63,7 @@ struct SpectralOrders {
 /// A density's unknowns on one interval.
 struct SpectralDensity {
   Eigen::VectorXd coefficients;  // phi_n or psi_n [Pa]
-  Eigen::VectorXd amplitudes;    // of the exponentials in the elastic slope, Z_j [Pa]
+  Eigen::VectorXd amplitudes;    // of the exponentials in the elastic slope, Z_j of (S7) [Pa]
 };
 
 struct SpectralState {
