@@ -116,6 +116,7 @@ CellFunctions::CellFunctions(double x, double y, double cell_x, double cell_y, I
     }
 }
 
+/// The coefficients h_l of (K14) and of its logarithms.
 CornerFunction::CornerFunction(const Harmonics& response)
     : response_(response), antiderivative_(Harmonics::Zero(6, response.cols() + 2)) {
   const Index count = response.cols();

@@ -6,14 +6,14 @@
 ///   K = g(theta)/r,   g = sum g_n cos 2n theta (ww, uu, vv), sum g_n sin 2n theta (uv), sum g_n cos (2n+1) theta (uw)
 ///   or sum g_n sin (2n+1) theta (vw).
 /// Their double antiderivatives F over x and y, whose differences over the corners of a rectangle are its response, are
-/// closed forms: logarithms as in Love's (1929), and r times a Fourier series.
+/// closed forms: logarithms as in Love's (1929), and r times a Fourier series (core/influence/README.md, (K14)).
 
 #include "core/influence/elastic_kernel.hpp"
 #include "core/influence/wave_directions.hpp"
 
 namespace rollres {
 
-/// Fourier coefficients of r K from those of k times the symbol.
+/// Fourier coefficients of r K from those of k times the symbol (K12).
 Harmonics response_harmonics(const Harmonics& symbols);
 
 /// sum of harmonics at the direction of (x, y), not both 0; coefficients in the order of elastic_kernel.hpp.

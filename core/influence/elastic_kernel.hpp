@@ -1,12 +1,12 @@
 #pragma once
 
-/// Displacements of an elastic surface under a force spread uniformly over one cell: the half-space's part in closed
-/// form plus the layer's correction from tables.
+/// Displacements of an elastic surface under a force spread uniformly over one cell (core/influence/README.md, (K3)):
+/// the half-space's part in closed form plus the layer's correction from tables.
 ///
 /// Sphere (cells ax by ay): Boussinesq's and Cerruti's solutions integrated over the cell (Love 1929; Kalker 1990),
-/// and four radial functions of r/H, Hankel transforms of the symbols' difference to the half-space.
+/// and four radial functions of r/H, Hankel transforms of the symbols' difference to the half-space (K4, K5).
 /// Cylinder (cells of length ax): ln|x| and ln(x^2 + 4 H^2) integrated over the cell, and antiderivatives of the
-/// cosine and sine transforms of what is left of the symbols.
+/// cosine and sine transforms of what is left of the symbols (K6).
 
 #include <Eigen/Core>
 #include <memory>

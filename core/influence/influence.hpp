@@ -4,7 +4,7 @@
 ///
 /// A nodal force is spread uniformly over its cell. The coefficients depend on the offset between receiving and
 /// loaded node only; they contain the layer, the material and the speed, so that a sum over nodes is the whole
-/// steady-state response of the layer (Zehil and Gavin 2013, eq. 5).
+/// steady-state response of the layer (Zehil and Gavin 2013, eq. 5). Theory: core/influence/README.md.
 
 #include <vector>
 
@@ -38,7 +38,8 @@ class InfluenceTable {
   int reach_x_ = 0, reach_y_ = 0;
 };
 
-/// Coefficients between all nodes of `grid` and one column beyond it (for differences along x).
+/// Coefficients between all nodes of `grid` and one column beyond it (for differences along x). Chooses the kernel:
+/// periodic_kernel.hpp, passage_kernel.hpp or composite_table.hpp.
 /// @throws std::invalid_argument if the scene's layer or material is not one this program knows
 InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid);
 

@@ -13,11 +13,12 @@ namespace rollres {
 inline constexpr double layer_table_end = 30.0;
 
 /// Radial functions of r/H [1/H], k c'(k)/(2 pi) against Bessel functions, c' the layer's symbols less the
-/// half-space's: normal (J0), mean tangential (J0), half difference tangential (J2), cross (J1).
+/// half-space's: normal (J0), mean tangential (J0), half difference tangential (J2), cross (J1): f_0 to f_3 of
+/// core/influence/README.md, (K5).
 using RadialTable = ChebyshevTable<4>;
 
 /// Antiderivatives over x/H of the correction to a line load, less the part (1 - e^{-2kH}) times the half-space's
-/// symbol that is known in closed form: normal, longitudinal [1], cross [1].
+/// symbol that is known in closed form: normal, longitudinal [1], cross [1]; the integrals of (K6).
 using LineTable = ChebyshevTable<3>;
 
 /// Tables for a Poisson's ratio, from a small cache shared by all threads; that of an incompressible layer is kept.

@@ -84,7 +84,7 @@ class AddedDisplacements {
   }
 
  private:
-  /// Long waves are taken out of it as e^{-2k}/k, whose transform is the logarithm.
+  /// The integrand of (K9). Long waves are taken out of it as e^{-2k}/k, whose transform is the logarithm.
   void transform(double k, std::span<complex> values) const {
     constexpr complex i(0, 1);
     const double along = k / depth_, half_cell = 0.5 * along * cell_;

@@ -4,8 +4,8 @@
 ///
 /// Short waves see half-spaces of the materials next to the contact, whose response to a cell is known for any memory
 /// (passage_kernel.hpp). What the layers add is a smooth function of the distance, a Fourier integral of the compliance
-/// itself at the frequencies of the passage (wave_table.hpp): nothing is expanded. With inertia the half-spaces'
-/// response is expanded in fixed retardation times (medium_expansion.hpp).
+/// itself at the frequencies of the passage (core/influence/README.md, (K9)): nothing is expanded. With inertia the
+/// half-spaces' response is expanded in fixed retardation times (medium_expansion.hpp).
 
 #include "core/influence/influence.hpp"
 #include "core/surface/contact_surface.hpp"

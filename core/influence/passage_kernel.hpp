@@ -2,9 +2,9 @@
 
 /// Influence coefficients of a single passage (no period), at any speed and for any creep spectrum.
 ///
-/// Each term of the spectrum is the elastic response convolved along x (passage_rules.hpp). The elastic values at the
-/// points of the integrals do not depend on speed or material: one table serves every scene with the same layer and
-/// spacing.
+/// Each term of the spectrum is the elastic response convolved along x (core/influence/README.md, (K7)). The elastic
+/// values at the points of the integrals do not depend on speed or material: one table serves every scene with the same
+/// layer and spacing.
 
 #include <memory>
 #include <vector>

@@ -84,6 +84,7 @@ PassageRules::Weights PassageRules::weights(double memory_length) const {
   return weights;
 }
 
+/// The recursion (K8), from the last column to the first.
 void PassageRules::add(InfluenceTable& table, int row, double compliance, const Weights& weights,
                        const std::vector<Coefficients>& values) const {
   const Coefficients& mirror = coefficient::mirror_x;

@@ -2,9 +2,8 @@
 
 /// The integrals of a single passage, row by row of nodes: where they need the elastic response, and their sums.
 ///
-/// With T = V tau_m the memory length of a term, its part of the displacement is the elastic one convolved along x,
-///   g(x) = int_0^inf e^{-s/T}/T K(x + s) ds,   g(x) = e^{-a/T} g(x + a) + int_0^a e^{-s/T}/T K(x + s) ds,
-/// one backward recursion per row of nodes.
+/// A memory of length T gives the elastic response K convolved along x, g(x) = int_0^inf e^{-s/T}/T K(x + s) ds: one
+/// backward recursion for each row of nodes (core/influence/README.md, (K8)).
 
 #include <array>
 #include <vector>

@@ -1,7 +1,8 @@
 #pragma once
 
 /// Influence coefficients of a periodic train of bodies: the sum over wavenumbers of Qiu (2006) and of Zehil and
-/// Gavin (2013b), folded onto a fast Fourier transform. The second route beside the single passage.
+/// Gavin (2013b), folded onto a fast Fourier transform (core/influence/README.md, (K15)). The second route beside the
+/// single passage.
 
 #include <functional>
 
@@ -12,7 +13,7 @@
 
 namespace rollres {
 
-/// Compliance of a surface for wavenumbers ky across the motion, made for one kx along it; k = 0 included [m/Pa].
+/// Compliance (K1) of a surface for wavenumbers ky across the motion, made for one kx along it; k = 0 included [m/Pa].
 using SymbolsAcross = std::function<SurfaceCompliance(double across)>;
 using SymbolsAlong = std::function<SymbolsAcross(double along)>;
 

@@ -41,7 +41,7 @@ std::vector<double> bessel_functions(double z, int count) {
   return values;
 }
 
-/// Transforms of the corrections' harmonics at distances from r0 to r1 over the length.
+/// Transforms of the corrections' harmonics at distances from r0 to r1 over the length (K13).
 class HankelTransform {
  public:
   HankelTransform(const WaveDirections& directions, double length, double r0, double r1)

@@ -2,7 +2,7 @@
 
 /// Influence coefficients of a sphere in a single passage over any layers, with inertia or without: each retardation
 /// time's response is that of an elastic surface (wave_directions.hpp), a half-space's in closed form plus a smooth
-/// correction from tables, with an exponential memory.
+/// correction from tables, with an exponential memory (core/influence/README.md, section 5).
 
 #include <memory>
 #include <vector>

@@ -28,7 +28,7 @@ Harmonics weights_of(int j, int count) {
   return weights;
 }
 
-/// The coefficients in a direction from symbols along and across the wave.
+/// The coefficients in a direction from symbols along and across the wave (K2).
 Coefficients in_direction(double cosine, const LayerSymbols& c) {
   const double sine = std::sqrt(1 - cosine * cosine), along = cosine * cosine, across = sine * sine;
   Coefficients values;

@@ -3,14 +3,10 @@
 /// A layered medium under a load that moves in steady motion, wave vector by wave vector.
 ///
 /// A wave at the angle phi to the motion moves at V cos phi: with inertia the compliance depends on the direction. Each
-/// direction has its expansion in retardation times (medium_expansion.hpp), at times common to all, so that
-///   c(k, phi, omega) ~ sum_m c_m(k, phi) / (1 + i omega tau_m),      omega = -k V cos phi,
-/// and c_m is real and even, like the response of an elastic surface that is not the same in all directions. The six
-/// coefficients are Fourier series of the angle with harmonics of k,
-///   ww, uu, vv: sum c_n cos 2n phi,   uv: sum c_n sin 2n phi,   uw: i sum c_n cos (2n+1) phi,   vw: i sum c_n sin
-///   (2n+1) phi,
-/// which converge geometrically below the speed of Rayleigh waves: c has its first singularity where V cos phi, of
-/// complex phi, reaches it.
+/// direction has its expansion in retardation times (medium_expansion.hpp), at times common to all, whose weights are
+/// real and even, like the response of an elastic surface that is not the same in all directions. The six coefficients
+/// are Fourier series of the angle with harmonics of k (core/influence/README.md, (K11)), which converge geometrically
+/// below the speed of Rayleigh waves: c has its first singularity where V cos phi, of complex phi, reaches it.
 
 #include <Eigen/Core>
 #include <vector>

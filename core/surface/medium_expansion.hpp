@@ -1,7 +1,7 @@
 #pragma once
 
 /// The compliance of a layered medium as a sum over fixed retardation times, wavenumber by wavenumber:
-///   c(k, omega) ~ sum_m c_m(k) / (1 + i omega tau_m),      tau_0 = 0.
+///   c(k, omega) ~ sum_m c_m(k) / (1 + i omega tau_m),      tau_0 = 0      (core/influence/README.md, (K10)).
 /// Layers of different materials do not share a spectrum: at each wavenumber the medium relaxes in its own way. Its
 /// times lie between the shortest relaxation time and the longest creep time of its layers, where a few tau_m a decade
 /// and the creep times themselves leave an error that is measured. The weights are real and found by least squares over
