@@ -34,8 +34,9 @@ class IterativeInfluence {
   void apply(const Tractions& tractions, Response& response);
 
   /// Approximately the pressure that gives -w and the shear that gives minus the slip, by the reciprocal of the
-  /// layer's symbols on the whole padded grid [Pa]; slips may be empty. The symbols are those of the layer and not of
-  /// the truncated coefficients, whose jump at the ends of the window can put a zero among them.
+  /// layer's symbols on the whole padded grid [Pa] (core/newton/README.md, (N10)); slips may be empty. The symbols are
+  /// those of the layer and not of the truncated coefficients, whose jump at the ends of the window can put a zero
+  /// among them.
   void approximate_inverse(const Response& wanted, Tractions& tractions);
 
  private:

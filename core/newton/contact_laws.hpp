@@ -1,9 +1,9 @@
 #pragma once
 
-/// The laws of contact as one equation of natural maps (Alart and Curnier 1991; Christensen et al. 1998),
+/// The laws of contact (N4) and (N5) as one equation of natural maps (Alart and Curnier 1991; Christensen et al. 1998),
 ///   p = max(0, p - gap/kappa),   tau = Proj_disc(mu p)(tau + slip/sigma),   load and drive rows,
-/// with kappa and sigma the response of a node to itself: how far they are violated, and which branch of them holds at
-/// each node.
+/// with kappa and sigma the response of a node to itself (core/newton/README.md, (N6)): how far they are violated, and
+/// which branch of them holds at each node.
 
 #include <vector>
 
@@ -18,7 +18,7 @@ using ContactMask = std::vector<char>;
 struct NaturalMaps {
   Displacements moved;
   Vector gap;              // profile - d - w [m]
-  Vector slip_x, slip_y;   // slip / V [1], at every node
+  Vector slip_x, slip_y;   // slip / V (N2) [1], at every node
   double largest = 0;      // largest residual of any law over the largest pressure [1]
   double mean_square = 0;  // sum of squares of the residuals over the squared largest pressure
 };
@@ -33,12 +33,12 @@ ContactMask loaded_nodes(const ContactUnknowns& x);
 ContactMask choose_contact(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
                            const NaturalMaps& maps, const ContactMask& before);
 
-/// Stick or slip at the nodes in contact by the law of friction. A cylinder whose rotation is unknown keeps at least
-/// one sticking node, without which the drive could not determine the rotation.
+/// Stick or slip at the nodes in contact by the law of friction, linearised as in (N7). A cylinder whose rotation is
+/// unknown keeps at least one sticking node, without which the drive could not determine the rotation.
 ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
                        const NaturalMaps& maps, const ContactMask& contact, bool all_stick = false);
 
-/// What the active laws miss.
+/// What the active laws miss: the right sides of (N8).
 LawResiduals law_residuals(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
                            const NaturalMaps& maps, const ActiveLaws& laws);
 

@@ -4,12 +4,8 @@
 ///
 /// A sphere's problem is even in y, so only rows with y >= 0 are kept and rows with y > 0 count twice in sums; a
 /// cylinder has a single row. Unknowns are the pressure p and the shear tractions on the nodes in contact, the
-/// approach d and the rotation ratio omega = R Omega / V, which obey
-///   w + d = profile (contact),  p >= -adhesion threshold,  profile - d - w >= 0 (free nodes),
-///   slip/V = (1 + du/dx - omega R(y)/R, dv/dx),  shear = projection of (shear + slip) onto the disc mu p,
-/// with forward differences along x (upwind: they keep the map from traction to slip monotone), and
-///   sum of vertical forces = P,  torque as the drive demands
-/// (Zehil and Gavin 2013, eqs. 12, 17, 19, 21, 25, 26, 31 with the corrections of README.md).
+/// approach d and the rotation ratio omega = R Omega / V; core/newton/README.md, (N1) to (N6), has their laws (Zehil
+/// and Gavin 2013, eqs. 12, 17, 19, 21, 25, 26, 31 with the corrections of README.md).
 
 #include <Eigen/Core>
 
@@ -37,7 +33,7 @@ struct ContactProblem {
   bool sphere, friction;
   Vector profile;                         // height of the body's lower surface above its lowest point [m]
   Vector rolling_radius;                  // R(y)/R [1]
-  Resultant load, torque, driving_force;  // P [N], T [N m], Q [N] (per metre for a cylinder)
+  Resultant load, torque, driving_force;  // (N3): P [N], T [N m], Q [N] (per metre for a cylinder)
   Resultant drive;                        // row that the drive sets to `drive_target`; unused with drive "rotation"
   double drive_target = 0;
 

@@ -203,7 +203,7 @@ class Assessment {
   void balance_power() {
     const RollingScene& scene = problem_.scene;
     const double speed = scene.speed, area = problem_.grid.cell_area(), radius = scene.radius;
-    double layer = 0, geometry = 0, friction = 0;  // powers over V
+    double layer = 0, geometry = 0, friction = 0;  // powers over V; geometry is (N23)
     for (Eigen::Index i = 0; i < problem_.grid.size(); ++i) {
       if (!contact(i)) continue;
       const double weight = area * count(i), x = problem_.grid.x(static_cast<int>(i % problem_.grid.columns));

@@ -12,10 +12,10 @@
 ///
 /// Power balance: R_r V = Q V + T Omega is what the drive gives; the layer takes
 ///   -V sum(F_W dw/dx + F_U du/dx + F_V dv/dx)
-/// and friction sum(F_t . w_t). The equilibrium of Zehil and Gavin keeps terms of second order in the slope (lever
-/// arms sqrt(R^2 - x^2), and Omega x in place of V dw/dx) that the linear layer does not know; their power, in closed
-/// form, is counted with the layer's. dw/dx is taken from the displacements of contact nodes, by differences of up to
-/// fourth order from inside the contact, so that `energy_residual` falls with the spacing at that order.
+/// and friction sum(F_t . w_t). Power of second order in the slope, which the linear layer does not know, is counted
+/// with the layer's (core/newton/README.md, (N23)). dw/dx is taken from the displacements of contact nodes, by
+/// differences of up to fourth order from inside the contact, so that `energy_residual` falls with the spacing at that
+/// order.
 
 #include "core/convolution/influence_operator.hpp"
 #include "core/newton/contact_problem.hpp"

@@ -12,7 +12,8 @@ namespace rollres {
 
 namespace {
 
-/// Moments of the creep spectrum, relative to the compliance at rest: A [s] and B [s2] of equation (2).
+/// Moments of the creep spectrum, relative to the compliance at rest: tau' [s] and m [s2] of core/newton/README.md,
+/// (N16).
 struct CreepMoments {
   double rest = 0, first = 0, second = 0;
 };
@@ -48,9 +49,9 @@ double edge_slopes(const Vector& pressure, Eigen::Index first, Eigen::Index last
 
 /// Integrals over the contact that the estimates are made of.
 struct ContactIntegrals {
-  double edges = 0;        // Delta
-  double edge_slopes = 0;  // int sum |d(p^2)/dx| dy
-  double roughness = 0;    // int int (dp/dx)^2 dx dy
+  double edges = 0;        // Delta of (N15)
+  double edge_slopes = 0;  // int sum |d(p^2)/dx| dy, of W (N18); (N19) has a factor more
+  double roughness = 0;    // int int (dp/dx)^2 dx dy (N21)
   double half_length = 0;  // [m]
   double pressure = 0;     // int int p dx dy [N]
 };
@@ -84,7 +85,7 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
 /// Share of friction in the loss up to which the viscous loss alone is mended: beyond, errors of both balance.
 constexpr double negligible_friction = 0.01;
 constexpr double least_share = 0.05;    // of the slow limit, below which the grid is left alone
-constexpr double largest_second = 0.5;  // second term of equation (2) over the first, beyond which it is not used
+constexpr double largest_second = 0.5;  // second term of (N18) over the first, beyond which it is not used
 
 /// Warns where a memory shorter than a cell may cost more than a hundredth of the rolling resistance.
 void warn_of_memory(const GridError& error, RollingSolution& solution) {
@@ -118,6 +119,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
     if (term.compliance > 0) error.memory_length = std::max(error.memory_length, scene.speed * term.time);
   if (moments.first == 0) return error;
 
+  // The two terms of (N17) and (N18).
   const double limit = scene.speed * moments.first * sums.pressure / scene.radius;
   const double modulus = 2 / (moments.rest * (1 - scene.poisson_ratio));
   const double second = scene.speed * scene.speed * (moments.second - 0.5 * moments.first * moments.first) * M_PI /
@@ -157,7 +159,7 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolut
   if (error.slow_share <= 0) return;
   const SurfaceFields& fields = solution.fields;
   const SurfaceGrid& grid = fields.grid;
-  double sheared = 0;
+  double sheared = 0;  // (N20)
   if (scene.friction_coefficient > 0)
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 1; column + 1 < grid.columns; ++column) {

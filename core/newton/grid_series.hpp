@@ -27,7 +27,8 @@ struct GridSeries {
 GridSeries fixed_grids(const RollingScene& scene, double spacing);
 
 /// Cells in proportion to the contact of a sphere: a node at the centre of pressure, and so many cells, in each
-/// direction, on the half-width of the elliptical contact whose pressure (like Hertz's) has the same second moments. As
+/// direction, on the half-width of the elliptical contact whose pressure (like Hertz's) has the same second moments
+/// (core/newton/README.md, (N13)). As
 /// the scene changes, the grid changes with the contact, and the nodes in contact hardly do: what is computed is
 /// smooth.
 GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width);

@@ -2,11 +2,9 @@
 
 /// The rows of the linearised laws of contact, in double precision for factorisation, in single for GMRES.
 ///
-/// For increments (dp, dtau, dd, domega) that vanish outside the contact:
-///   normal: -(dw + dd)/kappa,   stick: -dslip/sigma,
-///   slip:   dtau - mu n dp - beta (I - n n^T)(dtau + dslip/sigma),   load and drive over a scale of force.
-/// Unknowns and rows stand in the same order: pressure, shear_x, shear_y at the nodes in contact, then what the border
-/// has of d/kappa and omega/sigma.
+/// For increments (dp, dtau, dd, domega) that vanish outside the contact these are the left sides of
+/// core/newton/README.md, (N8), load and drive over a scale of force. Unknowns and rows stand in the same order:
+/// pressure, shear_x, shear_y at the nodes in contact, then what the border has of d/kappa and omega/sigma.
 
 #include <vector>
 

@@ -24,7 +24,7 @@ bool release(ContactUnknowns& x, const ContactMask& contact) {
 }
 
 /// Tolerance of the linear solution: what the step can gain, as the maps converge quadratically, and no more than the
-/// last step needs.
+/// last step needs (N9).
 double forcing(double residual, const NewtonOptions& options) {
   const double last = 0.05 * options.tolerance / residual;
   return std::clamp(std::max(residual, last), 1e-5, 2e-2);

@@ -4,7 +4,7 @@
 ///
 /// All laws, as one equation of natural maps (contact_laws.hpp), are solved for (p, tau_x, tau_y, d, omega) at once:
 /// each step holds the contact, stick and slip sets that the maps choose, solves the linearised laws, and is shortened
-/// where the norm of the maps does not fall.
+/// where the norm of the maps does not fall. Theory: core/newton/README.md, sections 2 to 4.
 
 #include "core/newton/contact_laws.hpp"
 

@@ -54,6 +54,7 @@ class KrylovRows {
     return rows_(x, scaled_);
   }
 
+  /// core/newton/README.md, (N12)
   Field precondition(const Field& right_side) {
     Field x = precondition_laws(right_side);
     const Eigen::Index border = rows_.border();
@@ -77,6 +78,7 @@ class KrylovRows {
       values(i) = factor * field(laws_.contact[static_cast<std::size_t>(i)]);
   }
 
+  /// (N11)
   Field precondition_laws(const Field& right_side) {
     const Eigen::Index n = rows_.contacts();
     const bool lateral = rows_.components() > 2;

@@ -41,8 +41,8 @@ class NewtonSystem {
 
   /// Factorises the dense matrix built from the coefficients themselves.
   LinearStep solve_dense(const InfluenceTable& table, const LawResiduals& residuals) const;
-  /// Right-preconditioned GMRES to a relative residual: in single precision, refined in double, unless that has failed
-  /// with this operator.
+  /// GMRES to a relative residual, right-preconditioned by core/newton/README.md, (N10) to (N12): in single precision,
+  /// refined in double, unless that has failed with this operator.
   LinearStep solve_krylov(const LawResiduals& residuals, double tolerance, int most_iterations) const;
 
  private:

@@ -99,6 +99,7 @@ ActiveLaws RotationPath::laws_at(const ContactUnknowns& x) const {
                      choose_contact(turning_, *level_->influence, x, maps, loaded));
 }
 
+/// core/newton/README.md, (N14)
 std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, const ContactUnknowns& measure) {
   const auto n = static_cast<Eigen::Index>(laws.contact.size());
   if (!turning_.sphere && std::count(laws.zone.begin(), laws.zone.end(), Zone::stick) == 0) {

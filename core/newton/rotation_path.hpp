@@ -2,13 +2,9 @@
 
 /// The solutions of a contact problem as a path in the rotation ratio omega.
 ///
-/// With friction the rotation ratio and the drive's force are two coordinates of one curve of solutions, which runs
-/// from the body that slides backwards (omega -> -infinity) to the one that spins forwards (+infinity): for a given
-/// rotation a solution exists, by Brouwer's theorem, for any friction (the tangential law, given the pressure, is
-/// monotone; the normal law, given the shear, is; and both are bounded by the load). Where shear lifts or drags down
-/// much of the contact (thin layers, friction near or above one) the solution is not unique: the curve folds back in
-/// omega. Within one set of active laws it is smooth (a cylinder's straight); folds are mostly kinks, where a node
-/// changes its law.
+/// It runs from the body that slides backwards (omega -> -infinity) to the one that spins forwards (+infinity); why one
+/// exists for every omega, and where it folds back, stands in core/newton/README.md, section 5. Within one set of
+/// active laws it is smooth (a cylinder's straight); folds are mostly kinks, where a node changes its law.
 ///
 /// The path is followed by steps in omega. Where the Newton method fails it goes along the tangent to the next kink,
 /// where the first node changes its law, and on along the tangent of the new laws, in whatever direction omega then
