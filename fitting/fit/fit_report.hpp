@@ -13,8 +13,9 @@ namespace rollres {
 /// In the order in which they are tested, from the worst: the first that holds is the status.
 enum class FitStatus {
   not_converged,   ///< no start had a prediction; or the slopes are noise (an estimated error of half their size or
-                   ///< more, that the data would feel); or the least misfit is thought to be farther than a tenth of a
-                   ///< standard error away, or than the noise of the model explains, at most one
+                   ///< more, that the data would feel), or leave a parameter uncertain by three standard errors; or the
+                   ///< least misfit is thought to be farther away than a tenth of a standard error and than the noise of
+                   ///< the model explains
   did_not_move,    ///< every descent that led here ended where it began, which is no proof of a least misfit
   not_identified,  ///< the data do not bound a parameter: an interval is open, or along the weakest direction the
                    ///< parameters change by a factor of e or more within one standard deviation

@@ -11,6 +11,7 @@ namespace {
 constexpr double noisy_slope = 0.5, doubtful_slope = 0.1;  // estimated error over slope
 constexpr double felt = 0.3;                               // error of a slope, in deviations of the data
 constexpr double near = 0.1, exactly = 1e-5;               // distance to the least misfit: standard errors, scaled
+constexpr double lost = 3;                                 // doubt of a step, standard errors
 constexpr double unlikely = 0.01;                          // of a test
 constexpr double strong = 0.98;                            // correlation
 
@@ -59,9 +60,14 @@ std::string not_converged(const FitReport& report) {
   for (std::size_t j = 0; j < report.parameters.size() && !flat; ++j) {
     const FittedParameter& fitted = report.parameters[j];
     const double distance = std::abs(report.errors.step[static_cast<Eigen::Index>(j)]);
-    // A noise e of residuals moves the misfit by about e, and its least place by the root of that.
-    const double enough = std::max(std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near),
-                                   std::min(doubt_of_step(report, static_cast<Eigen::Index>(j)), 1.0));
+    const double doubt = doubt_of_step(report, static_cast<Eigen::Index>(j));
+    if (doubt > lost)
+      return "the noise of the model, " + percent(report.noise) + " of its values, leaves " + fitted.parameter.name +
+             " uncertain by " + rounded(doubt) + " standard errors";
+    // A noise e of residuals moves the misfit by about e, and its least place by the root of that. A step that the
+    // errors of the slopes explain is no distance: 100 draws of a noise of 0.05 deviations of the data ended within
+    // 0.95 standard errors of the least misfit where the doubt was below 3, at steps of up to 1.03 times the doubt.
+    const double enough = std::max(std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near), 1.5 * doubt);
     if (distance > std::max(enough * fitted.relative_error, exactly))
       return fitted.parameter.name + " is thought to be " + rounded(distance / fitted.relative_error) +
              " standard errors away from the least misfit (the descent stopped: " + report.stopped + ")";

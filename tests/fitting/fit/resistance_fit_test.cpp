@@ -13,13 +13,15 @@ using namespace rollres;
 
 namespace {
 
-/// Rough values, as the same for the same scene: a relative noise of deviation 1e-3.
-RollingSolution noisy_resistance(const RollingScene& scene) {
-  RollingSolution solution = quick_resistance(scene);
-  double scattered = std::sin(1e7 * solution.rolling_resistance) * 43758.5453;
-  scattered -= std::floor(scattered);
-  solution.rolling_resistance *= 1 + 1e-3 * std::sqrt(12.0) * (scattered - 0.5);
-  return solution;
+/// Rough values, the same for the same scene: a relative noise of deviation 1e-3, another one for each draw.
+Evaluate noisy_resistance(int draw) {
+  return [draw](const RollingScene& scene) {
+    RollingSolution solution = quick_resistance(scene);
+    double scattered = std::sin(1e7 * solution.rolling_resistance + 0.37 * draw) * 43758.5453;
+    scattered -= std::floor(scattered);
+    solution.rolling_resistance *= 1 + 1e-3 * std::sqrt(12.0) * (scattered - 0.5);
+    return solution;
+  };
 }
 
 FitProblem known(FitProblem problem) {
@@ -125,16 +127,30 @@ TEST_CASE("speeds on one flank of the peak do not identify the material", "[fitt
 TEST_CASE("a step far below the model's noise is never called a success", "[fitting][resistance_fit]") {
   const auto scenes = measured(quick_resistance, spread_speeds(0.003, 3, 8), {1e4, 3e4}, 0.02);
   const FitReport forced =
-      fit(known(resistance_problem(scenes, zener_inputs(), noisy_resistance, {.step = 1e-8})), {.profiles = false});
+      fit(known(resistance_problem(scenes, zener_inputs(), noisy_resistance(0), {.step = 1e-8})), {.profiles = false});
   CHECK(name_of(forced.status) == "NOT CONVERGED");
   CHECK_THAT(forced.reason, Catch::Contains("are noise") && Catch::Contains("1e-08"));
+}
 
-  const FitReport own = fit(known(resistance_problem(scenes, zener_inputs(), noisy_resistance)), {.profiles = false});
-  INFO(own.reason);
-  CHECK(own.status >= FitStatus::usable_with_warnings);
-  CHECK(own.noise > 3e-4);
-  CHECK(own.parameters[0].step > 1e-3);
-  CHECK(std::abs(own.parameters[2].value - 0.1) < 3 * own.parameters[2].standard_error);
+TEST_CASE("steps of its own carry a fit over the model's noise, and a place that noise holds it at is no success",
+          "[fitting][resistance_fit]") {
+  const auto scenes = measured(quick_resistance, spread_speeds(0.003, 3, 8), {1e4, 3e4}, 0.02);
+  const FitReport smooth =
+      fit(known(resistance_problem(scenes, zener_inputs(), quick_resistance)), {.profiles = false});
+  // Which scenes are asked, and so their noise, hangs on the last digits: of 100 draws 99 were usable.
+  int usable = 0;
+  for (int draw = 0; draw < 8; ++draw) {
+    const FitReport own =
+        fit(known(resistance_problem(scenes, zener_inputs(), noisy_resistance(draw))), {.profiles = false});
+    INFO("draw " << draw << ": " << own.reason);
+    CHECK(own.noise > 3e-4);
+    CHECK(own.parameters[0].step > 1e-3);
+    if (own.status < FitStatus::usable_with_warnings) continue;
+    ++usable;
+    for (std::size_t j = 0; j < 3; ++j)
+      CHECK(std::abs(own.parameters[j].value - smooth.parameters[j].value) < 3 * smooth.parameters[j].standard_error);
+  }
+  CHECK(usable >= 5);
 }
 
 TEST_CASE("a fit that ends where it started says so", "[fitting][resistance_fit]") {
