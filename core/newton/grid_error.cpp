@@ -50,7 +50,7 @@ double edge_slopes(const Vector& pressure, Eigen::Index first, Eigen::Index last
 /// Integrals over the contact that the estimates are made of.
 struct ContactIntegrals {
   double edges = 0;        // Delta of (N15)
-  double edge_slopes = 0;  // int sum |d(p^2)/dx| dy, of W (N18); (N19) has a factor more
+  double edge_slopes = 0;  // int sum |d(p^2)/dx| cos(alpha) dy, of W (N18), (N19)
   double roughness = 0;    // int int (dp/dx)^2 dx dy (N21)
   double half_length = 0;  // [m]
   double pressure = 0;     // int int p dx dy [N]
@@ -61,6 +61,10 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
   ContactIntegrals sums;
   const SurfaceGrid& grid = problem.grid;
   const double spacing = grid.spacing_x;
+  struct Row {
+    double y, half_length, edge_slopes;
+  };
+  std::vector<Row> rows;  // of the contact
   for (int row = 0; row < grid.rows; ++row) {
     const double width = grid.spacing_y * (problem.sphere && grid.first_row + row > 0 ? 2 : 1);
     const Eigen::Index start = grid.index(0, row), end = start + grid.columns - 1;
@@ -74,10 +78,17 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
       sums.edges += 0.5 * width * pressure(i) * (std::max(gap(i + 1), 0.0) - std::max(gap(i - 1), 0.0));
     }
     if (first < 0) continue;
-    sums.half_length = std::max(sums.half_length, 0.5 * static_cast<double>(last - first + 1) * spacing);
-    sums.edge_slopes += width * edge_slopes(pressure, first, last, spacing);
+    rows.push_back({grid.y(row), 0.5 * static_cast<double>(last - first + 1) * spacing,
+                    width * edge_slopes(pressure, first, last, spacing)});
+    sums.half_length = std::max(sums.half_length, rows.back().half_length);
     for (Eigen::Index i = std::max(first, start + 1); i <= std::min(last + 1, end); ++i)
       sums.roughness += width * std::pow(pressure(i) - pressure(i - 1), 2) / spacing;
+  }
+  // The angle between the motion and the edge's normal, as of an ellipse.
+  const double half_width = problem.sphere && !rows.empty() ? rows.back().y + 0.5 * grid.spacing_y : INFINITY;
+  for (const Row& row : rows) {
+    const double across = row.y / half_width, along = std::sqrt(1 - across * across);
+    sums.edge_slopes += row.edge_slopes * along / std::hypot(along, across * sums.half_length / half_width);
   }
   return sums;
 }
@@ -173,7 +184,7 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolut
         if (!fields.v.empty()) sheared += fields.shear_y[i] * bend(fields.v);
       }
   const CreepMoments moments = creep_moments(creep_spectrum(scene));
-  const double loss = error.slow_loss + scene.speed * moments.first * grid.cell_area() * sheared;
+  const double loss = error.slow_loss - scene.speed * moments.first * grid.cell_area() * sheared;
   const double change = error.slow_share * (loss - solution.viscous_loss / scene.speed);
   solution.viscous_loss += change * scene.speed;
   solution.rolling_resistance += change;
