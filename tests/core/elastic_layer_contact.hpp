@@ -4,110 +4,20 @@
 // thickness 1/alpha, G = R = 1. S(h) = (sinh 2h - 2h)/(cosh 2h + 1 + 2 h^2) is the compliance of the layer over that of
 // the half-space at wavenumber h/H. For alpha up to about 20; beyond, the equations lose digits.
 
-#include <Eigen/Dense>
-#include <cmath>
-#include <numbers>
-
 namespace rollres::testing {
 
 struct LayerContact {
   double load, approach;
 };
 
-/// Wavenumbers h with Simpson's weights times 1 - S(h), which is below 1e-18 beyond the last.
-struct Correction {
-  Eigen::ArrayXd h, density;
-
-  explicit Correction(double alpha) {
-    const int steps = alpha < 6 ? 4000 : 12000;  // h alpha u changes by 0.1 at most
-    const double step = 25.0 / steps;
-    h = Eigen::ArrayXd::LinSpaced(steps + 1, 0, 25);
-    density.resize(steps + 1);
-    for (int k = 0; k <= steps; ++k) {
-      const double e = std::exp(-2 * h[k]);
-      const double S = ((1 - e * e) / 2 - 2 * h[k] * e) / ((1 + e * e) / 2 + (1 + 2 * h[k] * h[k]) * e);
-      density[k] = (1 - S) * step / 3 * (k == 0 || k == steps ? 1 : k % 2 == 1 ? 4 : 2);
-    }
-  }
-};
-
 /// Cylinder: p = sqrt(1 - t^2) phi(t), phi at n Gauss-Chebyshev nodes of the second kind, the slope of the surface
 /// collocated midway between them,
 ///     (1/2 pi) int p(t) [1/(x - t) - alpha int_0^inf (1 - S) sin(h alpha (x - t)) dh] dt = x.
-inline LayerContact layer_contact_line(double alpha, int n) {
-  using std::numbers::pi;
-  const Correction correction(alpha);
-  const auto& [h, density] = correction;
-  Eigen::MatrixXd system(n + 1, n);
-  Eigen::VectorXd shape(n + 1), node(n), weight(n);
-  for (int j = 0; j < n; ++j) {
-    node[j] = std::cos(pi * (j + 1) / (n + 1));
-    weight[j] = pi / (n + 1) * (1 - node[j] * node[j]);
-  }
-  for (int i = 0; i <= n; ++i) {
-    shape[i] = std::cos(pi * (i + 0.5) / (n + 1));
-    for (int j = 0; j < n; ++j) {
-      const double u = shape[i] - node[j];
-      system(i, j) = weight[j] / (2 * pi) * (1 / u - alpha * (density * (h * (alpha * u)).sin()).sum());
-    }
-  }
-  // By symmetry one equation is spare: least squares of a consistent system.
-  const Eigen::VectorXd phi = system.colPivHouseholderQr().solve(shape);
-  // Deflection at x = 0: kernel (1/2) [C - gamma - ln(alpha |t|) + int (1 - S)(1 - cos(h alpha t)) dh/h] / pi with
-  // C = int_0^inf [S - h^2/(1 + h^2)] dh/h = int [1/(1 + h^2) - (1 - S)] dh/h. Midpoint rule in ln h.
-  double C = 0;
-  for (double s = -14 + 0.005; s < 14; s += 0.01) {
-    const double at = std::exp(s), e = std::exp(-2 * at);
-    const double S =
-        at < 1e-3 ? 2 * at * at * at / 3 : ((1 - e * e) / 2 - 2 * at * e) / ((1 + e * e) / 2 + (1 + 2 * at * at) * e);
-    C += 0.01 * (S - at * at / (1 + at * at));
-  }
-  double sum = 0;
-  const auto tail = h.size() - 1;  // (1 - cos(h alpha t))/h is 0 at h = 0
-  for (int j = 0; j < n; ++j) {
-    const Eigen::ArrayXd wave = (h.tail(tail) * (alpha * node[j] / 2)).sin();
-    const double smooth = (density.tail(tail) * 2 * wave.square() / h.tail(tail)).sum();
-    sum += weight[j] * phi[j] * (C - std::numbers::egamma - std::log(alpha) + smooth);
-  }
-  // The logarithm acts on phi = sum b_m U_m: int sqrt(1 - t^2) U_m ln|t| dt = (pi/2) [T_{m+2}(0)/(m+2) - T_m(0)/m],
-  // with ln 2 in place of T_0/0.
-  for (int m = 0; m < n; m += 2) {
-    double b = 0;
-    for (int j = 0; j < n; ++j) {
-      const double angle = pi * (j + 1) / (n + 1);
-      b += 2 / pi * weight[j] * phi[j] * std::sin((m + 1) * angle) / std::sin(angle);
-    }
-    const double sign = m % 4 == 0 ? 1 : -1;  // T_m(0)
-    sum -= b * pi / 2 * (-sign / (m + 2) - (m == 0 ? std::numbers::ln2 : sign / m));
-  }
-  return {weight.dot(phi), sum / (2 * pi)};
-}
+LayerContact layer_contact_line(double alpha, int n);
 
 /// Sphere: p^(k) = int_0^1 phi(t) cos(k t) dt turns the contact into (Lebedev and Ufliand 1958)
 ///     phi(t) - (2/pi) int_0^1 phi(s) alpha int_0^inf (1 - S) cos(h alpha t) cos(h alpha s) dh ds = (4/pi)(d - t^2),
 /// phi(1) = 0, P = 2 pi int_0^1 phi; n Gauss-Legendre nodes after Golub and Welsch, phi(1) from the equation at t = 1.
-inline LayerContact layer_contact_sphere(double alpha, int n) {
-  using std::numbers::pi;
-  const Correction correction(alpha);
-  const auto& [h, density] = correction;
-  Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
-  for (int k = 1; k < n; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = k / std::sqrt(4.0 * k * k - 1);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rule(jacobi);
-  Eigen::VectorXd t(n + 1), weight = Eigen::VectorXd::Zero(n + 1);
-  t.head(n) = (rule.eigenvalues().array() + 1) / 2;
-  weight.head(n) = rule.eigenvectors().row(0).transpose().array().square();
-  t[n] = 1;
-  Eigen::MatrixXd cosines(h.size(), n + 1);
-  for (int i = 0; i <= n; ++i) cosines.col(i) = (h * (alpha * t[i])).cos();
-  const Eigen::MatrixXd weighted = density.matrix().asDiagonal() * cosines;
-  Eigen::MatrixXd system = -2 / pi * alpha * (cosines.transpose() * weighted) * weight.asDiagonal();
-  system.diagonal().array() += 1;
-  Eigen::MatrixXd right(n + 1, 2);  // for d = 1, and for -t^2
-  right.col(0).setConstant(4 / pi);
-  right.col(1) = -4 / pi * t.array().square();
-  const Eigen::MatrixXd phi = system.partialPivLu().solve(right);
-  const double approach = -phi(n, 1) / phi(n, 0);
-  return {2 * pi * weight.dot(phi.col(0) * approach + phi.col(1)), approach};
-}
+LayerContact layer_contact_sphere(double alpha, int n);
 
 }  // namespace rollres::testing
