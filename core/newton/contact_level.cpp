@@ -63,37 +63,12 @@ Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceG
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// Pressure inside and minus the gap outside join at the contact's edge [Pa].
 Vector signed_pressure(const ContactLevel& level) {
   return level.outcome.unknowns.pressure - level.outcome.gap.cwiseMax(0) / level.influence->self_normal();
 }
 
 }  // namespace
-
-ContactUnknowns transfer(const ContactLevel& coarse, const ContactLevel& similar_coarse,
-                         const ContactLevel& similar_fine, const SurfaceGrid& to) {
-  const bool sphere = coarse.problem->sphere;
-  const auto combine = [&](const Vector& of_coarse, const Vector& of_similar_coarse, const Vector& of_similar_fine,
-                           double parity) {
-    return Vector(interpolate(of_coarse, coarse.problem->grid, to, sphere, parity) +
-                  interpolate(of_similar_fine, similar_fine.problem->grid, to, sphere, parity) -
-                  interpolate(of_similar_coarse, similar_coarse.problem->grid, to, sphere, parity));
-  };
-  ContactUnknowns start;
-  const ContactUnknowns &c = coarse.outcome.unknowns, &sc = similar_coarse.outcome.unknowns,
-                        &sf = similar_fine.outcome.unknowns;
-  start.pressure =
-      combine(signed_pressure(coarse), signed_pressure(similar_coarse), signed_pressure(similar_fine), 1).cwiseMax(0);
-  start.approach = c.approach + sf.approach - sc.approach;
-  start.rotation_ratio = c.rotation_ratio + sf.rotation_ratio - sc.rotation_ratio;
-  if (c.shear_x.size() > 0) start.shear_x = combine(c.shear_x, sc.shear_x, sf.shear_x, 1);
-  if (c.shear_y.size() > 0) start.shear_y = combine(c.shear_y, sc.shear_y, sf.shear_y, -1);
-  return start;
-}
 
 ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to) {
   const SurfaceGrid& grid = from.problem->grid;

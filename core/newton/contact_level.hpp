@@ -29,10 +29,6 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
 /// The solution of a level, interpolated to a finer grid.
 ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to);
 
-/// The same, with what the step from a coarse to a fine grid changed in a similar scene.
-ContactUnknowns transfer(const ContactLevel& coarse, const ContactLevel& similar_coarse,
-                         const ContactLevel& similar_fine, const SurfaceGrid& to);
-
 /// Grid with the spacings and the origin of `like` that leaves `margin` [m] around the level's contact.
 SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double margin);
 

@@ -152,7 +152,6 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     nested.status = Status::not_converged;
     nested.coarsest_resistance = nested.coarser_resistance;
     nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
-    nested.coarser = solved ? std::make_unique<ContactLevel>(std::move(nested.finest)) : nullptr;
     nested.finest = std::move(next);
   }
   if (drive_may_fail && !nested.finest.outcome.reached_border) {
@@ -170,33 +169,6 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     }
   }
   nested.reason = describe_failure(nested.finest);
-  return nested;
-}
-
-NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene, const GridSeries& grids) {
-  constexpr int most_iterations = 8;  // beyond, a cold start is as fast
-  NewtonOptions options = options_for(scene);
-  options.most_iterations = most_iterations;
-  const auto solve_around = [&](const ContactLevel& level, int coarsening, const auto& start) {
-    ContactLevel next = make_level(scene, grids.around(level, coarsening));
-    next.outcome = newton_contact(*next.problem, *next.table, *next.influence, start(next.problem->grid), options);
-    next.outcome.converged = next.outcome.converged && !next.outcome.reached_border;
-    if (next.outcome.converged) measure(next);
-    return next;
-  };
-  NestedOutcome nested;
-  nested.share_left = grids.share_left;
-  if (similar.coarser) {
-    nested.coarser = std::make_unique<ContactLevel>(
-        solve_around(*similar.coarser, 1, [&](const SurfaceGrid& grid) { return transfer(*similar.coarser, grid); }));
-    if (!nested.coarser->outcome.converged) return nested;
-    nested.coarser_resistance = nested.coarser->rolling_resistance;
-  }
-  nested.finest = solve_around(similar.finest, 0, [&](const SurfaceGrid& grid) {
-    return similar.coarser ? transfer(*nested.coarser, *similar.coarser, similar.finest, grid)
-                           : transfer(similar.finest, grid);
-  });
-  if (nested.finest.outcome.converged) nested.status = Status::converged;
   return nested;
 }
 

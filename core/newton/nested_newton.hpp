@@ -11,7 +11,6 @@ namespace rollres {
 
 struct NestedOutcome {
   ContactLevel finest;
-  std::unique_ptr<ContactLevel> coarser;  // the level before the finest, if there was one
   /// Rolling resistance at twice and at four times the finest spacing; NaN if there was no such level.
   double coarser_resistance = RollingSolution::absent, coarsest_resistance = RollingSolution::absent;
   /// Estimated relative error of a rolling resistance (core/newton/README.md, (N22)), by the change at the last halving
@@ -31,10 +30,6 @@ struct NestedOutcome {
 /// leaves what was found where it has no solution
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
-
-/// Solves a scene from the solution of a similar one on the same series of grids: the finest and, for the estimate of
-/// the error, the one before. May fail where solve_nested would not.
-NestedOutcome solve_from(const NestedOutcome& similar, const RollingScene& scene, const GridSeries& grids);
 
 /// Solves on one window, which grows until the contact keeps clear of its border.
 /// @param coarser tried first if not null   @param last_resort whether to follow the path of solutions also where the

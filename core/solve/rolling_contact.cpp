@@ -173,9 +173,30 @@ void require_valid(const RollingScene& scene) {
   throw std::invalid_argument(message);
 }
 
-/// Adds to a method's answer what does not depend on the method.
-template <class SolveByMethod>
-RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_by_method) {
+RollingSolution solve_by_method(const RollingScene& scene) {
+  const Method method = resolved_method(scene);
+  std::string note;
+  if (method == Method::spectral) {
+    SpectralOutcome found = solve_spectral(scene);
+    if (found.solution) return std::move(*found.solution);
+    note = "; solved on a grid, not with continuous edges: " + found.reason;
+  }
+  if (method == Method::active_set) return solve_paper(scene);
+  RollingSolution solution = answer_from(solve_on_grids(scene), scene);
+  if (solution.status == Status::converged && !(solution.law_violation <= trusted_violation) &&
+      solution.contact_nodes <= factorisable_nodes) {
+    RollingScene factorised = scene;
+    factorised.method = Method::newton_dense;
+    solution = answer_from(solve_on_grids(factorised), scene);
+  }
+  solution.method = method == Method::newton_dense ? method : Method::newton;
+  solution.model += note;
+  return solution;
+}
+
+}  // namespace
+
+RollingSolution solve(const RollingScene& given) {
   const auto begin = std::chrono::steady_clock::now();
   require_valid(given);
   const ModelChoice choice = choose_model(given);
@@ -202,67 +223,6 @@ RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_b
   }
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
-}
-
-}  // namespace
-
-RollingSolution solve(const RollingScene& scene) { return RollingSolver().solve(scene); }
-
-struct RollingSolver::Last {
-  RollingScene scene;
-  NestedOutcome outcome;
-
-  /// Whether a scene is so much like this one that starting from its solution has been measured to be faster: the
-  /// contact moves by little more than a cell.
-  bool is_like(const RollingScene& next) const {
-    if (resolved_method(scene) != resolved_method(next) || scene.indenter != next.indenter ||
-        scene.drive != next.drive || scene.material != next.material ||
-        (scene.friction_coefficient > 0) != (next.friction_coefficient > 0) ||
-        scene.load.has_value() != next.load.has_value() || !next.spacing || scene.spacing != next.spacing ||
-        scene.adhesion_threshold > 0 || next.adhesion_threshold > 0)
-      return false;
-    constexpr double largest_change = 0.03;
-    const double before = estimate_contact(scene).half_width, now = estimate_contact(next).half_width;
-    return std::abs(now - before) < largest_change * before;
-  }
-};
-
-RollingSolver::RollingSolver() = default;
-RollingSolver::~RollingSolver() = default;
-RollingSolver::RollingSolver(RollingSolver&&) noexcept = default;
-RollingSolver& RollingSolver::operator=(RollingSolver&&) noexcept = default;
-
-RollingSolution RollingSolver::solve(const RollingScene& given) {
-  return complete(given, [&](const RollingScene& scene) {
-    const Method method = resolved_method(scene);
-    std::string note;
-    if (method == Method::spectral) {
-      SpectralOutcome found = solve_spectral(scene);
-      if (found.solution) return std::move(*found.solution);
-      note = "; solved on a grid, not with continuous edges: " + found.reason;
-    }
-    if (method == Method::active_set) return solve_paper(scene);
-    NestedOutcome outcome;
-    if (last_ && last_->is_like(scene)) outcome = solve_from(last_->outcome, scene, grids_of(scene));
-    if (outcome.status == Status::converged)
-      ++reused_;
-    else
-      outcome = solve_on_grids(scene);
-    RollingSolution solution = answer_from(outcome, scene);
-    if (solution.status == Status::converged && !(solution.law_violation <= trusted_violation) &&
-        solution.contact_nodes <= factorisable_nodes) {
-      RollingScene factorised = scene;
-      factorised.method = Method::newton_dense;
-      outcome = solve_on_grids(factorised);
-      solution = answer_from(outcome, scene);
-    }
-    solution.method = method == Method::newton_dense ? method : Method::newton;
-    solution.model += note;
-    // Without a spacing nothing starts from it.
-    if (solution.status == Status::converged)
-      last_ = scene.spacing ? std::make_unique<Last>(Last{scene, std::move(outcome)}) : nullptr;
-    return solution;
-  });
 }
 
 }  // namespace rollres

@@ -185,11 +185,6 @@ std::size_t ResultStore::save(std::span<const Evaluation> evaluations, Existing 
   });
 }
 
-void ResultStore::save_fields(const std::string& key, const SurfaceFields& fields) {
-  if (!contains(key)) throw std::invalid_argument(database().name() + ": " + key + ": no such evaluation");
-  naming(database().name(), [&] { put_fields(parts_->connection(), key, fields); });
-}
-
 std::optional<SurfaceFields> ResultStore::find_fields(const std::string& key) {
   const auto stored = naming(database().name(), [&] { return find_packed_fields(parts_->connection(), key); });
   if (!stored) return std::nullopt;

@@ -95,9 +95,6 @@ class ResultStore {
   /// @return how many changed what is stored
   std::size_t save(std::span<const Evaluation> evaluations, Existing existing = Existing::kept);
 
-  /// Stores the fields of an answer, in place of those it had.
-  /// @throws std::invalid_argument if there is no answer with this key
-  void save_fields(const std::string& key, const SurfaceFields& fields);
   std::optional<SurfaceFields> find_fields(const std::string& key);
 
   bool contains(const std::string& key) { return find_answer(key).has_value(); }

@@ -29,14 +29,4 @@ RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& sc
   return solution;
 }
 
-Evaluate recalling(ResultStore& store, Evaluate evaluate) {
-  return [&store, evaluate = std::move(evaluate)](const RollingScene& scene) {
-    const std::string key = evaluation_key(scene);
-    if (auto stored = store.solution(key)) return std::move(*stored);
-    const Evaluation answer{key, scene, evaluate_safely(evaluate, scene)};
-    store.save({&answer, 1});
-    return answer.solution;
-  };
-}
-
 }  // namespace rollres

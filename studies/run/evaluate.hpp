@@ -1,13 +1,10 @@
 #pragma once
 
-/// Solving through the store: what was solved once is recalled.
-///
-/// Every scene is solved from nothing, not from a neighbour's answer (RollingSolver), although that takes a fifth less
-/// time on a sphere's grid: its answer is then the same to the last bit whatever was solved before it, by how many
+/// One scene of many. Every scene is solved from nothing, not from a neighbour's answer, although that takes a fifth
+/// less time on a sphere's grid: its answer is then the same to the last bit whatever was solved before it, by how many
 /// threads, processes and machines, and after how many interruptions.
 
 #include "core/solve/rolling_contact.hpp"
-#include "db/rows/result_store.hpp"
 
 namespace rollres {
 
@@ -17,9 +14,5 @@ enum class Fields { dropped, kept };
 /// not_converged and its message as the reason, so that one bad point never ends a study.
 RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene,
                                 Fields fields = Fields::dropped) noexcept;
-
-/// Recalls a scene's stored answer, or solves and saves it. The store must outlive the result, which is used by one
-/// thread at a time; it throws std::runtime_error if the store fails.
-Evaluate recalling(ResultStore& store, Evaluate evaluate);
 
 }  // namespace rollres

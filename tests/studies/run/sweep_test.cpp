@@ -295,19 +295,3 @@ TEST_CASE("a full disk ends a sweep with a message, and what was stored stays", 
   const SweepReport rest = run_sweep(study_of(2000), closed_form, file);
   CHECK(rest.recalled + rest.solved == 4000);
 }
-
-TEST_CASE("an answer is solved once and then recalled, failed ones too", "[studies][evaluate]") {
-  const TemporaryDirectory folder;
-  ResultStore store(folder.path / "a.db");
-  int calls = 0;
-  const Evaluate evaluate = recalling(store, [&](const RollingScene& scene) {
-    ++calls;
-    if (scene.speed > 1) throw std::runtime_error("singular matrix");
-    return closed_form(scene);
-  });
-  for (int i = 0; i < 3; ++i) {
-    CHECK(evaluate(plain_scene(0.5)).rolling_resistance == closed_form(plain_scene(0.5)).rolling_resistance);
-    CHECK(evaluate(plain_scene(2)).reason == "singular matrix");
-  }
-  CHECK(calls == 2);
-}
