@@ -2,29 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/numerics/finite_difference.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 
 namespace {
-
-/// Slope at `at` of the polynomial through the given points (Fornberg 1988, for the first derivative).
-double slope_through(double at, const double* x, const double* values, int count) {
-  double slope = 0;
-  for (int i = 0; i < count; ++i) {  // derivative of the i-th Lagrange polynomial, summed over the left-out factor
-    double derivative = 0;
-    for (int skipped = 0; skipped < count; ++skipped) {
-      if (skipped == i) continue;
-      double product = 1 / (x[i] - x[skipped]);
-      for (int k = 0; k < count; ++k)
-        if (k != i && k != skipped) product *= (at - x[k]) / (x[i] - x[k]);
-      derivative += product;
-    }
-    slope += derivative * values[i];
-  }
-  return slope;
-}
 
 class Assessment {
  public:
@@ -188,13 +173,16 @@ class Assessment {
       else
         --first;
     }
-    double x[5], w[5];
-    int points = 0;
-    for (Eigen::Index c = first; c <= last; ++c, ++points) {
-      x[points] = problem_.grid.x(static_cast<int>(c));
-      w[points] = moved_.w(moved_index(row_start + c));
+    if (first < last) {
+      std::vector<double> offsets;
+      for (Eigen::Index c = first; c <= last; ++c)
+        offsets.push_back(static_cast<double>(c - column) * problem_.grid.spacing_x);
+      double slope = 0;
+      const std::vector<double> weights = first_derivative_weights(offsets);
+      for (std::size_t i = 0; i < weights.size(); ++i)
+        slope += weights[i] * moved_.w(moved_index(row_start + first + static_cast<Eigen::Index>(i)));
+      return slope;
     }
-    if (points > 1) return slope_through(problem_.grid.x(static_cast<int>(column)), x, w, points);
     const Eigen::Index at = moved_index(node);  // a single node: the surface on both sides
     return column > 0 ? (moved_.w(at + 1) - moved_.w(at - 1)) / (2 * problem_.grid.spacing_x)
                       : (moved_.w(at + 1) - moved_.w(at)) / problem_.grid.spacing_x;

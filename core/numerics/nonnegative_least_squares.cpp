@@ -11,6 +11,7 @@ namespace rollres {
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   const Eigen::Index n = a.cols();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+  if (n == 0) return x;
   std::vector<Eigen::Index> free;
   const double negligible = 1e-12 * (a.transpose() * b).cwiseAbs().maxCoeff();
   for (Eigen::Index round = 0; round < 3 * n; ++round) {

@@ -1,66 +1,18 @@
 #include "core/reference/reference_hunter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/messages/require.hpp"
 #include "core/numerics/bracketed_root.hpp"
+#include "core/numerics/memory_functions.hpp"
+#include "core/numerics/quadrature.hpp"
 
 namespace rollres {
 namespace {
 
 using std::numbers::pi;
-
-// The functions of the standard library overflow near 700; beyond this argument Hankel's expansion has all digits.
-constexpr double large = 100;
-
-/// sum_k (+-1)^k a_k(order)/x^k of I (alternating) or K, without exp(+-x) and sqrt: Abramowitz and Stegun 9.7.1, 9.7.2.
-double hankel_sum(int order, double x, bool alternating) {
-  double sum = 1, term = 1;
-  for (int k = 1; k < 12; ++k) {
-    term *= (4.0 * order * order - (2 * k - 1) * (2 * k - 1)) / (8 * k * x) * (alternating ? -1 : 1);
-    sum += term;
-  }
-  return sum;
-}
-
-/// I_order(x) / I_0(x)
-double bessel_i_ratio(int order, double x) {
-  if (x > large) return hankel_sum(order, x, true) / hankel_sum(0, x, true);
-  return std::cyl_bessel_i(order, x) / std::cyl_bessel_i(0, x);
-}
-
-/// K_1(x) / K_0(x)
-double bessel_k_ratio(double x) {
-  if (x > large) return hankel_sum(1, x, false) / hankel_sum(0, x, false);
-  return std::cyl_bessel_k(1, x) / std::cyl_bessel_k(0, x);
-}
-
-constexpr int points = 20;
-struct GaussRule {
-  std::array<double, points> nodes, weights;  // on [-1, 1]
-};
-
-/// Gauss-Legendre rule: Newton's method from Tricomi's estimate of the roots.
-const GaussRule& gauss_rule() {
-  static const GaussRule rule = [] {
-    GaussRule r{};
-    for (int k = 0; k < points; ++k) {
-      double x = std::cos(pi * (k + 0.75) / (points + 0.5)), slope = 1;
-      for (int step = 0; step < 6; ++step) {
-        const double value = std::legendre(points, x);
-        slope = points * (x * value - std::legendre(points - 1, x)) / (x * x - 1);
-        x -= value / slope;
-      }
-      r.nodes[k] = x;
-      r.weights[k] = 2 / ((1 - x * x) * slope * slope);
-    }
-    return r;
-  }();
-  return rule;
-}
 
 /// The two ratios and what follows from them at a half-width l.
 struct Hunter {
@@ -68,12 +20,16 @@ struct Hunter {
   double centre;      // equation (1)
   double load;        // equation (2) over pi E0*/4R
 
-  Hunter(double l, double creep_length, double relaxation_length)
-      : i1(bessel_i_ratio(1, l / relaxation_length)),
-        i2(bessel_i_ratio(2, l / relaxation_length)),
-        k1(bessel_k_ratio(l / creep_length)),
-        centre((creep_length - relaxation_length) * i1 / (i1 + k1)),
-        load(l * (l + 2 * centre * k1)) {}
+  Hunter(double l, double creep_length, double relaxation_length) {
+    const auto finite = [](double x) { return std::min(x, 1e30); };  // the limit, to all digits
+    const Eigen::VectorXd i = scaled_bessel_i(finite(l / relaxation_length), 3);
+    const ScaledBesselK k = scaled_bessel_k(finite(l / creep_length));
+    i1 = i(1) / i(0);
+    i2 = i(2) / i(0);
+    k1 = k.order_1 / k.order_0;
+    centre = (creep_length - relaxation_length) * i1 / (i1 + k1);
+    load = l * (l + 2 * centre * k1);
+  }
 };
 
 /// q(s) sqrt(1 - s^2) over E0*/2R [m] at s = cos(angle).
@@ -87,16 +43,15 @@ double scaled_pressure(const HunterLine& line, double angle) {
   if (t == 0) return line.half_width * std::sin(angle);
   // In the distance from `angle`, panels over which the exponent falls by at most 2; nothing is left beyond 40.
   const double s = std::cos(angle);
-  const GaussRule& rule = gauss_rule();
+  const QuadratureRule& rule = gauss_rule(20);
   double sum = 0, start = 0;
   for (int panel = 1; panel <= 20 && start < angle; ++panel) {
     const double next = s + 2 * panel * t;
     const double end = next < 1 ? std::max(start, angle - std::acos(next)) : angle;
-    const double half = (end - start) / 2, middle = (end + start) / 2;
-    for (int k = 0; k < points; ++k) {
-      const double distance = middle + half * rule.nodes[k];
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+      const double distance = start + (end - start) * rule.nodes[k];
       const double decay = 2 / t * std::sin(angle - distance / 2) * std::sin(distance / 2);
-      sum += half * rule.weights[k] * smooth_source(line, std::cos(angle - distance)) * std::exp(-decay);
+      sum += (end - start) * rule.weights[k] * smooth_source(line, std::cos(angle - distance)) * std::exp(-decay);
     }
     start = end;
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/numerics/nonnegative_least_squares.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
@@ -24,44 +24,6 @@ Elasticities elasticities_of(const Slope& slope, const DesignScale& scale, const
 }
 
 }  // namespace
-
-std::vector<double> non_negative_least_squares(const std::vector<std::vector<double>>& columns,
-                                               const std::vector<double>& target) {
-  const auto rows = static_cast<Eigen::Index>(target.size());
-  const auto count = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd a(rows, count);
-  for (Eigen::Index j = 0; j < count; ++j)
-    a.col(j) = Eigen::Map<const Eigen::VectorXd>(columns[static_cast<std::size_t>(j)].data(), rows);
-  const Eigen::Map<const Eigen::VectorXd> b(target.data(), rows);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(count);
-  std::vector<Eigen::Index> free;
-  const double small = 1e-12 * (1 + b.norm());
-  for (Eigen::Index round = 0; round < 3 * count; ++round) {
-    const Eigen::VectorXd rise = a.transpose() * (b - a * x);
-    Eigen::Index next = -1;
-    for (Eigen::Index j = 0; j < count; ++j)
-      if (std::find(free.begin(), free.end(), j) == free.end() && rise[j] > small && (next < 0 || rise[j] > rise[next]))
-        next = j;
-    if (next < 0) break;
-    free.push_back(next);
-    while (!free.empty()) {
-      const Eigen::VectorXd wanted = least_squares(a(Eigen::all, free), b);
-      double part = 1;
-      for (std::size_t k = 0; k < free.size(); ++k)
-        if (const double from = x[free[k]], to = wanted[static_cast<Eigen::Index>(k)]; to <= 0)
-          part = std::min(part, from > 0 ? from / (from - to) : 0);
-      for (std::size_t k = 0; k < free.size(); ++k)
-        x[free[k]] += part * (wanted[static_cast<Eigen::Index>(k)] - x[free[k]]);
-      if (part == 1) break;
-      std::erase_if(free, [&](Eigen::Index j) {
-        const bool gone = x[j] <= small;
-        if (gone) x[j] = 0;
-        return gone;
-      });
-    }
-  }
-  return {x.begin(), x.end()};
-}
 
 Optimum examine_optimum(const DesignProblem& problem, const DesignScale& scale, const DesignSlopes& slopes,
                         const Design& design, double tolerance) {
@@ -103,7 +65,11 @@ Optimum examine_optimum(const DesignProblem& problem, const DesignScale& scale, 
     room.push_back(low ? place[i] : 1 - place[i]);
   }
 
-  const std::vector<double> multipliers = non_negative_least_squares(columns, down);
+  Eigen::MatrixXd slopes_of_active(size, columns.size());
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    slopes_of_active.col(static_cast<Eigen::Index>(k)) = Eigen::Map<const Eigen::VectorXd>(columns[k].data(), size);
+  const Eigen::VectorXd multipliers =
+      nonnegative_least_squares(slopes_of_active, Eigen::Map<const Eigen::VectorXd>(down.data(), size));
   for (std::size_t i = 0; i < size; ++i) {
     double rest = down[i];
     for (std::size_t k = 0; k < columns.size(); ++k) rest -= multipliers[k] * columns[k][i];

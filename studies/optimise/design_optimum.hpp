@@ -51,8 +51,4 @@ struct Optimum {
 Optimum examine_optimum(const DesignProblem& problem, const DesignScale& scale, const DesignSlopes& slopes,
                         const Design& design, double tolerance);
 
-/// x >= 0 with the smallest |columns x - target|; columns has a vector for each x.
-std::vector<double> non_negative_least_squares(const std::vector<std::vector<double>>& columns,
-                                               const std::vector<double>& target);
-
 }  // namespace rollres

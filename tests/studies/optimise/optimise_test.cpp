@@ -251,14 +251,3 @@ TEST_CASE("a front between two goals is that of the closed form, none of its des
       CHECK(design.value == Approx(std::exp(Bowl::log_resistance(0.3 + dx, 0.6 + dy))).epsilon(1e-3));
   }
 }
-
-TEST_CASE("non-negative least squares leave out what would need a negative factor", "[studies][optimise]") {
-  CHECK(non_negative_least_squares({}, {1, 2}).empty());
-  const auto both = non_negative_least_squares({{1, 0}, {1, 1}}, {3, 2});
-  CHECK(both[0] == Approx(1));
-  CHECK(both[1] == Approx(2));
-  const auto one = non_negative_least_squares({{1, 0}, {1, 1}}, {1, 2});
-  CHECK(one[0] == 0);
-  CHECK(one[1] == Approx(1.5));
-  CHECK(non_negative_least_squares({{1, 0}}, {-1, 1})[0] == 0);
-}
