@@ -26,17 +26,13 @@ struct CellSymbols {
 /// Sum over the aliases that matter: the nearest ones, for wavelengths of a few cells.
 CellSymbols cell_symbols(const SteadySurface& surface, const SteadySurface::Moduli& moduli, double kx, double ky,
                          double cell_x, double cell_y) {
-  const auto factor = [](double k, double cell) {
-    const double z = 0.5 * k * cell;
-    return z == 0 ? 1 : std::sin(z) / z;
-  };
   const bool alias_x = kx * cell_x > 1, alias_y = ky * cell_y > 1;
   CellSymbols sum;
   for (int m = alias_x ? -1 : 0; m <= (alias_x ? 1 : 0); ++m)
     for (int n = alias_y ? -1 : 0; n <= (alias_y ? 1 : 0); ++n) {
       const double x = kx + (m == 0 ? 0 : m * 2 * M_PI / cell_x), y = ky + (n == 0 ? 0 : n * 2 * M_PI / cell_y);
       const double k = std::sqrt(x * x + y * y), lx = x / k, ly = y / k;
-      const double average = factor(x, cell_x) * factor(y, cell_y);
+      const double average = average_over_cell(x, cell_x) * average_over_cell(y, cell_y);
       const SurfaceCompliance c = surface(moduli, x, y);
       sum.ww += average * c.normal;
       sum.uu += average * (lx * lx * c.longitudinal + ly * ly * c.transverse);

@@ -36,25 +36,17 @@ QuadratureRule averaging_rule(double cell_over_thickness) {
 
 double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
 
-ElasticKernel::ElasticKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y)
-    : indenter_(indenter), shape_(shape), cell_x_(cell_x), cell_y_(cell_y) {
-  if (std::isinf(shape.extent)) return;
-  const LayerSymbols &deep = shape.deep, &base = shape.base;
-  beyond_ = {base.normal - deep.normal, base.longitudinal - deep.longitudinal, base.cross - deep.cross,
-             base.transverse - deep.transverse};
-  const double end = shape.extent / shape.length;
+ElasticKernel::ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y)
+    : indenter_(indenter), cell_x_(cell_x), cell_y_(cell_y), deep_(half_space_symbols(layer.poisson_ratio)) {
+  if (std::isinf(layer.thickness)) return;
+  scales_ = {layer.thickness, layer_table_end * layer.thickness, true};
   if (indenter == Indenter::cylinder) {
-    if (shape.rigid_base()) return;
-    // Over a half-space the antiderivatives go on like T + B/x and, for the cross term, like -x/2 + T + B ln x.
-    const double before = 0.9 * end;
-    const Eigen::Array3d change = (*shape.line)(end) - (*shape.line)(before);
-    line_tail_ << change(0) / (1 / end - 1 / before), change(1) / (1 / end - 1 / before),
-        (change(2) + 0.5 * beyond_.cross * (end - before)) / std::log(end / before);
+    line_ = line_table(layer.poisson_ratio);
     return;
   }
-  if (!shape.rigid_base()) radial_tail_ = (*shape.radial)(end)-radial_limit(shape.extent);
+  radial_ = radial_table(layer.poisson_ratio);
   const auto fill = [&](double cell, std::vector<double>& nodes, std::vector<double>& weights) {
-    const QuadratureRule rule = averaging_rule(cell / shape.length);
+    const QuadratureRule rule = averaging_rule(cell / layer.thickness);
     weights = rule.weights;
     for (const double node : rule.nodes) nodes.push_back((node - 0.5) * cell);
   };
@@ -69,7 +61,7 @@ Coefficients ElasticKernel::operator()(double x, double y) const {
 Coefficients ElasticKernel::sphere(double x, double y) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
-  if (distance(x, y) > shape_.scales().reach()) return sum;
+  if (distance(x, y) > scales_.reach()) return sum;
   const double right = x + 0.5 * cell_x_, left = x - 0.5 * cell_x_;
   const double above = y + 0.5 * cell_y_, below = y - 0.5 * cell_y_;
   const Eigen::Array4d r =  // of the corners
@@ -85,18 +77,17 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
     a = x_asinh(right, above) - x_asinh(right, below) - x_asinh(left, above) + x_asinh(left, below);
     b = x_asinh(above, right) - x_asinh(above, left) - x_asinh(below, right) + x_asinh(below, left);
   }
-  const LayerSymbols& deep = shape_.deep;
-  sum(ww) = deep.normal * (a + b);
-  sum(uu) = deep.longitudinal * a + deep.transverse * b;
-  sum(vv) = deep.transverse * a + deep.longitudinal * b;
-  sum(uv) = (deep.longitudinal - deep.transverse) * (r(0) - r(1) - r(2) + r(3));
-  if (deep.cross != 0) {
+  sum(ww) = deep_.normal * (a + b);
+  sum(uu) = deep_.longitudinal * a + deep_.transverse * b;
+  sum(vv) = deep_.transverse * a + deep_.longitudinal * b;
+  sum(uv) = (deep_.longitudinal - deep_.transverse) * (r(0) - r(1) - r(2) + r(3));
+  if (deep_.cross != 0) {
     const auto corners = [&](auto&& f) { return f(right, above) - f(right, below) - f(left, above) + f(left, below); };
-    sum(uw) = -deep.cross * corners(integrated_cosine);
-    sum(vw) = -deep.cross * corners([](double p, double q) { return integrated_cosine(q, p); });
+    sum(uw) = -deep_.cross * corners(integrated_cosine);
+    sum(vw) = -deep_.cross * corners([](double p, double q) { return integrated_cosine(q, p); });
   }
   sum /= 2 * M_PI * cell_x_ * cell_y_;
-  if (std::isinf(shape_.extent)) return sum;
+  if (!radial_) return sum;
 
   Coefficients correction = Coefficients::Zero();
   constexpr std::size_t together = 4;
@@ -111,16 +102,16 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
       py[p] = y + nodes_y_[j];
       distances[p] = distance(px[p], py[p]);
       weights[p] = first + p < points ? weights_x_[i] * weights_y_[j] : 0;
-      inside[p] = std::min(distances[p], shape_.extent) / shape_.length;
+      inside[p] = std::min(distances[p], scales_.extent) / scales_.length;
     }
-    std::array<Eigen::Array4d, together> values = shape_.radial->at(inside);
+    std::array<Eigen::Array4d, together> values = radial_->at(inside);
     for (std::size_t p = 0; p < together; ++p) {
       const double from_load = distances[p], per_distance = from_load > 0 ? 1 / from_load : 0;
       Eigen::Array4d& f = values[p];
-      if (from_load >= shape_.extent) {
-        const double kept = shape_.extent / from_load, square = kept * kept;
-        f = radial_limit(from_load) + Eigen::Array4d(square * kept, square * kept, square, square) * radial_tail_;
-      }
+      if (from_load >= scales_.extent)  // minus the half-space's part
+        f = -Eigen::Array4d(2 * deep_.normal, deep_.longitudinal + deep_.transverse,
+                            deep_.longitudinal - deep_.transverse, 2 * deep_.cross) *
+            (scales_.length / (4 * M_PI * from_load));
       const double cosine = from_load > 0 ? px[p] * per_distance : 1, sine = py[p] * per_distance;
       const double cosine2 = cosine * cosine - sine * sine, sine2 = 2 * sine * cosine;
       Coefficients value;
@@ -128,47 +119,35 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
       correction += weights[p] * value;
     }
   }
-  return sum + correction / shape_.length;
-}
-
-/// The correction far away, where it turns the half-space's part into that of the base.
-Eigen::Array4d ElasticKernel::radial_limit(double from_load) const {
-  return Eigen::Array4d(2 * beyond_.normal, beyond_.longitudinal + beyond_.transverse,
-                        beyond_.longitudinal - beyond_.transverse, 2 * beyond_.cross) *
-         (shape_.length / (4 * M_PI * from_load));
+  return sum + correction / scales_.length;
 }
 
 Coefficients ElasticKernel::cylinder(double x) const {
   using namespace coefficient;
   Coefficients sum = Coefficients::Zero();
-  const double reach = shape_.scales().reach();
+  const double reach = scales_.reach();
   if (std::abs(x) > reach) return sum;
   // A cell across the end of the response ends there.
   const double right = std::min(x + 0.5 * cell_x_, reach), left = std::max(x - 0.5 * cell_x_, -reach);
-  const LayerSymbols& deep = shape_.deep;
   const double logarithm = (integrated_log(right, 0) - integrated_log(left, 0)) / (2 * M_PI * cell_x_);
-  sum(ww) = -deep.normal * logarithm;
-  sum(uu) = -deep.longitudinal * logarithm;
-  sum(uw) = -0.5 * deep.cross * (std::abs(right) - std::abs(left)) / cell_x_;
-  if (std::isinf(shape_.extent)) return sum;
+  sum(ww) = -deep_.normal * logarithm;
+  sum(uu) = -deep_.longitudinal * logarithm;
+  sum(uw) = -0.5 * deep_.cross * (std::abs(right) - std::abs(left)) / cell_x_;
+  if (!line_) return sum;
 
-  const double image = 2 * shape_.length;
+  const double image = 2 * scales_.length;
   const double known = (integrated_log(right, image) - integrated_log(left, image)) / (2 * M_PI * cell_x_);
   const Eigen::Array3d correction =
-      (line_antiderivative(right) - line_antiderivative(left)) * (shape_.length / cell_x_);
-  sum(ww) += correction(0) - beyond_.normal * known;
-  sum(uu) += correction(1) - beyond_.longitudinal * known;
+      (line_antiderivative(right) - line_antiderivative(left)) * (scales_.length / cell_x_);
+  sum(ww) += correction(0) + deep_.normal * known;
+  sum(uu) += correction(1) + deep_.longitudinal * known;
   sum(uw) += correction(2);
   return sum;
 }
 
 /// Of the correction less its known part, over the length; two components odd and one even in x.
 Eigen::Array3d ElasticKernel::line_antiderivative(double x) const {
-  const double end = shape_.extent / shape_.length, t = std::abs(x) / shape_.length;
-  Eigen::Array3d value = (*shape_.line)(std::min(t, end));
-  if (t > end && !shape_.rigid_base())
-    value += Eigen::Array3d(line_tail_(0) * (1 / t - 1 / end), line_tail_(1) * (1 / t - 1 / end),
-                            -0.5 * beyond_.cross * (t - end) + line_tail_(2) * std::log(t / end));
+  const Eigen::Array3d value = (*line_)(std::min(std::abs(x), scales_.extent) / scales_.length);
   return x < 0 ? Eigen::Array3d(-value(0), -value(1), value(2)) : value;
 }
 

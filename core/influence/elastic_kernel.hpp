@@ -9,14 +9,19 @@
 /// cosine and sine transforms of what is left of the symbols (K6).
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
-#include "core/influence/surface_shape.hpp"
+#include "core/influence/layer_tables.hpp"
+#include "core/scene/quantity.hpp"
+#include "core/surface/layer_compliance.hpp"
 
 namespace rollres {
 
-/// Displacement per unit force, times the modulus where the shape is that of unit modulus, in this order: ww, uu, vv,
+/// Displacement per unit force, times the modulus where the surface is that of unit modulus, in this order: ww, uu, vv,
 /// uv, uw, vw [1/m; cylinder: 1]. A cylinder uses ww, uu and uw only.
 using Coefficients = Eigen::Array<double, 6, 1>;
 namespace coefficient {
@@ -26,35 +31,46 @@ inline const Coefficients mirror_x{{1, 1, 1, -1, -1, 1}};
 inline const Coefficients mirror_y{{1, 1, 1, -1, 1, -1}};
 }  // namespace coefficient
 
+/// Lengths over which the response of a surface changes.
+struct ResponseScales {
+  double length = std::numeric_limits<double>::infinity();  ///< the finest scale [m]
+  double extent = std::numeric_limits<double>::infinity();  ///< distance where tables end [m]
+  bool rigid_base = false;                                  ///< whether the surface is at rest beyond
+
+  /// Distance beyond which the surface does not move [m]; infinite where the base is a half-space.
+  double reach() const { return rigid_base ? extent : std::numeric_limits<double>::infinity(); }
+  /// Length over which the response at a distance is smooth [m].
+  double grain(double distance) const {
+    if (distance >= extent) return std::numeric_limits<double>::infinity();
+    return std::min(std::max(length, 0.5 * distance), extent / 30);
+  }
+};
+
 /// x asinh(y/|x|), odd in both.
 double x_asinh(double x, double y);
 
+/// Of a layer of unit shear modulus on a rigid base, or of a half-space.
 class ElasticKernel {
  public:
   /// @param cell_x, cell_y size of the loaded cell [m] (cell_y is not used for a cylinder)
-  ElasticKernel(Indenter indenter, const SurfaceShape& shape, double cell_x, double cell_y);
-  /// Of a layer of unit shear modulus.
-  ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y)
-      : ElasticKernel(indenter, surface_shape(indenter, layer), cell_x, cell_y) {}
+  ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y);
 
   /// At a distance (x, y) from the centre of the cell [m].
   Coefficients operator()(double x, double y) const;
 
-  Indenter indenter() const { return indenter_; }
-  const SurfaceShape& shape() const { return shape_; }
+  const ResponseScales& scales() const { return scales_; }
 
  private:
   Coefficients sphere(double x, double y) const;
   Coefficients cylinder(double x) const;
-  Eigen::Array4d radial_limit(double distance) const;
   Eigen::Array3d line_antiderivative(double x) const;
 
   Indenter indenter_;
-  SurfaceShape shape_;
-  LayerSymbols beyond_;  // base less deep: what the correction tends to
   double cell_x_, cell_y_;
-  Eigen::Array4d radial_tail_ = Eigen::Array4d::Zero();  // what the correction has left at the end of its table
-  Eigen::Array3d line_tail_ = Eigen::Array3d::Zero();
+  LayerSymbols deep_;                          // symbols times k as k -> infinity: the half-space under short waves
+  ResponseScales scales_;                      // the thickness is the unit of the tables' distances
+  std::shared_ptr<const RadialTable> radial_;  // of a sphere; none for a half-space
+  std::shared_ptr<const LineTable> line_;      // of a cylinder
   std::vector<double> nodes_x_, weights_x_, nodes_y_, weights_y_;  // average of the correction over the cell
 };
 

@@ -43,4 +43,8 @@ class InfluenceTable {
 /// @throws std::invalid_argument if the scene's layer or material is not one this program knows
 InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid);
 
+/// Largest relative error of the expansion in retardation times (medium_expansion.hpp) that the coefficients of a
+/// composite surface contain (contact_surface.hpp) [1].
+double expansion_error(const RollingScene& scene);
+
 }  // namespace rollres

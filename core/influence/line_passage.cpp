@@ -87,8 +87,7 @@ class AddedDisplacements {
   /// The integrand of (K9). Long waves are taken out of it as e^{-2k}/k, whose transform is the logarithm.
   void transform(double k, std::span<complex> values) const {
     constexpr complex i(0, 1);
-    const double along = k / depth_, half_cell = 0.5 * along * cell_;
-    const double spread = half_cell < 1e-4 ? 1 : std::sin(half_cell) / half_cell;
+    const double along = k / depth_, spread = average_over_cell(along, cell_);
     const SteadySurface::Moduli moduli = surface_.moduli(along);
     const SurfaceCompliance c = surface_(moduli, along, 0), deep = surface_.half_spaces(moduli);
     const double fade = std::exp(-2 * k), scale = 1 / (M_PI * k);

@@ -26,9 +26,10 @@ class PassageKernel {
   InfluenceTable table(const CreepSpectrum& material, double speed, int reach_x, int reach_y) const;
 
   int columns() const { return rules_.columns(); }
-  int rows() const { return static_cast<int>(values_.size()) - 1; }
 
  private:
+  PassageKernel(const ElasticKernel& kernel, double cell_x, double cell_y, int columns, int rows);
+
   PassageRules rules_;
   std::vector<std::vector<Coefficients>> values_;  // K at the distances of the rules, for each row
 };
@@ -36,8 +37,5 @@ class PassageKernel {
 /// The kernel for this geometry, from a small cache shared by all threads.
 std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, const Layer& layer, double cell_x,
                                                            double cell_y, int columns, int rows);
-
-/// Empties that cache, so that the next solution is as cold as a program's first.
-void forget_passage_kernels();
 
 }  // namespace rollres

@@ -12,26 +12,9 @@ namespace rollres {
 
 namespace {
 
-/// Average of e^{ikx} over a cell.
-double cell_factor(double wavenumber, double cell) {
-  const double z = 0.5 * wavenumber * cell;
-  return z == 0 ? 1 : std::sin(z) / z;
-}
-
 int wrapped(int n, int size) { return ((n % size) + size) % size; }
 
 }  // namespace
-
-InfluenceTable periodic_table(const CreepSpectrum& material, double speed, const Layer& layer, double period, int terms,
-                              double cell_x, double cell_y, int reach_x, int reach_y) {
-  const auto symbols = [&](double along) -> SymbolsAcross {
-    return [&layer, along, compliance = material(-along * speed)](double across) -> SurfaceCompliance {
-      const LayerSymbols c = layer_symbols(std::hypot(along, across), layer);
-      return {compliance * c.normal, compliance * c.longitudinal, compliance * c.cross, compliance * c.transverse};
-    };
-  };
-  return periodic_table(symbols, period, terms, cell_x, cell_y, reach_x, reach_y);
-}
 
 InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int terms, double cell_x, double cell_y,
                               int reach_x, int reach_y) {
@@ -53,13 +36,13 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
     const int column = wrapped(n, columns);
     if (column >= half) continue;
     const double kx = n * step_x;
-    const double scale = cell_factor(kx, cell_x) / area;
+    const double scale = average_over_cell(kx, cell_x) / area;
     const SymbolsAcross across = symbols(kx);
     for (int m = -terms_y; m <= terms_y; ++m) {
       const double ky = m * step_y, k = std::hypot(kx, ky);
       const SurfaceCompliance c = across(ky);
       const double lx = k > 0 ? kx / k : 0, ly = k > 0 ? ky / k : 0;
-      const double factor = scale * cell_factor(ky, cell_y);
+      const double factor = scale * average_over_cell(ky, cell_y);
       const complex i_factor(0, factor);
       const auto at = static_cast<std::size_t>(wrapped(m, rows) * half + column);
       using namespace coefficient;

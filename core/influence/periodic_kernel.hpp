@@ -23,8 +23,4 @@ using SymbolsAlong = std::function<SymbolsAcross(double along)>;
 InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int terms, double cell_x, double cell_y,
                               int reach_x, int reach_y);
 
-/// Of one layer of finite thickness, without inertia.
-InfluenceTable periodic_table(const CreepSpectrum& material, double speed, const Layer& layer, double period, int terms,
-                              double cell_x, double cell_y, int reach_x, int reach_y);
-
 }  // namespace rollres

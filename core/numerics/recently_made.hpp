@@ -1,9 +1,10 @@
 #pragma once
 
-/// What is costly to make, kept for the next who asks for the same: a small cache shared by all threads.
+/// What is costly to make, kept for the next who asks for the same: small caches shared by all threads.
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -11,9 +12,23 @@
 
 namespace rollres {
 
-/// Values by keys that compare with ==; the most recently used are kept.
-template <class Key, class Value, std::size_t capacity>
-class RecentlyMade {
+/// Empties every RecentlyMade of the program, so that the next solution is as cold as a program's first, but for the
+/// plans of transforms and what does not depend on the scene.
+void forget_kernels();
+
+/// A cache that `forget_kernels` empties; none ends before the program.
+class Forgettable {
+ public:
+  Forgettable();
+  virtual void forget() = 0;
+
+ protected:
+  ~Forgettable() = default;
+};
+
+/// Values by keys; the most recently used are kept. `Serves(kept key, wanted key)` tells whether a value will do.
+template <class Key, class Value, std::size_t capacity, class Serves = std::equal_to<Key>>
+class RecentlyMade final : Forgettable {
  public:
   /// The kept value, or what `make()` returns: outside the lock, so that two threads may make the same, one of which
   /// is kept.
@@ -28,13 +43,19 @@ class RecentlyMade {
     return made;
   }
 
+  void forget() override {
+    const std::lock_guard lock(mutex_);
+    kept_.clear();
+  }
+
  private:
   std::shared_ptr<const Value> find(const Key& key) {
     const std::lock_guard lock(mutex_);
     return find_locked(key);
   }
   std::shared_ptr<const Value> find_locked(const Key& key) {
-    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& entry) { return entry.first == key; });
+    const auto found =
+        std::find_if(kept_.begin(), kept_.end(), [&](const auto& entry) { return Serves()(entry.first, key); });
     if (found == kept_.end()) return nullptr;
     kept_.splice(kept_.begin(), kept_, found);
     return found->second;

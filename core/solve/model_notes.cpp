@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/influence/composite_table.hpp"
+#include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/newton/evidence.hpp"

@@ -55,4 +55,9 @@ LayerSymbols layer_symbols(double wavenumber, const Layer& layer) {
   return symbols;
 }
 
+double average_over_cell(double wavenumber, double cell) {
+  const double z = 0.5 * wavenumber * cell;
+  return z == 0 ? 1 : std::sin(z) / z;
+}
+
 }  // namespace rollres

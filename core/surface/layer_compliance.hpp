@@ -50,4 +50,7 @@ LayerSymbols half_space_symbols(double poisson_ratio);
 /// @param h wavenumber times thickness, > 0 [1]
 LayerSymbols layer_correction(double h, double poisson_ratio = 0.5);
 
+/// Average of e^{ikx} over a cell whose centre is x = 0: what a force spread over the cell has of the wave [1].
+double average_over_cell(double wavenumber, double cell);
+
 }  // namespace rollres

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/influence/passage_kernel.hpp"
+#include "core/numerics/recently_made.hpp"
 #include "studies/evidence/stability_scene.hpp"
 #include "studies/evidence/stability_trial.hpp"
 #include "studies/run/forked_work.hpp"
@@ -75,7 +75,7 @@ std::string judged_bytes(const RandomScene& random, double reference_tolerance, 
   std::string bytes;
   std::vector<JudgedNumbers> judged;
   for (const RollingScene& scene : random.ways) {
-    forget_passage_kernels();
+    forget_kernels();
     JudgedNumbers numbers{Status::not_converged,   0,
                           RollingSolution::absent, RollingSolution::absent,
                           RollingSolution::absent, RollingSolution::absent};

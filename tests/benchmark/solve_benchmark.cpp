@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "core/influence/passage_kernel.hpp"
+#include "core/numerics/recently_made.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/benchmark/scenes.hpp"
 
@@ -15,7 +15,7 @@ void time_solve(benchmark::State& state, const RollingScene& scene, bool keep_ke
   for (auto _ : state) {
     if (!keep_kernel) {
       state.PauseTiming();
-      forget_passage_kernels();
+      forget_kernels();
       state.ResumeTiming();
     }
     solution = solve(scene);

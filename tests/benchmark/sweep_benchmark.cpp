@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/influence/passage_kernel.hpp"
+#include "core/numerics/recently_made.hpp"
 #include "studies/run/sweep.hpp"
 #include "tests/benchmark/scenes.hpp"
 #include "tests/studies/temporary_directory.hpp"
@@ -23,7 +23,7 @@ void sweep_sphere(benchmark::State& state) {
   for (auto _ : state) {
     state.PauseTiming();
     const TemporaryDirectory folder;
-    forget_passage_kernels();
+    forget_kernels();
     state.ResumeTiming();
     failed = run_sweep(study, solve, folder / "sweep.db").study.failed;
   }

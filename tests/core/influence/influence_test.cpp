@@ -50,8 +50,13 @@ InfluenceTable train(Indenter indenter, double speed, const Layer& layer, double
 /// Sum over the wavenumbers of `aliases` whole aliases on either side.
 InfluenceTable series(double speed, const Layer& layer, double cell, int columns, int aliases, int reach_x,
                       int reach_y) {
-  return periodic_table(zener(), speed, layer, columns * cell, aliases * columns + (columns - 1) / 2, cell, cell,
-                        reach_x, reach_y);
+  const auto symbols = [&](double along) -> SymbolsAcross {
+    return [&layer, along, j = zener()(-along * speed)](double across) -> SurfaceCompliance {
+      const LayerSymbols c = layer_symbols(std::hypot(along, across), layer);
+      return {j * c.normal, j * c.longitudinal, j * c.cross, j * c.transverse};
+    };
+  };
+  return periodic_table(symbols, columns * cell, aliases * columns + (columns - 1) / 2, cell, cell, reach_x, reach_y);
 }
 
 /// Largest value of a component of table - other - (minus - its other), relative to the component in `table`.
@@ -193,7 +198,7 @@ TEST_CASE("the recursion along a row is the fading memory of the elastic kernel"
             for (const double edge : {-0.5 * cell, 0.5 * cell})
               if (edge > x) breaks.push_back(edge);
             // The response of a layer ends at its reach.
-            breaks.push_back(std::min(x + 45 * memory, std::isinf(thickness) ? 1e9 : elastic.shape().scales().reach()));
+            breaks.push_back(std::min(x + 45 * memory, std::isinf(thickness) ? 1e9 : elastic.scales().reach()));
             Coefficients sum = Coefficients::Zero();
             const auto piece = [&](double from, double to) {
               for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {

@@ -6,7 +6,7 @@
 #include <thread>
 #include <type_traits>
 
-#include "core/influence/passage_kernel.hpp"
+#include "core/numerics/recently_made.hpp"
 #include "core/numerics/threads.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
@@ -60,7 +60,7 @@ TEST_CASE("a solution is the same to the last bit whatever was solved before it,
 
   std::vector<std::vector<std::uint64_t>> alone;
   for (const RollingScene& scene : all) {
-    forget_passage_kernels();
+    forget_kernels();
     alone.push_back(bits(solve(scene)));
   }
   std::mt19937 random(20130501);
