@@ -39,7 +39,7 @@ class InfluenceTable {
 };
 
 /// Coefficients between all nodes of `grid` and one column beyond it (for differences along x). Chooses the kernel:
-/// periodic_kernel.hpp, passage_kernel.hpp or composite_table.hpp.
+/// periodic_kernel.hpp, passage_kernel.hpp, line_passage.hpp or sphere_passage.hpp.
 /// @throws std::invalid_argument if the scene's layer or material is not one this program knows
 InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid);
 

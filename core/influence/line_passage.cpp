@@ -6,8 +6,8 @@
 
 #include "core/influence/passage_kernel.hpp"
 #include "core/numerics/recently_made.hpp"
+#include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
-#include "core/surface/wave_table.hpp"
 
 namespace rollres {
 
@@ -100,7 +100,7 @@ class AddedDisplacements {
   SteadySurface surface_;
   double depth_, cell_;
   SurfaceCompliance at_rest_, long_waves_;
-  WaveTable table_;
+  FourierTable table_;
 };
 
 }  // namespace

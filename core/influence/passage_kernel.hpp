@@ -11,7 +11,7 @@
 
 #include "core/influence/elastic_kernel.hpp"
 #include "core/influence/influence.hpp"
-#include "core/influence/passage_rules.hpp"
+#include "core/influence/passage_quadrature.hpp"
 #include "core/material/material.hpp"
 
 namespace rollres {
@@ -30,7 +30,7 @@ class PassageKernel {
  private:
   PassageKernel(const ElasticKernel& kernel, double cell_x, double cell_y, int columns, int rows);
 
-  PassageRules rules_;
+  PassageQuadrature rules_;
   std::vector<std::vector<Coefficients>> values_;  // K at the distances of the rules, for each row
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/influence/passage_rules.hpp"
+#include "core/influence/passage_quadrature.hpp"
 #include "core/numerics/wavenumber_rule.hpp"
 
 namespace rollres {
@@ -44,7 +44,7 @@ std::vector<double> bessel_functions(double z, int count) {
 /// Transforms of the corrections' harmonics at distances from r0 to r1 over the length (K13).
 class HankelTransform {
  public:
-  HankelTransform(const WaveDirections& directions, double length, double r0, double r1)
+  HankelTransform(const DirectionalExpansion& directions, double length, double r0, double r1)
       : harmonics_(directions.harmonics()),
         terms_(directions.terms()),
         rule_(directions.lowest_wavenumber() * length, directions.highest_wavenumber() * length, r0, r1,
@@ -99,7 +99,7 @@ class RadialHarmonics {
 };
 
 /// Distance over the length beyond which every term's surface is at rest (rigid base), or close to that of the base.
-double farthest_panel(const WaveDirections& directions, const std::vector<Harmonics>& deep, double length,
+double farthest_panel(const DirectionalExpansion& directions, const std::vector<Harmonics>& deep, double length,
                       double finite, bool rigid) {
   constexpr double longest = 300, on_half_space = 60, at_rest = 1e-9;
   if (!rigid) return on_half_space * finite / length;
@@ -125,14 +125,14 @@ Harmonics tail_at(const Harmonics& tail, double share) {
 }  // namespace
 
 SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
-  const WaveDirections directions(medium, wave_speed);
+  const DirectionalExpansion directions(medium, wave_speed);
   error_ = directions.error();
   harmonics_ = directions.harmonics();
   std::vector<Harmonics> deep, base;
   for (int m = 0; m < directions.terms(); ++m) {
     deep.push_back(response_harmonics(directions.deep(m)));
     base.push_back(response_harmonics(directions.base(m)));
-    terms_.push_back({directions.time(m), CornerFunction(deep.back()), CornerFunction(base.back()), {}});
+    terms_.push_back({directions.time(m), DirectionalHalfSpace(deep.back()), DirectionalHalfSpace(base.back()), {}});
   }
   const double finite = finite_thickness(medium);
   if (finite == 0) return;
@@ -176,7 +176,7 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
     }
     return values;
   };
-  correction_ = std::make_unique<const PanelField>(distances, panel_degree, value);
+  correction_ = std::make_unique<const PiecewiseField>(distances, panel_degree, value);
 }
 
 /// The responses of all terms to a cell along a row.
@@ -216,14 +216,14 @@ class SpherePassage::RowResponse {
  private:
   const SpherePassage& surface_;
   double y_, cell_x_, cell_y_, end_;  // distance along x up to which the strip goes [m]
-  PanelField::Strip strip_;
+  PiecewiseField::Strip strip_;
 };
 
 InfluenceTable SpherePassage::table(double speed, double cell_x, double cell_y, int reach_x, int reach_y) const {
-  const PassageRules rules(scales_, cell_x, reach_x);
-  std::vector<PassageRules::Weights> weights;
+  const PassageQuadrature rules(scales_, cell_x, reach_x);
+  std::vector<PassageQuadrature::Weights> weights;
   for (const Term& term : terms_)
-    weights.push_back(term.time > 0 ? rules.weights(speed * term.time) : PassageRules::Weights());
+    weights.push_back(term.time > 0 ? rules.weights(speed * term.time) : PassageQuadrature::Weights());
   InfluenceTable table(reach_x, reach_y);
   std::vector<std::vector<Coefficients>> values(terms_.size());
   for (int row = 0; row <= reach_y; ++row) {
@@ -232,7 +232,7 @@ InfluenceTable SpherePassage::table(double speed, double cell_x, double cell_y, 
     for (const double x : rules.distances(row))
       response(x, [&](std::size_t m, const Coefficients& value) { values[m].push_back(value); });
     for (std::size_t m = 0; m < terms_.size(); ++m) {
-      PassageRules::under_load(values[m]);
+      PassageQuadrature::under_load(values[m]);
       if (terms_[m].time > 0)
         rules.add(table, row, 1, weights[m], values[m]);
       else

@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "core/surface/wave_table.hpp"
+#include "core/surface/fourier_table.hpp"
 
 namespace rollres {
 

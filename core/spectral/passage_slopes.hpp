@@ -3,7 +3,7 @@
 /// Slopes of any layered surface under a line force in steady passage, as corrections to those of a half-space.
 ///
 /// Fourier integrals of the surface's compliance at the frequencies of the passage over that of the half-spaces next to
-/// the contact, for their means over a memory as well (core/spectral/README.md, (S24); wave_table.hpp).
+/// the contact, for their means over a memory as well (core/spectral/README.md, (S24); fourier_table.hpp).
 
 #include <complex>
 #include <span>
@@ -11,7 +11,7 @@
 
 #include "core/spectral/slope_correction.hpp"
 #include "core/surface/contact_surface.hpp"
-#include "core/surface/wave_table.hpp"
+#include "core/surface/fourier_table.hpp"
 
 namespace rollres {
 
@@ -41,7 +41,7 @@ class PassageSlopes final : public SlopeCorrection {
   std::vector<double> memory_lengths_;  // over the depth
   double depth_;                        // [m]
   bool rigid_base_;
-  WaveTable table_;
+  FourierTable table_;
 };
 
 }  // namespace rollres

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/influence/corner_function.hpp"
+#include "core/influence/directional_half_space.hpp"
 #include "core/influence/influence.hpp"
-#include "core/influence/panel_field.hpp"
+#include "core/influence/piecewise_field.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
@@ -78,7 +78,7 @@ TEST_CASE("corner functions are the double antiderivatives of what falls like 1/
   Harmonics g(6, 7);
   for (Eigen::Index n = 0; n < g.cols(); ++n)
     for (Eigen::Index c = 0; c < 6; ++c) g(c, n) = n == 0 && c == coefficient::uv ? 0 : any(random);
-  const CornerFunction corner(g);
+  const DirectionalHalfSpace corner(g);
   for (const auto& [x, y] : {std::pair{1.0, 0.0}, {2.0, -1.0}, {-1.5, 0.2}, {0.1, 3.0}, {0.0, -0.9}, {1e4, 3e3}}) {
     CAPTURE(x, y);
     const Coefficients expected = cell_average(x, y, 0.8, 0.6, [&](double px, double py) -> Coefficients {
@@ -96,7 +96,7 @@ TEST_CASE("smooth fields are integrated over rectangles on either side of the ax
     value << even, 2 * even, 3 * even, x * y * even, x * even, y * even;
     return value;
   };
-  const PanelField panels({0, 1, 2, 4}, 15, [&](double px, double py) -> Eigen::VectorXd {
+  const PiecewiseField panels({0, 1, 2, 4}, 15, [&](double px, double py) -> Eigen::VectorXd {
     return field(px, py).matrix().replicate(2, 1);  // of two surfaces
   });
   for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.4, 0.1}, {1.7, 2.2}, {-1.0, 0.3}, {0.3, -2.0}}) {

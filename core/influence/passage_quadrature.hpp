@@ -14,13 +14,13 @@
 
 namespace rollres {
 
-class PassageRules {
+class PassageQuadrature {
   /// Which rule of integration a cell needs: the closer to the loaded cell, the finer.
   enum CellRule { near, middle, far, distant, rule_count };
 
  public:
   /// @param columns of cells of length cell_x [m] between the load and the farthest node
-  PassageRules(const ResponseScales& scales, double cell_x, int columns);
+  PassageQuadrature(const ResponseScales& scales, double cell_x, int columns);
 
   int columns() const { return columns_; }
 

@@ -8,8 +8,8 @@
 /// Their double antiderivatives F over x and y, whose differences over the corners of a rectangle are its response, are
 /// closed forms: logarithms as in Love's (1929), and r times a Fourier series (core/influence/README.md, (K14)).
 
+#include "core/influence/directional_expansion.hpp"
 #include "core/influence/elastic_kernel.hpp"
-#include "core/influence/wave_directions.hpp"
 
 namespace rollres {
 
@@ -28,10 +28,10 @@ struct CellFunctions {
   Harmonics values;  ///< near: of the antiderivatives, the logarithms first
 };
 
-class CornerFunction {
+class DirectionalHalfSpace {
  public:
   /// @param response g_n
-  explicit CornerFunction(const Harmonics& response);
+  explicit DirectionalHalfSpace(const Harmonics& response);
 
   /// Average of K over a cell.
   Coefficients operator()(const CellFunctions& cell) const {

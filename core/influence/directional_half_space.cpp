@@ -1,4 +1,4 @@
-#include "core/influence/corner_function.hpp"
+#include "core/influence/directional_half_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +117,7 @@ CellFunctions::CellFunctions(double x, double y, double cell_x, double cell_y, I
 }
 
 /// The coefficients h_l of (K14) and of its logarithms.
-CornerFunction::CornerFunction(const Harmonics& response)
+DirectionalHalfSpace::DirectionalHalfSpace(const Harmonics& response)
     : response_(response), antiderivative_(Harmonics::Zero(6, response.cols() + 2)) {
   const Index count = response.cols();
   for (const Index c : {ww, uu, vv, uw, vw})

@@ -44,12 +44,12 @@ class ChebyshevPanels {
 };
 
 /// Values are taken when a panel across is first asked for, whichever thread asks.
-class PanelField {
+class PiecewiseField {
  public:
   /// The coefficients of one surface after the other.
   using Value = std::function<Eigen::VectorXd(double x, double y)>;
   /// @param value at x, y >= 0; elsewhere as coefficient::mirror_x and mirror_y say
-  PanelField(const std::vector<double>& borders, int degree, Value value);
+  PiecewiseField(const std::vector<double>& borders, int degree, Value value);
 
   double end() const { return panels_.end(); }
 
@@ -60,7 +60,7 @@ class PanelField {
     Eigen::VectorXd operator()(double left, double right) const;
 
    private:
-    friend PanelField;
+    friend PiecewiseField;
     ChebyshevPanels::Antiderivatives antiderivatives_;
   };
   /// |below|, |above| <= end

@@ -1,4 +1,4 @@
-#include "core/influence/panel_field.hpp"
+#include "core/influence/piecewise_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,10 +92,10 @@ Eigen::VectorXd ChebyshevPanels::Antiderivatives::between(double left, double ri
          (panels->images(panel, right) - panels->images(panel, left));
 }
 
-PanelField::PanelField(const std::vector<double>& borders, int degree, Value value)
+PiecewiseField::PiecewiseField(const std::vector<double>& borders, int degree, Value value)
     : panels_(borders, degree), value_(std::move(value)), values_(panels_.nodes().size()), sampled_(panels_.count()) {}
 
-void PanelField::sample(std::size_t panel) const {
+void PiecewiseField::sample(std::size_t panel) const {
   const std::vector<double>& nodes = panels_.nodes();
   const std::size_t each = panels_.nodes_each();
   for (std::size_t j = panel * each; j < (panel + 1) * each; ++j) {
@@ -109,7 +109,7 @@ void PanelField::sample(std::size_t panel) const {
   }
 }
 
-PanelField::Strip PanelField::strip(double below, double above) const {
+PiecewiseField::Strip PiecewiseField::strip(double below, double above) const {
   const Eigen::VectorXd to = panels_.integral_weights(std::abs(above)),
                         from = panels_.integral_weights(std::abs(below));
   const double to_sign = above < 0 ? -1 : 1, from_sign = below < 0 ? -1 : 1;
@@ -134,7 +134,7 @@ PanelField::Strip PanelField::strip(double below, double above) const {
   return strip;
 }
 
-Eigen::VectorXd PanelField::Strip::operator()(double left, double right) const {
+Eigen::VectorXd PiecewiseField::Strip::operator()(double left, double right) const {
   if (left >= 0) return antiderivatives_.between(left, right);
   const auto from_0 = [&](double x) -> Eigen::VectorXd {
     const Eigen::VectorXd right_of_0 = antiderivatives_(std::abs(x));

@@ -1,4 +1,4 @@
-#include "core/surface/wave_table.hpp"
+#include "core/surface/fourier_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,16 +41,16 @@ const PanelNodes& panel_nodes() {
 
 }  // namespace
 
-WaveTable::WaveTable(std::size_t functions, double lowest_wavenumber, Transform transform)
+FourierTable::FourierTable(std::size_t functions, double lowest_wavenumber, Transform transform)
     : functions_(functions), lowest_(lowest_wavenumber), transform_(std::move(transform)) {}
 
 /// Wavenumbers, and there w f for each function: the values at x are Re sum factors e^{i k x}.
-struct WaveTable::WaveRule {
+struct FourierTable::WaveRule {
   Eigen::ArrayXd k;
   MatrixXd real, imaginary;  // [node, 3 * function + component]
 };
 
-WaveTable::WaveRule WaveTable::wave_rule(double from, double to) const {
+FourierTable::WaveRule FourierTable::wave_rule(double from, double to) const {
   const WavenumberFade fade(from);
   const double end = std::min(highest_wavenumber, fade.to);
   std::vector<double> nodes, weights;
@@ -75,7 +75,7 @@ WaveTable::WaveRule WaveTable::wave_rule(double from, double to) const {
   return rule;
 }
 
-WaveTable::PanelPair WaveTable::made(double from, double to) const {
+FourierTable::PanelPair FourierTable::made(double from, double to) const {
   const WaveRule rule = wave_rule(from, to);
   const PanelNodes& nodes = panel_nodes();
   const Eigen::ArrayXd x = from + 0.5 * (to - from) * (1 + nodes.place);
@@ -93,7 +93,7 @@ WaveTable::PanelPair WaveTable::made(double from, double to) const {
   return pair;
 }
 
-LayerSlopes WaveTable::operator()(std::size_t function, double x) const {
+LayerSlopes FourierTable::operator()(std::size_t function, double x) const {
   const double r = std::abs(x);
   while (borders_.back() < r)
     borders_.push_back(borders_.size() <= first_borders.size() ? first_borders[borders_.size() - 1]

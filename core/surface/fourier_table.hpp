@@ -19,13 +19,13 @@ namespace rollres {
 /// normal, tangential, cross, and 0 [1/m for unit force and modulus]
 using LayerSlopes = Eigen::Array4d;
 
-class WaveTable {
+class FourierTable {
  public:
   /// Fills in f(k), three for each function in turn.
   using Transform = std::function<void(double wavenumber, std::span<std::complex<double>> values)>;
 
   /// @param lowest_wavenumber below which f no longer changes but in proportion to k
-  WaveTable(std::size_t functions, double lowest_wavenumber, Transform transform);
+  FourierTable(std::size_t functions, double lowest_wavenumber, Transform transform);
 
   /// @param x of either sign. Not for two threads at a time.
   LayerSlopes operator()(std::size_t function, double x) const;

@@ -1,4 +1,4 @@
-#include "core/influence/wave_directions.hpp"
+#include "core/influence/directional_expansion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ int order_of_harmonic(Index coefficient, int n) {
   return coefficient == coefficient::uw || coefficient == coefficient::vw ? 2 * n + 1 : 2 * n;
 }
 
-WaveDirections::WaveDirections(const LayeredMedium& medium, double wave_speed) {
+DirectionalExpansion::DirectionalExpansion(const LayeredMedium& medium, double wave_speed) {
   int count = 0;
   for (const MediumLayer& layer : medium) {
     const NeededHarmonics needed = harmonics_for(layer, wave_speed);
@@ -95,7 +95,7 @@ WaveDirections::WaveDirections(const LayeredMedium& medium, double wave_speed) {
   }
 }
 
-Harmonics WaveDirections::of_half_space(int term, LayerSymbols MediumTerm::*limit) const {
+Harmonics DirectionalExpansion::of_half_space(int term, LayerSymbols MediumTerm::*limit) const {
   Harmonics sum = Harmonics::Zero(6, harmonics());
   for (std::size_t j = 0; j < cosines_.size(); ++j)
     sum += weights_[j].colwise() *
@@ -103,7 +103,7 @@ Harmonics WaveDirections::of_half_space(int term, LayerSymbols MediumTerm::*limi
   return sum;
 }
 
-Eigen::ArrayXXd WaveDirections::correction(double wavenumber) const {
+Eigen::ArrayXXd DirectionalExpansion::correction(double wavenumber) const {
   Eigen::ArrayXXd values = Eigen::ArrayXXd::Zero(6 * harmonics(), terms());
   for (std::size_t j = 0; j < cosines_.size(); ++j) {
     const MediumExpansion::Corrections c = expansions_[j + 1].correction(wavenumber);
@@ -116,7 +116,7 @@ Eigen::ArrayXXd WaveDirections::correction(double wavenumber) const {
   return values;
 }
 
-double WaveDirections::error() const {
+double DirectionalExpansion::error() const {
   double largest = left_out_;
   for (const MediumExpansion& expansion : expansions_) largest = std::max(largest, expansion.error());
   return largest;

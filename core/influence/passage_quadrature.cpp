@@ -1,4 +1,4 @@
-#include "core/influence/passage_rules.hpp"
+#include "core/influence/passage_quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ void add_at(InfluenceTable& table, int column, int row, const Coefficients& valu
 
 }  // namespace
 
-PassageRules::PassageRules(const ResponseScales& scales, double cell_x, int columns)
+PassageQuadrature::PassageQuadrature(const ResponseScales& scales, double cell_x, int columns)
     : columns_(columns), cell_x_(cell_x) {
   // Displacements bend at the edge of the loaded cell, in the middle of a cell of nodes: two halves near it, and
   // panels no longer than the surface's finest scale.
@@ -51,12 +51,12 @@ PassageRules::PassageRules(const ResponseScales& scales, double cell_x, int colu
   }
 }
 
-PassageRules::CellRule PassageRules::rule_of(int column, int row) {
+PassageQuadrature::CellRule PassageQuadrature::rule_of(int column, int row) {
   const int distance = std::max(column, row);
   return distance < 3 ? near : distance < 10 ? middle : distance < 40 ? far : distant;
 }
 
-std::vector<double> PassageRules::distances(int row) const {
+std::vector<double> PassageQuadrature::distances(int row) const {
   std::vector<double> distances;
   for (int column = 0; column <= columns_; ++column) distances.push_back(column * cell_x_);
   for (int column = 0; column < columns_; ++column) {
@@ -68,15 +68,15 @@ std::vector<double> PassageRules::distances(int row) const {
   return distances;
 }
 
-void PassageRules::add(InfluenceTable& table, int row, double compliance,
-                       const std::vector<Coefficients>& values) const {
+void PassageQuadrature::add(InfluenceTable& table, int row, double compliance,
+                            const std::vector<Coefficients>& values) const {
   for (int column = -table.reach_x(); column <= table.reach_x(); ++column) {
     const Coefficients& value = values[static_cast<std::size_t>(std::abs(column))];
     add_at(table, column, row, compliance * (column < 0 ? Coefficients(coefficient::mirror_x * value) : value));
   }
 }
 
-PassageRules::Weights PassageRules::weights(double memory_length) const {
+PassageQuadrature::Weights PassageQuadrature::weights(double memory_length) const {
   Weights weights;
   for (std::size_t rule = 0; rule < rule_count; ++rule) weights.cells[rule] = cell_rules_[rule].weights(memory_length);
   weights.tail = tail_rule_.weights(memory_length);
@@ -85,8 +85,8 @@ PassageRules::Weights PassageRules::weights(double memory_length) const {
 }
 
 /// The recursion (K8), from the last column to the first.
-void PassageRules::add(InfluenceTable& table, int row, double compliance, const Weights& weights,
-                       const std::vector<Coefficients>& values) const {
+void PassageQuadrature::add(InfluenceTable& table, int row, double compliance, const Weights& weights,
+                            const std::vector<Coefficients>& values) const {
   const Coefficients& mirror = coefficient::mirror_x;
   const auto count_in = [&](int column) { return weights.cells[rule_of(column, row)].size(); };
   Coefficients g = Coefficients::Zero();

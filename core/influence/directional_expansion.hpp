@@ -21,11 +21,11 @@ using Harmonics = Eigen::Array<double, 6, Eigen::Dynamic>;
 /// Order of the harmonic n of a coefficient: 2n or 2n + 1.
 int order_of_harmonic(Eigen::Index coefficient, int n);
 
-class WaveDirections {
+class DirectionalExpansion {
  public:
   /// @param wave_speed V, below that of Rayleigh waves on any of the layers [m/s]; 0: without inertia, where all
   /// directions are the same
-  WaveDirections(const LayeredMedium& medium, double wave_speed);
+  DirectionalExpansion(const LayeredMedium& medium, double wave_speed);
 
   int harmonics() const { return static_cast<int>(cosines_.size()); }
   int terms() const { return static_cast<int>(fastest().terms().size()); }
