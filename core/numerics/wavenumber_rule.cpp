@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/numerics/quadrature.hpp"
-#include "core/numerics/wavenumber_fade.hpp"
 
 namespace rollres {
 

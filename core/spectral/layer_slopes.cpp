@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/numerics/chebyshev_series.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/surface/layer_compliance.hpp"

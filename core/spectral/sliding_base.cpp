@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/chebyshev_rule.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/quadrature.hpp"
 
 namespace rollres {

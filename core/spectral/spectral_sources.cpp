@@ -1,6 +1,6 @@
 #include "core/spectral/spectral_sources.hpp"
 
-#include "core/numerics/chebyshev_rule.hpp"
+#include "core/numerics/chebyshev.hpp"
 
 namespace rollres {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/numerics/chebyshev_rule.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/spectral/sliding_base.hpp"
 #include "core/spectral/spectral_memory.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/numerics/chebyshev_series.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/numerics/chebyshev_series.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/quadrature.hpp"
-#include "core/numerics/wavenumber_fade.hpp"
+#include "core/numerics/wavenumber_rule.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "core/numerics/chebyshev_rule.hpp"
+#include "core/numerics/chebyshev.hpp"
 
 #include <cmath>
 #include <map>
