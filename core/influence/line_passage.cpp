@@ -78,8 +78,8 @@ class AddedDisplacements {
   LayerSlopes operator()(double x) const {
     LayerSlopes sum = table_(0, x / depth_);
     const double logarithm = std::log(x * x + 4 * depth_ * depth_) / (2 * M_PI);
-    sum(0) += (at_rest_.normal - long_waves_.normal).real() * logarithm;
-    sum(1) += (at_rest_.longitudinal - long_waves_.longitudinal).real() * logarithm;
+    sum(layer_slope::normal) += (at_rest_.normal - long_waves_.normal).real() * logarithm;
+    sum(layer_slope::tangential) += (at_rest_.longitudinal - long_waves_.longitudinal).real() * logarithm;
     return sum;
   }
 
@@ -125,9 +125,9 @@ InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& 
   for (int column = -reach_x; column <= reach_x; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
     const LayerSlopes values = added(column * cell);
-    table.ww[at] += values(0);
-    table.uu[at] += values(1);
-    table.uw[at] += values(2);
+    table.ww[at] += values(layer_slope::normal);
+    table.uu[at] += values(layer_slope::tangential);
+    table.uw[at] += values(layer_slope::cross);
   }
   return table;
 }

@@ -143,7 +143,7 @@ LayerSlopes layer_displacement_correction(double x, double thickness) {
     values = clenshaw(&slope_table().displacements[static_cast<std::size_t>(panel * terms)], place);
   }
   values.head<2>() += std::log(thickness) / (2 * M_PI);
-  if (x < 0) values(2) = -values(2);
+  if (x < 0) values(layer_slope::cross) = -values(layer_slope::cross);
   return values;
 }
 
@@ -170,7 +170,8 @@ void LayerMemory::march(LayerSlopes end_value, int first, int last) {
       // Mirrored: normal and tangential odd in x, cross even, T_k(-t) = (-1)^k T_k(t).
       const double parity = mirrored && k % 2 ? -1 : 1, odd = mirrored ? -1 : 1;
       const LayerSlopes& c = table.slopes[p * terms + static_cast<std::size_t>(k)];
-      right.row(k) << parity * odd * c(0), parity * odd * c(1), parity * c(2), 0;
+      right.row(k) << parity * odd * c(layer_slope::normal), parity * odd * c(layer_slope::tangential),
+          parity * c(layer_slope::cross), 0;
     }
     Matrix integration = Matrix::Zero();  // F_k from v for k >= 1; F_0 makes F(1) the value at the end
     for (int k = 1; k < terms; ++k) {

@@ -138,8 +138,8 @@ SpectralField::Slopes SpectralField::sum_of_sources(double x, Kernel kernel) con
   Slopes sum{0, 0};
   for (Index q = 0; q < state_.sources.size(); ++q) {
     const LayerSlopes k = kernel(x - state_.sources(q));
-    sum.w -= k(0) * state_.pressure_forces(q) + k(2) * state_.shear_forces(q);
-    sum.u += k(1) * state_.shear_forces(q) - k(2) * state_.pressure_forces(q);
+    sum.w -= k(layer_slope::normal) * state_.pressure_forces(q) + k(layer_slope::cross) * state_.shear_forces(q);
+    sum.u += k(layer_slope::tangential) * state_.shear_forces(q) - k(layer_slope::cross) * state_.pressure_forces(q);
   }
   return sum;
 }

@@ -45,13 +45,13 @@ namespace {
 struct UnitSlopes {
   MatrixXd direct, cross;  // [point, source]
 
-  UnitSlopes(const TractionSources& sources, const LayerKernel& layer, const VectorXd& x, int direction)
+  UnitSlopes(const TractionSources& sources, const LayerKernel& layer, const VectorXd& x, Index direction)
       : direct(x.size(), sources.x.size()), cross(x.size(), sources.x.size()) {
     for (Index q = 0; q < sources.x.size(); ++q)
       for (Index i = 0; i < x.size(); ++i) {
         const LayerSlopes k = layer(x(i) - sources.x(q));
         direct(i, q) = k(direction);
-        cross(i, q) = k(2);
+        cross(i, q) = k(layer_slope::cross);
       }
   }
 };
@@ -60,7 +60,7 @@ struct UnitSlopes {
 
 MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const VectorXd& x) {
   const Index n = sources.pressure_nodes;
-  const UnitSlopes unit(sources, layer, x, 0);
+  const UnitSlopes unit(sources, layer, x, layer_slope::normal);
   MatrixXd slopes = -unit.cross * sources.of_shear;
   slopes.leftCols(n) -= unit.direct.leftCols(n) * sources.of_pressure.topLeftCorner(n, n);
   return slopes;
@@ -68,7 +68,7 @@ MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer,
 
 MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const VectorXd& x) {
   const Index n = sources.pressure_nodes;
-  const UnitSlopes unit(sources, layer, x, 1);
+  const UnitSlopes unit(sources, layer, x, layer_slope::tangential);
   MatrixXd slopes = unit.direct * sources.of_shear;
   slopes.leftCols(n) -= unit.cross.leftCols(n) * sources.of_pressure.topLeftCorner(n, n);
   return slopes;

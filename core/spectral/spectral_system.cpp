@@ -297,7 +297,8 @@ class System {
     w += half * memory_.tail_lift.dot(solution_.segment(amplitude_, terms_));
     for (Index q = 0; q < sources_.x.size(); ++q) {
       const LayerSlopes k = problem_.correction->displacement(leading - sources_.x(q));
-      w -= k(0) * sources_.of_pressure.row(q).dot(solution_) + k(2) * sources_.of_shear.row(q).dot(solution_);
+      w -= k(layer_slope::normal) * sources_.of_pressure.row(q).dot(solution_) +
+           k(layer_slope::cross) * sources_.of_shear.row(q).dot(solution_);
     }
     w *= problem_.rubbery_compliance;
     const VectorXd means = means_ * solution_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
@@ -99,6 +100,146 @@ class AddedSlopes {
   std::vector<std::array<Eigen::Array2d, count>> series_;
 };
 
+/// Ends at which tractions or slopes have roots of the distance [m].
+std::vector<double> ends_of_zones(const SpectralState& state) {
+  const Interval& contact = state.edges.contact;
+  std::vector<double> ends{contact.from, contact.to};
+  for (const Interval& stick : state.edges.sticks)
+    for (const double end : {stick.from, stick.to})
+      if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
+  return ends;
+}
+
+/// Whether the memories are begun from forces at points: where they reach farther than the layer moves, or that is not
+/// known.
+bool from_points(const SpectralProblem& problem) {
+  return problem.layered() && std::isinf(problem.correction->reach());
+}
+
+/// How far ahead of the contact panels are needed: as far as the memories reach and the layer moves [m].
+double reach_ahead(const SpectralProblem& problem, double half) {
+  double memories = 0.5 * half;
+  for (const double length : problem.creep_length) memories = std::max(memories, 40 * length);
+  if (!problem.layered()) return memories;
+  const double far = from_points(problem) ? distance_of_points * half : problem.correction->reach();
+  return std::max(0.5 * half, std::min(memories, far));
+}
+
+/// Descending, without those that nearly coincide; of these the ends stay.
+std::vector<double> distinct(std::vector<double> borders, const std::vector<double>& ends, double nearest) {
+  const auto is_end = [&](double border) { return std::find(ends.begin(), ends.end(), border) != ends.end(); };
+  std::sort(borders.rbegin(), borders.rend());
+  std::vector<double> kept;
+  for (const double border : borders) {
+    if (!kept.empty() && kept.back() - border < nearest) {
+      if (is_end(border) && !is_end(kept.back())) kept.back() = border;
+      if (!is_end(border) || kept.back() == border) continue;
+    }
+    kept.push_back(border);
+  }
+  return kept;
+}
+
+/// Borders of the panels, from ahead to behind [m].
+std::vector<double> panel_borders(const SpectralProblem& problem, const SpectralState& state) {
+  const Interval& contact = state.edges.contact;
+  const double half = contact.half_length();
+  const std::vector<double> ends = ends_of_zones(state);
+  std::vector<double> borders = ends;
+  // Towards the ends, down to layers as thin as the shortest memory.
+  double shortest = half;
+  for (const double length : problem.relaxation_length) shortest = std::min(shortest, length);
+  for (const double end : ends)
+    for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= 0.25)
+      for (const double border : {end - distance, end + distance})
+        if (border < contact.to + 0.5 * half) borders.push_back(border);
+  // Ahead, in panels that widen with the distance.
+  const double reach = reach_ahead(problem, half);
+  double width = std::min(0.5 * half, problem.layered() ? problem.correction->depth() : half), ahead = 0;
+  for (; ahead < reach; width *= 2) borders.push_back(contact.to + (ahead += width));
+  borders.push_back(contact.from - 0.5 * half);
+  borders.push_back(contact.from - 1.5 * half);
+  // In contact: a number of the coefficients' oscillations for each panel, at most.
+  const auto order = static_cast<double>(state.pressure.coefficients.size());
+  const int parts = 1 + static_cast<int>(M_PI * order / 14);
+  for (int i = 1; i < parts; ++i) borders.push_back(contact.centre() + half * std::cos(M_PI * i / parts));
+  return distinct(std::move(borders), ends, 0.2 * std::min(shortest, 0.05 * half));
+}
+
+/// Nodes, weights and tractions of a panel.
+SurfacePanel loaded_panel(const SpectralField& field, double from, double to) {
+  const PanelRule& rule = panel_rule();
+  const double half = 0.5 * (to - from);
+  const ArrayXd none = ArrayXd::Zero(PanelRule::count);
+  SurfacePanel panel{.zone = field.zone(0.5 * (from + to)),
+                     .from = from,
+                     .to = to,
+                     .x = 0.5 * (from + to) + half * rule.place,
+                     .weights = -(rule.integral.row(PanelRule::last).transpose().array() * half * rule.rate),
+                     .pressure = none,
+                     .shear = none,
+                     .slope_w = {},
+                     .slope_u = {},
+                     .gap = {}};
+  panel.x(0) = to;
+  panel.x(PanelRule::last) = from;
+  if (panel.zone == Zone::free) return panel;
+  for (int k = 0; k < PanelRule::count; ++k) {
+    panel.pressure(k) = field.pressure(panel.x(k));
+    panel.shear(k) = field.shear(panel.x(k), panel.pressure(k));
+  }
+  return panel;
+}
+
+/// Memories at a panel's leading end, term by term, of w and u.
+using Memories = Eigen::ArrayXXd;
+
+Memories memories_ahead(const SpectralProblem& problem, const SpectralField& field, double x) {
+  Memories memories = Memories::Zero(problem.terms(), 2);
+  if (from_points(problem))
+    for (Index m = 0; m < problem.terms(); ++m) {
+      const SpectralField::Slopes begin = field.remembered_ahead(static_cast<std::size_t>(m), x);
+      memories.row(m) << begin.w, begin.u;
+    }
+  return memories;
+}
+
+/// Slopes on a panel from its elastic ones [node, w and u]; takes the memories from its leading to its trailing end.
+MatrixXd march_memories(const SpectralProblem& problem, const SurfacePanel& panel, const MatrixXd& elastic,
+                        Memories& memories) {
+  const PanelRule& rule = panel_rule();
+  const ArrayXd rate = 0.5 * (panel.to - panel.from) * rule.rate;
+  MatrixXd slopes = problem.glassy_compliance * elastic;
+  for (Index m = 0; m < problem.terms(); ++m) {
+    // x'(s) y - T dy/ds = x'(s) g, y given at the leading end.
+    MatrixXd system = -problem.creep_length[static_cast<std::size_t>(m)] * rule.derivative;
+    system.diagonal().array() += rate;
+    MatrixXd right = elastic.array().colwise() * rate;
+    system.row(0).setZero();
+    system(0, 0) = 1;
+    right.row(0) = memories.row(m);
+    const MatrixXd y = SquareSystem(system).solve(right);
+    slopes += problem.creep_compliance[static_cast<std::size_t>(m)] * y;
+    memories.row(m) = y.row(PanelRule::last).array();
+  }
+  return slopes;
+}
+
+/// Integrates the gaps from the leading edge.
+void measure_gaps(const SpectralProblem& problem, double leading_edge, std::vector<SurfacePanel>& panels) {
+  double gap = 0;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    SurfacePanel& panel = panels[i];
+    ArrayXd opening(PanelRule::count);
+    for (int k = 0; k < PanelRule::count; ++k) opening(k) = problem.slope(panel.x(k)) - panel.slope_w(k);
+    panel.gap = gap + panel.integrated(opening);
+    gap = panel.gap(PanelRule::last);
+    if (panel.from != leading_edge) continue;
+    for (std::size_t ahead = 0; ahead <= i; ++ahead) panels[ahead].gap -= gap;
+    gap = 0;
+  }
+}
+
 }  // namespace
 
 ArrayXd SurfacePanel::integrated(const ArrayXd& values) const {
@@ -124,113 +265,24 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
                                          const SpectralField& field) {
   const Interval& contact = state.edges.contact;
   const double half = contact.half_length();
-  std::vector<SurfacePanel> panels;
-  // Ends at which tractions or slopes have roots of the distance, and layers as thin as the shortest memory.
-  std::vector<double> ends{contact.from, contact.to};
-  for (const Interval& stick : state.edges.sticks)
-    for (const double end : {stick.from, stick.to})
-      if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
-  std::vector<double> borders = ends;
-  double shortest = half, reach = 0.5 * half;
-  for (const double length : problem.relaxation_length) shortest = std::min(shortest, length);
-  for (const double length : problem.creep_length) reach = std::max(reach, 40 * length);
-  // Where that is farther than the layer moves, or not known, the memories are begun from forces at points.
-  const bool from_points = problem.layered() && std::isinf(problem.correction->reach());
-  const double far = from_points ? distance_of_points * half : problem.layered() ? problem.correction->reach() : reach;
-  reach = std::max(0.5 * half, std::min(reach, far));
-  for (const double end : ends)
-    for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= 0.25)
-      for (const double border : {end - distance, end + distance})
-        if (border < contact.to + 0.5 * half) borders.push_back(border);
-  // Ahead, as far as the memories reach and the layer moves, in panels that widen with the distance.
-  double width = std::min(0.5 * half, problem.layered() ? problem.correction->depth() : half), ahead = 0;
-  for (; ahead < reach; width *= 2) borders.push_back(contact.to + (ahead += width));
-  borders.push_back(contact.from - 0.5 * half);
-  borders.push_back(contact.from - 1.5 * half);
-  // In contact: a number of the coefficients' oscillations for each panel, at most.
-  const auto order = static_cast<double>(state.pressure.coefficients.size());
-  const int parts = 1 + static_cast<int>(M_PI * order / 14);
-  for (int i = 1; i < parts; ++i) borders.push_back(contact.centre() + half * std::cos(M_PI * i / parts));
-  std::sort(borders.rbegin(), borders.rend());
-  // Of borders that nearly coincide those stay that are ends.
-  std::vector<double> kept;
-  for (const double border : borders) {
-    const bool is_end = std::find(ends.begin(), ends.end(), border) != ends.end();
-    if (!kept.empty() && kept.back() - border < 0.2 * std::min(shortest, 0.05 * half)) {
-      if (is_end && std::find(ends.begin(), ends.end(), kept.back()) == ends.end()) kept.back() = border;
-      if (!is_end || kept.back() == border) continue;
-    }
-    kept.push_back(border);
-  }
-  for (std::size_t i = 1; i < kept.size(); ++i) {
-    const double from = kept[i], to = kept[i - 1];
-    panels.push_back({.zone = field.zone(0.5 * (from + to)),
-                      .from = from,
-                      .to = to,
-                      .x = {},
-                      .weights = {},
-                      .pressure = {},
-                      .shear = {},
-                      .slope_w = {},
-                      .slope_u = {},
-                      .gap = {}});
-  }
-
-  const PanelRule& rule = panel_rule();
-  const Index terms = problem.terms();
+  const std::vector<double> borders = panel_borders(problem, state);
   const AddedSlopes added(problem, field, contact.from - 1.5 * half, contact.to + 0.5 * half,
-                          panels.size() * PanelRule::count / 2);
-  Eigen::ArrayXXd memory = Eigen::ArrayXXd::Zero(terms, 2);  // of w and u at the panel's leading end
-  if (from_points)
-    for (Index m = 0; m < terms; ++m) {
-      const SpectralField::Slopes begin = field.remembered_ahead(static_cast<std::size_t>(m), panels.front().to);
-      memory.row(m) << begin.w, begin.u;
-    }
-  double gap = 0;
-  for (SurfacePanel& panel : panels) {
-    const double half_panel = 0.5 * (panel.to - panel.from);
-    panel.x = 0.5 * (panel.from + panel.to) + half_panel * rule.place;
-    panel.x(0) = panel.to;
-    panel.x(PanelRule::last) = panel.from;
-    panel.weights = -(rule.integral.row(PanelRule::last).transpose().array() * half_panel * rule.rate);
-    panel.pressure = panel.shear = ArrayXd::Zero(PanelRule::count);
+                          (borders.size() - 1) * PanelRule::count / 2);
+  Memories memories = memories_ahead(problem, field, borders.front());
+  std::vector<SurfacePanel> panels;
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
     MatrixXd elastic(PanelRule::count, 2);
     for (int k = 0; k < PanelRule::count; ++k) {
       const SpectralField::Slopes g = field.elastic_slopes(panel.x(k), added(panel.x(k)));
       elastic.row(k) << g.w, g.u;
-      if (panel.zone == Zone::free) continue;
-      panel.pressure(k) = field.pressure(panel.x(k));
-      panel.shear(k) = field.shear(panel.x(k), panel.pressure(k));
     }
-    MatrixXd slopes = problem.glassy_compliance * elastic;
-    for (Index m = 0; m < terms; ++m) {
-      // x'(s) y - T dy/ds = x'(s) g, y given at the leading end.
-      const double length = problem.creep_length[static_cast<std::size_t>(m)];
-      const ArrayXd rate = half_panel * rule.rate;
-      MatrixXd system = -length * rule.derivative;
-      system.diagonal().array() += rate;
-      MatrixXd right = elastic.array().colwise() * rate;
-      system.row(0).setZero();
-      system(0, 0) = 1;
-      right.row(0) = memory.row(m);
-      const MatrixXd y = SquareSystem(system).solve(right);
-      slopes += problem.creep_compliance[static_cast<std::size_t>(m)] * y;
-      memory.row(m) = y.row(PanelRule::last).array();
-    }
+    const MatrixXd slopes = march_memories(problem, panel, elastic, memories);
     panel.slope_w = slopes.col(0);
     panel.slope_u = slopes.col(1);
-    ArrayXd opening(PanelRule::count);
-    for (int k = 0; k < PanelRule::count; ++k) opening(k) = problem.slope(panel.x(k)) - panel.slope_w(k);
-    panel.gap = gap + panel.integrated(opening);
-    gap = panel.gap(PanelRule::last);
-    if (panel.from == contact.to) {  // measured from the leading edge
-      for (SurfacePanel& other : panels) {
-        if (other.gap.size() > 0) other.gap -= gap;
-        if (&other == &panel) break;
-      }
-      gap = 0;
-    }
+    panels.push_back(std::move(panel));
   }
+  measure_gaps(problem, contact.to, panels);
   return panels;
 }
 

@@ -18,6 +18,9 @@ namespace rollres {
 
 /// normal, tangential, cross, and 0 [1/m for unit force and modulus]
 using LayerSlopes = Eigen::Array4d;
+namespace layer_slope {
+enum : Eigen::Index { normal, tangential, cross };
+}
 
 class FourierTable {
  public:
