@@ -1,13 +1,12 @@
 #include "core/spectral/surface_panels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
+#include <optional>
 #include <utility>
 
-#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
+#include "core/numerics/quadrature.hpp"
 
 namespace rollres {
 
@@ -62,42 +61,31 @@ class AddedSlopes {
  public:
   /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.
   AddedSlopes(const SpectralProblem& problem, const SpectralField& field, double from, double to, std::size_t most)
-      : field_(field), layered_(problem.layered()) {
+      : field_(field), layered_(problem.layered()), from_(from), to_(to) {
     if (!layered_) return;
     const double panels = std::ceil((to - from) / problem.correction->depth());
-    if (panels * count > static_cast<double>(most)) return;
-    from_ = from;
-    width_ = (to - from) / panels;
-    for (int panel = 0; panel < static_cast<int>(panels); ++panel) {
-      std::array<Eigen::Array2d, count> c;
-      c.fill(Eigen::Array2d::Zero());
-      for (int node = 0; node < count; ++node) {
-        const double angle = M_PI * (node + 0.5) / count;
-        const SpectralField::Slopes value = field.added_slopes(from + width_ * (panel + 0.5 + 0.5 * std::cos(angle)));
-        for (int k = 0; k < count; ++k)
-          c[static_cast<std::size_t>(k)] +=
-              (k == 0 ? 1.0 : 2.0) / count * std::cos(k * angle) * Eigen::Array2d(value.w, value.u);
-      }
-      series_.push_back(c);
-    }
+    if (panels * (degree + 1) > static_cast<double>(most)) return;
+    std::vector<double> borders;
+    for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(from + (to - from) * i / panels);
+    table_.emplace(std::move(borders), degree, [&](double x) {
+      const SpectralField::Slopes value = field.added_slopes(x);
+      return Eigen::Array2d(value.w, value.u);
+    });
   }
 
   SpectralField::Slopes operator()(double x) const {
     if (!layered_) return {0, 0};
-    const double place = (x - from_) / width_;
-    if (!(place >= 0 && place <= static_cast<double>(series_.size()))) return field_.added_slopes(x);
-    const auto panel = std::min(static_cast<std::size_t>(place), series_.size() - 1);
-    const double t = 2 * (place - static_cast<double>(panel)) - 1;
-    const Eigen::Array2d sum = chebyshev_sum(std::span<const Eigen::Array2d>(series_[panel]), t);
+    if (!table_ || !(x >= from_ && x <= to_)) return field_.added_slopes(x);
+    const Eigen::Array2d sum = (*table_)(x);
     return {sum(0), sum(1)};
   }
 
  private:
-  static constexpr int count = 18;
+  static constexpr int degree = 17;
   const SpectralField& field_;
   bool layered_;
-  double from_ = 0, width_ = 1;
-  std::vector<std::array<Eigen::Array2d, count>> series_;
+  double from_, to_;
+  std::optional<ChebyshevTable<2>> table_;
 };
 
 /// Ends at which tractions or slopes have roots of the distance [m].
