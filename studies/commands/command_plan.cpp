@@ -37,9 +37,9 @@ std::string combinations(const Study& study) {
 }
 
 void print_summary(std::ostream& out, const Study& study, const StudyPlan& plan) {
-  out << study.name << ": " << counted(plan.scenes.size(), "point") << ", " << combinations(study) << '\n';
-  for (std::size_t i = 0; i < plan.dropped.size(); ++i)
-    out << "dropped by " << study.constraints[i].text() << ": " << counted(plan.dropped[i], "point") << '\n';
+  out << study.name << ": " << counted(plan.size(), "point") << ", " << combinations(study) << '\n';
+  for (std::size_t i = 0; i < plan.dropped().size(); ++i)
+    out << "dropped by " << study.constraints[i].text() << ": " << counted(plan.dropped()[i], "point") << '\n';
 }
 
 Json axes_json(const Study& study) {
@@ -65,13 +65,11 @@ Json charts_json(const Study& study) {
 
 void print_json(std::ostream& out, const PlanWords& words, const Study& study, const StudyPlan& plan,
                 const std::vector<Cell>& status, const Table& table) {
-  Json object{{"study", study.name},
-              {"points", plan.scenes.size()},
-              {"dropped", plan.all_dropped()},
-              {"axes", axes_json(study)}};
+  Json object{
+      {"study", study.name}, {"points", plan.size()}, {"dropped", plan.all_dropped()}, {"axes", axes_json(study)}};
   object["constraints"] = Json::array();
-  for (std::size_t i = 0; i < plan.dropped.size(); ++i)
-    object["constraints"].push_back({{"constraint", study.constraints[i].text()}, {"dropped", plan.dropped[i]}});
+  for (std::size_t i = 0; i < plan.dropped().size(); ++i)
+    object["constraints"].push_back({{"constraint", study.constraints[i].text()}, {"dropped", plan.dropped()[i]}});
   object["compute"] = study.compute;
   object["fields"] = study.fields;
   object["charts"] = charts_json(study);
@@ -87,9 +85,10 @@ void print_json(std::ostream& out, const PlanWords& words, const Study& study, c
 
 /// Names of columns with their units, where all points have the same.
 void add_units(Table& table, const StudyPlan& plan) {
-  const Indenter indenter = plan.scenes.front().indenter;
-  for (const RollingScene& scene : plan.scenes)
-    if (scene.indenter != indenter) return;
+  const Indenter indenter = plan.scene(0).indenter;
+  bool one_body = true;
+  plan.for_each([&](std::size_t, const RollingScene& scene) { one_body = one_body && scene.indenter == indenter; });
+  if (!one_body) return;
   for (std::string& column : table.columns)
     if (const InputKind* const input = find_input(column))
       column += unit_in_brackets(input->quantity.unit_for(indenter));
@@ -97,7 +96,7 @@ void add_units(Table& table, const StudyPlan& plan) {
 
 void plan(const PlanWords& words, Session& session) {
   const Study study = read_study(words.study);
-  const StudyPlan plan = rollres::plan(study);
+  const StudyPlan plan(study);
   std::vector<Cell> status;
   if (!words.database.empty()) {
     ResultStore store(words.database, Access::read);
@@ -115,8 +114,8 @@ void plan(const PlanWords& words, Session& session) {
   add_units(table, plan);
   session.out << '\n';
   write_table(session.out, table, words.format);
-  if (table.rows.size() < plan.scenes.size())
-    session.out << "and " << counted(plan.scenes.size() - table.rows.size(), "more point") << '\n';
+  if (table.rows.size() < plan.size())
+    session.out << "and " << counted(plan.size() - table.rows.size(), "more point") << '\n';
 }
 
 }  // namespace

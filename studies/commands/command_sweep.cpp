@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <ostream>
 
 #include "studies/program/command_line.hpp"
@@ -53,10 +54,11 @@ void print_summary(Session& session, const SweepReport& report, const std::vecto
 
 void sweep(const SweepWords& words, Session& session) {
   const Study study = read_study(words.study);
-  const StopSignal signal;
   SweepOptions options;
   options.jobs = words.jobs;
-  options.stop = &signal.requested();
+  std::optional<StopSignal> signal;  // until the first point there is nothing to bring home: a signal ends the program
+  options.ready = [&] { signal.emplace(); };
+  options.stop = &StopSignal::requested();
   options.definition = standalone_study(words.study);
   if (!words.shard.empty()) options.shard = parse_shard(words.shard);
   options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, words.retry));

@@ -60,7 +60,6 @@ Study read_study(const std::filesystem::path& file) {
   study.compute = study_outputs(object, place);
   study.fields = wants_fields(object, place);
   study.charts = study_charts(object, study.axes, place);
-  plan(study);
   return study;
 }
 
