@@ -13,7 +13,8 @@ namespace rollres {
 
 StudyStatus study_status(const Study& study, std::span<const std::filesystem::path> databases, int shards) {
   const StudyPlan plan(study);
-  const std::vector<std::string> keys = plan.keys();
+  std::vector<std::string> keys(plan.size());
+  if (!databases.empty() || shards > 1) keys = plan.keys();
   const std::vector<double> predictions = predicted_seconds(plan);
   std::vector<PointState> best(keys.size());
   for (const std::filesystem::path& file : databases) {
