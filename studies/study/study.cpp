@@ -6,7 +6,7 @@
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_scene.hpp"
-#include "studies/study/study_wishes.hpp"
+#include "studies/study/study_outputs.hpp"
 
 namespace rollres {
 
