@@ -16,7 +16,7 @@ namespace rollres {
 
 namespace {
 
-struct PlanWords {
+struct PlanArguments {
   std::string study, database, format = "table";
   bool json = false;
   std::size_t limit = std::numeric_limits<std::size_t>::max();
@@ -63,7 +63,7 @@ Json charts_json(const Study& study) {
   return charts;
 }
 
-void print_json(std::ostream& out, const PlanWords& words, const Study& study, const StudyPlan& plan,
+void print_json(std::ostream& out, const PlanArguments& arguments, const Study& study, const StudyPlan& plan,
                 const std::vector<Cell>& status, const Table& table) {
   Json object{
       {"study", study.name}, {"points", plan.size()}, {"dropped", plan.all_dropped()}, {"axes", axes_json(study)}};
@@ -73,9 +73,9 @@ void print_json(std::ostream& out, const PlanWords& words, const Study& study, c
   object["compute"] = study.compute;
   object["fields"] = study.fields;
   object["charts"] = charts_json(study);
-  if (!words.database.empty()) {
+  if (!arguments.database.empty()) {
     const StoredPoints stored = count_stored(status);
-    object["db"] = words.database;
+    object["db"] = arguments.database;
     object["stored"] = stored.answered;
     object["failed"] = stored.failed;
   }
@@ -94,26 +94,26 @@ void add_units(Table& table, const StudyPlan& plan) {
       column += unit_in_brackets(input->quantity.unit_for(indenter));
 }
 
-void plan(const PlanWords& words, Session& session) {
-  const Study study = read_study(words.study);
+void plan(const PlanArguments& arguments, Session& session) {
+  const Study study = read_study(arguments.study);
   const StudyPlan plan(study);
   std::vector<Cell> status;
-  if (!words.database.empty()) {
-    ResultStore store(words.database, Access::read);
+  if (!arguments.database.empty()) {
+    ResultStore store(arguments.database, Access::read);
     status = stored_status(store, plan);
   }
-  Table table = plan_table(study, plan, status, words.limit);
-  if (words.json) return print_json(session.out, words, study, plan, status, table);
-  if (words.format != "table") return write_table(session.out, table, words.format);
+  Table table = plan_table(study, plan, status, arguments.limit);
+  if (arguments.json) return print_json(session.out, arguments, study, plan, status, table);
+  if (arguments.format != "table") return write_table(session.out, table, arguments.format);
   print_summary(session.out, study, plan);
-  if (!words.database.empty()) {
+  if (!arguments.database.empty()) {
     const StoredPoints stored = count_stored(status);
-    session.out << stored.answered << " of them in " << words.database << ", " << stored.failed << " failed\n";
+    session.out << stored.answered << " of them in " << arguments.database << ", " << stored.failed << " failed\n";
   }
   if (table.rows.empty()) return;
   add_units(table, plan);
   session.out << '\n';
-  write_table(session.out, table, words.format);
+  write_table(session.out, table, arguments.format);
   if (table.rows.size() < plan.size())
     session.out << "and " << counted(plan.size() - table.rows.size(), "more point") << '\n';
 }
@@ -122,25 +122,25 @@ void plan(const PlanWords& words, Session& session) {
 
 void add_plan(Command& program, Session& session) {
   Command* command = program.add_subcommand("plan", "Print the points of a study without solving any");
-  const auto words = std::make_shared<PlanWords>();
-  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
-  command->add_option("--db", words->database, "database: tells which points are stored there, and their status")
+  const auto arguments = std::make_shared<PlanArguments>();
+  command->add_option("study", arguments->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--db", arguments->database, "database: tells which points are stored there, and their status")
       ->option_text("FILE");
-  command->add_option("--limit", words->limit, "print no more than this many points")
+  command->add_option("--limit", arguments->limit, "print no more than this many points")
       ->option_text("N")
       ->between(0, most_points);
   CommandOption* const format =
       command
-          ->add_option("--format", words->format,
+          ->add_option("--format", arguments->format,
                        "table, csv, json, jsonl (one object a line) or markdown: the points alone")
           ->option_text("FORMAT")
           ->one_of(table_formats);
-  command->add_flag("--json", words->json, "print one JSON object: what the file asks for, and its points")
+  command->add_flag("--json", arguments->json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);
   command->footer(
       "Numbers are SI.\n"
       "Example: rollres plan studies/examples/speed_resistance.json --limit 10");
-  command->callback([words, &session] { plan(*words, session); });
+  command->callback([arguments, &session] { plan(*arguments, session); });
 }
 
 }  // namespace rollres

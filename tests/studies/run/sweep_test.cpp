@@ -311,3 +311,17 @@ TEST_CASE("an answer is solved once and then recalled, failed ones too", "[studi
   }
   CHECK(calls == 2);
 }
+
+TEST_CASE("a sweep says that it is ready when its points are recorded and none is solved", "[studies][sweep]") {
+  const TemporaryDirectory directory;
+  const auto file = directory.path / "results.db";
+  int told = 0;
+  SweepOptions options;
+  options.ready = [&] {
+    ++told;
+    CHECK(count(file, "SELECT count(*) FROM study_point") == 6);
+    CHECK(count(file, "SELECT count(*) FROM evaluation") == 0);
+  };
+  CHECK(run_sweep(study_of(3), moody(milliseconds(0)), file, options).answered == 6);
+  CHECK(told == 1);
+}

@@ -1,4 +1,6 @@
 #include "studies/study/study.hpp"
+
+#include "db/rows/result_store.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 
@@ -57,4 +59,20 @@ TEST_CASE("axes of one group must be of one size", "[studies][study]") {
   study.axes[1].values.pop_back();
   CHECK(message_of([&] { StudyPlan{study}; }) ==
         "four by four: speed: must have as many values as load, with which it varies together");
+}
+
+TEST_CASE("a point's scene is the same by itself and after its neighbours", "[studies][study]") {
+  Study study = four_by_four();
+  study.base.rotation_ratio = 1.01;  // cleared by the first drive, kept for the second
+  study.axes.insert(study.axes.begin() + 1, {.key = "drive", .texts = {"free", "rotation"}});
+  study.constraints = {condition("load * speed <= 60000")};
+  const StudyPlan plan(study);
+  const std::vector<RollingScene> scenes = points(study);
+  REQUIRE(plan.size() == scenes.size());
+  const std::vector<std::string> keys = plan.keys();
+  for (std::size_t point = 0; point < plan.size(); ++point) {
+    CHECK(keys[point] == evaluation_key(scenes[point]));
+    CHECK(keys[point] == evaluation_key(plan.scene(point)));
+    CHECK(scenes[point].rotation_ratio.has_value() == (scenes[point].drive == Drive::rotation));
+  }
 }
