@@ -20,7 +20,6 @@ std::string broken(std::string_view key, double value, const std::string& rule) 
 
 /// Lists that belong together, the first of which says how many values the others have.
 void check_lists(const MaterialInputs& layer, Lines& lines) {
-  const std::string material = "material \"" + std::string(name_of(layer.material)) + "\" needs it";
   std::string_view first;
   std::size_t count = 0;
   const std::vector<std::string_view> needed = needed_inputs(layer.material);
@@ -28,7 +27,7 @@ void check_lists(const MaterialInputs& layer, Lines& lines) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
       if (find_name(needed, quantity.key) < 0) return;
       if (value.empty()) {
-        lines.push_back(missing(quantity.key, material));
+        lines.push_back(missing(quantity.key, "material \"" + std::string(name_of(layer.material)) + "\" needs it"));
       } else if (first.empty()) {
         first = quantity.key;
         count = value.size();
@@ -49,15 +48,17 @@ void check_frequencies(const MaterialInputs& layer, Lines& lines) {
 
 void check_modulus(const MaterialInputs& layer, Lines& lines) {
   const bool shear = layer.static_shear_modulus.has_value(), young = layer.static_young_modulus.has_value();
+  if (shear != young || (!shear && !needs_static_modulus(layer.material))) return;
   const std::string rule = "give static_shear_modulus or static_young_modulus";
-  if (shear && young) lines.push_back(broken("static_young_modulus", *layer.static_young_modulus, rule + ", not both"));
-  if (!shear && !young && needs_static_modulus(layer.material))
+  if (shear)
+    lines.push_back(broken("static_young_modulus", *layer.static_young_modulus, rule + ", not both"));
+  else
     lines.push_back(missing("static_shear_modulus", rule + " (Pa)"));
 }
 
 void check_temperature(const MaterialInputs& layer, Lines& lines) {
   const bool wlf = layer.wlf_c1 || layer.wlf_c2, arrhenius = layer.activation_energy.has_value();
-  const std::string both = "wlf_c1 and wlf_c2 go together";
+  constexpr const char* both = "wlf_c1 and wlf_c2 go together";
   if (layer.wlf_c1 && !layer.wlf_c2) lines.push_back(missing("wlf_c2", both));
   if (layer.wlf_c2 && !layer.wlf_c1) lines.push_back(missing("wlf_c1", both));
   if (wlf && arrhenius)

@@ -30,6 +30,97 @@ std::string broken_for_spectral(const RollingScene& scene) {
   return {};
 }
 
+/// Lines "key = value: rule" and "key is missing: rule".
+struct BrokenRules {
+  std::vector<std::string> lines = {};
+
+  void add(std::string_view key, const auto& value, const std::string& rule) {
+    std::ostringstream line;
+    line << key << " = " << value << ": " << rule;
+    lines.push_back(line.str());
+  }
+  void add_missing(std::string_view key, const std::string& rule) {
+    lines.push_back(std::string(key) + " is missing: " + rule);
+  }
+};
+
+/// @param owner  what stands before the keys of a further layer: "coating_layers[0]."
+template <class Value>
+void check_range(const std::string& owner, const Quantity& quantity, const Value& value, BrokenRules& broken) {
+  const auto key = [&] { return owner + std::string(quantity.key); };
+  if constexpr (std::is_arithmetic_v<Value>) {
+    if (!quantity.range.contains(value)) broken.add(key(), value, quantity.range.rule());
+  } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+    if (value && !quantity.range.contains(*value)) broken.add(key(), *value, quantity.range.rule());
+  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (!quantity.range.contains(value[i]))
+        broken.add(key() + "[" + std::to_string(i) + "]", value[i], quantity.range.rule());
+  }
+}
+
+void check_further_layers(const std::string& list, const BondedLayers& layers, BrokenRules& broken) {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::string owner = list + "[" + std::to_string(i) + "].";
+    visit_layer_inputs(
+        layers[i], [&](const Quantity& quantity, const auto& value) { check_range(owner, quantity, value, broken); });
+    for (const std::string& line : check_material(layers[i])) broken.lines.push_back(owner + line);
+  }
+}
+
+void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
+  double above = scene.layer_thickness;
+  for (const BondedLayer& layer : scene.lower_layers) {
+    if (std::isinf(above))
+      broken.add("layer_thickness", "\"infinite\"", "only the last of the lower layers may be infinite");
+    above = layer.layer_thickness;
+  }
+  double coating = 0;
+  for (const BondedLayer& layer : scene.coating_layers) coating += layer.layer_thickness;
+  if (coating >= scene.radius) broken.add("coating_layers", coating, "must be thinner than the radius, together");
+}
+
+void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
+  if (scene.load && scene.approach) broken.add("approach", *scene.approach, "give load or approach, not both");
+  if (!scene.load && !scene.approach) broken.add_missing("load", "give load or approach");
+  if (scene.spacing && scene.tolerance)
+    broken.add("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
+}
+
+void check_against_radius(const RollingScene& scene, BrokenRules& broken) {
+  if (scene.spacing && *scene.spacing > 0.2 * scene.radius)
+    broken.add("spacing", *scene.spacing, "must be at most a fifth of the radius");
+  if (scene.approach && *scene.approach >= scene.radius)
+    broken.add("approach", *scene.approach, "must be less than the radius");
+}
+
+void check_drive(const RollingScene& scene, BrokenRules& broken) {
+  const bool torque = scene.drive == Drive::torque, rotation = scene.drive == Drive::rotation;
+  if (torque && !scene.driving_torque) broken.add_missing("driving_torque", "drive \"torque\" needs it");
+  if (!torque && scene.driving_torque)
+    broken.add("driving_torque", *scene.driving_torque, "only with drive \"torque\"");
+  if (rotation && !scene.rotation_ratio) broken.add_missing("rotation_ratio", "drive \"rotation\" needs it");
+  if (!rotation && scene.rotation_ratio)
+    broken.add("rotation_ratio", *scene.rotation_ratio, "only with drive \"rotation\"");
+}
+
+/// @param in_range  whether every input is in its range, so that speeds of waves can be computed
+void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) {
+  const bool half_space = std::isinf(total_thickness(scene));
+  if (scene.approach && half_space && scene.indenter == Indenter::cylinder)
+    broken.add("approach", *scene.approach, "has no meaning for a cylinder on a half-space; give load");
+  if (scene.method == Method::spectral && in_range)
+    if (std::string rule = broken_for_spectral(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
+  if (scene.period && half_space) broken.add("period", *scene.period, "needs a layer of finite thickness");
+  if (scene.inertia != Inertia::on || !in_range) return;
+  if (const double number = rayleigh_number(scene); number >= 1)
+    broken.add("speed", scene.speed,
+               "with inertia must be below that of Rayleigh waves on the layer at rest, " +
+                   message_text(scene.speed / std::sqrt(number)) + " m/s");
+  else if (layers_carry_slower_waves(scene))
+    broken.add("speed", scene.speed, "with inertia must be below that of the waves which the layers carry together");
+}
+
 }  // namespace
 
 bool spectral_applies(const RollingScene& scene) { return broken_for_spectral(scene).empty(); }
@@ -40,81 +131,20 @@ Method resolved_method(const RollingScene& scene) {
 }
 
 std::vector<std::string> check(const RollingScene& scene) {
-  std::vector<std::string> broken;
-  auto complain = [&](std::string_view key, const auto& value, const std::string& rule) {
-    std::ostringstream line;
-    line << key << " = " << value << ": " << rule;
-    broken.push_back(line.str());
-  };
-  auto missing = [&](std::string_view key, const std::string& rule) {
-    broken.push_back(std::string(key) + " is missing: " + rule);
-  };
-
-  const auto check_range = [&](const std::string& owner, const Quantity& quantity, const auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    const std::string key = owner + std::string(quantity.key);
-    if constexpr (std::is_arithmetic_v<Value>) {
-      if (!quantity.range.contains(value)) complain(key, value, quantity.range.rule());
-    } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (value && !quantity.range.contains(*value)) complain(key, *value, quantity.range.rule());
-    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      for (std::size_t i = 0; i < value.size(); ++i)
-        if (!quantity.range.contains(value[i]))
-          complain(key + "[" + std::to_string(i) + "]", value[i], quantity.range.rule());
-    }
-  };
-  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) { check_range("", quantity, value); });
-  for (std::string& line : check_material(scene)) broken.push_back(std::move(line));
-  const auto check_layers = [&](const std::string& list, const BondedLayers& layers) {
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      const std::string owner = list + "[" + std::to_string(i) + "].";
-      visit_layer_inputs(layers[i],
-                         [&](const Quantity& quantity, const auto& value) { check_range(owner, quantity, value); });
-      for (const std::string& line : check_material(layers[i])) broken.push_back(owner + line);
-    }
-  };
-  check_layers("lower_layers", scene.lower_layers);
-  check_layers("coating_layers", scene.coating_layers);
-  const bool in_range = broken.empty();
-
-  double above = scene.layer_thickness;
-  for (const BondedLayer& layer : scene.lower_layers) {
-    if (std::isinf(above))
-      complain("layer_thickness", "\"infinite\"", "only the last of the lower layers may be infinite");
-    above = layer.layer_thickness;
-  }
-  double coating = 0;
-  for (const BondedLayer& layer : scene.coating_layers) coating += layer.layer_thickness;
-  if (coating >= scene.radius) complain("coating_layers", coating, "must be thinner than the radius, together");
-  if (scene.load && scene.approach) complain("approach", *scene.approach, "give load or approach, not both");
-  if (!scene.load && !scene.approach) missing("load", "give load or approach");
-  if (scene.spacing && scene.tolerance) complain("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
-  if (scene.spacing && *scene.spacing > 0.2 * scene.radius)
-    complain("spacing", *scene.spacing, "must be at most a fifth of the radius");
-  if (scene.approach && *scene.approach >= scene.radius)
-    complain("approach", *scene.approach, "must be less than the radius");
-  const bool torque = scene.drive == Drive::torque, rotation = scene.drive == Drive::rotation;
-  if (torque && !scene.driving_torque) missing("driving_torque", "drive \"torque\" needs it");
-  if (!torque && scene.driving_torque) complain("driving_torque", *scene.driving_torque, "only with drive \"torque\"");
-  if (rotation && !scene.rotation_ratio) missing("rotation_ratio", "drive \"rotation\" needs it");
-  if (!rotation && scene.rotation_ratio)
-    complain("rotation_ratio", *scene.rotation_ratio, "only with drive \"rotation\"");
-  if (scene.approach && std::isinf(total_thickness(scene)) && scene.indenter == Indenter::cylinder)
-    complain("approach", *scene.approach, "has no meaning for a cylinder on a half-space; give load");
-  if (scene.method == Method::spectral) {
-    if (std::string rule = in_range ? broken_for_spectral(scene) : ""; !rule.empty()) broken.push_back(std::move(rule));
-  }
-  if (scene.period && std::isinf(total_thickness(scene)))
-    complain("period", *scene.period, "needs a layer of finite thickness");
-  if (scene.inertia == Inertia::on) {
-    if (const double number = in_range ? rayleigh_number(scene) : 0; number >= 1)
-      complain("speed", scene.speed,
-               "with inertia must be below that of Rayleigh waves on the layer at rest, " +
-                   message_text(scene.speed / std::sqrt(number)) + " m/s");
-    else if (in_range && layers_carry_slower_waves(scene))
-      complain("speed", scene.speed, "with inertia must be below that of the waves which the layers carry together");
-  }
-  return broken;
+  BrokenRules broken;
+  const std::string no_owner;
+  visit_inputs(scene,
+               [&](const Quantity& quantity, const auto& value) { check_range(no_owner, quantity, value, broken); });
+  for (std::string& line : check_material(scene)) broken.lines.push_back(std::move(line));
+  check_further_layers("lower_layers", scene.lower_layers, broken);
+  check_further_layers("coating_layers", scene.coating_layers, broken);
+  const bool in_range = broken.lines.empty();
+  check_thicknesses(scene, broken);
+  check_alternatives(scene, broken);
+  check_against_radius(scene, broken);
+  check_drive(scene, broken);
+  check_model(scene, in_range, broken);
+  return broken.lines;
 }
 
 }  // namespace rollres

@@ -9,7 +9,8 @@ namespace rollres {
 struct Provenance {
   std::string version;   ///< of the program: "0.1.0"
   std::string git_hash;  ///< commit it was built from, "-dirty" if files were changed; "unknown" outside a repository
-  std::string solver;    ///< digest of the sources of core: as long as it stays, so do the numbers
+  std::string solver;  ///< digest of the sources that decide on answers (db/provenance.cmake): as long as it stays, so
+                       ///< do the numbers
   std::string compiler;  ///< "GNU 12.2.0"
   std::string machine;   ///< name of the host and kind of its processor
 

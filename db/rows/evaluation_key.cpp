@@ -31,19 +31,39 @@ std::string canonical(const BondedLayers& layers) {
   return text;
 }
 
+/// The inputs of a scene at their defaults, in the order of the list: where they are, and as text.
+struct Defaults {
+  RollingScene scene;
+  std::vector<const void*> places = {};
+  std::vector<std::string> texts = {};
+
+  Defaults() {
+    visit_inputs(scene, [&](const Quantity&, const auto& value) {
+      places.push_back(&value);
+      texts.push_back(canonical(value));
+    });
+  }
+  Defaults(const Defaults&) = delete;
+};
+
 }  // namespace
 
-std::string evaluation_key(const RollingScene& given, std::string_view solver) {
-  RollingScene scene = given;
-  scene.method = resolved_method(given);  // the same whether it was named or chosen by itself
-  std::vector<std::string> defaults;
-  const RollingScene plain;
-  visit_inputs(plain, [&](const Quantity&, const auto& value) { defaults.push_back(canonical(value)); });
+std::string evaluation_key(const RollingScene& scene, std::string_view solver) {
+  static const Defaults defaults;
   std::string text = "solver=" + std::string(solver);
-  auto usual = defaults.begin();
+  std::size_t input = 0;
+  const auto add = [&](const Quantity& quantity, const auto& value) {
+    const std::size_t at = input++;
+    if (value == *static_cast<const std::decay_t<decltype(value)>*>(defaults.places[at])) return;
+    if (const std::string here = canonical(value); here != defaults.texts[at])
+      text.append("\n").append(quantity.key).append("=").append(here);
+  };
+  const Method method = resolved_method(scene);  // the same whether it was named or chosen by itself
   visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-    const std::string here = canonical(value);
-    if (here != *usual++) text += "\n" + std::string(quantity.key) + "=" + here;
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Method>)
+      add(quantity, method);
+    else
+      add(quantity, value);
   });
   return digest(text);
 }

@@ -66,6 +66,22 @@ StudySummary read_summary(SQLite::Statement& row) {
           row.getColumn(6).getString(), row.getColumn(7).getString()};
 }
 
+/// While it lives, 100 MB of pages are kept in memory: rows that go to random places of an index are then written once.
+class LargeCache {
+ public:
+  explicit LargeCache(SQLite::Database& connection)
+      : connection_(connection), usual_(connection.execAndGet("PRAGMA cache_size").getInt()) {
+    connection.exec("PRAGMA cache_size = -100000");
+  }
+  ~LargeCache() { connection_.tryExec("PRAGMA cache_size = " + std::to_string(usual_)); }
+  LargeCache(const LargeCache&) = delete;
+  LargeCache& operator=(const LargeCache&) = delete;
+
+ private:
+  SQLite::Database& connection_;
+  int usual_;
+};
+
 }  // namespace
 
 struct ResultStore::Parts {
@@ -123,9 +139,17 @@ struct ResultStore::Parts {
     }
   }
 
-  std::vector<std::string> keys_of(std::int64_t study, std::size_t expected) {
+  bool has_points(std::int64_t study, std::span<const std::string> keys) {
+    SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
+    row.bind(1, study);
+    std::size_t same = 0;
+    while (row.executeStep())
+      if (same == keys.size() || keys[same++] != row.getColumn(0).getText()) return false;
+    return same == keys.size();
+  }
+
+  std::vector<std::string> keys_of(std::int64_t study) {
     std::vector<std::string> keys;
-    keys.reserve(expected);
     SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
     row.bind(1, study);
     while (row.executeStep()) keys.push_back(row.getColumn(0).getString());
@@ -247,10 +271,11 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
     record.executeStep();
     const std::int64_t id = record.getColumn(0).getInt64();
     record.reset();
-    if (parts_->keys_of(id, keys.size()) == std::vector<std::string>(keys.begin(), keys.end())) {
+    if (parts_->has_points(id, keys)) {
       transaction.commit();
       return;
     }
+    const LargeCache cache(connection);
     SQLite::Statement remove(connection, "DELETE FROM study_point WHERE study = ?");
     remove.bind(1, id);
     remove.exec();
@@ -292,7 +317,7 @@ std::vector<std::string> ResultStore::points(const std::string& study) {
   return naming(database().name(), [&] {
     SQLite::Statement row(parts_->connection(), "SELECT id FROM study WHERE name = ?");
     row.bind(1, study);
-    return row.executeStep() ? parts_->keys_of(row.getColumn(0).getInt64(), 0) : std::vector<std::string>();
+    return row.executeStep() ? parts_->keys_of(row.getColumn(0).getInt64()) : std::vector<std::string>();
   });
 }
 

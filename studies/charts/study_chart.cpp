@@ -41,18 +41,18 @@ bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vec
 }
 
 Choice choose(const StudySummary& study, const StudyRows& rows, const StudyDefinition& definition,
-              const StudyChart& hints, const StudyChartWishes& wishes) {
+              const StudyChart& hints, const StudyChartOptions& options) {
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };
   Choice choice;
-  if (wishes.shares && !wishes.y.empty())
-    throw std::invalid_argument("y = " + wishes.y + ": with shares it is the rolling resistance");
-  const std::string y = wishes.shares ? "" : first_of(wishes.y, hints.y);
+  if (options.shares && !options.y.empty())
+    throw std::invalid_argument("y = " + options.y + ": with shares it is the rolling resistance");
+  const std::string y = options.shares ? "" : first_of(options.y, hints.y);
   choice.y = &number_column(y.empty() ? "rolling_resistance" : y, study, "y");
-  if (const std::string x = first_of(wishes.x, hints.x); !x.empty()) choice.x = &number_column(x, study, "x");
-  if (!wishes.family.empty()) choice.families.push_back(&column_of(wishes.family, study, "family"));
+  if (const std::string x = first_of(options.x, hints.x); !x.empty()) choice.x = &number_column(x, study, "x");
+  if (!options.family.empty()) choice.families.push_back(&column_of(options.family, study, "family"));
   if (choice.x && !choice.families.empty() && choice.families.front() == choice.x)
-    throw std::invalid_argument("family = " + wishes.family + ": must differ from x");
-  if (wishes.family.empty() && !hints.family.empty())
+    throw std::invalid_argument("family = " + options.family + ": must differ from x");
+  if (options.family.empty() && !hints.family.empty())
     if (const QuantityColumn& family = column_of(hints.family, study, "family"); &family != choice.x)
       choice.families.push_back(&family);
 
@@ -130,24 +130,25 @@ StudyChart chart_of_file(ResultStore& store, const std::string& wanted, const st
   return definition_of(store, study).chart(chart, store.database().name() + ": " + study);
 }
 
-StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
-  const StudySummary study = stored_study(store, wishes.study);
+StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
+  const StudySummary study = stored_study(store, options.study);
   const std::string& file = store.database().name();
   const StudyDefinition definition = definition_of(store, study.name);
-  const StudyRows rows(store, study.name, wishes.filters);
-  const StudyChart& hints = definition.chart(wishes.chart, file + ": " + study.name);
+  const StudyRows rows(store, study.name, options.filters);
+  const StudyChart& hints = definition.chart(options.chart, file + ": " + study.name);
   const auto [x, y, along, families] =
-      choose(study, rows, definition, hints.map.empty() ? hints : StudyChart(), wishes);
+      choose(study, rows, definition, hints.map.empty() ? hints : StudyChart(), options);
   const ColumnScale x_scale =
-      scale_of(rows, *x, wishes.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
-  if (wishes.shares && wishes.y_scale == AxisScale::logarithmic)
+      scale_of(rows, *x, options.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
+  if (options.shares && options.y_scale == AxisScale::logarithmic)
     throw std::invalid_argument("y-scale = logarithmic: shares that are stacked need a linear one");
-  const ColumnScale y_scale = scale_of(rows, *y, wishes.shares ? AxisScale::linear : wishes.y_scale, false, "y-scale");
+  const ColumnScale y_scale =
+      scale_of(rows, *y, options.shares ? AxisScale::linear : options.y_scale, false, "y-scale");
 
   StoredChart chart;
   chart.study = study.name;
   chart.points = rows.size();
-  if (wishes.filters.empty()) chart.missing = study.points - study.answered;
+  if (options.filters.empty()) chart.missing = study.points - study.answered;
   const bool resistance = y->name == "rolling_resistance" || y->name == "rolling_resistance_coefficient";
   std::map<std::vector<Cell>, std::map<Cell, ChartPoint>> curves;
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -157,7 +158,7 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
     if (!converged) ++chart.unanswered;
     ChartPoint& point = curves[values][rows.cell(row, *along)];
     point = {rows.number(row, *x) / x_scale.unit.factor, rows.number(row, *y) / y_scale.unit.factor, converged};
-    if (wishes.shares)
+    if (options.shares)
       add_shares(point, rows, row, y_scale.unit.factor);
     else if (resistance && converged)
       add_band(point, rows.number(row, "error_estimate"));
@@ -198,8 +199,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes) {
     }
     request.curves.push_back(curve);
   }
-  if (wishes.shares) stack_shares(request, study.name);
-  if (!wishes.shares && resistance) request.areas = "estimated error";
+  if (options.shares) stack_shares(request, study.name);
+  if (!options.shares && resistance) request.areas = "estimated error";
   return chart;
 }
 

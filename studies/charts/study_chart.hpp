@@ -17,7 +17,7 @@ namespace rollres {
 /// What to show; what is empty is taken from a chart of the study file, else: x is the first of the axes with the most
 /// values, y the rolling resistance, and the family all other axes that have more than one value and do not follow from
 /// x because they vary together with it.
-struct StudyChartWishes {
+struct StudyChartOptions {
   std::string study = {};  ///< may be left out if the database holds one study
   std::string chart = {};  ///< name or number of a chart of the study file; empty: the first
   std::string x = {}, y = {}, family = {};
@@ -52,6 +52,6 @@ StudyChart chart_of_file(ResultStore& store, const std::string& study, const std
 /// @throws std::invalid_argument naming what is unknown (and the nearest known name), what cannot be drawn, or that no
 ///         row is left
 /// @throws std::runtime_error naming the file if the database fails
-StoredChart stored_chart(ResultStore& store, const StudyChartWishes& wishes);
+StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options);
 
 }  // namespace rollres

@@ -28,10 +28,10 @@ struct MapAxes {
   const QuantityColumn *x = nullptr, *y = nullptr;
 };
 
-MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const StudyMapWishes& wishes) {
+MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const StudyMapOptions& options) {
   MapAxes axes;
-  if (!wishes.x.empty()) axes.x = &number_column(wishes.x, study, "x");
-  if (!wishes.y.empty()) axes.y = &number_column(wishes.y, study, "y");
+  if (!options.x.empty()) axes.x = &number_column(options.x, study, "x");
+  if (!options.y.empty()) axes.y = &number_column(options.y, study, "y");
   for (const QuantityColumn* axis : longest_axes(study, rows)) {
     if (axis == axes.x || axis == axes.y) continue;
     if (!axes.x)
@@ -80,18 +80,18 @@ void add_optimum(MapRequest& request, ResultStore& store, const std::string& nam
 
 }  // namespace
 
-StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
-  const StudySummary study = stored_study(store, wishes.study);
+StoredMap stored_map(ResultStore& store, const StudyMapOptions& options) {
+  const StudySummary study = stored_study(store, options.study);
   const std::string& file = store.database().name();
   const StudyDefinition definition = definition_in(store.definition(study.name).value_or(""), file + ": " + study.name);
-  const StudyRows rows(store, study.name, wishes.filters);
-  const MapAxes axes = choose_axes(study, rows, wishes);
-  const QuantityColumn& value = number_column(wishes.value, study, "map");
+  const StudyRows rows(store, study.name, options.filters);
+  const MapAxes axes = choose_axes(study, rows, options);
+  const QuantityColumn& value = number_column(options.value, study, "map");
   const auto scale = [&](const QuantityColumn& column, AxisScale wish, const char* option) {
     return scale_of(rows, column, wish, definition.logarithmic.contains(key_of(column)), option);
   };
-  const ColumnScale x = scale(*axes.x, wishes.x_scale, "x-scale"), y = scale(*axes.y, wishes.y_scale, "y-scale"),
-                    v = scale_of(rows, value, wishes.value_scale, false, "map-scale");
+  const ColumnScale x = scale(*axes.x, options.x_scale, "x-scale"), y = scale(*axes.y, options.y_scale, "y-scale"),
+                    v = scale_of(rows, value, options.value_scale, false, "map-scale");
 
   StoredMap map{study.name,
                 {.title = study.name,
@@ -133,7 +133,7 @@ StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes) {
   for (double& place : field.y) place /= y.unit.factor;
   request.comment = "study " + study.name + " in " + file + ": " + std::to_string(map.points) + " points, " +
                     std::to_string(map.unanswered) + " without an answer" + common_inputs(rows);
-  if (!wishes.optimum.empty()) add_optimum(request, store, wishes.optimum, axes, x.unit, y.unit);
+  if (!options.optimum.empty()) add_optimum(request, store, options.optimum, axes, x.unit, y.unit);
   return map;
 }
 

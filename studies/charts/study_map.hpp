@@ -13,7 +13,7 @@
 namespace rollres {
 
 /// What to show; empty axes: the two axes of the study with the most values.
-struct StudyMapWishes {
+struct StudyMapOptions {
   std::string study = {};  ///< may be left out if the database holds one study
   std::string value = "rolling_resistance";
   std::string x = {}, y = {};
@@ -32,6 +32,6 @@ struct StoredMap {
 /// @throws std::invalid_argument naming what is unknown, what cannot be drawn (fewer than two values along an axis,
 ///         several points at one place: a further axis must be fixed by a filter), or that no row is left
 /// @throws std::runtime_error naming the file if the database fails
-StoredMap stored_map(ResultStore& store, const StudyMapWishes& wishes);
+StoredMap stored_map(ResultStore& store, const StudyMapOptions& options);
 
 }  // namespace rollres

@@ -21,7 +21,7 @@ namespace rollres {
 
 namespace {
 
-struct AccuracyWords {
+struct AccuracyArguments {
   std::vector<std::string> scenes, overrides, methods, spacings;
   std::string out, format = "text";
   bool json = false;
@@ -106,19 +106,19 @@ void warn_of_busy_machine(const std::vector<AccuracyReport>& reports, std::ostre
 }
 
 /// Whether errors are what they are said to be, on random scenes.
-void random_accuracy(const AccuracyWords& words, Session& session) {
-  make_directory(words.out);
-  RandomAccuracyPlan plan = words.plan;
-  if (words.indenter != "sphere") plan.cylinders = words.random;
-  if (words.indenter != "cylinder") plan.spheres = words.random;
+void random_accuracy(const AccuracyArguments& arguments, Session& session) {
+  make_directory(arguments.out);
+  RandomAccuracyPlan plan = arguments.plan;
+  if (arguments.indenter != "sphere") plan.cylinders = arguments.random;
+  if (arguments.indenter != "cylinder") plan.spheres = arguments.random;
   const RandomAccuracyReport report =
       watched_run(plan, session, [&] { return measure_random_accuracy(plan, session.evaluate); });
-  const std::filesystem::path file = std::filesystem::path(words.out) / "random_accuracy.csv";
+  const std::filesystem::path file = std::filesystem::path(arguments.out) / "random_accuracy.csv";
   std::ostringstream csv;
   write_csv(csv, judged_table(report.solutions));
   write_file(file, csv.str());
   const Table table = random_accuracy_table(counts_of(report.solutions));
-  if (words.json) {
+  if (arguments.json) {
     session.out << text_of(Json{{"seed", plan.seed},
                                 {"interrupted", report.interrupted},
                                 {"results", json_of(table)},
@@ -135,9 +135,9 @@ void random_accuracy(const AccuracyWords& words, Session& session) {
   }
 }
 
-void accuracy(const AccuracyWords& words, Session& session) {
-  AccuracyOptions options = words.options;
-  options.methods = methods_named(words.methods);
+void accuracy(const AccuracyArguments& arguments, Session& session) {
+  AccuracyOptions options = arguments.options;
+  options.methods = methods_named(arguments.methods);
   const std::size_t columns = terminal_width(session.err);
   const auto clear_line = [&] {
     if (columns > 0) session.err << "\r\x1b[K" << std::flush;
@@ -146,15 +146,15 @@ void accuracy(const AccuracyWords& words, Session& session) {
     options.report = [&](const std::string& line) {
       session.err << "\r" << line.substr(0, columns - 1) << "\x1b[K" << std::flush;
     };
-  std::vector<std::string> files = words.scenes;
+  std::vector<std::string> files = arguments.scenes;
   if (files.empty())
     for (const PaperScene& paper : paper_scenes()) files.emplace_back(paper.name);
   const std::vector<NamedScene> named = named_scenes(files);
   std::vector<RollingScene> scenes;
-  for (const NamedScene& scene : named) scenes.push_back(scene.with(words.overrides));
-  for (const std::string& spacing : words.spacings)
+  for (const NamedScene& scene : named) scenes.push_back(scene.with(arguments.overrides));
+  for (const std::string& spacing : arguments.spacings)
     options.spacings.push_back(*named.front().with({"spacing=" + spacing}).spacing);
-  make_directory(words.out);
+  make_directory(arguments.out);
 
   const Measure measure = [&](const RollingScene& scene, double limit) {
     return measured_solve(session.evaluate, scene, limit);
@@ -163,12 +163,12 @@ void accuracy(const AccuracyWords& words, Session& session) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     reports.push_back(measure_accuracy(named[i].name, scenes[i], options, measure));
     clear_line();
-    if (words.json) continue;
-    session.out << accuracy_text(reports.back(), words.format == "markdown") << std::endl;
+    if (arguments.json) continue;
+    session.out << accuracy_text(reports.back(), arguments.format == "markdown") << std::endl;
   }
   warn_of_busy_machine(reports, session.err);
 
-  std::vector<std::filesystem::path> written{std::filesystem::path(words.out) / "accuracy.csv"};
+  std::vector<std::filesystem::path> written{std::filesystem::path(arguments.out) / "accuracy.csv"};
   std::ostringstream csv;
   write_csv(csv, accuracy_rows(reports));
   write_file(written.front(), csv.str());
@@ -178,16 +178,17 @@ void accuracy(const AccuracyWords& words, Session& session) {
       session.err << report.name << ": no chart, no error is known\n";
       continue;
     }
-    const ChartFiles chart = draw_chart(request, std::filesystem::path(words.out) / ("accuracy_" + report.name));
+    const ChartFiles chart = draw_chart(request, std::filesystem::path(arguments.out) / ("accuracy_" + report.name));
     for (const auto& file : {chart.svg, chart.png, chart.script, chart.data}) written.push_back(file);
   }
-  if (words.json) {
+  if (arguments.json) {
     Json object{{"scenes", Json::array()}, {"files", Json::array()}};
     for (const AccuracyReport& report : reports) object["scenes"].push_back(object_of(report));
     for (const auto& file : written) object["files"].push_back(file.string());
     session.out << text_of(object, 2) << '\n';
   } else {
-    for (const auto& file : written) (words.format == "markdown" ? session.err : session.out) << file.string() << '\n';
+    for (const auto& file : written)
+      (arguments.format == "markdown" ? session.err : session.out) << file.string() << '\n';
   }
   for (const AccuracyReport& report : reports)
     for (const AccuracyPoint& point : report.points)
@@ -200,19 +201,21 @@ void accuracy(const AccuracyWords& words, Session& session) {
 void add_accuracy(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("accuracy", "Chart error against time, method by method, over a range of spacings");
-  const auto words = std::make_shared<AccuracyWords>();
-  AccuracyOptions& options = words->options;
+  const auto arguments = std::make_shared<AccuracyArguments>();
+  AccuracyOptions& options = arguments->options;
   command
-      ->add_option("scene", words->scenes,
+      ->add_option("scene", arguments->scenes,
                    "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
                    "these two")
       ->option_text("SCENE");
-  command->add_option("--out", words->out, "directory for accuracy.csv and the charts")->required()->option_text("DIR");
-  command->add_option("--methods", words->methods, "methods, separated by commas; left out: all")
+  command->add_option("--out", arguments->out, "directory for accuracy.csv and the charts")
+      ->required()
+      ->option_text("DIR");
+  command->add_option("--methods", arguments->methods, "methods, separated by commas; left out: all")
       ->option_text("METHOD,...")
       ->delimiter(',');
   CommandOption* const spacings =
-      command->add_option("--spacings", words->spacings, "spacings, with a unit or in m, separated by commas")
+      command->add_option("--spacings", arguments->spacings, "spacings, with a unit or in m, separated by commas")
           ->option_text("SPACING,...")
           ->delimiter(',');
   command
@@ -231,35 +234,38 @@ void add_accuracy(Command& program, Session& session) {
       ->option_text("SECONDS")
       ->positive();
   command
-      ->add_option("--set", words->overrides, "replace an input of all scenes, in SI or with a unit; may be repeated")
+      ->add_option("--set", arguments->overrides,
+                   "replace an input of all scenes, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
       ->one_value_each();
-  command->add_option("--format", words->format, "text or markdown")
+  command->add_option("--format", arguments->format, "text or markdown")
       ->option_text("FORMAT")
       ->one_of({"text", "markdown"});
-  command->add_flag("--json", words->json, "print one JSON object");
+  command->add_flag("--json", arguments->json, "print one JSON object");
   CommandOption* const random =
       command
-          ->add_option("--random", words->random,
+          ->add_option("--random", arguments->random,
                        "instead: how often, on so many random scenes of each indenter, the error is below its estimate "
                        "and a tolerance is met; into DIR/random_accuracy.csv")
           ->between(1, 1'000'000)
           ->option_text("N");
-  command->add_option("--seed", words->plan.seed, "of the random scenes; default: 1")->needs(random)->option_text("S");
-  command->add_option("--tolerances", words->plan.tolerances, "of the random scenes' solutions; default: 1e-2,1e-3")
+  command->add_option("--seed", arguments->plan.seed, "of the random scenes; default: 1")
+      ->needs(random)
+      ->option_text("S");
+  command->add_option("--tolerances", arguments->plan.tolerances, "of the random scenes' solutions; default: 1e-2,1e-3")
       ->option_text("X,...")
       ->delimiter(',')
       ->positive()
       ->needs(random);
-  command->add_option("--indenter", words->indenter, "of the random scenes: cylinder, sphere or both (the default)")
+  command->add_option("--indenter", arguments->indenter, "of the random scenes: cylinder, sphere or both (the default)")
       ->one_of({"cylinder", "sphere", "both"})
       ->needs(random)
       ->option_text("INDENTER");
-  command->add_option("--jobs", words->plan.jobs, "processes for the random scenes; default: one for each core")
+  command->add_option("--jobs", arguments->plan.jobs, "processes for the random scenes; default: one for each core")
       ->between(1, 1024)
       ->needs(random)
       ->option_text("N");
-  command->add_option("--time-limit", words->plan.time_limit, "for one random scene, in seconds; default: 600")
+  command->add_option("--time-limit", arguments->plan.time_limit, "for one random scene, in seconds; default: 600")
       ->positive()
       ->needs(random)
       ->option_text("SECONDS");
@@ -268,11 +274,11 @@ void add_accuracy(Command& program, Session& session) {
       "somewhere.\n"
       "Example: rollres accuracy studies/examples/paper_sphere.json --out out --methods newton,active_set\n"
       "Example: rollres accuracy --random 100 --seed 1 --out out");
-  command->callback([words, &session] {
-    if (words->random > 0)
-      random_accuracy(*words, session);
+  command->callback([arguments, &session] {
+    if (arguments->random > 0)
+      random_accuracy(*arguments, session);
     else
-      accuracy(*words, session);
+      accuracy(*arguments, session);
   });
 }
 

@@ -16,12 +16,12 @@ namespace rollres {
 
 namespace {
 
-struct ChartWords {
+struct ChartArguments {
   std::string database, out;
   std::vector<std::string> filters;
   std::string x_scale = "auto", y_scale = "auto", map_scale = "auto";
   std::string map, optimum;
-  StudyChartWishes wishes;
+  StudyChartOptions options;
 };
 
 AxisScale scale_named(const std::string& name) {
@@ -29,14 +29,15 @@ AxisScale scale_named(const std::string& name) {
 }
 
 /// Beside the database: the study's name, and what is shown if that was asked for.
-std::filesystem::path usual_name(const ChartWords& words, const std::string& study) {
+std::filesystem::path usual_name(const ChartArguments& arguments, const std::string& study) {
   std::string name = study;
-  if (words.wishes.shares) name += "_shares";
-  if (!words.map.empty()) name += "_map_" + words.map;
-  for (const std::string& word : {words.wishes.chart, words.wishes.y, words.wishes.x, words.wishes.family})
+  if (arguments.options.shares) name += "_shares";
+  if (!arguments.map.empty()) name += "_map_" + arguments.map;
+  for (const std::string& word :
+       {arguments.options.chart, arguments.options.y, arguments.options.x, arguments.options.family})
     if (!word.empty()) name += "_" + word;
-  for (const std::string& filter : words.filters) name += "_" + filter;
-  return std::filesystem::path(words.database).parent_path() / (file_name(name) + ".svg");
+  for (const std::string& filter : arguments.filters) name += "_" + filter;
+  return std::filesystem::path(arguments.database).parent_path() / (file_name(name) + ".svg");
 }
 
 void print_peaks(std::ostream& out, const ChartRequest& request) {
@@ -62,20 +63,21 @@ void print_unanswered(std::ostream& err, std::size_t unanswered, std::size_t poi
   if (unanswered > 0) err << unanswered << " of " << points << " points have no answer; the chart marks them\n";
 }
 
-void draw_map(const ChartWords& words, ResultStore& store, Session& session) {
-  const StudyChartWishes& chart = words.wishes;
+void draw_map(const ChartArguments& arguments, ResultStore& store, Session& session) {
+  const StudyChartOptions& chart = arguments.options;
   for (const auto& [option, word] : {std::pair("--chart", chart.chart), std::pair("--family", chart.family)})
     if (!word.empty())
       throw std::invalid_argument(std::string(option) + " = " + word + ": is for curves, not for a map");
   if (chart.shares) throw std::invalid_argument("--shares: is for curves, not for a map");
-  StudyMapWishes wishes{.study = chart.study, .value = words.map, .x = chart.x, .y = chart.y, .optimum = words.optimum};
-  for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
-  wishes.x_scale = scale_named(words.x_scale);
-  wishes.y_scale = scale_named(words.y_scale);
-  wishes.value_scale = scale_named(words.map_scale);
-  const StoredMap map = stored_map(store, wishes);
-  const ChartFiles files =
-      draw_map(map.request, words.out.empty() ? usual_name(words, map.study) : std::filesystem::path(words.out));
+  StudyMapOptions options{
+      .study = chart.study, .value = arguments.map, .x = chart.x, .y = chart.y, .optimum = arguments.optimum};
+  for (const std::string& text : arguments.filters) options.filters.push_back(read_filter(text));
+  options.x_scale = scale_named(arguments.x_scale);
+  options.y_scale = scale_named(arguments.y_scale);
+  options.value_scale = scale_named(arguments.map_scale);
+  const StoredMap map = stored_map(store, options);
+  const ChartFiles files = draw_map(
+      map.request, arguments.out.empty() ? usual_name(arguments, map.study) : std::filesystem::path(arguments.out));
   print_unanswered(session.err, map.unanswered, map.points);
   const MapRequest& request = map.request;
   const auto with_unit = [](double value, const ChartAxis& axis) {
@@ -92,29 +94,29 @@ void draw_map(const ChartWords& words, ResultStore& store, Session& session) {
 }
 
 /// A chart of the study's file that is a map; false if it is none, or other axes are wished for.
-bool draw_map_of_file(const ChartWords& words, ResultStore& store, Session& session) {
-  const StudyChartWishes& wishes = words.wishes;
-  const StudyChart chart = chart_of_file(store, wishes.study, wishes.chart);
-  if (chart.map.empty() || wishes.shares || !(wishes.x + wishes.y + wishes.family).empty()) return false;
-  ChartWords map = words;
-  if (map.out.empty()) map.out = usual_name(words, stored_study(store, wishes.study).name).string();
+bool draw_map_of_file(const ChartArguments& arguments, ResultStore& store, Session& session) {
+  const StudyChartOptions& options = arguments.options;
+  const StudyChart chart = chart_of_file(store, options.study, options.chart);
+  if (chart.map.empty() || options.shares || !(options.x + options.y + options.family).empty()) return false;
+  ChartArguments map = arguments;
+  if (map.out.empty()) map.out = usual_name(arguments, stored_study(store, options.study).name).string();
   map.map = chart.map;
-  map.wishes.x = chart.x;
-  map.wishes.y = chart.y;
-  map.wishes.chart.clear();
+  map.options.x = chart.x;
+  map.options.y = chart.y;
+  map.options.chart.clear();
   draw_map(map, store, session);
   return true;
 }
 
-void draw(const ChartWords& words, ResultStore& store, Session& session) {
-  if (draw_map_of_file(words, store, session)) return;
-  StudyChartWishes wishes = words.wishes;
-  for (const std::string& text : words.filters) wishes.filters.push_back(read_filter(text));
-  wishes.x_scale = scale_named(words.x_scale);
-  wishes.y_scale = scale_named(words.y_scale);
-  const StoredChart chart = stored_chart(store, wishes);
-  const ChartFiles files =
-      draw_chart(chart.request, words.out.empty() ? usual_name(words, chart.study) : std::filesystem::path(words.out));
+void draw(const ChartArguments& arguments, ResultStore& store, Session& session) {
+  if (draw_map_of_file(arguments, store, session)) return;
+  StudyChartOptions options = arguments.options;
+  for (const std::string& text : arguments.filters) options.filters.push_back(read_filter(text));
+  options.x_scale = scale_named(arguments.x_scale);
+  options.y_scale = scale_named(arguments.y_scale);
+  const StoredChart chart = stored_chart(store, options);
+  const ChartFiles files = draw_chart(
+      chart.request, arguments.out.empty() ? usual_name(arguments, chart.study) : std::filesystem::path(arguments.out));
   print_unanswered(session.err, chart.unanswered, chart.points);
   if (chart.missing > 0) session.err << chart.missing << " points of the study are not computed yet\n";
   print_peaks(session.out, chart.request);
@@ -122,16 +124,16 @@ void draw(const ChartWords& words, ResultStore& store, Session& session) {
 }
 
 /// One chart of the study, or all of them; with --out, the name of each of several ends with that of the chart.
-void chart(const ChartWords& words, Session& session) {
-  ResultStore store(words.database, Access::read);
-  if (!words.map.empty()) return draw_map(words, store, session);
-  if (!words.optimum.empty()) throw std::invalid_argument("--optimum = " + words.optimum + ": needs --map");
-  if (words.wishes.chart != "all") return draw(words, store, session);
-  for (const std::string& name : stored_charts(store, words.wishes.study)) {
-    ChartWords one = words;
-    one.wishes.chart = name;
+void chart(const ChartArguments& arguments, Session& session) {
+  ResultStore store(arguments.database, Access::read);
+  if (!arguments.map.empty()) return draw_map(arguments, store, session);
+  if (!arguments.optimum.empty()) throw std::invalid_argument("--optimum = " + arguments.optimum + ": needs --map");
+  if (arguments.options.chart != "all") return draw(arguments, store, session);
+  for (const std::string& name : stored_charts(store, arguments.options.study)) {
+    ChartArguments one = arguments;
+    one.options.chart = name;
     if (!one.out.empty()) {
-      const std::filesystem::path script = chart_files(words.out).script;  // its suffix is known
+      const std::filesystem::path script = chart_files(arguments.out).script;  // its suffix is known
       one.out = (script.parent_path() / (script.stem().string() + "_" + file_name(name) + ".svg")).string();
     }
     draw(one, store, session);
@@ -142,39 +144,47 @@ void chart(const ChartWords& words, Session& session) {
 
 void add_chart(Command& program, Session& session) {
   Command* command = program.add_subcommand("chart", "Draw a stored study as SVG and PNG, through gnuplot");
-  const auto words = std::make_shared<ChartWords>();
-  StudyChartWishes& wishes = words->wishes;
-  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
-  command->add_option("--study", wishes.study, "study; may be left out if the database holds one")->option_text("NAME");
+  const auto arguments = std::make_shared<ChartArguments>();
+  StudyChartOptions& options = arguments->options;
+  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
+  command->add_option("--study", options.study, "study; may be left out if the database holds one")
+      ->option_text("NAME");
   command
-      ->add_option("--chart", wishes.chart,
+      ->add_option("--chart", options.chart,
                    "chart of the study file, by its name or its number; all: every one; left out: the first")
       ->option_text("NAME");
-  command->add_option("--x", wishes.x, "input or output along x; left out: as the study file says, or its longest axis")
+  command
+      ->add_option("--x", options.x, "input or output along x; left out: as the study file says, or its longest axis")
       ->option_text("KEY");
   command
-      ->add_option("--y", wishes.y,
+      ->add_option("--y", options.y,
                    "output along y; left out: as the study file says, or rolling_resistance. With --map: an axis")
       ->option_text("KEY");
-  command->add_option("--family", wishes.family, "axis with one curve for each value; left out: the other axes")
+  command->add_option("--family", options.family, "axis with one curve for each value; left out: the other axes")
       ->option_text("KEY");
-  command->add_flag("--shares", wishes.shares,
+  command->add_flag("--shares", options.shares,
                     "what of the rolling resistance is lost in the layer and what to friction, stacked");
-  command->add_option("--map", words->map, "contour map of this output over the axes --x and --y")->option_text("KEY");
-  command->add_option("--optimum", words->optimum, "with --map: draw the designs and the optimum of this optimisation")
+  command->add_option("--map", arguments->map, "contour map of this output over the axes --x and --y")
+      ->option_text("KEY");
+  command
+      ->add_option("--optimum", arguments->optimum, "with --map: draw the designs and the optimum of this optimisation")
       ->option_text("NAME");
-  command->add_option("--where", words->filters, "show only points with KEY=VALUE, as in query; may be repeated")
+  command->add_option("--where", arguments->filters, "show only points with KEY=VALUE, as in query; may be repeated")
       ->option_text("FILTER")
       ->one_value_each();
   const std::vector<std::string_view> scales{"auto", "linear", "logarithmic"};
-  command->add_option("--x-scale", words->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
+  command
+      ->add_option("--x-scale", arguments->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
       ->option_text("SCALE")
       ->one_of(scales);
-  command->add_option("--y-scale", words->y_scale, "auto, linear or logarithmic")->option_text("SCALE")->one_of(scales);
-  command->add_option("--map-scale", words->map_scale, "of the colours of a map: auto, linear or logarithmic")
+  command->add_option("--y-scale", arguments->y_scale, "auto, linear or logarithmic")
       ->option_text("SCALE")
       ->one_of(scales);
-  command->add_option("--out", words->out, "name of the files, with or without suffix; left out: beside the database")
+  command->add_option("--map-scale", arguments->map_scale, "of the colours of a map: auto, linear or logarithmic")
+      ->option_text("SCALE")
+      ->one_of(scales);
+  command
+      ->add_option("--out", arguments->out, "name of the files, with or without suffix; left out: beside the database")
       ->option_text("PATH");
   command->footer(
       "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"
@@ -183,7 +193,7 @@ void add_chart(Command& program, Session& session) {
       "          rollres chart --db results.db --shares --where 'load=20 kN/m'\n"
       "          rollres chart --db results.db --map rolling_resistance --x speed --y load\n"
       "          rollres chart --db results.db --chart all");
-  command->callback([words, &session] { chart(*words, session); });
+  command->callback([arguments, &session] { chart(*arguments, session); });
 }
 
 }  // namespace rollres

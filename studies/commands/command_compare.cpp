@@ -14,7 +14,7 @@ namespace rollres {
 
 namespace {
 
-struct CompareWords {
+struct CompareArguments {
   std::vector<std::string> studies;
   std::string database, other_database, outputs, ignored, format = "table";
   std::optional<double> within;
@@ -57,9 +57,9 @@ void print_summary(std::ostream& out, const StudyComparison& comparison) {
           << short_number(output.rms, 3) << ", at " << output.points << " points\n";
 }
 
-Json report_of(const StudyComparison& comparison, const CompareWords& words) {
-  Json object{{"first", words.studies.front()},
-              {"second", words.studies.back()},
+Json report_of(const StudyComparison& comparison, const CompareArguments& arguments) {
+  Json object{{"first", arguments.studies.front()},
+              {"second", arguments.studies.back()},
               {"compared", Json::array()},
               {"matched", comparison.matched},
               {"only_first", comparison.only_first},
@@ -75,14 +75,14 @@ Json report_of(const StudyComparison& comparison, const CompareWords& words) {
                                  {"points", output.points},
                                  {"largest", json_of(Cell(output.largest))},
                                  {"rms", json_of(Cell(output.rms))}});
-  if (words.within) object["within"] = comparison.within(*words.within);
-  object["differences"] = json_of(table_of(comparison, words.limit));
+  if (arguments.within) object["within"] = comparison.within(*arguments.within);
+  object["differences"] = json_of(table_of(comparison, arguments.limit));
   return object;
 }
 
-void print_table(const CompareWords& words, const StudyComparison& comparison, Session& session) {
+void print_table(const CompareArguments& arguments, const StudyComparison& comparison, Session& session) {
   print_summary(session.out, comparison);
-  const Table table = table_of(comparison, words.limit.value_or(lines_on_screen));
+  const Table table = table_of(comparison, arguments.limit.value_or(lines_on_screen));
   if (table.rows.empty()) return;
   session.out << '\n';
   write_aligned(session.out, table);
@@ -90,25 +90,25 @@ void print_table(const CompareWords& words, const StudyComparison& comparison, S
     session.err << left << " smaller differences are not shown; --limit sets how many are\n";
 }
 
-void compare(const CompareWords& words, Session& session) {
-  ComparisonWishes wishes{.ignored = split_at_commas(words.ignored)};
-  if (!words.outputs.empty()) wishes.outputs = split_at_commas(words.outputs);
-  const std::string& other = words.other_database.empty() ? words.database : words.other_database;
-  if (words.studies.size() == 1 && words.other_database.empty())
-    throw std::invalid_argument("study = " + words.studies.front() +
+void compare(const CompareArguments& arguments, Session& session) {
+  ComparisonOptions options{.ignored = split_at_commas(arguments.ignored)};
+  if (!arguments.outputs.empty()) options.outputs = split_at_commas(arguments.outputs);
+  const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
+  if (arguments.studies.size() == 1 && arguments.other_database.empty())
+    throw std::invalid_argument("study = " + arguments.studies.front() +
                                 ": needs a second study, or a second database with --with");
-  ResultStore first(words.database, Access::read), second(other, Access::read);
+  ResultStore first(arguments.database, Access::read), second(other, Access::read);
   const StudyComparison comparison =
-      compare_studies(first, words.studies.front(), second, words.studies.back(), wishes);
-  if (words.format == "json") {
-    session.out << text_of(report_of(comparison, words), 2) << '\n';
-  } else if (words.format == "csv") {
+      compare_studies(first, arguments.studies.front(), second, arguments.studies.back(), options);
+  if (arguments.format == "json") {
+    session.out << text_of(report_of(comparison, arguments), 2) << '\n';
+  } else if (arguments.format == "csv") {
     print_summary(session.err, comparison);
-    write_csv(session.out, table_of(comparison, words.limit));
+    write_csv(session.out, table_of(comparison, arguments.limit));
   } else {
-    print_table(words, comparison, session);
+    print_table(arguments, comparison, session);
   }
-  const bool good = words.within ? comparison.within(*words.within) : comparison.matched > 0;
+  const bool good = arguments.within ? comparison.within(*arguments.within) : comparison.matched > 0;
   if (good) return;
   session.status = ExitStatus::no_answer;
   if (comparison.matched == 0)
@@ -116,42 +116,45 @@ void compare(const CompareWords& words, Session& session) {
   else if (comparison.differences.empty())
     session.err << "no point has an answer in both studies\n";
   else
-    session.err << "not within " << short_number(*words.within) << '\n';
+    session.err << "not within " << short_number(*arguments.within) << '\n';
 }
 
 }  // namespace
 
 void add_compare(Command& program, Session& session) {
   Command* command = program.add_subcommand("compare", "Compare two stored studies point by point");
-  const auto words = std::make_shared<CompareWords>();
-  command->add_option("studies", words->studies, "names of two studies, or of one that both databases hold")
+  const auto arguments = std::make_shared<CompareArguments>();
+  command->add_option("studies", arguments->studies, "names of two studies, or of one that both databases hold")
       ->option_text("NAME")
       ->required()
       ->expected(1, 2);
-  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
-  command->add_option("--with", words->other_database, "database of the second study; left out: the same")
+  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
+  command->add_option("--with", arguments->other_database, "database of the second study; left out: the same")
       ->option_text("FILE");
   command
-      ->add_option("--outputs", words->outputs, "numbers to compare, separated by commas; left out: rolling_resistance")
+      ->add_option("--outputs", arguments->outputs,
+                   "numbers to compare, separated by commas; left out: rolling_resistance")
       ->option_text("KEY,...");
   command
-      ->add_option("--ignore", words->ignored,
+      ->add_option("--ignore", arguments->ignored,
                    "inputs that may differ in matching points, separated by commas; those that are one value in each "
                    "study, but not the same, are found by themselves")
       ->option_text("KEY,...");
   command
-      ->add_option("--within", words->within,
+      ->add_option("--within", arguments->within,
                    "exit status 1 if a relative difference is larger, or a point has an answer in one study only")
       ->option_text("X")
       ->not_negative();
-  command->add_option("--limit", words->limit, "print this many, the largest first")->option_text("N")->not_negative();
-  command->add_option("--format", words->format, "table, csv or json")
+  command->add_option("--limit", arguments->limit, "print this many, the largest first")
+      ->option_text("N")
+      ->not_negative();
+  command->add_option("--format", arguments->format, "table, csv or json")
       ->option_text("FORMAT")
       ->one_of({"table", "csv", "json"});
   command->footer(
       "Exit status 1: nothing matches, or not within.\n"
       "Example: rollres compare spectral newton --db results.db --outputs rolling_resistance,approach --within 1e-3");
-  command->callback([words, &session] { compare(*words, session); });
+  command->callback([arguments, &session] { compare(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -15,39 +15,40 @@ namespace rollres {
 
 namespace {
 
-struct FigureWords {
+struct FigureArguments {
   std::string scene, out;
   std::vector<std::string> overrides, figures;
   std::string database, study, axis;
 };
 
-void draw_figures(const FigureWords& words, Session& session) {
-  const RollingScene scene = read_scene(words.scene, words.overrides);
-  const std::vector<Figure> figures = figures_for(scene, words.figures);
-  make_directory(words.out);  // before the work, not after it
+void draw_figures(const FigureArguments& arguments, Session& session) {
+  const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
+  const std::vector<Figure> figures = figures_for(scene, arguments.figures);
+  make_directory(arguments.out);  // before the work, not after it
   const RollingSolution solution = session.evaluate(scene);
   if (solution.status != Status::converged) {
-    session.err << "rollres: " << words.scene << ": nothing drawn: " << name_of(solution.status)
+    session.err << "rollres: " << arguments.scene << ": nothing drawn: " << name_of(solution.status)
                 << (solution.reason.empty() ? "" : ", ") << solution.reason << '\n';
     session.status = ExitStatus::no_answer;
     return;
   }
   if (solution.fields.grid.size() == 0) {
-    session.err << "rollres: " << words.out << ": nothing drawn, the solution has no fields\n";
+    session.err << "rollres: " << arguments.out << ": nothing drawn, the solution has no fields\n";
     return;
   }
   const FigureSource source(scene, solution);
-  write_fields(words.out, scene, source.surface);
-  session.out << (std::filesystem::path(words.out) / "fields.vti").string() << std::endl;
-  for (const Figure& figure : figures) session.out << draw_figure(figure, source, words.out).svg.string() << std::endl;
+  write_fields(arguments.out, scene, source.surface);
+  session.out << (std::filesystem::path(arguments.out) / "fields.vti").string() << std::endl;
+  for (const Figure& figure : figures)
+    session.out << draw_figure(figure, source, arguments.out).svg.string() << std::endl;
 }
 
-void collect_fields(const FigureWords& words, Session& session) {
-  ResultStore store(words.database, Access::read);
-  const StudySummary study = stored_study(store, words.study);
-  const FieldCollections written = write_field_collections(store, study, words.axis, words.out);
+void collect_fields(const FigureArguments& arguments, Session& session) {
+  ResultStore store(arguments.database, Access::read);
+  const StudySummary study = stored_study(store, arguments.study);
+  const FieldCollections written = write_field_collections(store, study, arguments.axis, arguments.out);
   if (written.without_fields > 0)
-    session.err << "rollres: " << words.database << ": " << study.name << ": " << written.without_fields
+    session.err << "rollres: " << arguments.database << ": " << study.name << ": " << written.without_fields
                 << " points have no stored fields; rollres sweep STUDY --fields stores them\n";
   if (written.points == 0) session.status = ExitStatus::no_answer;
   for (const auto& file : written.files) session.out << file.string() << '\n';
@@ -58,18 +59,18 @@ void require_unused(bool used, const char* option, const char* needs) {
   if (used) throw std::invalid_argument(std::string(option) + ": needs " + needs);
 }
 
-void figures(const FigureWords& words, Session& session) {
-  if (words.out.empty()) throw std::invalid_argument("--out = \"\": must name a directory");
-  if (words.scene.empty() == words.database.empty())
+void figures(const FigureArguments& arguments, Session& session) {
+  if (arguments.out.empty()) throw std::invalid_argument("--out = \"\": must name a directory");
+  if (arguments.scene.empty() == arguments.database.empty())
     throw std::invalid_argument("give either a scene file, or --db with the study whose fields are wanted");
-  if (!words.database.empty()) {
-    require_unused(!words.overrides.empty(), "--set", "a scene file, not --db");
-    require_unused(!words.figures.empty(), "--figure", "a scene file, not --db");
-    return collect_fields(words, session);
+  if (!arguments.database.empty()) {
+    require_unused(!arguments.overrides.empty(), "--set", "a scene file, not --db");
+    require_unused(!arguments.figures.empty(), "--figure", "a scene file, not --db");
+    return collect_fields(arguments, session);
   }
-  require_unused(!words.study.empty(), "--study", "--db");
-  require_unused(!words.axis.empty(), "--axis", "--db");
-  draw_figures(words, session);
+  require_unused(!arguments.study.empty(), "--study", "--db");
+  require_unused(!arguments.axis.empty(), "--axis", "--db");
+  draw_figures(arguments, session);
 }
 
 }  // namespace
@@ -77,28 +78,30 @@ void figures(const FigureWords& words, Session& session) {
 void add_figures(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("figures", "Draw the fields of a solution: the paper's figures, and files for ParaView");
-  const auto words = std::make_shared<FigureWords>();
-  command->add_option("scene", words->scene, "Scene file (JSON)")->option_text("SCENE");
-  command->add_option("--out", words->out, "Directory; made if it is missing")->required()->option_text("DIR");
-  command->add_option("--set", words->overrides, "Replace an input, in SI or with a unit; may be repeated")
+  const auto arguments = std::make_shared<FigureArguments>();
+  command->add_option("scene", arguments->scene, "Scene file (JSON)")->option_text("SCENE");
+  command->add_option("--out", arguments->out, "Directory; made if it is missing")->required()->option_text("DIR");
+  command->add_option("--set", arguments->overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
       ->one_value_each();
   std::string list = "Only this one, by its number in the paper or its name; may be repeated:";
   for (const Figure& figure : all_figures())
     list += (figure.number == all_figures().front().number ? " " : ", ") + std::to_string(figure.number) + " " +
             std::string(figure.name);
-  command->add_option("--figure", words->figures, list)->option_text("FIGURE")->one_value_each();
-  command->add_option("--db", words->database, "Database: the stored fields of a study as VTK files and a collection")
+  command->add_option("--figure", arguments->figures, list)->option_text("FIGURE")->one_value_each();
+  command
+      ->add_option("--db", arguments->database, "Database: the stored fields of a study as VTK files and a collection")
       ->option_text("FILE");
-  command->add_option("--study", words->study, "Study; may be left out if the database holds one")->option_text("NAME");
-  command->add_option("--axis", words->axis, "Axis whose value is the collection's time; left out: the first")
+  command->add_option("--study", arguments->study, "Study; may be left out if the database holds one")
+      ->option_text("NAME");
+  command->add_option("--axis", arguments->axis, "Axis whose value is the collection's time; left out: the first")
       ->option_text("KEY");
   command->footer(
       "Pictures as SVG and PNG; beside each stand its script (.gp) and data (.dat): change the script and run gnuplot "
       "on it.\nfields.csv and fields.vti hold the fields of the whole window.\n"
       "Examples: rollres figures studies/examples/paper_sphere.json --out out/sphere\n"
       "          rollres figures --db results.db --study speed_resistance --axis speed --out out/film");
-  command->callback([words, &session] { figures(*words, session); });
+  command->callback([arguments, &session] { figures(*arguments, session); });
 }
 
 }  // namespace rollres

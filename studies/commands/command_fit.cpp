@@ -25,7 +25,7 @@ namespace rollres {
 
 namespace {
 
-struct FitWords {
+struct FitArguments {
   std::string fit, database, out;
   int jobs = 0, coverage = 0;
   std::uint64_t seed = 1;
@@ -48,55 +48,55 @@ FitContext context_of(const FitFile& file) {
 }
 
 /// Draws around the fit, solves them without the store (nobody asks for these scenes again) and counts.
-Coverage coverage_of(const FitFile& file, const FitReport& report, const FitWords& words, Session& session) {
+Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArguments& arguments, Session& session) {
   FitFile alone = file;
   for (std::size_t j = 0; j < alone.inputs.size(); ++j) alone.inputs[j].start = report.parameters[j].value;
   const FitProblem problem = problem_of(alone, session.evaluate, 1);
   return coverage(problem, report.point(), std::sqrt(report.errors.scale),
-                  {.draws = words.coverage,
-                   .seed = words.seed,
-                   .jobs = words.jobs,
-                   .profiles = !words.no_profiles,
+                  {.draws = arguments.coverage,
+                   .seed = arguments.seed,
+                   .jobs = arguments.jobs,
+                   .profiles = !arguments.no_profiles,
                    .stop = file.options.stop});
 }
 
-void fit_resistance(const FitWords& words, Session& session) {
+void fit_resistance(const FitArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
-  FitFile file = read_fit(words.fit);
-  if (!words.out.empty()) make_directory(words.out);
+  FitFile file = read_fit(arguments.fit);
+  if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
   file.options.stop = &signal.requested();
-  file.options.profiles = !words.no_profiles;
-  SharedRecall recall(words.database, session.evaluate);
+  file.options.profiles = !arguments.no_profiles;
+  SharedRecall recall(arguments.database, session.evaluate);
   const Evaluate evaluate = [&recall](const RollingScene& scene) { return recall(scene); };
-  const FitProblem problem = problem_of(file, evaluate, words.jobs);
+  const FitProblem problem = problem_of(file, evaluate, arguments.jobs);
   const FitReport report = refusing_at(file.source, [&] { return fit(problem, file.options); });
   FitContext context = context_of(file);
   context.solved = recall.solved();
   context.recalled = recall.recalled();
   context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  save_fit(open_database(words.database, Access::write), fit_record(report, context));
+  save_fit(open_database(arguments.database, Access::write), fit_record(report, context));
   if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
 
   const bool known = report.slopes.found() && !report.interrupted;
   Json object = json_of(report, context);
-  if (!words.json) session.out << fit_summary(report, context) << std::flush;
-  if (words.design && known) {
-    const FitDesign next = design_of(file, report, evaluate, words.jobs);
+  if (!arguments.json) session.out << fit_summary(report, context) << std::flush;
+  if (arguments.design && known) {
+    const FitDesign next = design_of(file, report, evaluate, arguments.jobs);
     object["design"] = json_of(next, report);
-    if (!words.json) session.out << design_summary(next, file, report) << std::flush;
+    if (!arguments.json) session.out << design_summary(next, file, report) << std::flush;
   }
-  if (words.coverage > 0 && known) {
-    const Coverage counted = coverage_of(file, report, words, session);
+  if (arguments.coverage > 0 && known) {
+    const Coverage counted = coverage_of(file, report, arguments, session);
     object["coverage"] = json_of(counted);
-    if (!words.json) session.out << coverage_summary(counted) << std::flush;
+    if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
   }
-  if (!words.out.empty() && known)
-    for (const auto& picture :
-         draw_fit(report, fit_curves(file, report, evaluate, words.jobs), file.name, words.out, file.indenter()))
+  if (!arguments.out.empty() && known)
+    for (const auto& picture : draw_fit(report, fit_curves(file, report, evaluate, arguments.jobs), file.name,
+                                        arguments.out, file.indenter()))
       session.err << "drawn: " << picture.string() << '\n';
   recall.finish();
-  if (words.json) session.out << text_of(object, 2) << '\n';
+  if (arguments.json) session.out << text_of(object, 2) << '\n';
 }
 
 /// The curves of the moduli at the reference temperature; data are shifted there.
@@ -129,31 +129,31 @@ FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
   return curves;
 }
 
-void fit_moduli(const FitWords& words, Session& session) {
-  if (words.design || words.coverage > 0)
-    throw std::invalid_argument(words.fit + ": --design and --coverage are for fits of scenes");
+void fit_moduli(const FitArguments& arguments, Session& session) {
+  if (arguments.design || arguments.coverage > 0)
+    throw std::invalid_argument(arguments.fit + ": --design and --coverage are for fits of scenes");
   const auto begin = std::chrono::steady_clock::now();
-  MaterialFile file = read_material_fit(words.fit);
-  if (!words.out.empty()) make_directory(words.out);
+  MaterialFile file = read_material_fit(arguments.fit);
+  if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
   file.options.options.stop = &signal.requested();
-  file.options.options.profiles = !words.no_profiles;
-  const MaterialFit found = refusing_at(words.fit, [&] { return fit_material(file.data, file.options); });
+  file.options.options.profiles = !arguments.no_profiles;
+  const MaterialFit found = refusing_at(arguments.fit, [&] { return fit_material(file.data, file.options); });
   FitContext context{.name = file.name,
                      .kind = "material",
                      .definition = file.definition,
                      .data_digest = file.data_digest,
                      .output_unit = "Pa"};
   context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  save_fit(open_database(words.database, Access::write), fit_record(found.report, context));
+  save_fit(open_database(arguments.database, Access::write), fit_record(found.report, context));
   if (found.report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
-  if (words.json)
+  if (arguments.json)
     session.out << text_of(json_of(found.report, context), 2) << '\n';
   else
     session.out << fit_summary(found.report, context) << std::flush;
-  if (words.out.empty() || !found.report.slopes.found()) return;
+  if (arguments.out.empty() || !found.report.slopes.found()) return;
   for (const auto& picture :
-       draw_fit(found.report, modulus_curves(file, found), file.name, words.out, Indenter::cylinder))
+       draw_fit(found.report, modulus_curves(file, found), file.name, arguments.out, Indenter::cylinder))
     session.err << "drawn: " << picture.string() << '\n';
 }
 
@@ -162,34 +162,36 @@ void fit_moduli(const FitWords& words, Session& session) {
 void add_fit(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("fit", "Fit a scene, or a material, to measured values, with intervals and a judgement");
-  const auto words = std::make_shared<FitWords>();
-  command->add_option("fit", words->fit, "Fit file (JSON): scene or material, data (CSV), parameters")
+  const auto arguments = std::make_shared<FitArguments>();
+  command->add_option("fit", arguments->fit, "Fit file (JSON): scene or material, data (CSV), parameters")
       ->required()
       ->option_text("FIT");
-  command->add_option("--db", words->database, "Database: every evaluation and the fit are stored here")
+  command->add_option("--db", arguments->database, "Database: every evaluation and the fit are stored here")
       ->required()
       ->option_text("FILE");
-  command->add_option("--out", words->out, "Draw data, residuals, profiles and the worst pair's ellipse into DIR")
+  command->add_option("--out", arguments->out, "Draw data, residuals, profiles and the worst pair's ellipse into DIR")
       ->option_text("DIR");
-  command->add_flag("--design", words->design, "Which speed, and which load, to measure next");
+  command->add_flag("--design", arguments->design, "Which speed, and which load, to measure next");
   command
-      ->add_option("--coverage", words->coverage,
+      ->add_option("--coverage", arguments->coverage,
                    "Draw the data N times around the fit, fit them, and count the intervals that hold it")
       ->between(1, 1'000'000)
       ->option_text("N");
-  command->add_option("--seed", words->seed, "Of the draws; default 1")->option_text("S");
-  command->add_option("--jobs", words->jobs, "Threads; default: one for each core")->option_text("N")->between(1, 1024);
-  command->add_flag("--no-profiles", words->no_profiles, "Leave out the intervals by profile likelihood");
-  command->add_flag("--json", words->json, "Print one JSON object");
+  command->add_option("--seed", arguments->seed, "Of the draws; default 1")->option_text("S");
+  command->add_option("--jobs", arguments->jobs, "Threads; default: one for each core")
+      ->option_text("N")
+      ->between(1, 1024);
+  command->add_flag("--no-profiles", arguments->no_profiles, "Leave out the intervals by profile likelihood");
+  command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(
       "Status: USABLE; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); DID NOT MOVE (ended\n"
       "where it started); NOT CONVERGED (no least misfit was found). Exit status 1 for the last three.\n"
       "Example: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit");
-  command->callback([words, &session] {
-    if (is_material_fit(words->fit))
-      fit_moduli(*words, session);
+  command->callback([arguments, &session] {
+    if (is_material_fit(arguments->fit))
+      fit_moduli(*arguments, session);
     else
-      fit_resistance(*words, session);
+      fit_resistance(*arguments, session);
   });
 }
 

@@ -12,23 +12,23 @@ namespace rollres {
 
 namespace {
 
-struct GradientWords {
+struct GradientArguments {
   std::string scene, output = "rolling_resistance";
   std::vector<std::string> overrides, inputs;
   GradientOptions options{.order = 4, .jobs = 0};
   bool json = false;
 };
 
-void run_gradient(const GradientWords& words, Session& session) {
-  const RollingScene scene = read_scene(words.scene, words.overrides);
+void run_gradient(const GradientArguments& arguments, Session& session) {
+  const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
   std::vector<InputChoice> inputs;
-  for (const std::string& key : words.inputs) inputs.push_back({key});
+  for (const std::string& key : arguments.inputs) inputs.push_back({key});
   Objective objective{scene, {}, {}, session.evaluate};
-  objective.output = refusing_at("--output", [&] { return real_output(words.output); });
-  objective.variables = refusing_at(words.scene + " with --inputs", [&] { return variables_of(scene, inputs); });
+  objective.output = refusing_at("--output", [&] { return real_output(arguments.output); });
+  objective.variables = refusing_at(arguments.scene + " with --inputs", [&] { return variables_of(scene, inputs); });
 
-  const GradientReport report = gradient_report(std::move(objective), words.options);
-  if (words.json)
+  const GradientReport report = gradient_report(std::move(objective), arguments.options);
+  if (arguments.json)
     session.out << text_of(json_of(report), 2) << '\n';
   else
     print_text(report, session.out, session.err);
@@ -40,23 +40,23 @@ void run_gradient(const GradientWords& words, Session& session) {
 void add_gradient(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("gradient", "Differentiate one output of a scene by some of its inputs");
-  const auto words = std::make_shared<GradientWords>();
-  command->add_option("scene", words->scene, "Scene file (JSON)")->required()->option_text("SCENE");
-  command->add_option("--inputs", words->inputs, "Inputs to differentiate by, separated by commas")
+  const auto arguments = std::make_shared<GradientArguments>();
+  command->add_option("scene", arguments->scene, "Scene file (JSON)")->required()->option_text("SCENE");
+  command->add_option("--inputs", arguments->inputs, "Inputs to differentiate by, separated by commas")
       ->required()
       ->delimiter(',')
       ->option_text("KEY,...");
-  command->add_option("--output", words->output, "Output; default rolling_resistance")->option_text("KEY");
-  command->add_option("--set", words->overrides, "Replace an input, in SI or with a unit; may be repeated")
+  command->add_option("--output", arguments->output, "Output; default rolling_resistance")->option_text("KEY");
+  command->add_option("--set", arguments->overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
       ->one_value_each();
-  command->add_option("--order", words->options.order, "2 or 4 (default): order of the differences")
+  command->add_option("--order", arguments->options.order, "2 or 4 (default): order of the differences")
       ->option_text("ORDER")
       ->one_of({"2", "4"});
-  command->add_option("--jobs", words->options.jobs, "Threads; default: one for each core")
+  command->add_option("--jobs", arguments->options.jobs, "Threads; default: one for each core")
       ->option_text("N")
       ->between(1, 1024);
-  command->add_flag("--json", words->json, "Print one JSON object");
+  command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(
       "Derivatives are by finite differences whose steps suit the noise of the output, which is measured first (8 or "
       "14\n"
@@ -64,7 +64,7 @@ void add_gradient(Command& program, Session& session) {
       "deviations "
       "of\nthe noise. Steps are relative, noise is relative to the output; elasticity is d ln output / d ln input.\n"
       "Example: rollres gradient studies/examples/paper_cylinder.json --inputs load,speed,creep_time");
-  command->callback([words, &session] { run_gradient(*words, session); });
+  command->callback([arguments, &session] { run_gradient(*arguments, session); });
 }
 
 }  // namespace rollres

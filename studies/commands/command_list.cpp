@@ -11,7 +11,7 @@ namespace rollres {
 
 namespace {
 
-struct ListWords {
+struct ListArguments {
   std::string database;
   bool json = false;
 };
@@ -21,10 +21,10 @@ std::string to_the_second(const std::string& time) {
   return time.empty() ? "" : time.substr(0, 10) + " " + time.substr(11, 8);
 }
 
-void list(const ListWords& words, Session& session) {
-  const std::vector<StudySummary> studies = ResultStore(words.database, Access::read).studies();
-  if (words.json) {
-    Json object{{"db", words.database}, {"studies", Json::array()}};
+void list(const ListArguments& arguments, Session& session) {
+  const std::vector<StudySummary> studies = ResultStore(arguments.database, Access::read).studies();
+  if (arguments.json) {
+    Json object{{"db", arguments.database}, {"studies", Json::array()}};
     for (const StudySummary& study : studies)
       object["studies"].push_back({{"study", study.name},
                                    {"axes", study.axes},
@@ -38,7 +38,7 @@ void list(const ListWords& words, Session& session) {
     return;
   }
   if (studies.empty()) {
-    session.err << words.database << ": holds no study\n";
+    session.err << arguments.database << ": holds no study\n";
     return;
   }
   Table table{{"study", "points", "answered", "failed", "created (UTC)", "last result (UTC)", "axes"}, {}};
@@ -55,11 +55,11 @@ void list(const ListWords& words, Session& session) {
 
 void add_list(Command& program, Session& session) {
   Command* command = program.add_subcommand("list", "List the studies of a database and how far they are");
-  const auto words = std::make_shared<ListWords>();
-  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
-  command->add_flag("--json", words->json, "print one JSON object");
+  const auto arguments = std::make_shared<ListArguments>();
+  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
+  command->add_flag("--json", arguments->json, "print one JSON object");
   command->footer("Example: rollres list --db results.db");
-  command->callback([words, &session] { list(*words, session); });
+  command->callback([arguments, &session] { list(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -14,7 +14,7 @@ namespace rollres {
 
 namespace {
 
-struct MaterialWords {
+struct MaterialArguments {
   std::string scene, chart, format = "table";
   std::vector<std::string> overrides;
   int per_decade = 1;
@@ -43,16 +43,16 @@ void print_words(std::ostream& out, const MaterialInputs& layer, const CreepSpec
         << readable(peak.omega / (2 * std::numbers::pi), "Hz") << '\n';
 }
 
-void run_material(const MaterialWords& words, Session& session) {
-  const RollingScene scene = read_scene(words.scene, words.overrides);
+void run_material(const MaterialArguments& arguments, Session& session) {
+  const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
   const CreepSpectrum creep = creep_spectrum(scene);
-  if (words.format == "table") {
+  if (arguments.format == "table") {
     print_words(session.out, scene, creep);
     session.out << '\n';
   }
-  write_table(session.out, moduli_table(creep, words.per_decade), words.format);
-  if (words.chart.empty()) return;
-  for (const auto& file : draw_material(scene, words.chart)) session.err << "drawn " << file.string() << '\n';
+  write_table(session.out, moduli_table(creep, arguments.per_decade), arguments.format);
+  if (arguments.chart.empty()) return;
+  for (const auto& file : draw_material(scene, arguments.chart)) session.err << "drawn " << file.string() << '\n';
 }
 
 }  // namespace
@@ -60,20 +60,21 @@ void run_material(const MaterialWords& words, Session& session) {
 void add_material(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("material", "Show a scene's material: moduli, peaks of loss, creep and relaxation");
-  const auto words = std::make_shared<MaterialWords>();
-  command->add_option("scene", words->scene, "Scene file (JSON)")->required()->option_text("SCENE");
-  command->add_option("--set", words->overrides, "Replace an input, in SI or with a unit; may be repeated")
+  const auto arguments = std::make_shared<MaterialArguments>();
+  command->add_option("scene", arguments->scene, "Scene file (JSON)")->required()->option_text("SCENE");
+  command->add_option("--set", arguments->overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
       ->one_value_each();
-  command->add_option("--out", words->chart, "Draw pictures PATH_moduli and PATH_creep")->option_text("PATH");
-  command->add_option("--per-decade", words->per_decade, "Rows of the table for each decade of frequency; default 1")
+  command->add_option("--out", arguments->chart, "Draw pictures PATH_moduli and PATH_creep")->option_text("PATH");
+  command
+      ->add_option("--per-decade", arguments->per_decade, "Rows of the table for each decade of frequency; default 1")
       ->option_text("N")
       ->between(1, 100);
-  command->add_option("--format", words->format, "table (default), csv, json, jsonl or markdown")
+  command->add_option("--format", arguments->format, "table (default), csv, json, jsonl or markdown")
       ->option_text("FORMAT")
       ->one_of(table_formats);
   command->footer("Example: rollres material studies/examples/paper_cylinder.json --out rubber");
-  command->callback([words, &session] { run_material(*words, session); });
+  command->callback([arguments, &session] { run_material(*arguments, session); });
 }
 
 }  // namespace rollres

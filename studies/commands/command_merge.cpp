@@ -12,16 +12,16 @@ namespace rollres {
 
 namespace {
 
-struct MergeWords {
+struct MergeArguments {
   std::vector<std::string> sources;
   std::string database;
   bool json = false;
 };
 
-void merge_all(const MergeWords& words, Session& session) {
-  const Database into = open_database(words.database, Access::write);
-  MergeOutput output(session, words.database, words.json);
-  for (const std::string& source : words.sources) output.add(source, [&] { return merge(into, source); });
+void merge_all(const MergeArguments& arguments, Session& session) {
+  const Database into = open_database(arguments.database, Access::write);
+  MergeOutput output(session, arguments.database, arguments.json);
+  for (const std::string& source : arguments.sources) output.add(source, [&] { return merge(into, source); });
   output.print();
 }
 
@@ -29,18 +29,18 @@ void merge_all(const MergeWords& words, Session& session) {
 
 void add_merge(Command& program, Session& session) {
   Command* command = program.add_subcommand("merge", "Bring the results of several databases together in one");
-  const auto words = std::make_shared<MergeWords>();
-  command->add_option("sources", words->sources, "databases; they are only read")->option_text("FILE")->required();
-  command->add_option("--db", words->database, "database that takes them; created if it is missing")
+  const auto arguments = std::make_shared<MergeArguments>();
+  command->add_option("sources", arguments->sources, "databases; they are only read")->option_text("FILE")->required();
+  command->add_option("--db", arguments->database, "database that takes them; created if it is missing")
       ->option_text("FILE")
       ->required();
-  command->add_flag("--json", words->json, "print one JSON object");
+  command->add_flag("--json", arguments->json, "print one JSON object");
   command->footer(
       "Merging again changes nothing. A result that is there stays, unless it had not converged and the new one has.\n"
       "Exit status 1: two converged results for the same scene differ by more than 1e-9; the first is kept.\n"
       "Exit status 3: a source is missing or damaged; nothing of it was taken, all of the others.\n"
       "Example: rollres merge shard-*.db --db results.db");
-  command->callback([words, &session] { merge_all(*words, session); });
+  command->callback([arguments, &session] { merge_all(*arguments, session); });
 }
 
 }  // namespace rollres

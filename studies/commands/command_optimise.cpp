@@ -18,20 +18,20 @@ namespace rollres {
 
 namespace {
 
-struct OptimiseWords {
+struct OptimiseArguments {
   std::string study, database, algorithm, out;
   int evaluations = 0, jobs = 0;
   bool json = false;
 };
 
-DesignProblem problem_of(const OptimiseWords& words) {
-  DesignProblem problem = read_design_problem(words.study);
-  if (words.evaluations > 0) problem.stop.evaluations = words.evaluations;
-  if (words.algorithm.empty()) return problem;
+DesignProblem problem_of(const OptimiseArguments& arguments) {
+  DesignProblem problem = read_design_problem(arguments.study);
+  if (arguments.evaluations > 0) problem.stop.evaluations = arguments.evaluations;
+  if (arguments.algorithm.empty()) return problem;
   const auto& names = ChoiceNames<Algorithm>::names;
-  const auto algorithm = static_cast<Algorithm>(find_name(names, words.algorithm));
+  const auto algorithm = static_cast<Algorithm>(find_name(names, arguments.algorithm));
   if (problem.variables.size() < traits(algorithm).fewest_variables)
-    throw std::invalid_argument("--algorithm = " + words.algorithm + ": needs at least two variables");
+    throw std::invalid_argument("--algorithm = " + arguments.algorithm + ": needs at least two variables");
   problem.algorithm = algorithm;
   return problem;
 }
@@ -99,21 +99,21 @@ std::string store_front(ResultStore& store, const DesignProblem& problem, const 
 }
 
 /// Draws and names the pictures.
-void draw(const ChartRequest& request, const OptimiseWords& words, Session& session) {
-  const ChartFiles files = draw_chart(request, words.out);
-  for (const auto& file : {files.svg, files.png}) (words.json ? session.err : session.out) << file.string() << '\n';
+void draw(const ChartRequest& request, const OptimiseArguments& arguments, Session& session) {
+  const ChartFiles files = draw_chart(request, arguments.out);
+  for (const auto& file : {files.svg, files.png}) (arguments.json ? session.err : session.out) << file.string() << '\n';
 }
 
-void run_optimise(const OptimiseWords& words, Session& session) {
-  const DesignProblem problem = problem_of(words);
-  if (!words.out.empty()) chart_files(words.out);  // a wrong name is told before the work
-  StudyRecord study{problem.name, {}, standalone_study(words.study)};
+void run_optimise(const OptimiseArguments& arguments, Session& session) {
+  const DesignProblem problem = problem_of(arguments);
+  if (!arguments.out.empty()) chart_files(arguments.out);  // a wrong name is told before the work
+  StudyRecord study{problem.name, {}, standalone_study(arguments.study)};
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-  ResultStore store(words.database);
+  ResultStore store(arguments.database);
   const StopSignal signal;
   RecordedEvaluations evaluations(session.evaluate, store, study, &signal.requested());
 
-  OptimiseOptions options{.jobs = words.jobs};
+  OptimiseOptions options{.jobs = arguments.jobs};
   const std::size_t width = terminal_width(session.err);
   const std::string_view unit = unit_of(problem.goal.formula, problem.scenes.front().scene.indenter);
   if (width > 0)
@@ -129,24 +129,24 @@ void run_optimise(const OptimiseWords& words, Session& session) {
     const ParetoReport front = pareto_front(problem, evaluations, options);
     clear_line();
     const std::string stored = store_front(store, problem, study, front);
-    if (words.json)
+    if (arguments.json)
       session.out << text_of(json_of(problem, front), 2) << '\n';
     else
       print_text(problem, front, session.out);
-    if (!words.json) session.out << "the front is stored as study \"" << stored << "\"\n";
+    if (!arguments.json) session.out << "the front is stored as study \"" << stored << "\"\n";
     const bool any = std::any_of(front.points.begin(), front.points.end(),
                                  [](const ParetoPoint& point) { return point.report.best.has_value(); });
-    if (!words.out.empty() && any) draw(front_chart(problem, front), words, session);
+    if (!arguments.out.empty() && any) draw(front_chart(problem, front), arguments, session);
     if (!front.complete()) session.status = ExitStatus::no_answer;
     return;
   }
   const OptimiseReport report = optimise(problem, evaluations, options);
   clear_line();
-  if (words.json)
+  if (arguments.json)
     session.out << text_of(json_of(problem, report), 2) << '\n';
   else
     print_text(problem, report, session.out);
-  if (!words.out.empty() && report.best) draw(course_chart(problem, report), words, session);
+  if (!arguments.out.empty() && report.best) draw(course_chart(problem, report), arguments, session);
   if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
 }
 
@@ -155,30 +155,34 @@ void run_optimise(const OptimiseWords& words, Session& session) {
 void add_optimise(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("optimise", "Find the best values of some inputs, under constraints, or a Pareto front");
-  const auto words = std::make_shared<OptimiseWords>();
-  command->add_option("study", words->study, "study file with variables and minimise or maximise")
+  const auto arguments = std::make_shared<OptimiseArguments>();
+  command->add_option("study", arguments->study, "study file with variables and minimise or maximise")
       ->option_text("STUDY")
       ->required();
-  command->add_option("--db", words->database, "database; created if it is missing")->option_text("FILE")->required();
+  command->add_option("--db", arguments->database, "database; created if it is missing")
+      ->option_text("FILE")
+      ->required();
   command
-      ->add_option("--algorithm", words->algorithm,
+      ->add_option("--algorithm", arguments->algorithm,
                    "bobyqa, cobyla, nelder_mead, subplex, direct_l, crs2, slsqp, mma, ccsaq or lbfgs")
       ->option_text("ALGORITHM")
       ->one_of(ChoiceNames<Algorithm>::names);
-  command->add_option("--max-evaluations", words->evaluations, "most scenes that a search may ask for")
+  command->add_option("--max-evaluations", arguments->evaluations, "most scenes that a search may ask for")
       ->between(1, 100'000'000)
       ->option_text("N");
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
-  command->add_option("--out", words->out, "draw the course of the search, or the front, as PATH.svg and PATH.png")
+  command->add_option("--jobs", arguments->jobs, "threads; default: one for each core")
+      ->option_text("N")
+      ->between(1, 1024);
+  command->add_option("--out", arguments->out, "draw the course of the search, or the front, as PATH.svg and PATH.png")
       ->option_text("PATH");
-  command->add_flag("--json", words->json, "print the outcome as one JSON object");
+  command->add_flag("--json", arguments->json, "print the outcome as one JSON object");
   command->footer(
       "Every evaluation is stored and recalled: the same command repeats the run at no cost, or goes on where it was\n"
       "stopped. Status: optimum (to first order nothing near is better), unconfirmed, evaluation_limit, interrupted,\n"
       "no_feasible_design; exit status 0 for optimum, else 1. A multiplier tells by how many % the goal improves for\n"
       "1 % more room in a constraint; elasticities are d ln / d ln.\n"
       "Example: rollres optimise studies/examples/optimise_layer.json --db results.db");
-  command->callback([words, &session] { run_optimise(*words, session); });
+  command->callback([arguments, &session] { run_optimise(*arguments, session); });
 }
 
 }  // namespace rollres

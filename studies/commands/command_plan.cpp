@@ -16,7 +16,7 @@ namespace rollres {
 
 namespace {
 
-struct PlanWords {
+struct PlanArguments {
   std::string study, database, format = "table";
   bool json = false;
   std::size_t limit = std::numeric_limits<std::size_t>::max();
@@ -37,9 +37,9 @@ std::string combinations(const Study& study) {
 }
 
 void print_summary(std::ostream& out, const Study& study, const StudyPlan& plan) {
-  out << study.name << ": " << counted(plan.scenes.size(), "point") << ", " << combinations(study) << '\n';
-  for (std::size_t i = 0; i < plan.dropped.size(); ++i)
-    out << "dropped by " << study.constraints[i].text() << ": " << counted(plan.dropped[i], "point") << '\n';
+  out << study.name << ": " << counted(plan.size(), "point") << ", " << combinations(study) << '\n';
+  for (std::size_t i = 0; i < plan.dropped().size(); ++i)
+    out << "dropped by " << study.constraints[i].text() << ": " << counted(plan.dropped()[i], "point") << '\n';
 }
 
 Json axes_json(const Study& study) {
@@ -63,21 +63,19 @@ Json charts_json(const Study& study) {
   return charts;
 }
 
-void print_json(std::ostream& out, const PlanWords& words, const Study& study, const StudyPlan& plan,
+void print_json(std::ostream& out, const PlanArguments& arguments, const Study& study, const StudyPlan& plan,
                 const std::vector<Cell>& status, const Table& table) {
-  Json object{{"study", study.name},
-              {"points", plan.scenes.size()},
-              {"dropped", plan.all_dropped()},
-              {"axes", axes_json(study)}};
+  Json object{
+      {"study", study.name}, {"points", plan.size()}, {"dropped", plan.all_dropped()}, {"axes", axes_json(study)}};
   object["constraints"] = Json::array();
-  for (std::size_t i = 0; i < plan.dropped.size(); ++i)
-    object["constraints"].push_back({{"constraint", study.constraints[i].text()}, {"dropped", plan.dropped[i]}});
+  for (std::size_t i = 0; i < plan.dropped().size(); ++i)
+    object["constraints"].push_back({{"constraint", study.constraints[i].text()}, {"dropped", plan.dropped()[i]}});
   object["compute"] = study.compute;
   object["fields"] = study.fields;
   object["charts"] = charts_json(study);
-  if (!words.database.empty()) {
+  if (!arguments.database.empty()) {
     const StoredPoints stored = count_stored(status);
-    object["db"] = words.database;
+    object["db"] = arguments.database;
     object["stored"] = stored.answered;
     object["failed"] = stored.failed;
   }
@@ -87,61 +85,62 @@ void print_json(std::ostream& out, const PlanWords& words, const Study& study, c
 
 /// Names of columns with their units, where all points have the same.
 void add_units(Table& table, const StudyPlan& plan) {
-  const Indenter indenter = plan.scenes.front().indenter;
-  for (const RollingScene& scene : plan.scenes)
-    if (scene.indenter != indenter) return;
+  const Indenter indenter = plan.scene(0).indenter;
+  bool one_body = true;
+  plan.for_each([&](std::size_t, const RollingScene& scene) { one_body = one_body && scene.indenter == indenter; });
+  if (!one_body) return;
   for (std::string& column : table.columns)
     if (const InputKind* const input = find_input(column))
       column += unit_in_brackets(input->quantity.unit_for(indenter));
 }
 
-void plan(const PlanWords& words, Session& session) {
-  const Study study = read_study(words.study);
-  const StudyPlan plan = rollres::plan(study);
+void plan(const PlanArguments& arguments, Session& session) {
+  const Study study = read_study(arguments.study);
+  const StudyPlan plan(study);
   std::vector<Cell> status;
-  if (!words.database.empty()) {
-    ResultStore store(words.database, Access::read);
+  if (!arguments.database.empty()) {
+    ResultStore store(arguments.database, Access::read);
     status = stored_status(store, plan);
   }
-  Table table = plan_table(study, plan, status, words.limit);
-  if (words.json) return print_json(session.out, words, study, plan, status, table);
-  if (words.format != "table") return write_table(session.out, table, words.format);
+  Table table = plan_table(study, plan, status, arguments.limit);
+  if (arguments.json) return print_json(session.out, arguments, study, plan, status, table);
+  if (arguments.format != "table") return write_table(session.out, table, arguments.format);
   print_summary(session.out, study, plan);
-  if (!words.database.empty()) {
+  if (!arguments.database.empty()) {
     const StoredPoints stored = count_stored(status);
-    session.out << stored.answered << " of them in " << words.database << ", " << stored.failed << " failed\n";
+    session.out << stored.answered << " of them in " << arguments.database << ", " << stored.failed << " failed\n";
   }
   if (table.rows.empty()) return;
   add_units(table, plan);
   session.out << '\n';
-  write_table(session.out, table, words.format);
-  if (table.rows.size() < plan.scenes.size())
-    session.out << "and " << counted(plan.scenes.size() - table.rows.size(), "more point") << '\n';
+  write_table(session.out, table, arguments.format);
+  if (table.rows.size() < plan.size())
+    session.out << "and " << counted(plan.size() - table.rows.size(), "more point") << '\n';
 }
 
 }  // namespace
 
 void add_plan(Command& program, Session& session) {
   Command* command = program.add_subcommand("plan", "Print the points of a study without solving any");
-  const auto words = std::make_shared<PlanWords>();
-  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
-  command->add_option("--db", words->database, "database: tells which points are stored there, and their status")
+  const auto arguments = std::make_shared<PlanArguments>();
+  command->add_option("study", arguments->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--db", arguments->database, "database: tells which points are stored there, and their status")
       ->option_text("FILE");
-  command->add_option("--limit", words->limit, "print no more than this many points")
+  command->add_option("--limit", arguments->limit, "print no more than this many points")
       ->option_text("N")
       ->between(0, most_points);
   CommandOption* const format =
       command
-          ->add_option("--format", words->format,
+          ->add_option("--format", arguments->format,
                        "table, csv, json, jsonl (one object a line) or markdown: the points alone")
           ->option_text("FORMAT")
           ->one_of(table_formats);
-  command->add_flag("--json", words->json, "print one JSON object: what the file asks for, and its points")
+  command->add_flag("--json", arguments->json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);
   command->footer(
       "Numbers are SI.\n"
       "Example: rollres plan studies/examples/speed_resistance.json --limit 10");
-  command->callback([words, &session] { plan(*words, session); });
+  command->callback([arguments, &session] { plan(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -16,7 +16,7 @@ namespace rollres {
 
 namespace {
 
-struct QueryWords {
+struct QueryArguments {
   std::string database, columns, sort, aggregates, by, sql, format = "table";
   bool with_sql = false;
   std::vector<std::string> filters;
@@ -33,9 +33,9 @@ constexpr const char* usual_columns[] = {"id",
                                          "rolling_resistance_coefficient",
                                          "status"};
 
-std::vector<Filter> filters_of(const QueryWords& words) {
+std::vector<Filter> filters_of(const QueryArguments& arguments) {
   std::vector<Filter> filters;
-  for (const std::string& text : words.filters) filters.push_back(read_filter(text));
+  for (const std::string& text : arguments.filters) filters.push_back(read_filter(text));
   return filters;
 }
 
@@ -51,39 +51,41 @@ void choose_columns(Query& question) {
   for (const std::string& name : question.sort) add(name.starts_with('-') ? name.substr(1) : name);
 }
 
-Table rows(const QueryWords& words, const Database& database) {
-  Query question{.filters = filters_of(words),
-                 .columns = split_at_commas(words.columns),
-                 .sort = split_at_commas(words.sort),
-                 .limit = words.limit};
-  if (question.columns.empty() && words.format == "table") choose_columns(question);
+Table rows(const QueryArguments& arguments, const Database& database) {
+  Query question{.filters = filters_of(arguments),
+                 .columns = split_at_commas(arguments.columns),
+                 .sort = split_at_commas(arguments.sort),
+                 .limit = arguments.limit};
+  if (question.columns.empty() && arguments.format == "table") choose_columns(question);
   return run_query(database, question);
 }
 
-Table groups(const QueryWords& words, const Database& database) {
-  GroupQuery question{.filters = filters_of(words),
-                      .by = split_at_commas(words.by),
-                      .sort = split_at_commas(words.sort),
-                      .limit = words.limit};
-  for (const std::string& text : split_at_commas(words.aggregates))
+Table groups(const QueryArguments& arguments, const Database& database) {
+  GroupQuery question{.filters = filters_of(arguments),
+                      .by = split_at_commas(arguments.by),
+                      .sort = split_at_commas(arguments.sort),
+                      .limit = arguments.limit};
+  for (const std::string& text : split_at_commas(arguments.aggregates))
     question.aggregates.push_back(parse_aggregate(text));
   return run_group_query(database, question);
 }
 
-void query(const QueryWords& words, Session& session) {
-  const bool grouped = !words.aggregates.empty() || !words.by.empty();
-  const bool plain = words.filters.empty() && words.columns.empty() && words.sort.empty() && !words.limit && !grouped;
-  if (words.with_sql && !plain)
+void query(const QueryArguments& arguments, Session& session) {
+  const bool grouped = !arguments.aggregates.empty() || !arguments.by.empty();
+  const bool plain =
+      arguments.filters.empty() && arguments.columns.empty() && arguments.sort.empty() && !arguments.limit && !grouped;
+  if (arguments.with_sql && !plain)
     throw std::invalid_argument("--sql: stands alone; write filters, columns, order and limit in SQL");
-  if (grouped && !words.columns.empty())
-    throw std::invalid_argument("--columns = " + words.columns + ": has no place beside --aggregate and --by");
+  if (grouped && !arguments.columns.empty())
+    throw std::invalid_argument("--columns = " + arguments.columns + ": has no place beside --aggregate and --by");
   const StopSignal signal;
-  Database database = open_database(words.database, Access::read);
+  Database database = open_database(arguments.database, Access::read);
   database.stop_when(signal.requested());
-  const Table table = words.with_sql ? run_sql(database, words.sql) : (grouped ? groups : rows)(words, database);
-  write_table(session.out, table, words.format);
+  const Table table =
+      arguments.with_sql ? run_sql(database, arguments.sql) : (grouped ? groups : rows)(arguments, database);
+  write_table(session.out, table, arguments.format);
   if (table.rows.empty()) {
-    session.err << words.database << ": nothing matches\n";
+    session.err << arguments.database << ": nothing matches\n";
     session.status = ExitStatus::no_answer;
   }
 }
@@ -92,31 +94,32 @@ void query(const QueryWords& words, Session& session) {
 
 void add_query(Command& program, Session& session) {
   Command* command = program.add_subcommand("query", "Find stored evaluations by any input or output");
-  const auto words = std::make_shared<QueryWords>();
+  const auto arguments = std::make_shared<QueryArguments>();
   command
-      ->add_option("filters", words->filters,
+      ->add_option("filters", arguments->filters,
                    "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study or a "
                    "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent")
       ->option_text("FILTER");
-  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
-  command->add_option("--columns", words->columns, "columns to print, separated by commas")->option_text("KEY,...");
-  command->add_option("--sort", words->sort, "columns to sort by, separated by commas; --sort=-KEY: largest first")
+  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
+  command->add_option("--columns", arguments->columns, "columns to print, separated by commas")->option_text("KEY,...");
+  command->add_option("--sort", arguments->sort, "columns to sort by, separated by commas; --sort=-KEY: largest first")
       ->option_text("KEY,...");
-  command->add_option("--limit", words->limit, "print no more than this many rows")->option_text("N");
+  command->add_option("--limit", arguments->limit, "print no more than this many rows")->option_text("N");
   command
-      ->add_option("--aggregate", words->aggregates,
+      ->add_option("--aggregate", arguments->aggregates,
                    "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
                    "(of a sample), sum or count and a column; sorted by as min_approach, count")
       ->option_text("NUMBER,...");
-  command->add_option("--by", words->by, "columns, separated by commas: one row for each combination of their values")
+  command
+      ->add_option("--by", arguments->by, "columns, separated by commas: one row for each combination of their values")
       ->option_text("KEY,...");
   CommandOption* const sql =
       command
-          ->add_option("--sql", words->sql,
+          ->add_option("--sql", arguments->sql,
                        "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
                        "resistance, evaluation, study, study_point, fields, provenance")
           ->option_text("STATEMENT");
-  command->add_option("--format", words->format, "table, csv, json, jsonl (one object a line) or markdown")
+  command->add_option("--format", arguments->format, "table, csv, json, jsonl (one object a line) or markdown")
       ->option_text("FORMAT")
       ->one_of(table_formats);
   command->footer(
@@ -125,9 +128,9 @@ void add_query(Command& program, Session& session) {
       "--sort=-rolling_resistance --limit 5\n"
       "          rollres query --db results.db study=tyres --aggregate 'max rolling_resistance, mean approach, count' "
       "--by load");
-  command->callback([words, sql, &session] {
-    words->with_sql = sql->given();
-    query(*words, session);
+  command->callback([arguments, sql, &session] {
+    arguments->with_sql = sql->given();
+    query(*arguments, session);
   });
 }
 

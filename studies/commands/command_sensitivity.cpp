@@ -27,7 +27,7 @@ namespace rollres {
 
 namespace {
 
-struct SensitivityWords {
+struct SensitivityArguments {
   std::string file, output, indices, database, out;
   std::vector<std::string> overrides, ranges;
   int samples = 0, jobs = 0;
@@ -35,9 +35,9 @@ struct SensitivityWords {
   bool json = false;
 };
 
-void draw(const BarChart& chart, const SensitivityWords& words, Session& session) {
-  const ChartFiles files = draw_bar_chart(chart, words.out);
-  for (const auto& file : {files.svg, files.png}) (words.json ? session.err : session.out) << file.string() << '\n';
+void draw(const BarChart& chart, const SensitivityArguments& arguments, Session& session) {
+  const ChartFiles files = draw_bar_chart(chart, arguments.out);
+  for (const auto& file : {files.svg, files.png}) (arguments.json ? session.err : session.out) << file.string() << '\n';
 }
 
 BarChart elasticity_chart(const GradientReport& report, const std::string& name) {
@@ -53,20 +53,20 @@ BarChart elasticity_chart(const GradientReport& report, const std::string& name)
   return chart;
 }
 
-void local_sensitivity(const SensitivityWords& words, Session& session) {
-  const RollingScene scene = read_scene(words.file, words.overrides);
+void local_sensitivity(const SensitivityArguments& arguments, Session& session) {
+  const RollingScene scene = read_scene(arguments.file, arguments.overrides);
   Objective objective{scene, variables_of(scene, inputs_with_elasticity(scene)), {}, session.evaluate};
-  objective.output =
-      refusing_at("--output", [&] { return real_output(words.output.empty() ? "rolling_resistance" : words.output); });
-  GradientReport report = gradient_report(std::move(objective), {.order = 4, .jobs = words.jobs});
+  objective.output = refusing_at(
+      "--output", [&] { return real_output(arguments.output.empty() ? "rolling_resistance" : arguments.output); });
+  GradientReport report = gradient_report(std::move(objective), {.order = 4, .jobs = arguments.jobs});
   sort_by_elasticity(report);
-  if (words.json)
+  if (arguments.json)
     session.out << text_of(json_of(report), 2) << '\n';
   else
     print_text(report, session.out, session.err);
   if (!report.gradient.complete()) session.status = ExitStatus::no_answer;
-  if (!words.out.empty() && report.gradient.centre.found())
-    draw(elasticity_chart(report, std::filesystem::path(words.file).stem().string()), words, session);
+  if (!arguments.out.empty() && report.gradient.centre.found())
+    draw(elasticity_chart(report, std::filesystem::path(arguments.file).stem().string()), arguments, session);
 }
 
 /// What either kind of index says of one input.
@@ -91,9 +91,9 @@ struct GlobalFindings {
 };
 
 GlobalFindings sobol_findings(const DesignProblem& problem, const CubeFunction& function,
-                              const SensitivityWords& words) {
-  const auto rows = static_cast<std::size_t>(words.samples > 0 ? words.samples : 256);
-  const SobolIndices found = sobol_indices(function, problem.variables.size(), rows, words.seed, words.jobs);
+                              const SensitivityArguments& arguments) {
+  const auto rows = static_cast<std::size_t>(arguments.samples > 0 ? arguments.samples : 256);
+  const SobolIndices found = sobol_indices(function, problem.variables.size(), rows, arguments.seed, arguments.jobs);
   GlobalFindings findings{.table = {{"input", "first_order", "first_order_error", "total", "total_error"}, {}},
                           .series = {"first order", "total"},
                           .axis = "share of the variance",
@@ -114,9 +114,10 @@ GlobalFindings sobol_findings(const DesignProblem& problem, const CubeFunction& 
 }
 
 GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction& function,
-                               const SensitivityWords& words) {
-  const auto trajectories = static_cast<std::size_t>(words.samples > 0 ? words.samples : 20);
-  const MorrisEffects found = morris_effects(function, problem.variables.size(), trajectories, words.seed, words.jobs);
+                               const SensitivityArguments& arguments) {
+  const auto trajectories = static_cast<std::size_t>(arguments.samples > 0 ? arguments.samples : 20);
+  const MorrisEffects found =
+      morris_effects(function, problem.variables.size(), trajectories, arguments.seed, arguments.jobs);
   GlobalFindings findings{.table = {{"input", "mean_size", "mean_size_error", "mean", "deviation", "effects"}, {}},
                           .series = {"mean size µ*", "deviation σ"},
                           .axis = "effect over the range",
@@ -136,17 +137,17 @@ GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction&
   return findings;
 }
 
-void global_sensitivity(const SensitivityWords& words, Session& session) {
-  const DesignProblem problem = read_ranges(words.file, words.overrides, words.ranges, words.output);
+void global_sensitivity(const SensitivityArguments& arguments, Session& session) {
+  const DesignProblem problem = read_ranges(arguments.file, arguments.overrides, arguments.ranges, arguments.output);
   const StopSignal signal;
   std::optional<ResultStore> store;
   std::optional<RecordedEvaluations> evaluations;
-  if (words.database.empty()) {
+  if (arguments.database.empty()) {
     evaluations.emplace(session.evaluate, &signal.requested());
   } else {
-    StudyRecord study{problem.name + " " + words.indices, {}, standalone_study(words.file)};
+    StudyRecord study{problem.name + " " + arguments.indices, {}, standalone_study(arguments.file)};
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-    store.emplace(words.database);
+    store.emplace(arguments.database);
     evaluations.emplace(session.evaluate, *store, study, &signal.requested());
   }
   const CubeFunction function = [&](std::span<const double> place) {
@@ -155,8 +156,8 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
   };
   GlobalFindings findings;
   try {
-    findings =
-        words.indices == "sobol" ? sobol_findings(problem, function, words) : morris_findings(problem, function, words);
+    findings = arguments.indices == "sobol" ? sobol_findings(problem, function, arguments)
+                                            : morris_findings(problem, function, arguments);
   } catch (const Interrupted&) {
     session.err << "interrupted" << (store ? ": the same command goes on where it stopped\n" : "\n");
     session.status = ExitStatus::no_answer;
@@ -167,29 +168,29 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
 
   const EvaluationCount count = evaluations->count();
   const std::string_view unit = unit_of(problem.goal.formula, problem.scenes.front().scene.indenter);
-  if (words.json) {
+  if (arguments.json) {
     Json object{{"output", problem.goal.formula.text()},
                 {"unit", unit},
-                {"indices", words.indices},
-                {"seed", words.seed},
+                {"indices", arguments.indices},
+                {"seed", arguments.seed},
                 {"evaluations", {{"solved", count.solved}, {"recalled", count.recalled}, {"failed", count.failed}}}};
     object.update(findings.summary);
     object["inputs"] = json_of(findings.table);
     session.out << text_of(object, 2) << '\n';
   } else {
     session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + std::string(unit) + "]") << ", "
-                << words.indices << ": " << count.all() << " evaluations (" << count.solved << " solved, "
+                << arguments.indices << ": " << count.all() << " evaluations (" << count.solved << " solved, "
                 << count.recalled << " recalled, " << count.failed << " failed)\n\n";
     write_aligned(session.out, findings.table);
   }
-  if (words.out.empty()) return;
+  if (arguments.out.empty()) return;
   BarChart chart{.title = problem.name + ": " + in_words(problem.goal.formula.text()),
-                 .axis = {.name = findings.axis, .unit = words.indices == "morris" ? typeset_unit(unit) : ""},
+                 .axis = {.name = findings.axis, .unit = arguments.indices == "morris" ? typeset_unit(unit) : ""},
                  .series = findings.series,
                  .bars = {}};
   for (const InputFinding& input : findings.inputs)
     chart.bars.push_back({in_words(input.quantity.key), std::string(symbol_beside_name(input.quantity)), input.bars});
-  draw(chart, words, session);
+  draw(chart, arguments, session);
 }
 
 }  // namespace
@@ -197,41 +198,47 @@ void global_sensitivity(const SensitivityWords& words, Session& session) {
 void add_sensitivity(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("sensitivity", "Which inputs a result depends on: elasticities, or indices over ranges");
-  const auto words = std::make_shared<SensitivityWords>();
-  command->add_option("file", words->file, "scene file; with --indices also a study file")
+  const auto arguments = std::make_shared<SensitivityArguments>();
+  command->add_option("file", arguments->file, "scene file; with --indices also a study file")
       ->required()
       ->option_text("SCENE|STUDY");
-  command->add_option("--output", words->output, "output, with --indices a formula; default rolling_resistance")
+  command->add_option("--output", arguments->output, "output, with --indices a formula; default rolling_resistance")
       ->option_text("KEY");
-  command->add_option("--set", words->overrides, "replace an input of the scene, in SI or with a unit; may be repeated")
+  command
+      ->add_option("--set", arguments->overrides,
+                   "replace an input of the scene, in SI or with a unit; may be repeated")
       ->option_text("KEY=VALUE")
       ->one_value_each();
-  auto* const indices = command->add_option("--indices", words->indices, "sobol or morris: over ranges of the inputs")
-                            ->option_text("INDICES")
-                            ->one_of({"sobol", "morris"});
+  auto* const indices =
+      command->add_option("--indices", arguments->indices, "sobol or morris: over ranges of the inputs")
+          ->option_text("INDICES")
+          ->one_of({"sobol", "morris"});
   const auto with_indices = [&](CommandOption* option) { return option->needs(indices); };
-  with_indices(command->add_option("--range", words->ranges, "range of an input of a scene; may be repeated"))
+  with_indices(command->add_option("--range", arguments->ranges, "range of an input of a scene; may be repeated"))
       ->option_text("KEY=FROM:TO[:logarithmic]")
       ->one_value_each();
-  with_indices(command->add_option("--samples", words->samples,
+  with_indices(command->add_option("--samples", arguments->samples,
                                    "rows (sobol, default 256; a power of two) or trajectories (morris, default 20)"))
       ->between(2, 10'000'000)
       ->option_text("N");
-  with_indices(command->add_option("--seed", words->seed, "of the sample; default 0"))->option_text("S");
-  with_indices(command->add_option("--db", words->database, "database; every evaluation is stored and recalled")
+  with_indices(command->add_option("--seed", arguments->seed, "of the sample; default 0"))->option_text("S");
+  with_indices(command->add_option("--db", arguments->database, "database; every evaluation is stored and recalled")
                    ->option_text("FILE"));
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
-  command->add_option("--out", words->out, "draw bars with their errors as PATH.svg and PATH.png")->option_text("PATH");
-  command->add_flag("--json", words->json, "print one JSON object");
+  command->add_option("--jobs", arguments->jobs, "threads; default: one for each core")
+      ->option_text("N")
+      ->between(1, 1024);
+  command->add_option("--out", arguments->out, "draw bars with their errors as PATH.svg and PATH.png")
+      ->option_text("PATH");
+  command->add_flag("--json", arguments->json, "print one JSON object");
   command->footer(
       "Without --indices: d ln output / d ln input for every input that is present and not zero, as rollres gradient\n"
       "finds them, the largest first. sobol: shares of the variance, rows * (inputs + 2) evaluations; morris: mean "
       "size\n"
       "and deviation of elementary effects, trajectories * (inputs + 1). Errors are half-widths of 95 % intervals.\n"
       "Example: rollres sensitivity studies/examples/paper_cylinder.json --set tolerance=1e-8 --out sensitivity");
-  command->callback([words, &session] {
-    if (!words->out.empty()) chart_files(words->out);  // a wrong name is told before the work
-    words->indices.empty() ? local_sensitivity(*words, session) : global_sensitivity(*words, session);
+  command->callback([arguments, &session] {
+    if (!arguments->out.empty()) chart_files(arguments->out);  // a wrong name is told before the work
+    arguments->indices.empty() ? local_sensitivity(*arguments, session) : global_sensitivity(*arguments, session);
   });
 }
 

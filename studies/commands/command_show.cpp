@@ -20,7 +20,7 @@ namespace rollres {
 
 namespace {
 
-struct ShowWords {
+struct ShowArguments {
   std::string what, database, fields;
   bool json = false, with_fields = false;
 };
@@ -43,7 +43,7 @@ std::vector<std::string> outputs_of(ResultStore& store, const std::string& study
   return outputs;
 }
 
-void show_study(const ShowWords& words, ResultStore& store, const StudySummary& study, Session& session) {
+void show_study(const ShowArguments& arguments, ResultStore& store, const StudySummary& study, Session& session) {
   Query query{.filters = {{"study", Comparison::equal, study.name}}, .columns = {"position", "id"}};
   std::vector<std::string> names = query.columns;
   for (const std::string& axis : study.axes) {
@@ -57,7 +57,7 @@ void show_study(const ShowWords& words, ResultStore& store, const StudySummary& 
   }
   Table table = run_query(store.database(), query);
   table.columns = names;
-  if (words.json) {
+  if (arguments.json) {
     const Json object{{"study", study.name},      {"axes", study.axes},
                       {"points", study.points},   {"answered", study.answered},
                       {"failed", study.failed},   {"created", study.created},
@@ -77,9 +77,9 @@ void show_study(const ShowWords& words, ResultStore& store, const StudySummary& 
   write_aligned(session.out, table);
 }
 
-void show_evaluation(const ShowWords& words, const StoredEvaluation& evaluation, Session& session) {
+void show_evaluation(const ShowArguments& arguments, const StoredEvaluation& evaluation, Session& session) {
   const Provenance& program = evaluation.provenance;
-  if (words.json) {
+  if (arguments.json) {
     Json object{{"id", evaluation.id}, {"created", evaluation.created}, {"studies", evaluation.studies}};
     object["provenance"] = {{"version", program.version},
                             {"git_hash", program.git_hash},
@@ -97,34 +97,37 @@ void show_evaluation(const ShowWords& words, const StoredEvaluation& evaluation,
   session.out << '\n' << summary(evaluation.scene, evaluation.solution);
 }
 
-void export_fields(const ShowWords& words, ResultStore& store, const StoredEvaluation& evaluation, Session& session) {
+void export_fields(const ShowArguments& arguments, ResultStore& store, const StoredEvaluation& evaluation,
+                   Session& session) {
   if (const auto fields = store.find_fields(evaluation.key))
-    return write_fields(words.fields, evaluation.scene, *fields);
-  session.err << words.database << ": evaluation " << evaluation.id
+    return write_fields(arguments.fields, evaluation.scene, *fields);
+  session.err << arguments.database << ": evaluation " << evaluation.id
               << ": no fields are stored; rollres sweep STUDY --fields stores them\n";
   session.status = ExitStatus::no_answer;
 }
 
-void show(const ShowWords& words, Session& session) {
-  if (words.with_fields && words.fields.empty()) throw std::invalid_argument("--fields = \"\": must name a directory");
-  ResultStore store(words.database, Access::read);
-  if (const auto study = store.study(words.what)) {
-    if (words.with_fields)
-      throw std::invalid_argument("--fields = " + words.fields + ": needs the number of an evaluation, not a study");
-    return show_study(words, store, *study, session);
+void show(const ShowArguments& arguments, Session& session) {
+  if (arguments.with_fields && arguments.fields.empty())
+    throw std::invalid_argument("--fields = \"\": must name a directory");
+  ResultStore store(arguments.database, Access::read);
+  if (const auto study = store.study(arguments.what)) {
+    if (arguments.with_fields)
+      throw std::invalid_argument("--fields = " + arguments.fields +
+                                  ": needs the number of an evaluation, not a study");
+    return show_study(arguments, store, *study, session);
   }
   std::int64_t id = 0;
-  const char* end = words.what.data() + words.what.size();
-  if (std::from_chars(words.what.data(), end, id).ptr == end)
+  const char* end = arguments.what.data() + arguments.what.size();
+  if (std::from_chars(arguments.what.data(), end, id).ptr == end)
     if (const auto evaluation = store.find(id)) {
-      show_evaluation(words, *evaluation, session);
-      if (words.with_fields) export_fields(words, store, *evaluation, session);
+      show_evaluation(arguments, *evaluation, session);
+      if (arguments.with_fields) export_fields(arguments, store, *evaluation, session);
       return;
     }
   const std::vector<std::string> all = store.study_names();
   const std::vector<std::string_view> names(all.begin(), all.end());
-  const std::string nearest = nearest_name(names, words.what);
-  throw std::invalid_argument(words.database + ": " + words.what + ": no such study or evaluation" +
+  const std::string nearest = nearest_name(names, arguments.what);
+  throw std::invalid_argument(arguments.database + ": " + arguments.what + ": no such study or evaluation" +
                               (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
 }
 
@@ -132,19 +135,20 @@ void show(const ShowWords& words, Session& session) {
 
 void add_show(Command& program, Session& session) {
   Command* command = program.add_subcommand("show", "Show the results of a study, or one evaluation in full");
-  const auto words = std::make_shared<ShowWords>();
-  command->add_option("what", words->what, "name of a study, or number (id) of an evaluation")
+  const auto arguments = std::make_shared<ShowArguments>();
+  command->add_option("what", arguments->what, "name of a study, or number (id) of an evaluation")
       ->option_text("NAME|ID")
       ->required();
-  command->add_option("--db", words->database, "database")->option_text("FILE")->required();
-  command->add_flag("--json", words->json, "print one JSON object");
+  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
+  command->add_flag("--json", arguments->json, "print one JSON object");
   CommandOption* const fields =
-      command->add_option("--fields", words->fields, "write an evaluation's stored fields to DIR/fields.csv and .vti")
+      command
+          ->add_option("--fields", arguments->fields, "write an evaluation's stored fields to DIR/fields.csv and .vti")
           ->option_text("DIR");
   command->footer("Example: rollres show --db results.db 'speed and load'");
-  command->callback([words, fields, &session] {
-    words->with_fields = fields->given();
-    show(*words, session);
+  command->callback([arguments, fields, &session] {
+    arguments->with_fields = fields->given();
+    show(*arguments, session);
   });
 }
 

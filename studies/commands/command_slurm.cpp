@@ -15,7 +15,7 @@ namespace rollres {
 
 namespace {
 
-struct SlurmWords {
+struct SlurmArguments {
   SlurmJob job;
   std::string study, database, folder, program;
 };
@@ -28,22 +28,22 @@ void write_script(const std::filesystem::path& file, const std::string& text) {
   if (error) throw std::runtime_error(file.string() + ": cannot be made executable: " + error.message());
 }
 
-void slurm(const SlurmWords& words, Session& session) {
-  const Study study = read_study(words.study);
-  for (const std::string* const text : {&words.job.time, &words.job.partition})
+void slurm(const SlurmArguments& arguments, Session& session) {
+  const Study study = read_study(arguments.study);
+  for (const std::string* const text : {&arguments.job.time, &arguments.job.partition})
     for (const unsigned char letter : *text)
       if (letter < 0x20) throw std::invalid_argument("time and partition must be one line");
-  SlurmJob job = words.job;
+  SlurmJob job = arguments.job;
   job.name = study.name;
-  job.folder = std::filesystem::absolute(words.folder).lexically_normal();
-  job.database = std::filesystem::absolute(words.database).lexically_normal();
-  job.program = words.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
-                                      : std::filesystem::absolute(words.program).lexically_normal();
+  job.folder = std::filesystem::absolute(arguments.folder).lexically_normal();
+  job.database = std::filesystem::absolute(arguments.database).lexically_normal();
+  job.program = arguments.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
+                                          : std::filesystem::absolute(arguments.program).lexically_normal();
   const std::filesystem::path copy = job.folder / "study.json";
   if (std::filesystem::exists(copy) && read_study(copy).name != study.name)
-    throw std::invalid_argument("out = " + words.folder + ": holds the scripts of another study");
+    throw std::invalid_argument("out = " + arguments.folder + ": holds the scripts of another study");
   for (const char* const folder : {"shards", "logs"}) make_directory(job.folder / folder);
-  write_file(copy, standalone_study(words.study));
+  write_file(copy, standalone_study(arguments.study));
   write_script(job.folder / "array.sh", array_script(job));
   write_script(job.folder / "merge.sh", merge_script(job));
   write_script(job.folder / "submit.sh", submit_script(job));
@@ -58,31 +58,32 @@ void slurm(const SlurmWords& words, Session& session) {
 
 void add_slurm(Command& program, Session& session) {
   Command* command = program.add_subcommand("slurm", "Write the scripts that run a study as a Slurm job array");
-  const auto words = std::make_shared<SlurmWords>();
-  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
-  command->add_option("--tasks", words->job.tasks, "number of shards, each a task of the array")
+  const auto arguments = std::make_shared<SlurmArguments>();
+  command->add_option("study", arguments->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--tasks", arguments->job.tasks, "number of shards, each a task of the array")
       ->option_text("N")
       ->required()
       ->between(1, most_shards);
-  command->add_option("--db", words->database, "database that takes the results in the end")
+  command->add_option("--db", arguments->database, "database that takes the results in the end")
       ->option_text("FILE")
       ->required();
-  command->add_option("--out", words->folder, "folder, seen by all nodes, for scripts, shards and logs")
+  command->add_option("--out", arguments->folder, "folder, seen by all nodes, for scripts, shards and logs")
       ->option_text("DIR")
       ->required();
-  command->add_option("--throttle", words->job.throttle, "tasks that run at a time; default: no limit")
+  command->add_option("--throttle", arguments->job.throttle, "tasks that run at a time; default: no limit")
       ->option_text("N")
       ->between(1, most_shards);
-  command->add_option("--cores", words->job.cores, "cores for each task; default: 1")
+  command->add_option("--cores", arguments->job.cores, "cores for each task; default: 1")
       ->option_text("N")
       ->between(1, 1024);
   command
-      ->add_option("--time", words->job.time,
+      ->add_option("--time", arguments->job.time,
                    "time limit of a task, as sbatch takes it; a minute before it what is "
                    "solved is brought back")
       ->option_text("TIME");
-  command->add_option("--partition", words->job.partition, "partition, as sbatch takes it")->option_text("PARTITION");
-  command->add_option("--program", words->program, "rollres as the nodes see it; default: this one")
+  command->add_option("--partition", arguments->job.partition, "partition, as sbatch takes it")
+      ->option_text("PARTITION");
+  command->add_option("--program", arguments->program, "rollres as the nodes see it; default: this one")
       ->option_text("FILE");
   command->footer(
       "Writes array.sh, merge.sh and submit.sh. `sh DIR/submit.sh` submits the array and, after it, the merge; run "
@@ -93,7 +94,7 @@ void add_slurm(Command& program, Session& session) {
       "  parallel -j 8 rollres sweep STUDY --shard {}/16 --jobs 1 --db shard-{}.db ::: $(seq 16)\n"
       "  rollres merge shard-*.db --db results.db\n"
       "Example: rollres slurm STUDY --tasks 100 --throttle 20 --time 2:00:00 --db results.db --out jobs");
-  command->callback([words, &session] { slurm(*words, session); });
+  command->callback([arguments, &session] { slurm(*arguments, session); });
 }
 
 }  // namespace rollres

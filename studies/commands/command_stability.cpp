@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t usual_cylinders = 1000, usual_spheres = 100;
 
-struct StabilityWords {
+struct StabilityArguments {
   std::string out;
   std::size_t scenes = 0;
   std::uint64_t seed = 1;
@@ -51,14 +51,14 @@ std::vector<Method> methods_to_try(const std::vector<std::string>& names) {
   return methods;
 }
 
-StabilityPlan plan_of(const StabilityWords& words) {
+StabilityPlan plan_of(const StabilityArguments& arguments) {
   StabilityPlan plan;
-  if (words.indenter != "sphere") plan.cylinders = words.scenes > 0 ? words.scenes : usual_cylinders;
-  if (words.indenter != "cylinder") plan.spheres = words.scenes > 0 ? words.scenes : usual_spheres;
-  plan.seed = words.seed;
-  plan.methods = methods_to_try(words.methods);
-  plan.jobs = words.jobs;
-  plan.time_limit = words.time_limit;
+  if (arguments.indenter != "sphere") plan.cylinders = arguments.scenes > 0 ? arguments.scenes : usual_cylinders;
+  if (arguments.indenter != "cylinder") plan.spheres = arguments.scenes > 0 ? arguments.scenes : usual_spheres;
+  plan.seed = arguments.seed;
+  plan.methods = methods_to_try(arguments.methods);
+  plan.jobs = arguments.jobs;
+  plan.time_limit = arguments.time_limit;
   return plan;
 }
 
@@ -122,9 +122,9 @@ std::vector<fs::path> draw_maps(const StabilityReport& report, const fs::path& f
   return pictures;
 }
 
-void stability(const StabilityWords& words, Session& session) {
-  StabilityPlan plan = plan_of(words);
-  const fs::path folder = words.out, failed = folder / "failed";
+void stability(const StabilityArguments& arguments, Session& session) {
+  StabilityPlan plan = plan_of(arguments);
+  const fs::path folder = arguments.out, failed = folder / "failed";
   make_directory(folder);  // before the work, not after it
   remove_failed_scenes(failed);
 
@@ -145,7 +145,7 @@ void stability(const StabilityWords& words, Session& session) {
   std::vector<fs::path> files = draw_maps(report, folder);
   files.insert(files.begin(), rows);
 
-  if (words.json) {
+  if (arguments.json) {
     Json object{{"out", folder.string()},
                 {"seed", plan.seed},
                 {"cylinders", plan.cylinders},
@@ -176,35 +176,35 @@ void stability(const StabilityWords& words, Session& session) {
 
 void add_stability(Command& program, Session& session) {
   Command* command = program.add_subcommand("stability", "Try the methods on random scenes: which fails where");
-  const auto words = std::make_shared<StabilityWords>();
-  command->add_option("--out", words->out, "folder for the table, the maps and the scenes that failed")
+  const auto arguments = std::make_shared<StabilityArguments>();
+  command->add_option("--out", arguments->out, "folder for the table, the maps and the scenes that failed")
       ->required()
       ->option_text("DIR");
-  command->add_option("--scenes", words->scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
+  command->add_option("--scenes", arguments->scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
       ->between(1, 100'000'000)
       ->option_text("N");
-  command->add_option("--seed", words->seed, "of the random scenes; default: 1")->option_text("S");
-  command->add_option("--methods", words->methods, "the methods to try, with commas between; default: all")
+  command->add_option("--seed", arguments->seed, "of the random scenes; default: 1")->option_text("S");
+  command->add_option("--methods", arguments->methods, "the methods to try, with commas between; default: all")
       ->delimiter(',')
       ->one_value_each()
       ->option_text("METHOD,...");
-  command->add_option("--indenter", words->indenter, "cylinder, sphere or both (the default)")
+  command->add_option("--indenter", arguments->indenter, "cylinder, sphere or both (the default)")
       ->one_of({"cylinder", "sphere", "both"})
       ->option_text("INDENTER");
-  command->add_option("--jobs", words->jobs, "processes; default: one for each core")
+  command->add_option("--jobs", arguments->jobs, "processes; default: one for each core")
       ->between(1, 1024)
       ->option_text("N");
-  command->add_option("--time-limit", words->time_limit, "for one scene, in seconds; default: 600")
+  command->add_option("--time-limit", arguments->time_limit, "for one scene, in seconds; default: 600")
       ->positive()
       ->option_text("SECONDS");
-  command->add_flag("--json", words->json, "print the outcome as one JSON object");
+  command->add_flag("--json", arguments->json, "print the outcome as one JSON object");
   command->footer(
       "converged: every law of contact holds to 1e-8. refused: the drive needs more friction, confirmed by solving "
       "with "
       "2 % more and 2 % less than the method says it needs; unconfirmed: that is not so. wrong: says converged, and is "
       "not. Exit status 1 if any is wrong or crashed.\n"
       "Example: rollres stability --out stability --scenes 200 --methods newton,active_set");
-  command->callback([words, &session] { stability(*words, session); });
+  command->callback([arguments, &session] { stability(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -16,7 +16,7 @@ namespace rollres {
 
 namespace {
 
-struct StatusWords {
+struct StatusArguments {
   std::string study;  // file; empty: what the databases say themselves
   std::vector<std::string> databases;
   int shards = 0;  // 0: not asked for
@@ -33,28 +33,30 @@ Json object_of(const std::string& name, const StudyStatus& status) {
   return object;
 }
 
-void print_json(std::ostream& out, const std::string& name, const StudyStatus& status, const StatusWords& words) {
+void print_json(std::ostream& out, const std::string& name, const StudyStatus& status,
+                const StatusArguments& arguments) {
   Json object = object_of(name, status);
-  if (words.shards > 0) {
-    object["shards"] = words.shards;
+  if (arguments.shards > 0) {
+    object["shards"] = arguments.shards;
     object["shards_missing"] = status.shards_missing;
     object["array"] = array_list(status.shards_missing);
   }
   out << text_of(object, 2) << '\n';
 }
 
-void print_lines(std::ostream& out, const std::string& name, const StudyStatus& status, const StatusWords& words) {
+void print_lines(std::ostream& out, const std::string& name, const StudyStatus& status,
+                 const StatusArguments& arguments) {
   out << name << ": " << status.converged + status.failed << " of " << status.points << " points answered, "
       << status.failed << " of them failed; " << status.missing << " missing";
   if (status.missing > 0 && !std::isnan(status.seconds_left))
     out << ", about " << duration_in_words(status.seconds_left) << " on one core";
   out << '\n';
-  if (words.shards > 0 && status.missing > 0)
-    out << "shards with points missing: " << array_list(status.shards_missing) << " of " << words.shards << '\n';
+  if (arguments.shards > 0 && status.missing > 0)
+    out << "shards with points missing: " << array_list(status.shards_missing) << " of " << arguments.shards << '\n';
 }
 
 /// Of the studies that a database holds, as it holds them.
-void status_of_stored(const std::string& file, const StatusWords& words, Session& session) {
+void status_of_stored(const std::string& file, const StatusArguments& arguments, Session& session) {
   const std::vector<StudySummary> studies = ResultStore(file, Access::read).studies();
   Json object{{"db", file}, {"studies", Json::array()}};
   for (const StudySummary& study : studies) {
@@ -63,40 +65,40 @@ void status_of_stored(const std::string& file, const StatusWords& words, Session
     status.failed = static_cast<std::size_t>(study.failed);
     status.converged = static_cast<std::size_t>(study.answered - study.failed);
     status.missing = static_cast<std::size_t>(study.points - study.answered);
-    if (words.json)
+    if (arguments.json)
       object["studies"].push_back(object_of(study.name, status));
     else
-      print_lines(session.out, study.name, status, words);
+      print_lines(session.out, study.name, status, arguments);
     if (status.missing > 0) session.status = ExitStatus::no_answer;
   }
-  if (words.json) session.out << text_of(object, 2) << '\n';
+  if (arguments.json) session.out << text_of(object, 2) << '\n';
   if (studies.empty()) session.err << file << ": holds no study\n";
 }
 
-void status(const StatusWords& words, Session& session) {
-  if (words.study.empty()) {
-    if (words.databases.empty()) throw std::invalid_argument("status: needs a study file, or --db, or both");
-    if (words.shards > 0) throw std::invalid_argument("--shards: needs the study file");
-    if (words.json && words.databases.size() > 1)
+void status(const StatusArguments& arguments, Session& session) {
+  if (arguments.study.empty()) {
+    if (arguments.databases.empty()) throw std::invalid_argument("status: needs a study file, or --db, or both");
+    if (arguments.shards > 0) throw std::invalid_argument("--shards: needs the study file");
+    if (arguments.json && arguments.databases.size() > 1)
       throw std::invalid_argument("--db: only one with --json, without a study file");
-    for (const std::string& file : words.databases) status_of_stored(file, words, session);
+    for (const std::string& file : arguments.databases) status_of_stored(file, arguments, session);
     return;
   }
-  const Study study = read_study(words.study);
+  const Study study = read_study(arguments.study);
   std::vector<std::filesystem::path> present;
-  for (const std::string& file : words.databases) {
+  for (const std::string& file : arguments.databases) {
     if (std::filesystem::exists(file))
       present.emplace_back(file);
     else
       session.err << file << ": no such file, counted as empty\n";
   }
-  const StudyStatus found = study_status(study, present, std::max(1, words.shards));
-  if (words.array)
+  const StudyStatus found = study_status(study, present, std::max(1, arguments.shards));
+  if (arguments.array)
     session.out << array_list(found.shards_missing) << '\n';
-  else if (words.json)
-    print_json(session.out, study.name, found, words);
+  else if (arguments.json)
+    print_json(session.out, study.name, found, arguments);
   else
-    print_lines(session.out, study.name, found, words);
+    print_lines(session.out, study.name, found, arguments);
   if (found.missing > 0) session.status = ExitStatus::no_answer;
 }
 
@@ -104,23 +106,25 @@ void status(const StatusWords& words, Session& session) {
 
 void add_status(Command& program, Session& session) {
   Command* command = program.add_subcommand("status", "Tell what of a study is stored, and what is missing");
-  const auto words = std::make_shared<StatusWords>();
-  command->add_option("study", words->study, "study file; left out: every study of the database")->option_text("STUDY");
+  const auto arguments = std::make_shared<StatusArguments>();
+  command->add_option("study", arguments->study, "study file; left out: every study of the database")
+      ->option_text("STUDY");
   command
-      ->add_option("--db", words->databases, "database; several are taken together; none: the whole study is missing")
+      ->add_option("--db", arguments->databases,
+                   "database; several are taken together; none: the whole study is missing")
       ->option_text("FILE");
   CommandOption* const shards =
-      command->add_option("--shards", words->shards, "number of shards: tell which have something missing")
+      command->add_option("--shards", arguments->shards, "number of shards: tell which have something missing")
           ->option_text("N")
           ->between(1, most_shards);
   CommandOption* const array =
-      command->add_flag("--array", words->array, "print only these shards, as Slurm's --array takes them")
+      command->add_flag("--array", arguments->array, "print only these shards, as Slurm's --array takes them")
           ->needs(shards);
-  command->add_flag("--json", words->json, "print one JSON object")->excludes(array);
+  command->add_flag("--json", arguments->json, "print one JSON object")->excludes(array);
   command->footer(
       "Exit status 0: every point is answered, failed ones included; 1: something is missing.\n"
       "Example: rollres status STUDY --db shard-*.db --shards 16");
-  command->callback([words, &session] { status(*words, session); });
+  command->callback([arguments, &session] { status(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <ostream>
 
 #include "studies/program/command_line.hpp"
@@ -13,7 +14,7 @@ namespace rollres {
 
 namespace {
 
-struct SweepWords {
+struct SweepArguments {
   std::string study, database, shard;
   int jobs = 0;
   bool json = false, fields = false;
@@ -21,25 +22,25 @@ struct SweepWords {
 };
 
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
-                const SweepWords& words) {
+                const SweepArguments& arguments) {
   const StudySummary& study = report.study;
-  Json object{{"study", study.name},       {"db", words.database},        {"points", report.points},
+  Json object{{"study", study.name},       {"db", arguments.database},    {"points", report.points},
               {"dropped", report.dropped}, {"answered", report.answered}, {"recalled", report.recalled},
               {"solved", report.solved},   {"failed", report.failed},     {"interrupted", report.interrupted},
               {"seconds", report.seconds}, {"failures", Json::array()}};
-  if (!words.shard.empty()) object["shard"] = words.shard;
+  if (!arguments.shard.empty()) object["shard"] = arguments.shard;
   for (const Failure& failure : failures)
     object["failures"].push_back({{"status", failure.status}, {"reason", failure.reason}, {"points", failure.points}});
   out << text_of(object, 2) << '\n';
 }
 
 void print_summary(Session& session, const SweepReport& report, const std::vector<Failure>& failures,
-                   const SweepWords& words) {
+                   const SweepArguments& arguments) {
   const StudySummary& study = report.study;
-  session.out << study.name << (words.shard.empty() ? "" : ", shard " + words.shard) << ": " << report.answered
-              << " of " << report.points << " points in " << words.database << ", " << report.recalled << " recalled, "
-              << report.solved << " solved in " << duration_in_words(report.seconds) << ", " << report.failed
-              << " failed\n";
+  session.out << study.name << (arguments.shard.empty() ? "" : ", shard " + arguments.shard) << ": " << report.answered
+              << " of " << report.points << " points in " << arguments.database << ", " << report.recalled
+              << " recalled, " << report.solved << " solved in " << duration_in_words(report.seconds) << ", "
+              << report.failed << " failed\n";
   if (report.dropped > 0)
     session.err << report.dropped << (report.dropped == 1 ? " point is" : " points are") << " dropped by constraints\n";
   constexpr std::size_t shown = 5;
@@ -47,20 +48,21 @@ void print_summary(Session& session, const SweepReport& report, const std::vecto
     session.err << failures[i].points << " x " << failures[i].status << ": " << failures[i].reason << '\n';
   if (failures.size() > shown)
     session.err << "and " << failures.size() - shown << " other reasons: rollres query 'study=" << study.name
-                << "' 'status!=converged' --columns position,status,reason --db " << words.database << '\n';
+                << "' 'status!=converged' --columns position,status,reason --db " << arguments.database << '\n';
   if (report.interrupted) session.err << "interrupted: the same command solves what is missing\n";
 }
 
-void sweep(const SweepWords& words, Session& session) {
-  const Study study = read_study(words.study);
-  const StopSignal signal;
+void sweep(const SweepArguments& arguments, Session& session) {
+  const Study study = read_study(arguments.study);
   SweepOptions options;
-  options.jobs = words.jobs;
-  options.stop = &signal.requested();
-  options.definition = standalone_study(words.study);
-  if (!words.shard.empty()) options.shard = parse_shard(words.shard);
-  options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, words.retry));
-  options.fields = words.fields || study.fields ? Fields::kept : Fields::dropped;
+  options.jobs = arguments.jobs;
+  std::optional<StopSignal> signal;  // until the first point there is nothing to bring home: a signal ends the program
+  options.ready = [&] { signal.emplace(); };
+  options.stop = &StopSignal::requested();
+  options.definition = standalone_study(arguments.study);
+  if (!arguments.shard.empty()) options.shard = parse_shard(arguments.shard);
+  options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, arguments.retry));
+  options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;
   const std::size_t width = terminal_width(session.err);
   if (width > 0)
     options.report = [&](const SweepProgress& progress) {
@@ -71,18 +73,18 @@ void sweep(const SweepWords& words, Session& session) {
   };
   SweepReport report;
   try {
-    report = run_sweep(study, session.evaluate, words.database, options);
+    report = run_sweep(study, session.evaluate, arguments.database, options);
   } catch (...) {
     clear_line();
     throw;
   }
   clear_line();
   std::vector<Failure> failures;
-  if (report.study.failed > 0) failures = ResultStore(words.database, Access::read).failures(study.name);
-  if (words.json)
-    print_json(session.out, report, failures, words);
+  if (report.study.failed > 0) failures = ResultStore(arguments.database, Access::read).failures(study.name);
+  if (arguments.json)
+    print_json(session.out, report, failures, arguments);
   else
-    print_summary(session, report, failures, words);
+    print_summary(session, report, failures, arguments);
   if (report.failed > 0 || report.answered < report.points) session.status = ExitStatus::no_answer;
 }
 
@@ -90,30 +92,34 @@ void sweep(const SweepWords& words, Session& session) {
 
 void add_sweep(Command& program, Session& session) {
   Command* command = program.add_subcommand("sweep", "Solve all points of a study and store each as it comes");
-  const auto words = std::make_shared<SweepWords>();
-  command->add_option("study", words->study, "study file")->option_text("STUDY")->required();
-  command->add_option("--db", words->database, "database; created if it is missing")->option_text("FILE")->required();
-  command->add_option("--jobs", words->jobs, "threads; default: one for each core")->option_text("N")->between(1, 1024);
+  const auto arguments = std::make_shared<SweepArguments>();
+  command->add_option("study", arguments->study, "study file")->option_text("STUDY")->required();
+  command->add_option("--db", arguments->database, "database; created if it is missing")
+      ->option_text("FILE")
+      ->required();
+  command->add_option("--jobs", arguments->jobs, "threads; default: one for each core")
+      ->option_text("N")
+      ->between(1, 1024);
   command
-      ->add_option("--shard", words->shard,
+      ->add_option("--shard", arguments->shard,
                    "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together")
       ->option_text("I/N");
   command
-      ->add_option("--retry", words->retry,
+      ->add_option("--retry", arguments->retry,
                    "solve again what is stored: failed (every point without an answer), not_converged, or all; the new "
                    "answer takes the place of the old one")
       ->option_text("WHICH")
       ->one_of({"failed", "not_converged", "all"});
-  command->add_flag("--fields", words->fields,
+  command->add_flag("--fields", arguments->fields,
                     "store the fields on the surface too, for show --fields; solves points again that have none");
-  command->add_flag("--json", words->json, "print the outcome as one JSON object");
+  command->add_flag("--json", arguments->json, "print the outcome as one JSON object");
   command->footer(
       "What is stored already is not solved again: a study that was stopped goes on with the same command.\n"
       "Example: rollres sweep studies/examples/speed_resistance.json --db results.db\n"
       "16 parts on 8 cores, by GNU parallel (for Slurm see rollres slurm):\n"
       "  parallel -j 8 rollres sweep STUDY --shard {}/16 --jobs 1 --db shard-{}.db ::: $(seq 16)\n"
       "  rollres merge shard-*.db --db results.db");
-  command->callback([words, &session] { sweep(*words, session); });
+  command->callback([arguments, &session] { sweep(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -76,19 +76,19 @@ Json array_of(const std::vector<VerificationRow>& rows) {
   return array;
 }
 
-struct VerifyWords {
+struct VerifyArguments {
   bool json = false, summary = false;
   std::string format = "table";
 };
 
-void verify(const VerifyWords& words, Session& session) {
+void verify(const VerifyArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<VerificationRow> rows = verify(session.evaluate);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return !row.passed(); });
   const auto passed = static_cast<std::ptrdiff_t>(rows.size()) - failed;
   if (failed > 0) session.status = ExitStatus::no_answer;
-  if (words.json) {
+  if (arguments.json) {
     const Json object{{"version", this_program().version},
                       {"passed", passed},
                       {"failed", failed},
@@ -97,7 +97,7 @@ void verify(const VerifyWords& words, Session& session) {
     session.out << text_of(object, 2) << '\n';
     return;
   }
-  write_table(session.out, words.summary ? summary_of(rows) : table_of(rows), words.format);
+  write_table(session.out, arguments.summary ? summary_of(rows) : table_of(rows), arguments.format);
   for (const VerificationRow& row : rows)
     if (!row.reason.empty()) session.out << row.quantity << ": " << row.reason << '\n';
   session.out << '\n'
@@ -110,16 +110,16 @@ void verify(const VerifyWords& words, Session& session) {
 void add_verify(Command& program, Session& session) {
   Command* const command =
       program.add_subcommand("verify", "Solve what is known, and compare: the paper, closed forms, tables, energy");
-  const auto words = std::make_shared<VerifyWords>();
-  command->add_flag("--summary", words->summary, "one line for each source");
-  command->add_option("--format", words->format, "table or markdown")
+  const auto arguments = std::make_shared<VerifyArguments>();
+  command->add_flag("--summary", arguments->summary, "one line for each source");
+  command->add_option("--format", arguments->format, "table or markdown")
       ->option_text("FORMAT")
       ->one_of({"table", "markdown"});
-  command->add_flag("--json", words->json, "print one JSON object, with what each tolerance allows for");
+  command->add_flag("--json", arguments->json, "print one JSON object, with what each tolerance allows for");
   command->footer(
       "Differences are relative; where zero is expected, absolute. Exit status 1: a row fails.\n"
       "Example: rollres verify");
-  command->callback([words, &session] { verify(*words, session); });
+  command->callback([arguments, &session] { verify(*arguments, session); });
 }
 
 }  // namespace rollres

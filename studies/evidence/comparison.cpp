@@ -83,11 +83,11 @@ double relative_difference(const Cell& first, const Cell& second) {
   return *a == *b ? 0.0 : (*b - *a) / std::abs(*a);
 }
 
-void check_keys(const ComparisonWishes& wishes) {
-  for (const std::string& key : wishes.ignored)
+void check_keys(const ComparisonOptions& options) {
+  for (const std::string& key : options.ignored)
     if (!find_input(key))
       throw std::invalid_argument("ignore = " + key + ": " + unknown("unknown input", keys_like(key), key));
-  for (const std::string& key : wishes.outputs) {
+  for (const std::string& key : options.outputs) {
     if (const auto keys = output_keys(); find_name(keys, key) < 0)
       throw std::invalid_argument("output = " + key + ": " + unknown("unknown output", keys, key));
     if (find_quantity_column(key)->type == "TEXT")
@@ -141,12 +141,12 @@ bool StudyComparison::within(double relative) const {
 }
 
 StudyComparison compare_studies(ResultStore& first_store, const std::string& first, ResultStore& second_store,
-                                const std::string& second, const ComparisonWishes& wishes) {
-  check_keys(wishes);
+                                const std::string& second, const ComparisonOptions& options) {
+  check_keys(options);
   const auto inputs = inputs_of(first_store.database(), first, second_store.database(), second);
   std::vector<std::string> columns{"position", "status"};
   for (const QuantityColumn* const input : inputs) columns.push_back(input->name);
-  columns.insert(columns.end(), wishes.outputs.begin(), wishes.outputs.end());
+  columns.insert(columns.end(), options.outputs.begin(), options.outputs.end());
   const Points a = read_points(first_store, first, columns), b = read_points(second_store, second, columns);
 
   StudyComparison result;
@@ -157,14 +157,14 @@ StudyComparison compare_studies(ResultStore& first_store, const std::string& fir
     const std::string key(inputs[i]->quantity.key);
     if (in_a && in_b && identity(*in_a) != identity(*in_b)) {
       result.compared.push_back({key, *in_a, *in_b});
-    } else if (!is_ignored(key, wishes.ignored)) {
+    } else if (!is_ignored(key, options.ignored)) {
       telling.push_back(column);
       if (in_a && in_b) continue;
       axes.push_back(column);
       result.axes.push_back(key);
     }
   }
-  for (const std::string& output : wishes.outputs) result.outputs.push_back({.output = output});
+  for (const std::string& output : options.outputs) result.outputs.push_back({.output = output});
 
   const auto places_a = by_inputs(a, telling, inputs.size()), places_b = by_inputs(b, telling, inputs.size());
   for (const auto& [values, place] : places_a) {
@@ -178,7 +178,7 @@ StudyComparison compare_studies(ResultStore& first_store, const std::string& fir
     const Cell converged = std::string(name_of(Status::converged));
     const int answers = (row_a[status_column] == converged) + (row_b[status_column] == converged);
     if (answers == 2)
-      add_differences(result, row_a, row_b, axes, inputs.size(), wishes.outputs);
+      add_differences(result, row_a, row_b, axes, inputs.size(), options.outputs);
     else
       ++(answers == 1 ? result.half_answered : result.unanswered);
   }

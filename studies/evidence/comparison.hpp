@@ -11,7 +11,7 @@
 
 namespace rollres {
 
-struct ComparisonWishes {
+struct ComparisonOptions {
   std::vector<std::string> outputs = {"rolling_resistance"};  ///< keys of numbers
   std::vector<std::string> ignored = {};                      ///< keys of inputs that may differ in matching points
 };
@@ -52,12 +52,12 @@ struct StudyComparison {
   bool within(double relative) const;
 };
 
-/// Points match if all their inputs are the same to 12 digits, but those in `wishes.ignored` and those that are one
+/// Points match if all their inputs are the same to 12 digits, but those in `options.ignored` and those that are one
 /// value in each study and differ between them. What is not computed yet is left out.
 /// @throws std::invalid_argument naming an unknown study, input or output, or a study with two points that cannot be
 ///         told apart without the ignored inputs
 /// @throws std::runtime_error if a database fails
 StudyComparison compare_studies(ResultStore& first_store, const std::string& first, ResultStore& second_store,
-                                const std::string& second, const ComparisonWishes& wishes = {});
+                                const std::string& second, const ComparisonOptions& options = {});
 
 }  // namespace rollres

@@ -89,16 +89,16 @@ std::string Figure::file_name() const {
 
 std::span<const Figure> all_figures() { return figures; }
 
-std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std::string>& wishes) {
+std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std::string>& names) {
   std::vector<Figure> wanted;
-  for (const std::string& wish : wishes) {
+  for (const std::string& wish : names) {
     const Figure& figure = figure_named(wish);
     if (const std::string why = hindrance(figure, scene); !why.empty())
       throw std::invalid_argument("--figure = " + wish + ": " + why);
     if (std::none_of(wanted.begin(), wanted.end(), [&](const Figure& other) { return other.number == figure.number; }))
       wanted.push_back(figure);
   }
-  if (wishes.empty())
+  if (names.empty())
     std::copy_if(figures.begin(), figures.end(), std::back_inserter(wanted),
                  [&](const Figure& figure) { return hindrance(figure, scene).empty(); });
   return wanted;

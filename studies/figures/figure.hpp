@@ -47,7 +47,7 @@ std::span<const Figure> all_figures();
 
 /// The figures of a scene, or those of them that are wanted by number ("6", "06") or name ("sigma_z").
 /// @throws std::invalid_argument naming a wish that is no figure (with the nearest name), or none of this scene
-std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std::string>& wishes = {});
+std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std::string>& names = {});
 
 /// Draws a figure into a folder.
 /// @throws std::runtime_error as draw_pictures

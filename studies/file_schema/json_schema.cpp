@@ -8,7 +8,7 @@
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/study/sampling.hpp"
 #include "studies/study/study_keys.hpp"
-#include "studies/study/study_wishes.hpp"
+#include "studies/study/study_outputs.hpp"
 
 namespace rollres {
 

@@ -8,7 +8,7 @@
 #include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design.hpp"
 #include "studies/optimise/design_keys.hpp"
-#include "studies/study/study_wishes.hpp"
+#include "studies/study/study_outputs.hpp"
 
 namespace rollres {
 

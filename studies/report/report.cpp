@@ -27,19 +27,19 @@ StudyReport fit_report(const FitRecord& fit, const std::string& file) {
 
 }  // namespace
 
-StudyReport study_report(ResultStore& store, const ReportWishes& wishes) {
+StudyReport study_report(ResultStore& store, const ReportOptions& options) {
   const std::string& file = store.database().name();
-  if (!wishes.study.empty() && !store.study(wishes.study))
-    if (const auto fit = find_fit(store.database(), wishes.study, FitParts::with_data)) return fit_report(*fit, file);
+  if (!options.study.empty() && !store.study(options.study))
+    if (const auto fit = find_fit(store.database(), options.study, FitParts::with_data)) return fit_report(*fit, file);
 
-  const StudySummary study = stored_study(store, wishes.study);
+  const StudySummary study = stored_study(store, options.study);
   const std::string text = store.definition(study.name).value_or("");
   const ReportSource source{store, study, text, definition_in(text, file + ": " + study.name),
                             StudyRows(store, study.name)};
-  const PictureSection charts = chart_section(source, wishes), errors = accuracy_pictures(source);
+  const PictureSection charts = chart_section(source, options), errors = accuracy_pictures(source);
   StudyReport report{study.name, "<h1>" + html::text(study.name) + "</h1>\n", charts.pictures + errors.pictures};
   report.html += asked_section(source) + charts.html + optimum_section(source) + scene_section(source) +
-                 model_section(source) + result_section(source, wishes.most_rows) + failure_section(source);
+                 model_section(source) + result_section(source, options.most_rows) + failure_section(source);
   std::string fit_file;
   if (const auto fit = find_fit(store.database(), study.name, FitParts::with_data)) {
     const PictureSection section = fit_section(*fit);

@@ -12,7 +12,7 @@
 
 namespace rollres {
 
-struct ReportWishes {
+struct ReportOptions {
   std::string study = {};       ///< may be left out if the database holds one study
   std::size_t most_rows = 200;  ///< of the table of results; of a longer study every n-th point
   std::string optimum = {};     ///< an optimisation in the same database to be drawn into the map
@@ -28,6 +28,6 @@ struct StudyReport {
 /// answer
 ///         yet
 /// @throws std::runtime_error if the database or gnuplot fails
-StudyReport study_report(ResultStore& store, const ReportWishes& wishes);
+StudyReport study_report(ResultStore& store, const ReportOptions& options);
 
 }  // namespace rollres

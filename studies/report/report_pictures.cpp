@@ -160,14 +160,14 @@ void add_work_precision(const ReportSource& source, Pictures& pictures) {
 
 }  // namespace
 
-PictureSection chart_section(const ReportSource& source, const ReportWishes& wishes) {
+PictureSection chart_section(const ReportSource& source, const ReportOptions& options) {
   Pictures pictures;
   std::string refusal;
   add_charts(source, pictures, refusal);
   add_shares(source, pictures);
   const auto& charts = source.definition.charts;
   const bool mapped = std::any_of(charts.begin(), charts.end(), [](const auto& chart) { return !chart.map.empty(); });
-  if (!mapped || !wishes.optimum.empty()) add_map(source, wishes.optimum, pictures);
+  if (!mapped || !options.optimum.empty()) add_map(source, options.optimum, pictures);
   return {html::heading("Charts") + pictures.html() + refusal, pictures.count()};
 }
 

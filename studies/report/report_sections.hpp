@@ -52,7 +52,7 @@ struct PictureSection {
 };
 
 /// The charts of the study file, the shares of losses and a map where they can be drawn.
-PictureSection chart_section(const ReportSource& source, const ReportWishes& wishes);
+PictureSection chart_section(const ReportSource& source, const ReportOptions& options);
 
 /// Estimated error against seconds.
 PictureSection accuracy_pictures(const ReportSource& source);

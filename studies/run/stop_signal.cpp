@@ -27,6 +27,6 @@ StopSignal::~StopSignal() {
   for (const int signal : signals) std::signal(signal, SIG_DFL);
 }
 
-const std::atomic<bool>& StopSignal::requested() const { return wish_to_stop; }
+const std::atomic<bool>& StopSignal::requested() { return wish_to_stop; }
 
 }  // namespace rollres

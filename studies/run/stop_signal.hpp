@@ -14,7 +14,7 @@ class StopSignal {
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
 
-  const std::atomic<bool>& requested() const;
+  static const std::atomic<bool>& requested();
 };
 
 }  // namespace rollres

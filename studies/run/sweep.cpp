@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <thread>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "studies/run/evaluate.hpp"
 #include "studies/run/result_writer.hpp"
 #include "studies/run/work_list.hpp"
+#include "studies/study/predicted_cost.hpp"
 
 namespace rollres {
 
@@ -67,14 +69,21 @@ std::unordered_map<std::string, StoredAnswer> wanted_again(ResultStore& reader, 
   return old;
 }
 
-void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, const std::vector<std::string>& keys,
-          const Evaluate& evaluate, Fields fields, ResultWriter& writer, int cores) {
+/// The points that this process works on.
+struct Part {
+  std::vector<std::size_t> points;  ///< their places in the plan
+  std::vector<std::string> keys;
+};
+
+void work(Run& run, WorkList& list, const StudyPlan& plan, const Part& part, const Evaluate& evaluate, Fields fields,
+          ResultWriter& writer, int cores) {
   limit_threads(cores);
   try {
     while (!run.broken && !run.asked_to_stop()) {
-      const std::optional<std::size_t> point = list.next();
-      if (!point) break;
-      Evaluation answer{keys[*point], scenes[*point], evaluate_safely(evaluate, scenes[*point], fields)};
+      const std::optional<std::size_t> next = list.next();
+      if (!next) break;
+      Evaluation answer{part.keys[*next], plan.scene(part.points[*next]), {}};
+      answer.solution = evaluate_safely(evaluate, answer.scene, fields);
       if (answer.solution.status != Status::converged) ++run.failed;
       writer.add(std::move(answer));
       ++run.solved;
@@ -87,18 +96,21 @@ void work(Run& run, WorkList& list, const std::vector<RollingScene>& scenes, con
   run.changed.notify_one();
 }
 
-/// Leaves the points of one shard.
-void keep_shard(const Shard& shard, std::vector<RollingScene>& scenes, std::vector<std::string>& keys) {
-  if (shard.count == 1) return;
-  const std::vector<int> shards = shards_of_points(keys, scenes, shard.count);
+/// The points of one shard.
+Part part_of(const StudyPlan& plan, std::vector<std::string> keys, const Shard& shard) {
+  Part part{std::vector<std::size_t>(keys.size()), std::move(keys)};
+  std::iota(part.points.begin(), part.points.end(), std::size_t{0});
+  if (shard.count == 1) return part;
+  const std::vector<int> shards = shards_of_points(part.keys, predicted_seconds(plan), shard.count);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (shards[i] != shard.index) continue;
-    std::swap(scenes[kept], scenes[i]);
-    std::swap(keys[kept++], keys[i]);
+  for (std::size_t point = 0; point < shards.size(); ++point) {
+    if (shards[point] != shard.index) continue;
+    part.points[kept] = point;
+    std::swap(part.keys[kept++], part.keys[point]);
   }
-  scenes.resize(kept);
-  keys.resize(kept);
+  part.points.resize(kept);
+  part.keys.resize(kept);
+  return part;
 }
 
 std::size_t count(const std::vector<PointState>& states, Answer answer) {
@@ -113,27 +125,32 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   const auto begin = std::chrono::steady_clock::now();
   auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
 
-  StudyPlan planned = plan(study);
-  std::vector<RollingScene>& scenes = planned.scenes;
-  std::vector<std::string> keys;
-  for (const RollingScene& scene : scenes) keys.push_back(evaluation_key(scene));
+  const StudyPlan plan(study);
+  std::vector<std::string> all_keys = plan.keys();
   StudyRecord record{study.name, {}, options.definition};
   for (const Axis& axis : study.axes) record.axes.push_back(axis.key);
 
   ResultStore store(database), reader(database, Access::read);
-  store.start_study(record, keys);
-  keep_shard(options.shard, scenes, keys);
-  const std::size_t missing = count(point_states(reader.database(), keys), Answer::missing);
+  store.start_study(record, all_keys);
+  const Part part = part_of(plan, std::move(all_keys), options.shard);
+  const std::vector<std::string>& keys = part.keys;
   const auto old = wanted_again(reader, keys, options);
+  std::size_t missing = 0;
+  std::vector<bool> known;
+  for (const PointState& state : point_states(reader.database(), keys)) {
+    if (state.answer == Answer::missing) ++missing;
+    known.push_back(state.answer != Answer::missing && !old.contains(keys[known.size()]));
+  }
 
   Run run;
   run.stop_from_outside = options.stop;
-  WorkList list(keys, [&](const std::string& key) {
+  WorkList list(keys, known, [&](const std::string& key) {
     const auto answer = reader.find_answer(key);
     const auto was = old.find(key);
     return answer && (was == old.end() || *answer != was->second);
   });
   const std::size_t to_solve = list.open();
+  if (options.ready) options.ready();
   {
     ResultWriter writer(
         store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); },
@@ -143,7 +160,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
       const std::size_t jobs = jobs_for(options.jobs, to_solve);
       const int cores_each = cores_for_each(jobs);
       for (std::size_t job = 0; job < jobs; ++job) {
-        threads.emplace_back([&] { work(run, list, scenes, keys, evaluate, options.fields, writer, cores_each); });
+        threads.emplace_back([&] { work(run, list, plan, part, evaluate, options.fields, writer, cores_each); });
         const std::lock_guard lock(run.mutex);
         ++run.started;
       }
@@ -164,7 +181,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   report.study = store.study(study.name).value_or(StudySummary{});
   const auto again = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return old.contains(key); });
   const std::vector<PointState> states = point_states(reader.database(), keys);
-  report.dropped = planned.all_dropped();
+  report.dropped = plan.all_dropped();
   report.points = keys.size();
   report.answered = keys.size() - count(states, Answer::missing);
   report.failed = count(states, Answer::failed);

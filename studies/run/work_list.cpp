@@ -5,11 +5,12 @@
 
 namespace rollres {
 
-WorkList::WorkList(std::vector<std::string> keys, std::function<bool(const std::string&)> known)
-    : keys_(std::move(keys)), known_(std::move(known)), is_open_(keys_.size(), 0) {
+WorkList::WorkList(std::span<const std::string> keys, const std::vector<bool>& at_start,
+                   std::function<bool(const std::string&)> known)
+    : keys_(keys), known_(std::move(known)), is_open_(keys_.size(), 0) {
   std::unordered_set<std::string_view> seen;
   for (std::size_t i = 0; i < keys_.size(); ++i) {
-    if (!seen.insert(keys_[i]).second || known_(keys_[i])) continue;
+    if (!seen.insert(keys_[i]).second || at_start[i]) continue;
     is_open_[i] = 1;
     ++open_;
   }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,11 @@ namespace rollres {
 /// soon as it meets the work of another, so that two of them soon walk apart. May be used by several threads.
 class WorkList {
  public:
-  /// @param keys   one for each point; equal keys are one piece of work
-  /// @param known  tells whether the answer to a key is stored; called by one thread at a time
-  WorkList(std::vector<std::string> keys, std::function<bool(const std::string&)> known);
+  /// @param keys     one for each point; equal keys are one piece of work; must outlive the list
+  /// @param at_start whether the answer to each is known already
+  /// @param known    tells whether the answer to a key is stored meanwhile; called by one thread at a time
+  WorkList(std::span<const std::string> keys, const std::vector<bool>& at_start,
+           std::function<bool(const std::string&)> known);
 
   /// Number of pieces of work that are not handed out, nor known to be stored.
   std::size_t open() const;
@@ -30,7 +33,7 @@ class WorkList {
  private:
   void look_again();
 
-  std::vector<std::string> keys_;
+  std::span<const std::string> keys_;
   std::function<bool(const std::string&)> known_;
   std::vector<char> is_open_;
   std::size_t open_ = 0;

@@ -25,12 +25,17 @@ constexpr bool is_number =
 double as_number(const std::optional<double>& value) { return value.value_or(RollingSolution::absent); }
 double as_number(double value) { return value; }
 
-/// The number with this key: of the solution where it has one, else of the scene.
-double number_of(const RollingScene& scene, const RollingSolution& solution, std::string_view key) {
+double number_of(const RollingScene& scene, std::string_view key) {
   double found = RollingSolution::absent;
   visit_input(scene, key, [&](const Quantity&, const auto& value) {
     if constexpr (is_number<decltype(value)>) found = as_number(value);
   });
+  return found;
+}
+
+/// The number with this key: of the solution where it has one, else of the scene.
+double number_of(const RollingScene& scene, const RollingSolution& solution, std::string_view key) {
+  double found = number_of(scene, key);
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     if constexpr (is_number<decltype(value)>)
       if (quantity.key == key && !std::isnan(as_number(value))) found = as_number(value);
@@ -146,7 +151,11 @@ double Formula::operator()(const RollingScene& scene, const RollingSolution& sol
   return parts_->value();
 }
 
-double Formula::operator()(const RollingScene& scene) const { return (*this)(scene, RollingSolution{}); }
+double Formula::operator()(const RollingScene& scene) const {
+  const std::lock_guard lock(parts_->mutex);
+  for (std::size_t i = 0; i < parts_->keys.size(); ++i) parts_->values[i] = number_of(scene, parts_->keys[i]);
+  return parts_->value();
+}
 
 struct Condition::Sides {
   std::string text;
@@ -181,10 +190,14 @@ double Condition::excess(const RollingScene& scene, const RollingSolution& solut
 }
 
 bool Condition::holds(const RollingScene& scene, const RollingSolution& solution) const {
-  const double by = excess(scene, solution);
-  return strict_ ? by < 0 : by <= 0;
+  return holds_with(excess(scene, solution));
 }
 
-bool Condition::holds(const RollingScene& scene) const { return holds(scene, RollingSolution{}); }
+double Condition::excess(const RollingScene& scene) const {
+  const double difference = left_(scene) - right_(scene);
+  return at_most_ ? difference : -difference;
+}
+
+bool Condition::holds(const RollingScene& scene) const { return holds_with(excess(scene)); }
 
 }  // namespace rollres

@@ -65,7 +65,10 @@ class Condition {
   /// condition holds (below 0 for < and >), NaN if a number is absent.
   double excess(const RollingScene& scene, const RollingSolution& solution) const;
   bool holds(const RollingScene& scene, const RollingSolution& solution) const;
-  bool holds(const RollingScene& scene) const;  ///< of inputs alone
+  double excess(const RollingScene& scene) const;  ///< of inputs alone
+  bool holds(const RollingScene& scene) const;
+  /// Whether an excess is one with which the condition holds.
+  bool holds_with(double excess) const { return strict_ ? excess < 0 : excess <= 0; }
 
  private:
   struct Sides;

@@ -114,6 +114,7 @@ DesignProblem read_ranges(const std::filesystem::path& file, const std::vector<s
   }
   if (study) {
     const Study read = read_study(file);
+    StudyPlan{read};  // refuses a point that breaks a rule
     DesignProblem problem = problem_of(read.base, ranges_of_study(object, place), formula);
     problem.name = read.name;
     return problem;

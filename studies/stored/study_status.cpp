@@ -12,9 +12,10 @@
 namespace rollres {
 
 StudyStatus study_status(const Study& study, std::span<const std::filesystem::path> databases, int shards) {
-  const std::vector<RollingScene> scenes = points(study);
-  std::vector<std::string> keys;
-  for (const RollingScene& scene : scenes) keys.push_back(evaluation_key(scene));
+  const StudyPlan plan(study);
+  std::vector<std::string> keys(plan.size());
+  if (!databases.empty() || shards > 1) keys = plan.keys();
+  const std::vector<double> predictions = predicted_seconds(plan);
   std::vector<PointState> best(keys.size());
   for (const std::filesystem::path& file : databases) {
     const std::vector<PointState> here = point_states(ReadableSource(file).database(), keys);
@@ -25,11 +26,11 @@ StudyStatus study_status(const Study& study, std::span<const std::filesystem::pa
   StudyStatus status;
   status.points = keys.size();
   status.seconds_left = 0;
-  const std::vector<int> shard = shards_of_points(keys, scenes, shards);
+  const std::vector<int> shard = shards_of_points(keys, predictions, shards);
   std::set<int> missing;
   double took = 0, predicted = 0;
   for (std::size_t i = 0; i < best.size(); ++i) {
-    const double seconds = predicted_seconds(scenes[i]);
+    const double seconds = predictions[i];
     if (best[i].answer == Answer::missing) {
       ++status.missing;
       status.seconds_left += seconds;

@@ -30,10 +30,10 @@ Cell input_of(const RollingScene& scene, std::string_view key) {
 
 std::vector<Cell> stored_status(ResultStore& store, const StudyPlan& plan) {
   std::vector<Cell> status;
-  for (const RollingScene& scene : plan.scenes) {
+  plan.for_each([&](std::size_t, const RollingScene& scene) {
     const auto found = store.find_answer(evaluation_key(scene));
     status.push_back(found ? Cell(std::string(name_of(found->status))) : Cell());
-  }
+  });
   return status;
 }
 
@@ -51,9 +51,10 @@ Table plan_table(const Study& study, const StudyPlan& plan, const std::vector<Ce
   Table table{{"position"}, {}};
   for (const Axis& axis : study.axes) table.columns.push_back(axis.key);
   if (!status.empty()) table.columns.push_back("status");
-  for (std::size_t point = 0; point < std::min(limit, plan.scenes.size()); ++point) {
+  for (std::size_t point = 0; point < std::min(limit, plan.size()); ++point) {
     table.rows.push_back({static_cast<std::int64_t>(point + 1)});
-    for (const Axis& axis : study.axes) table.rows.back().push_back(input_of(plan.scenes[point], axis.key));
+    const RollingScene scene = plan.scene(point);
+    for (const Axis& axis : study.axes) table.rows.back().push_back(input_of(scene, axis.key));
     if (!status.empty()) table.rows.back().push_back(status[point]);
   }
   return table;

@@ -43,9 +43,16 @@ double predicted_seconds(const RollingScene& scene) {
     if (sphere) return (friction ? 0.33 : 0.06) * std::pow(1.5e-3 / tolerance, 0.7);
     return friction ? 5e-5 * (std::pow(tolerance, -0.8) + 100) : 1.2e-4 * std::pow(tolerance, -0.5);
   }
-  const double spacing = scene.spacing.value_or(default_spacing(scene));
+  const double spacing = scene.spacing ? *scene.spacing : default_spacing(scene);
   const double cells = std::clamp(std::min(estimate_contact(scene).half_width, 0.7 * scene.radius) / spacing, 2.0, 2e3);
   return sphere ? sphere_on_grid(method, cells, friction) : cylinder_on_grid(method, cells, friction);
+}
+
+std::vector<double> predicted_seconds(const StudyPlan& plan) {
+  std::vector<double> seconds;
+  seconds.reserve(plan.size());
+  plan.for_each([&](std::size_t, const RollingScene& scene) { seconds.push_back(predicted_seconds(scene)); });
+  return seconds;
 }
 
 }  // namespace rollres

@@ -2,7 +2,10 @@
 
 /// How long a scene will take, from its inputs alone: to share out a study evenly, and to say when it will be done.
 
+#include <vector>
+
 #include "core/scene/scene.hpp"
+#include "studies/study/study.hpp"
 
 namespace rollres {
 
@@ -17,5 +20,8 @@ namespace rollres {
 /// others, mixed, seconds/predicted was 0.43 to 1.33 for eight of ten without and 0.06 to 2.4 with a tolerance on a
 /// grid; the sum of all was 1.25 times what was predicted. `period` is left out of account.
 double predicted_seconds(const RollingScene& scene);
+
+/// The same of every point.
+std::vector<double> predicted_seconds(const StudyPlan& plan);
 
 }  // namespace rollres

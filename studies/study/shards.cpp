@@ -11,15 +11,13 @@
 #include <unordered_map>
 #include <utility>
 
-#include "studies/study/predicted_cost.hpp"
-
 namespace rollres {
 
 namespace {
 
 /// Nanoseconds, rounded to two digits.
-std::int64_t rounded_cost(const RollingScene& scene) {
-  const double nanoseconds = 1e9 * predicted_seconds(scene);
+std::int64_t rounded_cost(double seconds) {
+  const double nanoseconds = 1e9 * seconds;
   const double unit = std::pow(10.0, std::floor(std::log10(nanoseconds)) - 1);
   return std::llround(std::round(nanoseconds / unit) * unit);
 }
@@ -42,13 +40,13 @@ Shard parse_shard(std::string_view text) {
   return shard;
 }
 
-std::vector<int> shards_of_points(std::span<const std::string> keys, std::span<const RollingScene> scenes, int count) {
+std::vector<int> shards_of_points(std::span<const std::string> keys, std::span<const double> seconds, int count) {
   std::vector<int> shards(keys.size(), 1);
   if (count == 1) return shards;
   std::unordered_map<std::string_view, std::size_t> first;
   std::vector<std::pair<std::int64_t, std::size_t>> work;  // of each key, at its first point
   for (std::size_t i = 0; i < keys.size(); ++i)
-    if (first.emplace(keys[i], i).second) work.emplace_back(rounded_cost(scenes[i]), i);
+    if (first.emplace(keys[i], i).second) work.emplace_back(rounded_cost(seconds[i]), i);
   std::stable_sort(work.begin(), work.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
 
   using Load = std::pair<std::int64_t, int>;  // of a shard

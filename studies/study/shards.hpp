@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene/scene.hpp"
-
 namespace rollres {
 
 /// Part `index` of `count`, from 1 to count.
@@ -26,8 +24,9 @@ Shard parse_shard(std::string_view text);
 /// The shard, from 1 to `count`, of each point. Follows from the scenes alone; points with the same key share a shard.
 /// Longest first, each to the shard that has least to do (Graham 1969: at most 4/3 of the best possible longest shard),
 /// by predicted_seconds to two digits, so that a last bit of another machine's logarithm moves no point.
-/// @param keys  evaluation_key of each scene
-std::vector<int> shards_of_points(std::span<const std::string> keys, std::span<const RollingScene> scenes, int count);
+/// @param keys     evaluation_key of each point
+/// @param seconds  predicted_seconds of each point
+std::vector<int> shards_of_points(std::span<const std::string> keys, std::span<const double> seconds, int count);
 
 /// Increasing numbers as Slurm's --array takes them: "3,7-9".
 std::string array_list(std::span<const int> numbers);

@@ -6,7 +6,7 @@
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_scene.hpp"
-#include "studies/study/study_wishes.hpp"
+#include "studies/study/study_outputs.hpp"
 
 namespace rollres {
 
@@ -60,7 +60,6 @@ Study read_study(const std::filesystem::path& file) {
   study.compute = study_outputs(object, place);
   study.fields = wants_fields(object, place);
   study.charts = study_charts(object, study.axes, place);
-  plan(study);
   return study;
 }
 

@@ -32,7 +32,9 @@
 /// one too. study_keys.hpp lists all keys.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -72,26 +74,39 @@ struct Study {
   std::string source = {};  ///< where the study was read from, for messages
 };
 
-/// Reads a study file and checks every point of it.
+/// Reads a study file. Its values are checked one by one; StudyPlan checks them together, at every point.
 /// @throws std::invalid_argument one line naming file, key, value and the rule that is broken
 /// @throws std::runtime_error if the study file or its scene file cannot be read
 Study read_study(const std::filesystem::path& file);
 
-/// The points of a study, and what became of the others.
-struct StudyPlan {
-  std::vector<RollingScene> scenes;  ///< that meet all constraints
-  /// At each constraint, in their order: how many combinations break it that meet those before it.
-  std::vector<std::size_t> dropped;
+/// The points of a study: the combinations of its axes' values that meet all constraints. Their scenes are made when
+/// they are asked for.
+class StudyPlan {
+ public:
+  /// Every combination, the last axis varying fastest. An axis that gives one of load and approach, or of spacing and
+  /// tolerance, replaces the other.
+  /// @throws std::invalid_argument naming the point and the rule if a scene breaks one, or saying that no point is left
+  explicit StudyPlan(const Study& study);
 
+  std::size_t size() const { return combinations_.size(); }
+  RollingScene scene(std::size_t point) const;
+  /// Calls `visit(point, scene)` for all points in their order: faster than `scene` for each.
+  void for_each(const std::function<void(std::size_t point, const RollingScene& scene)>& visit) const;
+  /// evaluation_key of every point.
+  std::vector<std::string> keys() const;
+
+  /// At each constraint, in their order: how many combinations break it that meet those before it.
+  const std::vector<std::size_t>& dropped() const { return dropped_; }
   std::size_t all_dropped() const;
+
+ private:
+  RollingScene base_;
+  std::vector<Axis> axes_;
+  std::vector<std::uint32_t> combinations_ = {};  // of the points, counted from 0
+  std::vector<std::size_t> dropped_;
 };
 
-/// Every combination of the axes' values that meets the constraints, the last axis varying fastest. An axis that gives
-/// one of load and approach, or of spacing and tolerance, replaces the other.
-/// @throws std::invalid_argument naming the point and the rule if a scene breaks one, or saying that no point is left
-StudyPlan plan(const Study& study);
-
-/// The scenes of the plan.
+/// The scenes of all points, checked as StudyPlan does.
 std::vector<RollingScene> points(const Study& study);
 
 }  // namespace rollres

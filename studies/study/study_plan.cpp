@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include "core/surface/scene_rules.hpp"
+#include "db/rows/result_store.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study.hpp"
 #include "studies/study/study_axes.hpp"
@@ -18,22 +20,63 @@ InputValue value_of(const Axis& axis, std::size_t index) {
 
 std::string place_of(const Study& study) { return study.source.empty() ? study.name : study.source; }
 
-std::string place_of(const Study& study, const std::vector<std::size_t>& at) {
-  std::string place = place_of(study);
-  for (std::size_t i = 0; i < at.size(); ++i)
-    place += (i == 0 ? ": axes at " : ", ") + study.axes[i].key + " = " + text_of(value_of(study.axes[i], at[i]));
-  return place;
-}
+/// The scenes of combinations, each made from the one before: only groups of axes that move on are set anew.
+class CombinationScenes {
+ public:
+  CombinationScenes(const RollingScene& base, const std::vector<Axis>& axes)
+      : axes_(axes), groups_(groups_of(axes)), at_(groups_.size(), 0), scenes_(groups_.size() + 1, base) {}
+
+  /// How many combinations there are.
+  std::size_t count() const {
+    std::size_t product = 1;
+    for (const auto& group : groups_) product *= axes_[group.front()].size();
+    return product;
+  }
+
+  const RollingScene& operator()(std::size_t combination) {
+    std::size_t first_changed = made_ ? groups_.size() : 0;
+    for (std::size_t group = groups_.size(); group-- > 0;) {
+      const std::size_t size = axes_[groups_[group].front()].size(), at = combination % size;
+      combination /= size;
+      if (at == at_[group]) continue;
+      at_[group] = at;
+      first_changed = std::min(first_changed, group);
+    }
+    made_ = true;
+    for (std::size_t group = first_changed; group < groups_.size(); ++group) {
+      scenes_[group + 1] = scenes_[group];
+      for (const std::size_t axis : groups_[group])
+        set_input(scenes_[group + 1], axes_[axis].key, value_of(axes_[axis], at_[group]));
+    }
+    return scenes_.back();
+  }
+
+  /// "speed = 1, load = 2": the values of the combination that was asked for last.
+  std::string values() const {
+    std::string text;
+    for (std::size_t group = 0; group < groups_.size(); ++group)
+      for (const std::size_t axis : groups_[group])
+        text += (text.empty() ? "" : ", ") + axes_[axis].key + " = " + text_of(value_of(axes_[axis], at_[group]));
+    return text;
+  }
+
+ private:
+  const std::vector<Axis>& axes_;
+  std::vector<std::vector<std::size_t>> groups_;  // of axes that vary together
+  std::vector<std::size_t> at_;                   // place of each group in its values
+  std::vector<RollingScene> scenes_;              // [n]: with the values of the first n groups
+  bool made_ = false;
+};
 
 /// The first constraint that the scene breaks, or their number.
-std::size_t first_broken(const Study& study, const RollingScene& scene, const std::vector<std::size_t>& at) {
+std::size_t first_broken(const std::vector<Condition>& constraints, const RollingScene& scene) {
   std::size_t broken = 0;
-  for (; broken < study.constraints.size(); ++broken) {
-    const Condition& condition = study.constraints[broken];
-    if (std::isnan(condition.excess(scene, {})))
-      throw std::invalid_argument(place_of(study, at) + ": " + condition.text() +
+  for (; broken < constraints.size(); ++broken) {
+    const double excess = constraints[broken].excess(scene);
+    if (std::isnan(excess))
+      throw std::invalid_argument(constraints[broken].text() +
                                   ": cannot be decided, a number in it is absent from the scene");
-    if (!condition.holds(scene)) break;
+    if (!constraints[broken].holds_with(excess)) break;
   }
   return broken;
 }
@@ -48,30 +91,50 @@ void refuse_groups_of_different_sizes(const Study& study) {
 
 }  // namespace
 
-std::size_t StudyPlan::all_dropped() const { return std::accumulate(dropped.begin(), dropped.end(), std::size_t{0}); }
-
-StudyPlan plan(const Study& study) {
+StudyPlan::StudyPlan(const Study& study) : base_(study.base), axes_(study.axes), dropped_(study.constraints.size(), 0) {
   refuse_groups_of_different_sizes(study);
-  StudyPlan plan{{}, std::vector<std::size_t>(study.constraints.size(), 0)};
-  const auto size_of = [&](const std::vector<std::size_t>& group) { return study.axes[group.front()].size(); };
-  for_each_combination(study.axes, size_of, [&](const std::vector<std::size_t>& at) {
-    RollingScene scene = study.base;
-    for (std::size_t i = 0; i < at.size(); ++i) set_input(scene, study.axes[i].key, value_of(study.axes[i], at[i]));
-    const std::size_t broken = first_broken(study, scene, at);
-    if (broken < study.constraints.size()) {
-      ++plan.dropped[broken];
-      return;
+  CombinationScenes scenes(base_, axes_);
+  try {
+    for (std::size_t combination = 0; combination < scenes.count(); ++combination) {
+      const RollingScene& scene = scenes(combination);
+      if (const std::size_t broken = first_broken(study.constraints, scene); broken < dropped_.size()) {
+        ++dropped_[broken];
+        continue;
+      }
+      if (const auto rules = check(scene); !rules.empty()) throw std::invalid_argument(rules.front());
+      combinations_.push_back(static_cast<std::uint32_t>(combination));
     }
-    if (const auto rules = check(scene); !rules.empty())
-      throw std::invalid_argument(place_of(study, at) + ": " + rules.front());
-    plan.scenes.push_back(scene);
-  });
-  if (plan.scenes.empty() && !plan.dropped.empty())
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(place_of(study) + ": axes at " + scenes.values() + ": " + error.what());
+  }
+  if (combinations_.empty() && !dropped_.empty())
     throw std::invalid_argument(place_of(study) + ": constraints: no point is left of " +
-                                std::to_string(plan.all_dropped()));
-  return plan;
+                                std::to_string(all_dropped()));
 }
 
-std::vector<RollingScene> points(const Study& study) { return plan(study).scenes; }
+RollingScene StudyPlan::scene(std::size_t point) const {
+  return CombinationScenes(base_, axes_)(combinations_.at(point));
+}
+
+void StudyPlan::for_each(const std::function<void(std::size_t, const RollingScene&)>& visit) const {
+  CombinationScenes scenes(base_, axes_);
+  for (std::size_t point = 0; point < combinations_.size(); ++point) visit(point, scenes(combinations_[point]));
+}
+
+std::vector<std::string> StudyPlan::keys() const {
+  std::vector<std::string> keys;
+  keys.reserve(size());
+  for_each([&](std::size_t, const RollingScene& scene) { keys.push_back(evaluation_key(scene)); });
+  return keys;
+}
+
+std::size_t StudyPlan::all_dropped() const { return std::accumulate(dropped_.begin(), dropped_.end(), std::size_t{0}); }
+
+std::vector<RollingScene> points(const Study& study) {
+  const StudyPlan plan(study);
+  std::vector<RollingScene> scenes;
+  plan.for_each([&](std::size_t, const RollingScene& scene) { scenes.push_back(scene); });
+  return scenes;
+}
 
 }  // namespace rollres

@@ -220,9 +220,9 @@ TEST_CASE("a study's charts are asked for by name or number", "[studies][chart]"
 TEST_CASE("a chart that cannot be made names what is wrong and the nearest known name", "[studies][chart]") {
   const TemporaryDirectory scratch;
   ResultStore store = stored(scratch, speed_and_load());
-  const auto refused = [&](const StudyChartWishes& wishes) {
-    CHECK_THROWS_AS(stored_chart(store, wishes), std::invalid_argument);
-    return message_of([&] { stored_chart(store, wishes); });
+  const auto refused = [&](const StudyChartOptions& options) {
+    CHECK_THROWS_AS(stored_chart(store, options), std::invalid_argument);
+    return message_of([&] { stored_chart(store, options); });
   };
   CHECK_THAT(refused({.study = "sped and load"}), Contains("results.db") && Contains("speed and load"));
   CHECK_THAT(refused({.x = "sped"}), Contains("x = sped") && Contains("speed"));

@@ -39,9 +39,10 @@ class Compared {
     run_sweep(study_of("elsewhere", Method::newton, {6, 7}, {1e4}), by_method, file());
   }
   std::filesystem::path file() const { return folder_ / "a.db"; }
-  StudyComparison run(const std::string& first, const std::string& second, const ComparisonWishes& wishes = {}) const {
+  StudyComparison run(const std::string& first, const std::string& second,
+                      const ComparisonOptions& options = {}) const {
     ResultStore store(file(), Access::read);
-    return compare_studies(store, first, store, second, wishes);
+    return compare_studies(store, first, store, second, options);
   }
   ProgramRun command(std::vector<std::string> words) const {
     words.insert(words.begin(), {"compare", "--db", file().string()});

@@ -236,9 +236,9 @@ TEST_CASE("figure 15: the surface parts before the sphere and goes straight back
 }
 
 TEST_CASE("a figure is asked for by number or name, and only where the scene has it", "[studies][figure]") {
-  const auto numbers = [](const RollingScene& scene, const std::vector<std::string>& wishes = {}) {
+  const auto numbers = [](const RollingScene& scene, const std::vector<std::string>& names = {}) {
     std::vector<int> found;
-    for (const Figure& one : figures_for(scene, wishes)) found.push_back(one.number);
+    for (const Figure& one : figures_for(scene, names)) found.push_back(one.number);
     return found;
   };
   CHECK(numbers(paper_cylinder()) == std::vector{3, 4});

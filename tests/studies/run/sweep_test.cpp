@@ -295,3 +295,17 @@ TEST_CASE("a full disk ends a sweep with a message, and what was stored stays", 
   const SweepReport rest = run_sweep(study_of(2000), closed_form, file);
   CHECK(rest.recalled + rest.solved == 4000);
 }
+
+TEST_CASE("a sweep says that it is ready when its points are recorded and none is solved", "[studies][sweep]") {
+  const TemporaryDirectory directory;
+  const auto file = directory.path / "results.db";
+  int told = 0;
+  SweepOptions options;
+  options.ready = [&] {
+    ++told;
+    CHECK(count(file, "SELECT count(*) FROM study_point") == 6);
+    CHECK(count(file, "SELECT count(*) FROM evaluation") == 0);
+  };
+  CHECK(run_sweep(study_of(3), moody(milliseconds(0)), file, options).answered == 6);
+  CHECK(told == 1);
+}

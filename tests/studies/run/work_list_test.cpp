@@ -18,20 +18,22 @@ std::vector<std::string> numbered(int count) {
 
 TEST_CASE("points that are stored, or that another point equals, are not handed out", "[studies][work_list]") {
   const std::set<std::string> stored{"b"};
-  WorkList list({"a", "b", "c", "a", "d"}, [&](const std::string& key) { return stored.contains(key); });
+  const std::vector<std::string> keys{"a", "b", "c", "a", "d"};
+  WorkList list(keys, {false, true, false, false, false}, [&](const std::string& key) { return stored.contains(key); });
   CHECK(list.open() == 3);
   CHECK(list.next() == 0u);
   CHECK(list.next() == 2u);
   CHECK(list.next() == 4u);
   CHECK_FALSE(list.next());
-  CHECK_FALSE(WorkList({}, [](const std::string&) { return false; }).next());
+  CHECK_FALSE(WorkList({}, {}, [](const std::string&) { return false; }).next());
 }
 
 TEST_CASE("two processes that start together on one study do little twice", "[studies][work_list]") {
   std::set<std::string> stored;
   auto known = [&](const std::string& key) { return stored.contains(key); };
   const auto keys = numbered(1000);
-  WorkList first(keys, known), second(keys, known);
+  const std::vector<bool> none(keys.size(), false);
+  WorkList first(keys, none, known), second(keys, none, known);
   std::size_t solved = 0;
   for (bool left = true; left;) {
     const auto one = first.next(), two = second.next();  // solved at the same time, the first stores first

@@ -300,8 +300,8 @@ TEST_CASE("every wrong study file is refused in one line as wrong input", "[stud
   for (const Wrong& wrong : wrong_studies) {
     const auto file = directory.write("study.json", wrong.text);
     INFO(wrong.text);
-    CHECK_THROWS_AS(read_study(file), std::invalid_argument);
-    CHECK_THROWS_WITH(read_study(file), file.string() + wrong.message);
+    CHECK_THROWS_AS(points(read_study(file)), std::invalid_argument);
+    CHECK_THROWS_WITH(points(read_study(file)), file.string() + wrong.message);
   }
 }
 

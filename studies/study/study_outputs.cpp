@@ -1,4 +1,4 @@
-#include "studies/study/study_wishes.hpp"
+#include "studies/study/study_outputs.hpp"
 
 #include <algorithm>
 #include <stdexcept>
