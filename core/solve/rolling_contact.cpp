@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/newton/evidence.hpp"
@@ -198,6 +199,11 @@ RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_b
     solution.model = model_of(choice.scene, solution) + note;
     for (const std::string& decision : choice.decisions) solution.model += "; " + decision;
     solution.error_estimate += choice.left_out;
+    const double half_width = 0.5 * (solution.leading_edge - solution.trailing_edge);
+    if (const double error = spectrum_error(choice.scene, half_width); error > 0) {
+      solution.error_estimate += error;
+      solution.model += message_text("; what the master curve leaves open changes R_r by ", error, " (estimate)");
+    }
     for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
   }
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
