@@ -337,6 +337,17 @@ class FreeSeries {
     return rows_.residuals(series);
   }
 
+  /// The moduli of least misfit at the times as they are, where those are positive: along the valleys of the misfit
+  /// times and moduli go together.
+  void best_moduli() {
+    std::vector<double> times;
+    for (const PronySeries::Term& term : series_.terms) times.push_back(term.time);
+    const VectorXd moduli = least_squares(rows_.responses(times), rows_.wanted());
+    if (!(moduli.minCoeff() > 0)) return;
+    for (std::size_t j = 0; j < times.size(); ++j) series_.terms[j].modulus = moduli(static_cast<Index>(j));
+    if (rows_.free_rest()) rest_ = moduli(moduli.size() - 1);
+  }
+
   /// Steps of Levenberg and Marquardt in the logarithms of moduli and times.
   void move(int steps) {
     constexpr double exact = 1e-10, negligible_gain = 1e-5;
@@ -375,6 +386,7 @@ class FreeSeries {
                                  beyond / rows_.lowest());
         }
         if (rest_moves) rest_ *= std::exp(change(2 * terms));
+        best_moduli();
         const VectorXd now = residuals();
         better = now.norm() < residual.norm();
         if (!better) {
@@ -382,10 +394,10 @@ class FreeSeries {
           rest_ = before.rest_;
           continue;
         }
-        const bool done = now.norm() > (1 - negligible_gain) * residual.norm();
+        const bool done = damping < 1e-8 && now.norm() > (1 - negligible_gain) * residual.norm();
         residual = now;
         if (done) step = steps;
-        damping *= 0.01;
+        damping = std::max(1e-14, 0.01 * damping);
       }
       if (!better) break;
     }
@@ -437,6 +449,7 @@ class FreeSeries {
 OpenSpectrum open_spectrum(const RelativeRows& rows, const PronySeries& series) {
   constexpr double per_decade = 5, decades_open = 2;  // beyond the table at either end
   constexpr double share = 0.3;                       // of the loss modulus, of an even spectrum at so many times
+  constexpr double share_beyond = 0.6;                // where a table that ends may miss a single term
   constexpr double least_deviation = 1e-6;
   const double shortest = std::pow(10, -decades_open) / rows.highest();
   const double decades = std::log10(rows.highest() / rows.lowest()) + 2 * decades_open;
@@ -446,9 +459,10 @@ OpenSpectrum open_spectrum(const RelativeRows& rows, const PronySeries& series) 
   const Index n = count + 1 + (rows.free_rest() ? 1 : 0);
   VectorXd prior(n);
   for (Index j = 0; j <= count; ++j) {
-    const double omega = std::clamp(1 / open.times[static_cast<std::size_t>(j)], rows.lowest(), rows.highest());
+    const double own = 1 / open.times[static_cast<std::size_t>(j)];
+    const double omega = std::clamp(own, rows.lowest(), rows.highest());
     const std::complex<double> modulus = complex_modulus(series, omega);
-    prior(j) = share * std::max(modulus.imag(), 1e-3 * modulus.real());
+    prior(j) = (own == omega ? share : share_beyond) * std::max(modulus.imag(), 1e-3 * modulus.real());
   }
   if (rows.free_rest()) prior(n - 1) = series.static_modulus;
 
