@@ -8,7 +8,6 @@
 
 #include "core/material/material_scale.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/nonnegative_least_squares.hpp"
 #include "core/numerics/recently_made.hpp"
 
@@ -282,6 +281,7 @@ class FreeSeries {
  public:
   explicit FreeSeries(const RelativeRows& rows) : rows_(rows) {
     start();
+    join_all();
     move(most_steps);
     join();
     move(most_steps);
@@ -342,7 +342,7 @@ class FreeSeries {
   void best_moduli() {
     std::vector<double> times;
     for (const PronySeries::Term& term : series_.terms) times.push_back(term.time);
-    const VectorXd moduli = least_squares(rows_.responses(times), rows_.wanted());
+    const VectorXd moduli = Eigen::HouseholderQR<MatrixXd>(rows_.responses(times)).solve(rows_.wanted());
     if (!(moduli.minCoeff() > 0)) return;
     for (std::size_t j = 0; j < times.size(); ++j) series_.terms[j].modulus = moduli(static_cast<Index>(j));
     if (rows_.free_rest()) rest_ = moduli(moduli.size() - 1);
@@ -377,7 +377,8 @@ class FreeSeries {
       bool better = false;
       for (; !better && damping < 1e6; damping *= 10) {
         a.bottomRows(parameters).diagonal().setConstant(std::sqrt(damping));
-        const VectorXd change = least_squares(a, b).cwiseQuotient(norms).cwiseMax(-1).cwiseMin(1);
+        const VectorXd change =
+            Eigen::HouseholderQR<MatrixXd>(a).solve(b).cwiseQuotient(norms).cwiseMax(-1).cwiseMin(1);
         const FreeSeries before = *this;
         for (Index j = 0; j < terms; ++j) {
           PronySeries::Term& term = series_.terms[static_cast<std::size_t>(j)];
@@ -406,18 +407,39 @@ class FreeSeries {
 
   /// Akaike's criterion, corrected for few rows.
   double criterion() const {
-    constexpr double exact = 1e-9;
+    constexpr double exact = 3e-6;  // enough
     const VectorXd residual = residuals();
     const auto n = static_cast<double>(residual.size());
     const double p = 2.0 * static_cast<double>(series_.terms.size()) + 2;
     const double mean = residual.squaredNorm() / n + exact * exact;
-    return n * std::log(mean) + 2 * p + (n > p + 1 ? 2 * p * (p + 1) / (n - p - 1) : 1e6 * p);
+    return n * std::log(mean) + 2 * p + 2 * p * (p + 1) / std::max(n - p - 1, n / 4);
+  }
+
+  /// All that are nearer than some distance as one, for the largest distance that the criterion allows.
+  void join_all() {
+    move(few_steps);
+    const double before = criterion();
+    for (const double distance : {3.2, 2.2, 1.6}) {
+      const FreeSeries kept = *this;
+      std::vector<PronySeries::Term> few;
+      for (const PronySeries::Term& term : kept.series_.terms)
+        if (!few.empty() && term.time < distance * few.back().time)
+          few.back() = one_of(few.back(), term);
+        else
+          few.push_back(term);
+      series_.terms = std::move(few);
+      move(few_steps);
+      if (criterion() <= before) return;
+      series_ = kept.series_;
+      rest_ = kept.rest_;
+    }
   }
 
   /// Neighbours as one, the nearest first, while the criterion falls.
   void join() {
     constexpr double farthest = 10;
-    int trials = 40;
+    // So many that their cost, as that of a factorisation, is bounded.
+    int trials = static_cast<int>(std::clamp(2e4 / std::pow(static_cast<double>(series_.terms.size()), 2), 5.0, 40.0));
     for (bool joined = true; joined;) {
       joined = false;
       std::vector<std::size_t> order(series_.terms.size() < 2 ? 0 : series_.terms.size() - 1);
@@ -449,7 +471,7 @@ class FreeSeries {
 OpenSpectrum open_spectrum(const RelativeRows& rows, const PronySeries& series) {
   constexpr double per_decade = 5, decades_open = 2;  // beyond the table at either end
   constexpr double share = 0.3;                       // of the loss modulus, of an even spectrum at so many times
-  constexpr double share_beyond = 0.6;                // where a table that ends may miss a single term
+  constexpr double share_beyond = 1;                  // where a table that ends may miss a single term
   constexpr double least_deviation = 1e-6;
   const double shortest = std::pow(10, -decades_open) / rows.highest();
   const double decades = std::log10(rows.highest() / rows.lowest()) + 2 * decades_open;
@@ -467,8 +489,8 @@ OpenSpectrum open_spectrum(const RelativeRows& rows, const PronySeries& series) 
   if (rows.free_rest()) prior(n - 1) = series.static_modulus;
 
   const VectorXd residual = rows.residuals(series);
-  const double freedom =
-      std::max(1.0, static_cast<double>(rows.rows()) - static_cast<double>(series.terms.size()) - 0.5);
+  const auto row_count = static_cast<double>(rows.rows());
+  const double freedom = std::max(row_count / 2, row_count - static_cast<double>(series.terms.size()) - 0.5);
   MatrixXd a(residual.size() + n, n);
   a << rows.responses(open.times) * prior.asDiagonal(), MatrixXd::Identity(n, n);
   for (Index part = 0; part < 2; ++part) {
@@ -497,7 +519,9 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const SpectrumProblem problem(curve, order);
   const RelativeRows rows(curve, problem.least_rest_modulus());
   SmoothSeries smooth{FreeSeries(rows).series(), 0};
-  if (problem.rms_misfit(smooth.series) > trusted_misfit) smooth.waves = waves(smooth.series, curve, order);
+  const bool few_for_rows = 3 * smooth.series.terms.size() < 2 * order.size();
+  if (!few_for_rows || problem.rms_misfit(smooth.series) > trusted_misfit)
+    smooth.waves = waves(smooth.series, curve, order);
   if (smooth.waves > 0) smooth = smooth_series(problem, curve, order);
   fit.series = smooth.series;
   fit.open = open_spectrum(rows, fit.series);

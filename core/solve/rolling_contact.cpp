@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -203,6 +204,11 @@ RollingSolution complete(const RollingScene& given, const SolveByMethod& solve_b
     if (const double error = spectrum_error(choice.scene, half_width); error > 0) {
       solution.error_estimate += error;
       solution.model += message_text("; what the master curve leaves open changes R_r by ", error, " (estimate)");
+      if (constexpr double noticeable = 0.05; error > noticeable)
+        solution.warnings.push_back(
+            message_text("master curve: leaves the rolling resistance open by ", 100 * error,
+                         " % (estimate): rows scatter, are too few or end near the frequencies of the contact, about ",
+                         choice.scene.speed / (2 * std::numbers::pi * half_width), " Hz"));
     }
     for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
   }
