@@ -469,7 +469,7 @@ class FreeSeries {
 
 /// What rows with independent errors leave open of a spectrum that may be off by the order of itself.
 OpenSpectrum open_spectrum(const RelativeRows& rows, const PronySeries& series) {
-  constexpr double per_decade = 5, decades_open = 2;  // beyond the table at either end
+  constexpr double per_decade = 5, decades_open = 4;  // beyond the table at either end
   constexpr double share = 0.3;                       // of the loss modulus, of an even spectrum at so many times
   constexpr double share_beyond = 1;                  // where a table that ends may miss a single term
   constexpr double least_deviation = 1e-6;
