@@ -1,8 +1,12 @@
 #include "core/estimate/composite_estimate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
+#include "core/material/master_curve.hpp"
+#include "core/material/material_scale.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/surface/contact_surface.hpp"
@@ -41,25 +45,79 @@ class HertzPressure {
     return {a, load * found.compliance + a * a / ((sphere_ ? 5 : 8) * radius_), load};
   }
 
+  /// The change of one layer's moduli.
+  using Stiffen = std::function<void(SteadySurface::Moduli&, double factor)>;
+
+  /// What a modulus of 1 Pa at each time, added to one layer's, changes slope and loss by.
+  struct Changes {
+    Eigen::VectorXd slope, loss;
+  };
+  Changes changes(double half_width, const CreepSpectrum& material, const Stiffen& stiffen,
+                  const Eigen::ArrayXd& times) const {
+    Changes sum{Eigen::VectorXd::Zero(times.size()), Eigen::VectorXd::Zero(times.size())};
+    // Of the normal compliance, for a modulus that is not passed through the layer's memory.
+    const auto derivative = [&](const SteadySurface::Moduli& moduli, double along, double across) {
+      constexpr double step = 1e-5;
+      SteadySurface::Moduli stiffer = moduli;
+      stiffen(stiffer, 1 + step);
+      return (surface_(stiffer, along, across).normal - surface_(moduli, along, across).normal) *
+             material(-along * surface_.speed()) / step;
+    };
+    const auto turns = [&](double along) -> Eigen::ArrayXcd {
+      const Eigen::ArrayXd turn = -along * surface_.speed() * times;
+      Eigen::ArrayXcd answer(times.size());
+      answer.real() = 1 - 1 / (1 + turn.square());
+      answer.imag() = times.isInf().select(0, turn / (1 + turn.square()));
+      return answer;
+    };
+    for_waves(half_width, [&](double z, double k, double weight) {
+      const PressureTransform transform(sphere_, z);
+      const SteadySurface::Moduli moduli = surface_.moduli(k);
+      const std::complex<double> c = surface_(moduli, k, 0).normal, rate = derivative(moduli, k, 0);
+      const Eigen::ArrayXcd change = rate * turns(k);
+      sum.slope.array() +=
+          weight * 2 * transform.phi * transform.change * k * (std::conj(c) * change).real() / std::abs(c);
+      const double squared = weight * transform.phi * transform.phi;
+      if (!sphere_) {
+        sum.loss.array() += squared * k * change.imag();
+        return;
+      }
+      const QuadratureRule& rule = gauss_rule(6);
+      for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+        const double angle = M_PI / 2 * rule.nodes[q], along = k * std::cos(angle), across = k * std::sin(angle);
+        sum.loss.array() += squared * rule.weights[q] * along *
+                            (derivative(surface_.moduli(along), along, across) * turns(along)).imag();
+      }
+    });
+    return sum;
+  }
+
   HertzResponse response(double half_width, bool with_loss) const {
     HertzResponse sum{0, 0, 0};
+    for_waves(half_width, [&](double z, double k, double weight) {
+      const PressureTransform transform(sphere_, z);
+      const std::complex<double> c = surface_(surface_.moduli(k), k, 0).normal;
+      sum.compliance += weight * std::abs(c) * transform.phi * transform.phi;
+      sum.slope += weight * std::abs(c) * 2 * transform.phi * transform.change * k;
+      if (with_loss) sum.loss += weight * lost(k, c) * transform.phi * transform.phi;
+    });
+    return sum;
+  }
+
+ private:
+  /// visit(z, k = z/a, weight) for the nodes of the integral over k.
+  template <class Visit>
+  void for_waves(double half_width, const Visit& visit) const {
     for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
       const double from = borders[panel], to = borders[panel + 1];
       const QuadratureRule& rule = gauss_rule(to > 3 ? 10 : 6);
       for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
         const double z = from + (to - from) * rule.nodes[q], k = z / half_width;
-        const double weight = rule.weights[q] * (to - from) / half_width * (sphere_ ? k / (2 * M_PI) : 1 / M_PI);
-        const PressureTransform transform(sphere_, z);
-        const std::complex<double> c = surface_(surface_.moduli(k), k, 0).normal;
-        sum.compliance += weight * std::abs(c) * transform.phi * transform.phi;
-        sum.slope += weight * std::abs(c) * 2 * transform.phi * transform.change * k;
-        if (with_loss) sum.loss += weight * lost(k, c) * transform.phi * transform.phi;
+        visit(z, k, rule.weights[q] * (to - from) / half_width * (sphere_ ? k / (2 * M_PI) : 1 / M_PI));
       }
     }
-    return sum;
   }
 
- private:
   /// k Im c, in 3D the mean of k_x Im c over all directions of the wave.
   double lost(double k, const std::complex<double>& along_the_motion) const {
     if (!sphere_) return k * along_the_motion.imag();
@@ -95,6 +153,49 @@ ContactEstimate composite_estimate(const RollingScene& scene) {
 
 HertzResponse hertz_response(const RollingScene& scene, double half_width) {
   return HertzPressure(scene).response(half_width, true);
+}
+
+double spectrum_error(const RollingScene& scene, double half_width) {
+  // Two deviations, and one for the fit's own distance from the mean of what is open.
+  constexpr double deviations = 3;
+  const auto is_curve = [](const MaterialInputs& layer) { return layer.material == MaterialModel::master_curve; };
+  const auto any_curve = [&](const BondedLayers& layers) {
+    return std::any_of(layers.begin(), layers.end(), is_curve);
+  };
+  if (!is_curve(scene) && !any_curve(scene.lower_layers) && !any_curve(scene.coating_layers)) return 0;
+
+  const HertzPressure pressure(scene);
+  constexpr double step = 0.02;
+  const HertzResponse at = pressure.response(half_width, true),
+                      wider = pressure.response(half_width * (1 + step), true);
+  const double loss_power = std::log(wider.loss / at.loss) / std::log1p(step);
+  const double slope_power = std::log(wider.slope / at.slope) / std::log1p(step);
+  double variance = 0;
+  const auto add = [&](const MaterialInputs& layer, const HertzPressure::Stiffen& stiffen) {
+    if (!is_curve(layer)) return;
+    const auto fit = shared_master_curve_fit(layer);
+    const Eigen::ArrayXd times =
+        time_shift(layer) *
+        Eigen::Map<const Eigen::ArrayXd>(fit->open.times.data(), static_cast<Eigen::Index>(fit->open.times.size()));
+    const HertzPressure::Changes change = pressure.changes(half_width, creep_spectrum(layer), stiffen, times);
+    // Under a load P = -2 a/(n' R A') is kept, under an approach nearly a.
+    const Eigen::VectorXd slope = change.slope / at.slope, loss = change.loss / at.loss;
+    const double through_slope = scene.load ? loss_power / (1 - slope_power) : -2;
+    variance += std::pow(fit->open.deviation(loss + through_slope * slope), 2);
+  };
+  const bool composite = is_composite(scene);
+  add(scene, [&](SteadySurface::Moduli& moduli, double factor) {
+    if (composite)
+      moduli.foundation.front() *= factor;
+    else
+      moduli.compliance /= factor;
+  });
+  for (std::size_t i = 0; i < scene.lower_layers.size(); ++i)
+    add(scene.lower_layers[i],
+        [i](SteadySurface::Moduli& moduli, double factor) { moduli.foundation[i + 1] *= factor; });
+  for (std::size_t i = 0; i < scene.coating_layers.size(); ++i)
+    add(scene.coating_layers[i], [i](SteadySurface::Moduli& moduli, double factor) { moduli.coating[i] *= factor; });
+  return deviations * std::sqrt(variance);
 }
 
 }  // namespace rollres

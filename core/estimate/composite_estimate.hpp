@@ -24,4 +24,9 @@ struct HertzResponse {
 };
 HertzResponse hertz_response(const RollingScene& scene, double half_width);
 
+/// Relative error of R_r by what the tables of its master curves leave open (OpenSpectrum), not exceeded in 95 % of
+/// all tables: by the derivatives of that answer, also through the half-width, with respect to the spectra. 0 without
+/// a master curve.
+double spectrum_error(const RollingScene& scene, double half_width);
+
 }  // namespace rollres

@@ -1,6 +1,5 @@
 #include "core/material/material.hpp"
 
-#include <memory>
 #include <utility>
 
 #include "core/material/fractional_zener.hpp"
@@ -13,22 +12,11 @@ namespace rollres {
 
 namespace {
 
-std::vector<double> all_as_shear(const MaterialInputs& layer, std::vector<double> listed) {
-  for (double& modulus : listed) modulus = as_shear(layer, modulus);
-  return listed;
-}
-
 PronySeries prony_series(const MaterialInputs& layer) {
   PronySeries series{given_static_modulus(layer), {}};
   for (std::size_t j = 0; j < layer.relaxation_times.size(); ++j)
     series.terms.push_back({as_shear(layer, layer.relaxation_moduli[j]), layer.relaxation_times[j]});
   return ordered(std::move(series));
-}
-
-std::shared_ptr<const MasterCurveFit> fit_of(const MaterialInputs& layer) {
-  const bool at_rest = layer.static_shear_modulus || layer.static_young_modulus;
-  return shared_master_curve_fit({layer.frequencies, all_as_shear(layer, layer.storage_moduli),
-                                  all_as_shear(layer, layer.loss_moduli), at_rest ? given_static_modulus(layer) : 0});
 }
 
 CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
@@ -41,7 +29,7 @@ CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
     case MaterialModel::prony:
       return creep_spectrum(prony_series(layer));
     case MaterialModel::master_curve:
-      return creep_spectrum(fit_of(layer)->series);
+      return creep_spectrum(shared_master_curve_fit(layer)->series);
     case MaterialModel::elastic:
       break;
   }
@@ -82,7 +70,7 @@ std::string material_route(const MaterialInputs& layer) {
   std::string route;
   if (layer.material == MaterialModel::prony)
     route = message_text<5>("Prony series of ", prony_series(layer).terms.size(), " terms, exact");
-  if (layer.material == MaterialModel::master_curve) route = fit_of(layer)->in_words();
+  if (layer.material == MaterialModel::master_curve) route = shared_master_curve_fit(layer)->in_words();
   if (layer.material == MaterialModel::fractional_zener)
     route = layer.fractional_order == 1
                 ? "fractional Zener solid of order 1: a Zener solid"
@@ -97,7 +85,7 @@ std::string material_route(const MaterialInputs& layer) {
 
 std::vector<std::string> material_warnings(const MaterialInputs& layer) {
   std::vector<std::string> warnings;
-  if (layer.material == MaterialModel::master_curve) warnings = fit_of(layer)->remarks;
+  if (layer.material == MaterialModel::master_curve) warnings = shared_master_curve_fit(layer)->remarks;
   if (layer.temperature && layer.wlf_c1) {
     const double above = *layer.temperature - *layer.reference_temperature;
     if (above < -0.8 * *layer.wlf_c2)

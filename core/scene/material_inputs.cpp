@@ -40,7 +40,11 @@ void check_lists(const MaterialInputs& layer, Lines& lines) {
 }
 
 void check_frequencies(const MaterialInputs& layer, Lines& lines) {
+  constexpr Range measurable{.lowest = 1e-30, .highest = 1e30};  // [Hz], also of shifted rows
   const auto& all = layer.frequencies;
+  for (std::size_t i = 0; layer.material == MaterialModel::master_curve && i < all.size(); ++i)
+    if (!measurable.contains(all[i]) && all[i] > 0)
+      lines.push_back(broken("frequencies[" + std::to_string(i) + "]", all[i], measurable.rule() + " Hz"));
   if (layer.material == MaterialModel::master_curve && !all.empty() &&
       std::all_of(all.begin(), all.end(), [&](double frequency) { return frequency == all.front(); }))
     lines.push_back("frequencies: must have at least two different values");

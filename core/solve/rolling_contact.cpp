@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/newton/evidence.hpp"
@@ -219,6 +221,16 @@ RollingSolution solve(const RollingScene& given) {
     solution.model = model_of(choice.scene, solution) + note;
     for (const std::string& decision : choice.decisions) solution.model += "; " + decision;
     solution.error_estimate += choice.left_out;
+    const double half_width = 0.5 * (solution.leading_edge - solution.trailing_edge);
+    if (const double error = spectrum_error(choice.scene, half_width); error > 0) {
+      solution.error_estimate += error;
+      solution.model += message_text("; what the master curve leaves open changes R_r by ", error, " (estimate)");
+      if (constexpr double noticeable = 0.05; error > noticeable)
+        solution.warnings.push_back(
+            message_text("master curve: leaves the rolling resistance open by ", 100 * error,
+                         " % (estimate): rows scatter, are too few or end near the frequencies of the contact, about ",
+                         choice.scene.speed / (2 * std::numbers::pi * half_width), " Hz"));
+    }
     for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
   }
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

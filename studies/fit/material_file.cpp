@@ -7,6 +7,7 @@
 
 #include "db/file/digest.hpp"
 #include "studies/fit/fit_keys.hpp"
+#include "studies/scene_io/master_curve_file.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
@@ -122,6 +123,9 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
     MeasuredModulus measured;
     measured.angular_frequency = turns ? 2 * std::numbers::pi * positive_number(table, frequency, row, "Hz")
                                        : positive_number(table, frequency, row, "rad/s");
+    if (!frequency_range.contains(measured.angular_frequency / (2 * std::numbers::pi)))
+      throw std::invalid_argument(table.place(row) + ": " + heading(frequency) + " = " + frequency.cells[row] + ": " +
+                                  frequency_range.rule() + " Hz");
     measured.temperature = temperature ? kelvin(table, *temperature, row) : fit.options.shift.reference;
     measured.storage = share * positive_number(table, storage, row, "Pa");
     measured.loss = share * positive_number(table, loss, row, "Pa");

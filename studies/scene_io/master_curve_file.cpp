@@ -16,11 +16,11 @@ const MeasuredColumn& column_of(const MeasuredTable& table, std::string_view nam
 }
 
 Json numbers_in(const MeasuredTable& table, const MeasuredColumn& column, std::string_view unit, double factor,
-                bool zero_allowed, const char* rule) {
+                const Range& range, const std::string& rule) {
   Json numbers = Json::array();
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double number = measured_number(table, column, row, unit);
-    if (!(number > 0 || (zero_allowed && number == 0)))
+    if (!range.contains(factor * number))
       throw std::invalid_argument(table.place(row) + ": " + heading(column) + " = " + column.cells[row] + ": " + rule);
     numbers.push_back(factor * number);
   }
@@ -39,13 +39,14 @@ Json read_master_curve(const std::filesystem::path& file) {
   const MeasuredColumn* const turns = table.find("frequency");
   const MeasuredColumn* const radians = table.find("angular_frequency");
   if (turns && radians) throw std::invalid_argument(table.file + ": give frequency or angular_frequency, not both");
-  const char* const positive_rule = "must be > 0";
+  const std::string frequency_rule = frequency_range.rule() + " Hz";
   Json lists;
-  lists["frequencies"] = radians ? numbers_in(table, *radians, "rad/s", 0.5 / std::numbers::pi, false, positive_rule)
-                                 : numbers_in(table, column_of(table, "frequency"), "Hz", 1, false, positive_rule);
-  lists["storage_moduli"] = numbers_in(table, column_of(table, "storage_modulus"), "Pa", 1, false, positive_rule);
-  lists["loss_moduli"] = numbers_in(table, column_of(table, "loss_modulus"), "Pa", 1, true,
-                                    "must be >= 0: no passive material gives energy back");
+  lists["frequencies"] =
+      radians ? numbers_in(table, *radians, "rad/s", 0.5 / std::numbers::pi, frequency_range, frequency_rule)
+              : numbers_in(table, column_of(table, "frequency"), "Hz", 1, frequency_range, frequency_rule);
+  lists["storage_moduli"] = numbers_in(table, column_of(table, "storage_modulus"), "Pa", 1, positive, positive.rule());
+  lists["loss_moduli"] = numbers_in(table, column_of(table, "loss_modulus"), "Pa", 1, not_negative,
+                                    not_negative.rule() + ": no passive material gives energy back");
   return lists;
 }
 

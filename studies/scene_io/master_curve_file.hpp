@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/scene/quantity.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {
@@ -18,6 +19,9 @@ namespace rollres {
 /// The key of a scene file; its place is taken by the inputs that the table gives.
 inline constexpr std::string_view master_curve_key = "master_curve_file";
 inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencies", "storage_moduli", "loss_moduli"};
+
+/// Frequencies that a table may have, measured or shifted [Hz].
+inline constexpr Range frequency_range{.lowest = 1e-30, .highest = 1e30};
 
 /// The lists of a table under the keys of inputs, in SI, rows in the order of the file.
 /// @throws std::invalid_argument naming file, line, column, value and rule

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -121,6 +122,15 @@ struct NumberWithUnit {
   Converter to_si;
 };
 
+/// To the library an angle is a number, and rad/s the same as Hz: whether a unit counts one.
+bool has_angle(std::string_view unit) {
+  const std::scoped_lock lock(udunits);
+  const Unit parsed(ut_parse(unit_system(), std::string(unit).c_str(), UT_UTF8));
+  std::array<char, 200> definition{};
+  return parsed && ut_format(parsed.get(), definition.data(), definition.size() - 1, UT_ASCII | UT_DEFINITION) > 0 &&
+         std::string_view(definition.data()).find("rad") != std::string_view::npos;
+}
+
 NumberWithUnit number_with_unit(std::string_view text, std::string_view unit, const std::string& rule) {
   const Leading leading = leading_number(text);
   if (std::isnan(leading.number)) throw std::invalid_argument("must be a finite number, or one with a unit");
@@ -143,10 +153,16 @@ double si_value(std::string_view text, std::string_view unit) {
   const std::string rule =
       unit == "1" ? std::string("must be a number without a unit") : "must have " + unit_in_words(unit);
   const auto [number, to_si] = number_with_unit(text, unit, rule);
+  const std::string_view given = leading_number(text).rest;
+  const bool frequency = unit == "Hz", angle = (frequency || unit == "rad/s") && has_angle(given);
+  if (frequency && angle && !given.starts_with("rad"))
+    throw std::invalid_argument(rule + " or rad/s, as an angular frequency");
+  if (unit == "rad/s" && !angle) throw std::invalid_argument(rule + ", which is 2 π times a frequency in Hz");
   // Scales with an origin (degC, "m since 3") or a logarithm have no place here.
   const double one = cv_convert_double(to_si.get(), 1.0);
   if (cv_convert_double(to_si.get(), 0.0) != 0.0 || !std::isfinite(one) || one <= 0) throw std::invalid_argument(rule);
   const double value = finite(cv_convert_double(to_si.get(), number));
+  if (frequency && angle) return with_15_digits(value / (2 * std::numbers::pi));
   return one == 1.0 ? value : with_15_digits(value);
 }
 

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <numbers>
+#include <random>
 
 #include "core/material/fractional_zener.hpp"
 #include "core/material/lumped_spectrum.hpp"
@@ -9,6 +12,7 @@
 #include "core/material/prony_series.hpp"
 #include "core/material/relaxation.hpp"
 #include "core/messages/number_list.hpp"
+#include "core/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
@@ -106,6 +110,112 @@ TEST_CASE("a master curve drawn from a Prony series is fitted within 3 %, from f
     for (const PronySeries::Term& term : fit.series.terms) CHECK(term.modulus > 0);
     CHECK(fit.series.static_modulus > 0);
   }
+}
+
+TEST_CASE("the curve of a Prony series without noise gives the series back, its terms and the modulus at rest",
+          "[core][material]") {
+  const PronySeries zener{3e6, {{3e6, 0.125}}};
+  const PronySeries three{1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}};
+  PronySeries ten{1e6, {}};
+  for (int j = 0; j < 10; ++j) ten.terms.push_back({4e5 * (1 + 0.5 * std::sin(3.0 * j)), 3e-5 * std::pow(10, 0.7 * j)});
+  for (const PronySeries& series : {zener, three, ten})
+    for (const int rows_per_decade : {3, 5, 10}) {
+      CAPTURE(series.terms.size(), rows_per_decade);
+      const MasterCurveFit fit = fit_master_curve(sampled(series, rows_per_decade));
+      CAPTURE(fit.in_words());
+      REQUIRE(fit.series.terms.size() == series.terms.size());
+      CHECK(fit.largest_misfit < 1e-5);
+      CHECK(fit.series.static_modulus == Approx(series.static_modulus).epsilon(1e-4));
+      for (std::size_t j = 0; j < series.terms.size(); ++j) {
+        CHECK(fit.series.terms[j].time == Approx(series.terms[j].time).epsilon(1e-3));
+        CHECK(fit.series.terms[j].modulus == Approx(series.terms[j].modulus).epsilon(1e-3));
+      }
+    }
+}
+
+namespace {
+
+/// The paper's cylinder without friction on a Prony solid, and on rows drawn from it with a relative noise.
+RollingScene on_solid(const PronySeries& series, double speed) {
+  RollingScene scene = paper_cylinder();
+  scene.friction_coefficient = 0;
+  scene.spacing.reset();
+  scene.tolerance = 1e-6;
+  scene.inertia = Inertia::off;
+  scene.speed = speed;
+  scene.material = MaterialModel::prony;
+  scene.static_shear_modulus = series.static_modulus;
+  for (const PronySeries::Term& term : series.terms) {
+    scene.relaxation_times.push_back(term.time);
+    scene.relaxation_moduli.push_back(term.modulus);
+  }
+  return scene;
+}
+
+RollingScene on_rows(RollingScene scene, MasterCurve curve, double noise, std::uint64_t draw) {
+  std::mt19937_64 generator(draw);
+  std::normal_distribution<double> normal(1, noise);
+  if (noise > 0)
+    for (std::vector<double>* const moduli : {&curve.storage, &curve.loss})
+      for (double& modulus : *moduli) modulus *= normal(generator);
+  scene.material = MaterialModel::master_curve;
+  scene.static_shear_modulus.reset();
+  scene.frequencies = curve.frequencies;
+  scene.storage_moduli = curve.storage;
+  scene.loss_moduli = curve.loss;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("the rolling resistance on a drawn master curve is the solid's own, within the estimate",
+          "[core][material][rolling_contact]") {
+  const PronySeries zener{3e6, {{3e6, 0.125}}};
+  const PronySeries five{1e6, {{1e6, 1.3e-4}, {2e6, 3e-3}, {7e5, 2.3e-2}, {1.1e6, 0.4}, {3e5, 11}}};
+  int all = 0, covered = 0;
+  std::vector<double> ratios;
+  for (const PronySeries& series : {zener, five})
+    for (const double speed : {0.001, 0.5, 20.0}) {
+      CAPTURE(series.terms.size(), speed);
+      const RollingScene solid = on_solid(series, speed);
+      const double truth = solve(solid).rolling_resistance;
+      const auto error_of = [&](const RollingSolution& found) {
+        REQUIRE(found.status == Status::converged);
+        return std::abs(found.rolling_resistance / truth - 1);
+      };
+      const RollingSolution exact = solve(on_rows(solid, sampled(series, 3), 0, 0));
+      CHECK(error_of(exact) < 1e-4);
+      CHECK(error_of(exact) <= exact.error_estimate);
+      for (std::uint64_t draw = 1; draw <= 12; ++draw) {
+        const RollingSolution found = solve(on_rows(solid, sampled(series, 5), 0.02, draw));
+        const double error = error_of(found);
+        ++all;
+        if (error <= found.error_estimate) ++covered;
+        ratios.push_back(found.error_estimate / error);
+      }
+    }
+  // 95 % of 72 are 68; three fewer is what chance may take in one of a hundred.
+  CHECK(covered >= 65);
+  std::nth_element(ratios.begin(), ratios.begin() + all / 2, ratios.end());
+  CHECK(ratios[static_cast<std::size_t>(all / 2)] < 10);
+}
+
+TEST_CASE("a master curve that ends far from the contact's frequencies says so", "[core][material][rolling_contact]") {
+  const PronySeries series{1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}};
+  MasterCurve curve = sampled(series, 5);
+  for (auto* const column : {&curve.frequencies, &curve.storage, &curve.loss}) column->resize(11);  // up to 0.1 Hz
+  const RollingScene solid = on_solid(series, 5);
+  const RollingSolution found = solve(on_rows(solid, curve, 0.02, 1));
+  std::string warnings;
+  for (const std::string& warning : found.warnings) warnings += warning;
+  CHECK_THAT(warnings, Contains("master curve: leaves the rolling resistance open by "));
+}
+
+TEST_CASE("a frequency that no table has is refused", "[core][material]") {
+  RollingScene scene = with_material(paper_cylinder(), filled_rubber());
+  scene.frequencies[0] = 1e-310;
+  REQUIRE(check(scene).size() == 1);
+  CHECK(check(scene).front() == "frequencies[0] = 1e-310: must be from 1e-30 to 1e+30 Hz");
 }
 
 TEST_CASE("a master curve's fit says its misfit, and rows in any order are the same curve", "[core][material]") {

@@ -66,11 +66,32 @@ TEST_CASE("angular frequencies of a master curve become frequencies", "[studies]
   CHECK(scene.loss_moduli[0] == 0);
 }
 
+TEST_CASE("a frequency in rad/s is an angular one, and rotations are refused", "[studies][material]") {
+  const TemporaryDirectory folder;
+  const auto frequencies = [&](const std::string& heading) {
+    folder.write("rubber.csv", heading + ",storage_modulus [Pa],loss_modulus [Pa]\n1.7,2e6,0\n100,3e6,1e5\n");
+    return read_scene(folder.write("scene.json", curve_scene)).frequencies;
+  };
+  const std::vector<double> turns = frequencies("frequency [rad/s]"), right = frequencies("angular_frequency [rad/s]");
+  for (std::size_t row = 0; row < 2; ++row) CHECK(turns[row] == Approx(right[row]).epsilon(1e-14));
+  CHECK(frequencies("frequency [1/s]") == frequencies("frequency [Hz]"));
+  CHECK(
+      message_of([&] { frequencies("frequency [rpm]"); })
+          .ends_with("rubber.csv, line 2: frequency [rpm]: must have a unit of frequency (Hz) or rad/s, as an angular "
+                     "frequency"));
+  CHECK(message_of([&] { frequencies("angular_frequency [Hz]"); })
+            .ends_with("angular_frequency [Hz]: must have a unit of rotational speed (rad/s), which is 2 π times a "
+                       "frequency in Hz"));
+}
+
 TEST_CASE("a master curve that is not passive, or no table, is refused with its line", "[studies][material]") {
   const std::string head = "frequency [Hz],storage_modulus [MPa],loss_modulus [MPa]\n1,3,0.3\n";
   CHECK(refusal_of_table(head + "10,4,-0.1\n") ==
         "rubber.csv, line 3: loss_modulus [MPa] = -0.1: must be >= 0: no passive material gives energy back");
-  CHECK(refusal_of_table(head + "0,4,0.1\n") == "rubber.csv, line 3: frequency [Hz] = 0: must be > 0");
+  CHECK(refusal_of_table(head + "0,4,0.1\n") ==
+        "rubber.csv, line 3: frequency [Hz] = 0: must be from 1e-30 to 1e+30 Hz");
+  CHECK(refusal_of_table(head + "1e-310,4,0.1\n") ==
+        "rubber.csv, line 3: frequency [Hz] = 1e-310: must be from 1e-30 to 1e+30 Hz");
   CHECK(refusal_of_table(head + "10,,0.1\n").starts_with("rubber.csv, line 3: storage_modulus [MPa]"));
   CHECK(refusal_of_table("frequency [Hz],storage_modulus [MPa]\n1,3\n") == "rubber.csv: has no column loss_modulus");
   CHECK(refusal_of_table("frequency [Hz],storage_modulus [MPa],lossmodulus [MPa]\n1,3,1\n") ==
