@@ -468,14 +468,17 @@ class FreeSeries {
 };
 
 /// What rows with independent errors leave open of a spectrum that may be off by the order of itself.
-OpenSpectrum open_spectrum(const RelativeRows& rows, const PronySeries& series) {
+OpenSpectrum open_spectrum(const RelativeRows& rows, const PronySeries& series, bool smooth) {
   constexpr double per_decade = 5, decades_open = 4;  // beyond the table at either end
-  constexpr double share = 0.3;                       // of the loss modulus, of an even spectrum at so many times
+  constexpr double even_share = 0.3;                  // of the loss modulus, of an even spectrum at so many times
+  constexpr double enough_rows = 3;                   // a decade; free times have waves between fewer
   constexpr double share_beyond = 1;                  // where a table that ends may miss a single term
-  constexpr double least_deviation = 1e-6;
+  constexpr double least_deviation = 1e-5;
   const double shortest = std::pow(10, -decades_open) / rows.highest();
   const double decades = std::log10(rows.highest() / rows.lowest()) + 2 * decades_open;
   const int count = static_cast<int>(std::ceil(decades * per_decade));
+  const double rows_per_decade = static_cast<double>(rows.rows() - 1) / std::log10(rows.highest() / rows.lowest());
+  const double share = smooth ? even_share : even_share * std::clamp(enough_rows / rows_per_decade, 1.0, 3.0);
   OpenSpectrum open;
   for (int j = 0; j <= count; ++j) open.times.push_back(shortest * std::pow(10, decades * j / count));
   const Index n = count + 1 + (rows.free_rest() ? 1 : 0);
@@ -522,9 +525,10 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const bool few_for_rows = 3 * smooth.series.terms.size() < 2 * order.size();
   if (!few_for_rows || problem.rms_misfit(smooth.series) > trusted_misfit)
     smooth.waves = waves(smooth.series, curve, order);
-  if (smooth.waves > 0) smooth = smooth_series(problem, curve, order);
+  const bool waved = smooth.waves > 0;
+  if (waved) smooth = smooth_series(problem, curve, order);
   fit.series = smooth.series;
-  fit.open = open_spectrum(rows, fit.series);
+  fit.open = open_spectrum(rows, fit.series, waved);
   fit.rms_misfit = problem.rms_misfit(fit.series);
   std::vector<double> misfits;
   for (std::size_t row = 0; row < order.size(); ++row) {
