@@ -144,8 +144,9 @@ ContactEstimate composite_estimate(const RollingScene& scene) {
     return scene.load ? std::log(found.load / *scene.load) : std::log(found.approach / *scene.approach);
   };
   double low = std::log(0.1 * scene.radius), high = low;
-  while (excess(low) > 0) low -= 1;
-  while (excess(high) < 0) high += 1;
+  constexpr double farthest = 100;  // where there is none, bracketed_root says so
+  while (low > high - farthest && excess(low) > 0) low -= 1;
+  while (high < low + 2 * farthest && excess(high) < 0) high += 1;
   ContactEstimate estimate = pressure.at(std::exp(bracketed_root(excess, low, high, 1e-3)));
   if (std::isinf(total_thickness(scene)) && scene.indenter == Indenter::cylinder) estimate.approach = NAN;
   return estimate;

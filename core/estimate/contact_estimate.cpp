@@ -131,8 +131,9 @@ double find_alpha(Number number, int power, double value) {
     return power * log_alpha + std::log(number(std::exp(log_alpha))) - std::log(value);
   };
   double low = 0, high = 0;
-  for (double step = 1; excess(low) > 0; step *= 2) low -= step;
-  for (double step = 1; excess(high) < 0; step *= 2) high += step;
+  constexpr double farthest = 2e3;  // where there is none, bracketed_root says so
+  for (double step = 1; step < farthest && excess(low) > 0; step *= 2) low -= step;
+  for (double step = 1; step < farthest && excess(high) < 0; step *= 2) high += step;
   return std::exp(bracketed_root(excess, low, high));
 }
 

@@ -5,6 +5,8 @@
 
 #include "core/estimate/composite_estimate.hpp"
 #include "core/material/material.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {
@@ -33,8 +35,16 @@ double default_spacing(const RollingScene& scene) {
   return std::min(estimate_contact(scene).half_width, scene.radius) / nodes_per_half_width;
 }
 
+void require_nodes(double columns, double rows, double spacing) {
+  constexpr double bytes_per_node = 3e3;  // coefficients, transforms and Krylov vectors, as measured
+  require_memory(bytes_per_node * columns * rows,
+                 message_text("the contact needs ", columns * rows, " nodes of ", spacing, " m"));
+}
+
 SurfaceGrid window(Indenter indenter, double spacing, double half_width) {
-  const int cells = std::max(2, static_cast<int>(std::ceil(half_width / spacing)));
+  const double wanted = std::max(2.0, std::ceil(half_width / spacing));
+  require_nodes(2 * wanted + 1, indenter == Indenter::sphere ? wanted + 1 : 1, spacing);
+  const int cells = checked_count(wanted, "cells of a window");
   SurfaceGrid grid;
   grid.spacing_x = spacing;
   grid.first_column = -cells;

@@ -15,6 +15,9 @@ ContactEstimate estimate_contact(const RollingScene& scene);
 /// tolerance, a first spacing from which to refine.
 double default_spacing(const RollingScene& scene);
 
+/// @throws BeyondLimits if a half grid of so many nodes takes more memory than the solution may (solution_limits.hpp)
+void require_nodes(double columns, double rows, double spacing);
+
 /// Half grid (rows y >= 0 for a sphere) with a node at the origin that covers |x|, |y| <= half_width.
 SurfaceGrid window(Indenter indenter, double spacing, double half_width);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/numerics/quadrature.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -29,7 +30,11 @@ double integrated_log(double t, double b) {
 /// Enough Gauss points that the average over a cell of the correction, whose wavelength is about H, is exact to 1e-9.
 QuadratureRule averaging_rule(double cell_over_thickness) {
   const double c = cell_over_thickness;
-  return gauss_legendre(c < 0.1 ? 2 : c < 0.3 ? 3 : c < 0.7 ? 4 : c < 1.5 ? 6 : static_cast<int>(4 * c) + 4);
+  return gauss_legendre(c < 0.1   ? 2
+                        : c < 0.3 ? 3
+                        : c < 0.7 ? 4
+                        : c < 1.5 ? 6
+                                  : checked_count(std::floor(4 * c), "points in a cell") + 4);
 }
 
 }  // namespace

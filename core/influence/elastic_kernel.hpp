@@ -60,6 +60,11 @@ class ElasticKernel {
 
   const ResponseScales& scales() const { return scales_; }
 
+  /// Points at which the layer's part of a coefficient is taken.
+  double points_in_a_cell() const {
+    return nodes_x_.empty() ? 1 : static_cast<double>(nodes_x_.size()) * static_cast<double>(nodes_y_.size());
+  }
+
  private:
   Coefficients sphere(double x, double y) const;
   Coefficients cylinder(double x) const;

@@ -1,16 +1,31 @@
 #include "core/influence/passage_kernel.hpp"
 
+#include "core/messages/message_text.hpp"
 #include "core/numerics/recently_made.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
+
+namespace {
+
+constexpr double most_points = 3e9;  // about a minute's
+
+}  // namespace
 
 PassageKernel::PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows)
     : PassageKernel(ElasticKernel(indenter, layer, cell_x, cell_y), cell_x, cell_y, columns, rows) {}
 
 PassageKernel::PassageKernel(const ElasticKernel& kernel, double cell_x, double cell_y, int columns, int rows)
     : rules_(kernel.scales(), cell_x, columns) {
-  for (int row = 0; row <= rows; ++row)
+  const double points = static_cast<double>(rules_.distances(0).size()) * (rows + 1.0) * kernel.points_in_a_cell();
+  if (points > most_points)
+    throw BeyondLimits(message_text("the layer's response needs ", points,
+                                    " points: the layer is thin against a cell of ", cell_x,
+                                    " m; give a finer spacing"));
+  for (int row = 0; row <= rows; ++row) {
+    require_time();
     values_.push_back(rules_.values(row, [&](double x) { return kernel(x, row * cell_y); }));
+  }
 }
 
 InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed, int reach_x, int reach_y) const {

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/messages/message_text.hpp"
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
+
+/// Panels in half a cell beyond which a cell is too coarse for its layers.
+constexpr int most_parts = 1000;
 
 void add_at(InfluenceTable& table, int column, int row, const Coefficients& value) {
   const auto i = static_cast<std::size_t>(table.index(column, row));
@@ -25,7 +31,10 @@ PassageQuadrature::PassageQuadrature(const ResponseScales& scales, double cell_x
   // Displacements bend at the edge of the loaded cell, in the middle of a cell of nodes: two halves near it, and
   // panels no longer than the surface's finest scale.
   const double half = 0.5 * cell_x;
-  const int parts = std::max(1, static_cast<int>(std::ceil(half / scales.length)));
+  const int parts = std::max(1, checked_count(std::ceil(half / scales.length), "panels in a cell"));
+  if (parts > most_parts)
+    throw BeyondLimits(message_text("the layers respond over ", scales.length, " m, much less than a cell of ", cell_x,
+                                    " m: give a finer spacing"));
   const auto split = [&](MemoryRule& rule, double start, double length, int count, int order) {
     for (int part = 0; part < count; ++part) rule.add_panel(start + part * length / count, length / count, order);
   };

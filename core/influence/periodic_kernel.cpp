@@ -5,7 +5,9 @@
 #include <complex>
 
 #include "core/influence/elastic_kernel.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/numerics/fft.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/surface/layer_compliance.hpp"
 
 namespace rollres {
@@ -20,21 +22,24 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
                               int reach_x, int reach_y) {
   using complex = std::complex<double>;
   const bool sphere = reach_y > 0;
-  const int columns = std::max(static_cast<int>(std::lround(period / cell_x)), 2 * reach_x + 1);
-  const int rows = sphere ? std::max(static_cast<int>(std::lround(period / cell_y)), 2 * reach_y + 1) : 1;
+  const int columns = std::max(checked_count(period / cell_x, "cells of the period"), 2 * reach_x + 1);
+  const int rows = sphere ? std::max(checked_count(period / cell_y, "cells of the period"), 2 * reach_y + 1) : 1;
+  require_memory(60.0 * columns * rows, message_text("the period needs ", columns, " x ", rows, " cells"));
   const double step_x = 2 * M_PI / (columns * cell_x), step_y = sphere ? 2 * M_PI / (rows * cell_y) : 0;
   const int half = columns / 2 + 1, terms_y = sphere ? terms : 0;
 
   // Spectra by rows of ky; kx >= 0 only, as the coefficients are real.
   std::array<FftBuffer<complex>, 6> spectra;
   const int components = sphere ? 6 : 3;
-  for (auto& spectrum : spectra) spectrum = FftBuffer<complex>(static_cast<std::size_t>(rows * half));
+  for (auto& spectrum : spectra)
+    spectrum = FftBuffer<complex>(static_cast<std::size_t>(rows) * static_cast<std::size_t>(half));
   constexpr std::array<std::size_t, 3> line_components{coefficient::ww, coefficient::uu, coefficient::uw};
   const double area = columns * cell_x * (sphere ? rows * cell_y : 1.0);
 
   for (int n = -terms; n <= terms; ++n) {
     const int column = wrapped(n, columns);
     if (column >= half) continue;
+    require_time();
     const double kx = n * step_x;
     const double scale = average_over_cell(kx, cell_x) / area;
     const SymbolsAcross across = symbols(kx);
@@ -58,7 +63,7 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
 
   InfluenceTable table(reach_x, reach_y);
   const std::array<std::vector<double>*, 6> targets{&table.ww, &table.uu, &table.vv, &table.uv, &table.uw, &table.vw};
-  FftBuffer<double> field(static_cast<std::size_t>(rows * columns));
+  FftBuffer<double> field(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
   const FftPlan plan(columns, rows);
   for (int component = 0; component < components; ++component) {
     const std::size_t c =

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/influence/passage_quadrature.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/numerics/wavenumber_rule.hpp"
 
 namespace rollres {
@@ -21,7 +22,9 @@ std::vector<double> bessel_functions(double z, int count) {
     if (count > 1) values[1] = z / 2;
     return values;
   }
-  const int beyond = 2 * ((std::max(count, static_cast<int>(z)) + 20 + static_cast<int>(3 * std::cbrt(z) * 2)) / 2);
+  const int beyond = 2 * ((std::max(count, checked_count(std::floor(z), "Bessel functions")) + 20 +
+                           static_cast<int>(3 * std::cbrt(z) * 2)) /
+                          2);
   double above = 0, here = 1e-300, sum = 0;
   for (int n = beyond; n >= 0; --n) {  // `here` is J_n but for a factor
     if (n < count) values[static_cast<std::size_t>(n)] = here;
@@ -54,6 +57,7 @@ class HankelTransform {
 
   /// r K's symbols' harmonics, for each term [1/length].
   std::vector<Harmonics> operator()(double r) const {
+    require_time();
     Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(6 * harmonics_, terms_);
     Eigen::ArrayXd waves(6 * harmonics_);
     for (std::size_t q = 0; q < rule_.nodes.size(); ++q) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -55,7 +57,7 @@ CreepSpectrum creep_spectrum(const FractionalZener& solid) {
   // Up to where either what is left out is small, or its times are beyond all frequencies.
   constexpr double decades = 12 * 2.302585, margin = 9;
   const double reach = std::min(18.4 / order, decades + margin);
-  const int count = static_cast<int>(std::ceil(stretching.u(reach) / step));
+  const int count = checked_count(std::ceil(stretching.u(reach) / step), "retardation times");
   double sum = 0;
   for (int i = -count; i <= count; ++i) {
     const double s = stretching.s(i * step), weight = step * density(s) / stretching.slope(s);

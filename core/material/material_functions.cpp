@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 double creep_compliance(const CreepSpectrum& creep, double time) {
@@ -30,7 +32,7 @@ double slow_loss_time(const CreepSpectrum& creep) {
 std::vector<double> angular_frequencies(const CreepSpectrum& creep, int per_decade) {
   const double longest = creep.terms.empty() ? 1 : creep.terms.back().time;
   const double shortest = creep.terms.empty() ? 1 : creep.terms.front().time;
-  const int count = static_cast<int>(std::ceil((std::log10(longest / shortest) + 2) * per_decade));
+  const int count = checked_count(std::ceil((std::log10(longest / shortest) + 2) * per_decade), "frequencies");
   std::vector<double> all;
   for (int i = 0; i <= count; ++i) all.push_back(0.1 / longest * std::pow(100 * longest / shortest, 1.0 * i / count));
   return all;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -92,16 +93,19 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
         trailing = std::min(trailing, grid.x(column));
         if (level.problem->sphere) half_width = std::max(half_width, grid.y(row));
       }
+  if (leading < trailing) return like;  // no contact: around nothing
   const double widest = widest_window(level.problem->scene);
   SurfaceGrid next = like;
   // Columns beyond the origin, and rows, that reach as far as a distance from under the axis.
   const auto cells = [&](double distance, double origin, double spacing) {
-    return static_cast<int>(std::ceil((std::clamp(distance, -widest, widest) - origin) / spacing - 1e-9));
+    return checked_count(std::ceil((std::clamp(distance, -widest, widest) - origin) / spacing - 1e-9),
+                         "cells of a window");
   };
   next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x);
   next.columns = cells(leading + margin, like.origin_x, like.spacing_x) - next.first_column + 1;
   next.first_row = 0;
   next.rows = level.problem->sphere ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
+  require_nodes(next.columns, next.rows, next.spacing_x);
   return next;
 }
 

@@ -13,7 +13,8 @@ constexpr double coarsest_cells_on_half_width = 4;
 
 int coarsenings(double cells_on_half_width) {
   int count = 0;
-  while (std::ldexp(cells_on_half_width, -count - 1) >= coarsest_cells_on_half_width) ++count;
+  constexpr int most = 40;  // an overflowing estimate of the contact tells nothing
+  while (count < most && std::ldexp(cells_on_half_width, -count - 1) >= coarsest_cells_on_half_width) ++count;
   return count;
 }
 
@@ -50,6 +51,7 @@ PressureEllipse pressure_ellipse(const ContactLevel& level) {
 
 GridSeries fixed_grids(const RollingScene& scene, double spacing) {
   const double half_width = expected_half_width(scene), widest = widest_window(scene);
+  window(scene.indenter, spacing, std::min(1.3 * half_width + 3 * spacing, widest));  // refused before all coarser ones
   GridSeries series;
   series.coarsest = coarsenings(half_width / spacing);
   series.first = [=, indenter = scene.indenter](int coarsening) {
@@ -80,6 +82,8 @@ GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width) {
     SurfaceGrid grid = level.problem->grid;
     const double from = std::max(grid.spacing_x, grid.spacing_y), cells = std::ldexp(cells_on_half_width, -coarsening);
     const PressureEllipse ellipse = pressure_ellipse(level);
+    // A contact of a single node or column has no width of its own.
+    if (!(ellipse.half_length > 0 && ellipse.half_width > 0)) return follow(level, grid, margin(from, from / 2));
     grid.origin_x = ellipse.centre;
     grid.spacing_x = ellipse.half_length / cells;
     grid.spacing_y = ellipse.half_width / cells;

@@ -7,6 +7,7 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/newton/newton_starts.hpp"
 #include "core/newton/sliding_limit.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -145,8 +146,15 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     }
     --coarsening;
     // A grid too coarse for its layer may have no solution: the next one then starts afresh.
-    ContactLevel next = solved ? solve_level(scene, grids.around(level, coarsening), &level, last_resort())
-                               : solve_level(scene, grids.first(coarsening), nullptr, last_resort());
+    ContactLevel next;
+    try {
+      next = solved ? solve_level(scene, grids.around(level, coarsening), &level, last_resort())
+                    : solve_level(scene, grids.first(coarsening), nullptr, last_resort());
+    } catch (const BeyondLimits& limit) {
+      if (nested.status != Status::converged) throw;
+      nested.reason = limit.what();
+      return nested;
+    }
     // A finer grid for a tolerance's sake that has no solution leaves the one that was found.
     if (nested.status == Status::converged && !next.outcome.converged) return nested;
     nested.status = Status::not_converged;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <deque>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -57,6 +59,7 @@ NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable
 
   for (; outcome.iterations < options.most_iterations; ++outcome.iterations) {
     if (!first && maps.largest <= options.tolerance) break;
+    require_time();
     // On the first step the contact of the start is held: its gaps may mean nothing yet.
     const ContactMask chosen = first ? contact : choose_contact(problem, influence, x, maps, contact);
     ContactUnknowns base = x;

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "core/convolution/iterative_influence.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/krylov.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -166,6 +168,8 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
   const double area = grid.cell_area();
   const double per_normal = 1 / influence_.self_normal();
   const double per_slip = 1 / (influence_.self_slip() * grid.spacing_x);
+  require_memory(16.0 * static_cast<double>(size) * static_cast<double>(size),
+                 message_text("a factorisation for ", n, " nodes"));
   Eigen::MatrixXd matrix(size, size);
   ScaledResponse<double> response{Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -111,6 +113,7 @@ std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, con
   ContactUnknowns along = measure;
   const double to_force = turning_.grid.cell_area() / largest(here_.unknowns);
   for (int pass = 0; pass < 2; ++pass) {
+    require_time();
     freely_.drive.of_pressure = to_force * along.pressure;
     freely_.drive.of_shear_x = to_force * along.shear_x;
     LawResiduals right;

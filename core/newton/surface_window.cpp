@@ -5,6 +5,7 @@
 
 #include "core/convolution/influence_operator.hpp"
 #include "core/newton/contact_problem.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -31,12 +32,16 @@ SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, 
   const SurfaceGrid& given = fields.grid;
   const ContactFrame contact(fields);
   const double half_length = 0.5 * given.spacing_x * (contact.last_column - contact.first_column + 1);
-  const auto cells = [](double length, double spacing) { return static_cast<int>(std::ceil(length / spacing)); };
+  const auto cells = [](double length, double spacing) {
+    return checked_count(std::ceil(length / spacing), "cells of a window");
+  };
   int ahead = cells(margin * half_length, given.spacing_x), aside = cells(margin * half_length, given.spacing_y);
   const int contact_columns = contact.last_column - contact.first_column + 1;
   const int top_row = given.first_row + contact.last_row;
   if (scene.period) {  // the coefficients reach half a period
-    const auto most = [&](double spacing) { return (static_cast<int>(std::lround(*scene.period / spacing)) - 1) / 2; };
+    const auto most = [&](double spacing) {
+      return (checked_count(*scene.period / spacing, "cells of a period") - 1) / 2;
+    };
     ahead = std::clamp((most(given.spacing_x) - contact_columns) / 2, 0, ahead);
     aside = std::clamp((most(given.spacing_y) - 1) / 2 - top_row, 0, aside);
   }

@@ -2,8 +2,8 @@
 
 /// Root of a continuous function of one variable between two points.
 
-#include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 namespace rollres {
 
@@ -11,12 +11,14 @@ namespace rollres {
 /// and function(high) must not have the same sign. False position after Illinois (Dowell and Jarratt 1971, BIT 11,
 /// 168), with a bisection whenever three steps have not halved the bracket: convergence is fast for a smooth function
 /// and certain for any.
+/// @throws std::domain_error if they have, or are no numbers
 template <class Function>
 double bracketed_root(Function function, double low, double high, double tolerance = 2e-16) {
   double f_low = function(low), f_high = function(high);
   if (f_low == 0) return low;
   if (f_high == 0) return high;
-  assert(std::signbit(f_low) != std::signbit(f_high));
+  if (std::isnan(f_low) || std::isnan(f_high) || std::signbit(f_low) == std::signbit(f_high))
+    throw std::domain_error("no root found between two points: the numbers given are too far apart");
   double best = low, last_width = std::abs(high - low);
   int kept = 0;  // side whose end the last step kept: -1 low, 1 high
   for (int step = 1; step <= 400; ++step) {

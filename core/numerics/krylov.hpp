@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 template <class Real>
@@ -38,6 +40,7 @@ KrylovResult<Real> gmres(const Apply& apply, const Precondition& precondition,
     g(0) = norm;
     int k = 0;
     for (; k < restart && result.iterations < most_iterations; ++k) {
+      require_time();
       ++result.iterations;
       VectorR next = apply(precondition(basis.col(k)));
       // Classical Gram-Schmidt, twice.

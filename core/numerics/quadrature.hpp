@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 /// Nodes and weights on [-1, 1] or, after `on`, on an interval.
@@ -72,7 +74,7 @@ class ChebyshevTable {
     for (std::size_t i = 0; i + 1 < borders_.size(); ++i)
       narrowest = std::min(narrowest, borders_[i + 1] - borders_[i]);
     per_bin_ = 1 / narrowest;
-    const auto bins = static_cast<int>(std::ceil((borders_.back() - borders_.front()) * per_bin_));
+    const auto bins = checked_count(std::ceil((borders_.back() - borders_.front()) * per_bin_), "panels of a table");
     for (int bin = 0, panel = 0; bin <= bins; ++bin) {
       const double start = borders_.front() + bin / per_bin_;
       while (panel + 2 < static_cast<int>(borders_.size()) && borders_[static_cast<std::size_t>(panel) + 1] <= start)
@@ -91,8 +93,8 @@ class ChebyshevTable {
     std::array<double, Points> t;
     std::array<const Values*, Points> c;
     for (std::size_t i = 0; i < Points; ++i) {
-      auto panel =
-          static_cast<std::size_t>(first_panel_[static_cast<std::size_t>((x[i] - borders_.front()) * per_bin_)]);
+      const double bin = std::min((x[i] - borders_.front()) * per_bin_, static_cast<double>(first_panel_.size() - 1));
+      auto panel = static_cast<std::size_t>(first_panel_[bin > 0 ? static_cast<std::size_t>(bin) : 0]);
       while (panel + 2 < borders_.size() && x[i] > borders_[panel + 1]) ++panel;
       t[i] = 2 * (x[i] - borders_[panel]) / (borders_[panel + 1] - borders_[panel]) - 1;
       c[i] = &coefficients_[panel * static_cast<std::size_t>(degree_ + 1)];

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/solution_limits.hpp"
+
 #include "core/paper_method/stick_slip.hpp"
 
 namespace rollres {
@@ -51,6 +53,7 @@ StickSlip LineStickSlip::solve(const std::vector<int>& contact, const Eigen::Vec
   const int iteration_limit = 100 + 20 * static_cast<int>(contact.size());
   std::vector<int> stick, slip_nodes, opposed;
   while (true) {
+    require_time();
     auto sort_nodes = [&] {
       stick.clear();
       slip_nodes.clear();

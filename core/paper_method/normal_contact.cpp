@@ -7,6 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 double profile(const RollingScene& scene, double x, double y) {
@@ -97,6 +99,7 @@ NormalContact NormalContactSolver::solve(const Eigen::VectorXd& shear_x, const E
   std::set<std::vector<int>> seen;
   bool one_by_one = false;
   for (const int limit = 200 + 2 * size; state.iterations < limit;) {
+    require_time();
     std::vector<int> unknowns = state.contact;
     const auto n = static_cast<Eigen::Index>(unknowns.size());
     if (load_given_) unknowns.push_back(size);

@@ -3,6 +3,8 @@
 #include <limits>
 #include <sstream>
 
+#include "core/numerics/solution_limits.hpp"
+
 #include "core/paper_method/stick_slip.hpp"
 
 namespace rollres {
@@ -29,6 +31,7 @@ StickSlip SurfaceStickSlip::solve(const std::vector<int>& contact, const Eigen::
   int since_least = 0;
   const int iteration_limit = rule_ == SlipRule::printed ? 50 : 1000;
   while (true) {
+    require_time();
     std::vector<int> stick, slip_nodes;
     for (const int node : contact) (slips_[node] ? slip_nodes : stick).push_back(node);
     for (const int node : slip_nodes) {

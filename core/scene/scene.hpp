@@ -92,6 +92,8 @@ struct RollingScene : MaterialInputs {
   std::optional<double> spacing;         // a [m]; this or
   std::optional<double> tolerance;       // [1]; neither: 1e-8 (spectral) or the program's own grid
   Method method = Method::automatic;
+  std::optional<double> time_limit;                 // [s]; a longer solution ends with a reason
+  std::optional<double> memory_limit;               // [byte]; absent: a quarter of the machine's
   std::optional<double> period;                     // L [m]; absent: a single passage
   int series_terms = 2000;                          // [1], with period: wavenumbers kept in each direction
   SlipStencil slip_stencil = SlipStencil::forward;  // active_set
@@ -138,6 +140,11 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.tolerance);
   visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"},
           scene.method);
+  visitor(Q{"time_limit", "", "s", "a solution that needs longer ends with its best answer or a reason", positive},
+          scene.time_limit);
+  visitor(Q{"memory_limit", "", "byte",
+            "a solution that needs more memory ends with a reason; absent: a quarter of the machine's", positive},
+          scene.memory_limit);
   visitor(Q{"period", "L", "m", "distance of a periodic train of bodies; absent: a single passage", positive},
           scene.period);
   visitor(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include "core/newton/evidence.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/nested_newton.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/paper_method/active_set.hpp"
 #include "core/solve/model_choice.hpp"
 #include "core/spectral/spectral_contact.hpp"
@@ -33,7 +35,8 @@ double tied_cells(const RollingScene& scene) {
   if (!scene.tolerance) return by_default;
   constexpr double tolerance_by_default = 2.2e-3, order = 1.7;  // as estimated for random scenes
   constexpr double fewest = 8.37;                               // with a grid of half as many, to tell the error
-  return std::max(fewest, by_default * std::pow(tolerance_by_default / *scene.tolerance, 1 / order));
+  const double most = std::sqrt(most_nodes_3d / M_PI);
+  return std::clamp(by_default * std::pow(tolerance_by_default / *scene.tolerance, 1 / order), fewest, most);
 }
 
 GridSeries grids_of(const RollingScene& scene) {
@@ -77,11 +80,12 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
       std::ostringstream text;
       text << "the tolerance " << *scene.tolerance << " was not reached with " << solution.contact_nodes
            << " nodes: estimated error " << solution.error_estimate;
+      if (!nested.reason.empty()) text << "; " << nested.reason;
       solution.warnings.push_back(text.str());
     }
   }
   solution.status = nested.status;
-  solution.reason = nested.reason;
+  if (nested.status != Status::converged) solution.reason = nested.reason;
   if (nested.status == Status::not_converged && scene.period && nested.finest.problem) {
     // Without waves as short as two cells the nodes do not tell neighbours apart.
     const double shortest = *scene.period / scene.series_terms, spacing = nested.finest.problem->grid.spacing_x;
@@ -196,10 +200,31 @@ RollingSolution solve_by_method(const RollingScene& scene) {
   return solution;
 }
 
-}  // namespace
+/// Why an answer that its method calls converged is none; empty if it is one.
+std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
+  if (!(solution.law_violation <= trusted_violation))
+    return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);
+  const double length = solution.leading_edge - solution.trailing_edge;
+  if (on_grid(solution.method) && !(length >= 1.5 * solution.spacing))
+    return message_text("the contact has only ", solution.contact_nodes, " nodes: take a spacing below ",
+                        std::min(solution.spacing, length + solution.spacing) / 8, " m");
+  // What an elastic layer resists with is rounding and the grid's, of the lever of the load.
+  const double lever =
+      solution.load * std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
+  constexpr double negligible = 1e-3;
+  const double resistance = solution.rolling_resistance;
+  if (std::abs(resistance) < negligible * lever) return {};
+  if (resistance < 0 && solution.error_estimate < 1)
+    return message_text("the body would gain power: rolling resistance ", resistance, " with an estimated error of ",
+                        solution.error_estimate);
+  if (solution.energy_residual > std::max(0.01, solution.error_estimate))
+    return message_text("the power balance misses ", solution.energy_residual, " of it, more than the estimated error ",
+                        solution.error_estimate);
+  return {};
+}
 
-RollingSolution solve(const RollingScene& given) {
-  const auto begin = std::chrono::steady_clock::now();
+/// Adds to a method's answer what does not depend on the method.
+RollingSolution solve_freely(const RollingScene& given) {
   require_valid(given);
   const ModelChoice choice = choose_model(given);
   RollingScene model = choice.scene;
@@ -215,6 +240,12 @@ RollingSolution solve(const RollingScene& given) {
     solution.status = Status::no_steady_state;
     solution.method = resolved_method(model);
     solution.reason = refused;
+  }
+  if (const std::string why = solution.status == Status::converged ? doubt(model, solution) : ""; !why.empty()) {
+    const Method method = solution.method;
+    solution = {};
+    solution.method = method;
+    solution.reason = why;
   }
   if (solution.status == Status::converged) {
     const std::string note = std::move(solution.model);
@@ -232,6 +263,29 @@ RollingSolution solve(const RollingScene& given) {
                          choice.scene.speed / (2 * std::numbers::pi * half_width), " Hz"));
     }
     for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
+  }
+  return solution;
+}
+
+}  // namespace
+
+RollingSolution solve(const RollingScene& scene) {
+  const auto begin = std::chrono::steady_clock::now();
+  const SolutionLimits limits(scene.memory_limit.value_or(usual_memory_limit()),
+                              scene.time_limit.value_or(std::numeric_limits<double>::infinity()));
+  RollingSolution solution;
+  const auto refused = [&](const std::string& reason) {
+    solution.method = resolved_method(scene);
+    solution.reason = reason;
+  };
+  try {
+    solution = solve_freely(scene);
+  } catch (const BeyondLimits& limit) {
+    refused(limit.what());
+  } catch (const std::domain_error& error) {
+    refused(error.what());
+  } catch (const std::bad_alloc&) {
+    refused("this scene needs more memory than there is; give a larger spacing or tolerance");
   }
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/spectral/spectral_evidence.hpp"
 #include "core/spectral/spectral_field.hpp"
 #include "core/spectral/spectral_limit.hpp"
@@ -140,6 +141,7 @@ class SpectralContact {
     int stays = 0;
     bool done = false, glanced = !costly;
     while (coefficients <= most_coefficients) {
+      require_time();
       const auto order = static_cast<int>(coefficients);
       const double work = work_of(pattern, order);
       if (work_ + 3 * work > most_work) return false;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/numerics/dense_algebra.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -107,6 +108,7 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
   double residual = largest(state);
   bool fresh = false;
   for (int step = 0; step < most_steps && evaluations_ < last_evaluation && residual > tolerance; ++step) {
+    require_time();
     if (!std::isfinite(residual) || vanished(place)) return {};
     if (inverse_.size() == 0) {
       if (!differentiate(place, state, orders)) return {};

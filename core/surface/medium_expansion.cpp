@@ -6,6 +6,7 @@
 #include "core/material/relaxation.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/dense_algebra.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -77,7 +78,7 @@ std::vector<double> retardation_times(const TimeRange& range, double per_decade)
   times.push_back(fixed.front());
   for (std::size_t i = 1; i < fixed.size(); ++i) {
     const double ratio = fixed[i] / fixed[i - 1];
-    const int parts = std::max(1, static_cast<int>(std::ceil(std::log10(ratio) * per_decade)));
+    const int parts = std::max(1, checked_count(std::ceil(std::log10(ratio) * per_decade), "retardation times"));
     for (int part = 1; part <= parts; ++part) times.push_back(fixed[i - 1] * std::pow(ratio, double(part) / parts));
   }
   return times;
@@ -98,7 +99,8 @@ MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed,
   if (const double finite = finite_thickness(medium); finite > 0) {
     highest_ = decayed / (medium.front().thickness * slowest_decay(medium.front(), wave_speed));
     lowest_ = 1e-3 / finite;
-    const int panels = static_cast<int>(std::ceil(std::log(highest_ / lowest_) / std::log(panel_ratio)));
+    const int panels =
+        checked_count(std::ceil(std::log(highest_ / lowest_) / std::log(panel_ratio)), "panels of wavenumbers");
     for (int i = 0; i <= panels; ++i) borders_.push_back(std::log(lowest_) + std::log(highest_ / lowest_) * i / panels);
   }
   const TimeRange range = time_range(medium, wave_speed);

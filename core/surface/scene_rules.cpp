@@ -1,6 +1,8 @@
 #include "core/surface/scene_rules.hpp"
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <type_traits>
 
@@ -44,18 +46,42 @@ struct BrokenRules {
   }
 };
 
+/// Sizes beyond which no contact of bodies is described, by the unit of a quantity other than 0.
+std::optional<Range> plausible(std::string_view unit) {
+  struct Size {
+    std::string_view unit;
+    Range range;
+  };
+  constexpr std::array<Size, 8> sizes{{{"m", {.lowest = 1e-11, .highest = 1e7}},
+                                       {"m/s", {.lowest = 1e-20, .highest = 1e9}},
+                                       {"Pa", {.lowest = 1e-12, .highest = 1e18}},
+                                       {"s", {.lowest = 1e-40, .highest = 1e40}},
+                                       {"K", {.lowest = 1e-9, .highest = 1e9}},
+                                       {"kg/m3", {.lowest = 1e-12, .highest = 1e9}},
+                                       {"N", {.lowest = 1e-25, .highest = 1e20}},
+                                       {"1", {.lowest = 0, .highest = 1e15}}}};
+  for (const Size& size : sizes)
+    if (size.unit == unit) return size.range;
+  return std::nullopt;
+}
+
 /// @param owner  what stands before the keys of a further layer: "coating_layers[0]."
 template <class Value>
 void check_range(const std::string& owner, const Quantity& quantity, const Value& value, BrokenRules& broken) {
   const auto key = [&] { return owner + std::string(quantity.key); };
+  const auto check_number = [&](const auto& number, const std::string& place) {
+    if (!quantity.range.contains(number)) return broken.add(key() + place, number, quantity.range.rule());
+    const double size = std::abs(static_cast<double>(number));
+    const std::optional<Range> sizes = plausible(quantity.unit);
+    if (sizes && size != 0 && std::isfinite(size) && !sizes->contains(size))
+      broken.add(key() + place, number, "size " + sizes->rule() + " " + std::string(quantity.unit));
+  };
   if constexpr (std::is_arithmetic_v<Value>) {
-    if (!quantity.range.contains(value)) broken.add(key(), value, quantity.range.rule());
+    check_number(value, "");
   } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
-    if (value && !quantity.range.contains(*value)) broken.add(key(), *value, quantity.range.rule());
+    if (value) check_number(*value, "");
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    for (std::size_t i = 0; i < value.size(); ++i)
-      if (!quantity.range.contains(value[i]))
-        broken.add(key() + "[" + std::to_string(i) + "]", value[i], quantity.range.rule());
+    for (std::size_t i = 0; i < value.size(); ++i) check_number(value[i], "[" + std::to_string(i) + "]");
   }
 }
 

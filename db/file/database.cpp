@@ -1,6 +1,7 @@
 #include "db/file/database.hpp"
 
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <sys/vfs.h>
 
 #include <algorithm>
@@ -84,6 +85,7 @@ Found inspect(SQLite::Database& connection, const std::string& name, int newest)
   if (application == 0 && version == 0 && empty) return Found::nothing;
   if (application != Database::application_id)
     throw std::runtime_error(name + ": an SQLite database, but not one of rollres");
+  if (version < 0) throw std::runtime_error(name + ": damaged: schema " + std::to_string(version));
   if (version > newest)
     throw std::runtime_error(name + ": written by a newer version of rollres (schema " + std::to_string(version) +
                              ", this one knows " + std::to_string(newest) + ")");
@@ -123,8 +125,12 @@ Database::Database(const std::filesystem::path& file, Access access, const Schem
   const int newest = static_cast<int>(schema.migrations.size());
   const std::filesystem::path place = std::filesystem::absolute(file);  // never a special name such as ":memory:"
   std::error_code none;
+  // SQLite would wait for the other end of a pipe.
+  if (std::filesystem::exists(place, none) && !std::filesystem::is_regular_file(place, none))
+    throw std::runtime_error(name_ + ": not a regular file");
   if (std::filesystem::is_regular_file(place, none) && std::filesystem::file_size(place, none) == 1)
     throw std::runtime_error(name_ + ": file is not a database");  // SQLite takes a single byte for an empty file
+  place_ = place;
   naming(name_, [&] {
     if (access == Access::read) {
       if (!std::filesystem::exists(place)) throw std::runtime_error(name_ + ": no such file");
@@ -146,6 +152,17 @@ Database::Database(const std::filesystem::path& file, Access access, const Schem
       migrate(*connection_, name_, schema.migrations);
     if (schema.complete) schema.complete(*connection_);
   });
+  struct stat opened {};
+  if (::stat(place_.c_str(), &opened) == 0) {
+    device_ = opened.st_dev;
+    inode_ = opened.st_ino;
+  }
+}
+
+void Database::require_present() const {
+  struct stat now {};
+  if (::stat(place_.c_str(), &now) != 0 || now.st_dev != device_ || now.st_ino != inode_)
+    throw std::runtime_error(name_ + ": was deleted or replaced while it was open; what it held is lost");
 }
 
 void Database::stop_when(const std::atomic<bool>& wish) {

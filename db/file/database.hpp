@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -51,11 +52,16 @@ class Database {
   const std::string& name() const { return name_; }
   SQLite::Database& connection() const { return *connection_; }
 
+  /// @throws std::runtime_error if the file was deleted or replaced since it was opened: SQLite would go on writing
+  void require_present() const;
+
   /// As soon as `wish`, which must outlive this, is true, what runs and what comes fails with "interrupted".
   void stop_when(const std::atomic<bool>& wish);
 
  private:
   std::string name_;
+  std::filesystem::path place_;
+  std::uint64_t device_ = 0, inode_ = 0;
   std::unique_ptr<SQLite::Database> connection_;
 };
 

@@ -179,6 +179,7 @@ ResultStore::~ResultStore() = default;
 const Database& ResultStore::database() const { return parts_->database; }
 
 std::size_t ResultStore::save(std::span<const Evaluation> evaluations, Existing existing) {
+  database().require_present();
   return naming(database().name(), [&] {
     SQLite::Database& connection = parts_->connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);

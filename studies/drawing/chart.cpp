@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -24,6 +26,15 @@ std::vector<bool> marked(const std::vector<ChartPoint>& points, std::size_t curv
     marks[i] = alone || (i + curve) % step == 0;
   }
   return marks;
+}
+
+/// Whether a file ends as SVG and PNG do.
+bool ends_as_a_picture(const std::filesystem::path& file) {
+  constexpr std::streamoff tail = 64;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  in.seekg(-std::min<std::streamoff>(tail, in.tellg()), std::ios::end);
+  const std::string end((std::istreambuf_iterator<char>(in)), {});
+  return end.find(file.extension() == ".png" ? "IEND" : "</svg>") != std::string::npos;
 }
 
 }  // namespace
@@ -101,9 +112,13 @@ void draw_pictures(const ChartFiles& files, const std::string& data, const std::
   std::error_code error;
   for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
   gnuplot::run(files.script, gnuplot);
-  for (const auto& picture : {files.svg, files.png})
+  for (const auto& picture : {files.svg, files.png}) {
     if (const auto size = std::filesystem::file_size(picture, error); error || size == 0)
       throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but drew nothing");
+    if (ends_as_a_picture(picture)) continue;
+    std::filesystem::remove(picture, error);
+    throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but the picture is cut off: disk full?");
+  }
 }
 
 ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {

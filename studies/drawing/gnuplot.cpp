@@ -55,14 +55,24 @@ std::string drain(int descriptor) {
 }  // namespace
 
 std::string quoted(std::string_view text) {
-  std::string constant = "'";
+  // gnuplot 5.4 loses its way in several single quotes after one another; between double quotes it would execute what
+  // stands in backquotes, unless they are written as numbers.
+  const bool apostrophe = text.find('\'') != std::string_view::npos;
+  const char quote = apostrophe ? '"' : '\'';
+  std::string constant(1, quote);
   for (const char letter : text) {
-    if (letter == '\'')
-      constant += "''";
+    if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f)
+      constant += ' ';
+    else if (apostrophe && letter == '`')
+      constant += "\\140";
+    else if (apostrophe && letter == '@')
+      constant += "\\100";
+    else if (apostrophe && (letter == '\\' || letter == '"'))
+      constant += {'\\', letter};
     else
-      constant += (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) ? ' ' : letter;
+      constant += letter;
   }
-  return constant + "'";
+  return constant + quote;
 }
 
 std::string plain(std::string_view text) {

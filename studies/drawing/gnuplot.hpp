@@ -8,7 +8,7 @@
 
 namespace rollres::gnuplot {
 
-/// A string constant of gnuplot that says exactly `text`: single quotes, inside which nothing is expanded or executed.
+/// A string constant of gnuplot that says exactly `text`; nothing in it is expanded or executed.
 /// Control characters become blanks.
 std::string quoted(std::string_view text);
 

@@ -85,7 +85,7 @@ GivenSet given_set(const Json& value, const std::filesystem::path& fit_file, con
   refuse_unknown_keys(value, data_set_keys, place);
   const std::string file = needed_text(value, "file", place, "must be the name of a CSV file");
   GivenSet given{.name = std::filesystem::path(file).stem().string(), .file = beside(file), .place = place};
-  if (value.contains("name")) given.name = needed_text(value, "name", place, "must be a name");
+  if (value.contains("name")) given.name = needed_name(value, "name", place, "must be a name");
   given.set = set_entries(value, place);
   if (const auto sigma = value.find("sigma"); sigma != value.end()) given.sigma = *sigma;
   return given;
@@ -300,7 +300,7 @@ FitFile read_fit(const std::filesystem::path& file) {
   const Json object = read_object(place);
   refuse_unknown_keys(object, fit_keys, place);
   FitFile fit;
-  fit.name = needed_text(object, "fit", place, "must be the name of the fit");
+  fit.name = needed_name(object, "fit", place, "must be the name of the fit");
   fit.source = place;
   fit.definition = object.dump(2);
   if (object.contains("output")) fit.output = needed_text(object, "output", place, "must be the key of an output");

@@ -89,7 +89,7 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   const Json object = read_object(place);
   refuse_unknown_keys(object, material_fit_keys, place);
   MaterialFile fit;
-  fit.name = needed_text(object, "fit", place, "must be the name of the fit");
+  fit.name = needed_name(object, "fit", place, "must be the name of the fit");
   fit.definition = object.dump(2);
   const std::string form = choice(object, "material", ChoiceNames<MaterialForm>::names, place);
   fit.options.form = static_cast<MaterialForm>(find_name(ChoiceNames<MaterialForm>::names, form));

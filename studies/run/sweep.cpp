@@ -12,7 +12,9 @@
 
 #include "core/numerics/parallel.hpp"
 #include "core/numerics/threads.hpp"
+#include "core/surface/scene_rules.hpp"
 #include "db/rows/point_states.hpp"
+#include "studies/run/ended_points.hpp"
 #include "studies/run/evaluate.hpp"
 #include "studies/run/result_writer.hpp"
 #include "studies/run/work_list.hpp"
@@ -82,6 +84,7 @@ void work(Run& run, WorkList& list, const StudyPlan& plan, const Part& part, con
     while (!run.broken && !run.asked_to_stop()) {
       const std::optional<std::size_t> next = list.next();
       if (!next) break;
+      const PointInWork in_work(part.keys[*next]);
       Evaluation answer{part.keys[*next], plan.scene(part.points[*next]), {}};
       answer.solution = evaluate_safely(evaluate, answer.scene, fields);
       if (answer.solution.status != Status::converged) ++run.failed;
@@ -94,6 +97,21 @@ void work(Run& run, WorkList& list, const StudyPlan& plan, const Part& part, con
   const std::lock_guard lock(run.mutex);
   ++run.ended;
   run.changed.notify_one();
+}
+
+/// Stores points at which an earlier start ended as failed, so that this one goes on to the others.
+void store_ended_points(ResultStore& store, const std::filesystem::path& database, const std::vector<std::string>& keys,
+                        const StudyPlan& plan) {
+  const std::vector<EndedPoint> ended = ended_points(database);
+  for (const EndedPoint& point : ended) {
+    const auto place = std::find(keys.begin(), keys.end(), point.key);
+    if (place == keys.end()) continue;
+    Evaluation answer{point.key, plan.scene(static_cast<std::size_t>(place - keys.begin())), {}};
+    answer.solution.method = resolved_method(answer.scene);
+    answer.solution.reason = "ended the program (signal " + std::to_string(point.signal) + ")";
+    store.save({&answer, 1});
+  }
+  if (!ended.empty()) forget_ended_points(database);
 }
 
 /// The points of one shard.
@@ -132,6 +150,8 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   ResultStore store(database), reader(database, Access::read);
   store.start_study(record, all_keys);
+  store_ended_points(store, database, all_keys, plan);
+  const FatalSignalNotes notes(database);
   const Part part = part_of(plan, std::move(all_keys), options.shard);
   const std::vector<std::string>& keys = part.keys;
   const auto old = wanted_again(reader, keys, options);
@@ -176,6 +196,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
     }
   }
   if (run.first_error) std::rethrow_exception(run.first_error);
+  store.database().require_present();  // what is counted below is in the file
 
   SweepReport report;
   report.study = store.study(study.name).value_or(StudySummary{});

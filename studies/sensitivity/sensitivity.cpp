@@ -15,7 +15,8 @@ namespace rollres {
 
 namespace {
 
-constexpr std::string_view numerical_inputs[] = {"spacing", "tolerance", "slip_threshold"};
+constexpr std::string_view numerical_inputs[] = {"spacing", "tolerance", "slip_threshold", "time_limit",
+                                                 "memory_limit"};
 
 /// An input with both ends as they were given.
 struct GivenRange {

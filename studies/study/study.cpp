@@ -5,8 +5,8 @@
 #include "studies/study/base_scene.hpp"
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
-#include "studies/study/study_scene.hpp"
 #include "studies/study/study_outputs.hpp"
+#include "studies/study/study_scene.hpp"
 
 namespace rollres {
 
@@ -49,7 +49,7 @@ Study read_study(const std::filesystem::path& file) {
   for (const std::string_view key : ignored_keys) refuse_what_is_no_text(object, std::string(key), place);
 
   Study study;
-  study.name = needed_text(object, "study", place, "must be the name of the study");
+  study.name = needed_name(object, "study", place, "must be the name of the study");
   study.source = place;
   const std::vector<GivenAxis> given = given_axes(object, place);
   const std::vector<SceneEntry> set = set_entries(object, place);

@@ -38,7 +38,7 @@ StudyChart study_chart(const Json& object, const std::vector<std::string_view>& 
   StudyChart chart;
   if (object.contains("name")) {
     const std::string rule = "must be a text, but not \"all\" and no number";
-    chart.name = needed_text(object, "name", place, rule);
+    chart.name = needed_name(object, "name", place, rule);
     if (chart.name == "all" || plain_number(chart.name)) refuse(place, "name", chart.name, rule);
   }
   if (object.contains("map")) {

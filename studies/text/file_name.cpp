@@ -13,6 +13,7 @@ std::string file_name(std::string name) {
                std::string_view("/\\:*?\"<>|").find(static_cast<char>(letter)) != std::string_view::npos;
       },
       '_');
+  if (name == "." || name == "..") name = "_";
   constexpr std::size_t longest = 120;  // file systems take 255 bytes, suffix included
   if (name.size() > longest) name.resize(longest);
   return name;

@@ -71,11 +71,20 @@ char separator_of(const std::string& names) {
 std::string text_of(const std::string& file) {
   errno = 0;
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
+  constexpr std::size_t largest = 100'000'000;  // of measured values; /dev/zero has no end
+  constexpr std::size_t part = 1 << 16;
+  std::string text;
+  while (in && text.size() <= largest) {
+    const std::size_t before = text.size();
+    text.resize(before + part);
+    in.read(text.data() + before, static_cast<std::streamsize>(part));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
+  if (text.empty() || in.bad())
     throw std::runtime_error(file + ": cannot be read" +
                              (errno ? ": " + std::generic_category().message(errno) : std::string(" or is empty")));
-  return text.str();
+  if (text.size() > largest) throw std::runtime_error(file + ": cannot be read: it is larger than 100 MB");
+  return text;
 }
 
 }  // namespace

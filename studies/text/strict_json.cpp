@@ -1,5 +1,6 @@
 #include "studies/text/strict_json.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <functional>
@@ -18,7 +19,7 @@ class KeyWatch {
  public:
   explicit KeyWatch(std::string place) : place_(std::move(place)) {}
 
-  bool operator()(int, Json::parse_event_t event, Json& parsed) {
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
     using Event = Json::parse_event_t;
     if (twice_ && event != Event::key) {
       const std::string value = event == Event::object_start  ? "{...}"
@@ -26,9 +27,14 @@ class KeyWatch {
                                                               : shown(parsed);
       throw std::invalid_argument(place_ + ": " + last_key_ + " = " + value + ": key given twice");
     }
+    constexpr int deepest = 100;  // the parser and what reads its values call themselves for each level
+    if ((event == Event::object_start || event == Event::array_start) && depth > deepest)
+      throw std::invalid_argument(place_ + ": nested more than " + std::to_string(deepest) + " levels deep");
     if (event == Event::object_start) seen_.emplace_back();
     if (event == Event::object_end) seen_.pop_back();
     if (event == Event::key) {
+      constexpr std::size_t most_keys = 10'000;  // they are kept in their order, and found one by one
+      if (seen_.back().size() >= most_keys) throw std::invalid_argument(place_ + ": an object has too many keys");
       last_key_ = parsed.get<std::string>();
       twice_ = !seen_.back().insert(last_key_).second;
     }
@@ -118,6 +124,15 @@ std::string needed_text(const Json& object, const std::string& key, const std::s
   const Json& value = needed(object, key, place, rule);
   if (!value.is_string() || value.get_ref<const std::string&>().empty()) refuse(place, key, value, rule);
   return value.get<std::string>();
+}
+
+std::string needed_name(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
+  std::string name = needed_text(object, key, place, rule);
+  const bool printable =
+      std::none_of(name.begin(), name.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; });
+  if (!printable) refuse(place, key, object.at(key), "must have no control characters");
+  if (name == "." || name == "..") refuse(place, key, object.at(key), "must not be . or ..");
+  return name;
 }
 
 int whole_number(const Json& value, std::string_view key, int lowest, int highest, const std::string& place) {

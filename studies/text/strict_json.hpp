@@ -40,6 +40,8 @@ const Json& needed(const Json& object, const std::string& key, const std::string
 
 /// The same for a text that must not be empty.
 std::string needed_text(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
+/// The same of a name that files, pictures and scripts bear: without control characters, not "." nor "..".
+std::string needed_name(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
 
 /// A whole number from `lowest` to `highest`, both included. @throws std::invalid_argument naming place, key and value
 int whole_number(const Json& value, std::string_view key, int lowest, int highest, const std::string& place);

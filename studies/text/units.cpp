@@ -94,7 +94,8 @@ std::optional<double> plain_number(std::string_view text) {
 }
 
 std::string unit_in_words(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> measures{{{"m", "length"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> measures{{{"m", "length"},
+                                                                                    {"byte", "memory"},
                                                                                     {"m2", "area"},
                                                                                     {"m/s", "speed"},
                                                                                     {"s", "time"},

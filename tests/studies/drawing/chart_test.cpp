@@ -162,7 +162,7 @@ TEST_CASE("names of studies and files are never read as commands of gnuplot or t
 }
 
 TEST_CASE("text in gnuplot's quotes and markup says itself", "[studies][gnuplot]") {
-  CHECK(gnuplot::quoted("it's\n") == "'it''s '");
+  CHECK(gnuplot::quoted("it's\n") == "\"it's \"");
   CHECK(gnuplot::plain("a_b^{c}@d&e~f\\g") == "a\\_b\\^\\{c\\}\\@d\\&e\\~f\\\\g");
   CHECK(gnuplot::symbol("R_r") == "{/:Italic R}_{r}");
   CHECK(gnuplot::symbol("G0") == "{/:Italic G}_{0}");

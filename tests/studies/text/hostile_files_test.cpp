@@ -1,0 +1,121 @@
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
+#include "studies/drawing/chart.hpp"
+#include "studies/drawing/gnuplot.hpp"
+#include "studies/study/study.hpp"
+#include "studies/text/measured_table.hpp"
+#include "studies/text/scratch_folder.hpp"
+#include "studies/text/strict_json.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+using namespace rollres;
+using Catch::Contains;
+
+TEST_CASE("JSON nested 100,000 levels deep is refused", "[studies][hostile]") {
+  const std::string text = "{\"a\":" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
+  CHECK_THROWS_WITH(parse_object(text, "deep.json"), Contains("deep.json: nested more than"));
+}
+
+TEST_CASE("an object of 20,000 keys is refused at once", "[studies][hostile]") {
+  std::string text = "{\"k\":0";
+  for (int i = 0; i < 20'000; ++i) text += ",\"k" + std::to_string(i) + "\":1";
+  CHECK_THROWS_WITH(parse_object(text + "}", "many.json"), Contains("too many keys"));
+}
+
+TEST_CASE("a table of measured values without an end is refused", "[studies][hostile]") {
+  CHECK_THROWS_WITH(read_measured_table("/dev/zero"), Contains("larger than 100 MB"));
+}
+
+TEST_CASE("names with control characters, and . and .., are refused", "[studies][hostile]") {
+  for (const char* name : {"a\\u0000b", "\\u001b[2J", "a\\nb", ".", ".."}) {
+    const Json object = parse_object(std::string("{\"study\":\"") + name + "\"}", "s");
+    CHECK_THROWS_AS(needed_name(object, "study", "s", "must be a name"), std::invalid_argument);
+  }
+  const Json object = parse_object(R"({"study":"it's ''good''"})", "s");
+  CHECK(needed_name(object, "study", "s", "must be a name") == "it's ''good''");
+}
+
+TEST_CASE("a folder for scratch files that is missing is named", "[studies][hostile]") {
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  ::setenv("TMPDIR", "/nowhere/at/all", 1);
+  std::string said;
+  try {
+    const ScratchFolder folder;
+  } catch (const std::runtime_error& error) {
+    said = error.what();
+  }
+  if (before)
+    ::setenv("TMPDIR", kept.c_str(), 1);
+  else
+    ::unsetenv("TMPDIR");
+  CHECK_THAT(said, Contains("TMPDIR = /nowhere/at/all"));
+}
+
+TEST_CASE("a database of a negative version, and a pipe, are refused", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "a.db";
+  { const ResultStore store(file); }
+  { SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = -1"); }
+  for (const Access access : {Access::read, Access::write})
+    CHECK_THROWS_WITH(open_database(file, access), Contains("damaged: schema -1"));
+  const auto pipe = folder.path / "pipe.db";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  for (const Access access : {Access::read, Access::write})
+    CHECK_THROWS_WITH(open_database(pipe, access), Contains("not a regular file"));
+}
+
+TEST_CASE("a database that was deleted takes no more results", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  const auto file = folder.path / "a.db";
+  ResultStore store(file);
+  const RollingScene scene = plain_scene(1.0);
+  const Evaluation one{evaluation_key(scene), scene, closed_form(scene)};
+  CHECK(store.save({&one, 1}) == 1);
+  std::filesystem::remove(file);
+  CHECK_THROWS_WITH(store.save({&one, 1}), Contains("a.db: was deleted or replaced"));
+  ResultStore again(file);  // another file of the same name
+  CHECK_THROWS_WITH(store.save({&one, 1}), Contains("a.db: was deleted or replaced"));
+}
+
+TEST_CASE("limits are no part of what an answer is found by, but for the time beside a tolerance",
+          "[studies][hostile]") {
+  RollingScene scene = plain_scene(1.0);
+  scene.tolerance.reset();
+  const std::string key = evaluation_key(scene);
+  scene.time_limit = 10;
+  scene.memory_limit = 1e9;
+  CHECK(evaluation_key(scene) == key);
+  scene.spacing.reset();
+  scene.tolerance = 1e-3;
+  const std::string limited = evaluation_key(scene);
+  scene.time_limit.reset();
+  CHECK(evaluation_key(scene) != limited);
+}
+
+TEST_CASE("a chart bears any name, and a picture that is cut off is an error", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  ChartRequest request;
+  request.x = {.name = "speed"};
+  request.y = {.name = "rolling_resistance"};
+  request.curves.push_back({.label = "a", .points = {{.x = 1, .y = 1}, {.x = 2, .y = 3}}});
+  for (const std::string name : {"'a", "b''c", "''''", "`touch hacked`'", "it's \"q\" \\ @x"}) {
+    request.title = name;
+    request.curves[0].label = name;
+    CHECK_NOTHROW(draw_chart(request, folder.path / ("n" + name)));
+  }
+  const auto cut = folder.write("gnuplot.sh", "#!/bin/sh\nprintf '<svg>' > c.svg; printf 'PNG' > c.png\n");
+  std::filesystem::permissions(cut, std::filesystem::perms::owner_all);
+  CHECK_THROWS_WITH(draw_chart(request, folder.path / "c", cut.string()), Contains("cut off"));
+  CHECK(!std::filesystem::exists(folder.path / "c.svg"));
+}
