@@ -1,7 +1,7 @@
 #include "core/convolution/influence_operator.hpp"
 
 #include "core/convolution/influence_terms.hpp"
-#include "core/convolution/iterative_influence.hpp"
+#include "core/convolution/krylov_operator.hpp"
 
 namespace rollres {
 

@@ -4,12 +4,12 @@
 /// transform on a padded grid.
 ///
 /// On a sphere's half grid p, tau_x, w and u are even in y, tau_y and v odd, so that one complex transform carries all
-/// three tractions and one all three displacements (surface_transform.hpp).
+/// three tractions and one all three displacements (padded_convolution.hpp).
 
 #include <Eigen/Core>
 #include <memory>
 
-#include "core/convolution/surface_transform.hpp"
+#include "core/convolution/padded_convolution.hpp"
 #include "core/influence/influence.hpp"
 #include "core/numerics/vector.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/newton/newton_starts.hpp"
-#include "core/newton/sliding_limit.hpp"
+#include "core/newton/friction_limit.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {

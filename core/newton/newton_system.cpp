@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/convolution/iterative_influence.hpp"
+#include "core/convolution/krylov_operator.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/krylov.hpp"

@@ -4,7 +4,7 @@
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/newton/evidence.hpp"
+#include "core/newton/grid_solution.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {

@@ -11,7 +11,7 @@
 #include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/newton/evidence.hpp"
+#include "core/newton/grid_solution.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/nested_newton.hpp"
 #include "core/numerics/solution_limits.hpp"

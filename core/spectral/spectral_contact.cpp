@@ -6,9 +6,9 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/spectral/spectral_evidence.hpp"
+#include "core/spectral/spectral_solution.hpp"
 #include "core/spectral/spectral_field.hpp"
-#include "core/spectral/spectral_limit.hpp"
+#include "core/spectral/spectral_friction_limit.hpp"
 #include "core/spectral/spectral_search.hpp"
 #include "core/spectral/spectral_start.hpp"
 #include "core/surface/contact_surface.hpp"

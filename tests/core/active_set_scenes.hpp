@@ -4,7 +4,7 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/newton/contact_problem.hpp"
-#include "core/newton/evidence.hpp"
+#include "core/newton/grid_solution.hpp"
 #include "core/paper_method/active_set.hpp"
 #include "tests/core/paper_scenes.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/convolution/iterative_influence.hpp"
+#include "core/convolution/krylov_operator.hpp"
 
 #include <algorithm>
 #include <cmath>

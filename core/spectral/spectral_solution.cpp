@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_evidence.hpp"
+#include "core/spectral/spectral_solution.hpp"
 
 #include <algorithm>
 #include <cmath>

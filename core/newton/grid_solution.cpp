@@ -1,4 +1,4 @@
-#include "core/newton/evidence.hpp"
+#include "core/newton/grid_solution.hpp"
 
 #include <algorithm>
 #include <cmath>

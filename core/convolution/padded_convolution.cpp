@@ -1,4 +1,4 @@
-#include "core/convolution/surface_transform.hpp"
+#include "core/convolution/padded_convolution.hpp"
 
 #include <algorithm>
 

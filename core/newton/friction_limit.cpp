@@ -1,4 +1,4 @@
-#include "core/newton/sliding_limit.hpp"
+#include "core/newton/friction_limit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_limit.hpp"
+#include "core/spectral/spectral_friction_limit.hpp"
 
 #include <cmath>
 
