@@ -15,7 +15,7 @@
 
 namespace rollres {
 
-struct SpectralEvidence {
+struct AssessedSpectral {
   /// All outputs but those that only the caller knows (status, reason, iterations, seconds, method, model, warnings,
   /// error_estimate). The fields stand on a uniform grid, 30 intervals per half-length.
   RollingSolution solution;
@@ -26,6 +26,6 @@ struct SpectralEvidence {
   int overload_direction = 0;
 };
 
-SpectralEvidence assess(const SpectralProblem& problem, const SpectralState& state);
+AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state);
 
 }  // namespace rollres

@@ -26,7 +26,7 @@ inline Solved solve_on(const RollingScene& scene, double half_width) {
   const bool sphere = scene.indenter == Indenter::sphere;
   const SurfaceGrid half = window(scene.indenter, *scene.spacing, half_width);
   Solved solved;
-  solved.grid = mirrored(half, sphere);
+  solved.grid = mirrored(half);
   solved.table = influence_table(scene, solved.grid);
   solved.state = solve_active_set(scene, solved.table, solved.grid);
   const ContactState& state = solved.state;
