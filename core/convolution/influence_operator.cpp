@@ -1,7 +1,7 @@
 #include "core/convolution/influence_operator.hpp"
 
 #include "core/convolution/influence_terms.hpp"
-#include "core/convolution/iterative_influence.hpp"
+#include "core/convolution/krylov_operator.hpp"
 
 namespace rollres {
 
@@ -18,8 +18,8 @@ Vector coefficients(const InfluenceTable& table, const std::vector<double>& comp
   return values;
 }
 
-InfluenceSpectra transform_coefficients(const InfluenceTable& table, const SurfaceGrid& half, bool sphere,
-                                        bool friction, SurfaceTransform<double>& transform) {
+InfluenceSpectra transform_coefficients(const InfluenceTable& table, const SurfaceGrid& half, bool lateral,
+                                        bool friction, PaddedConvolution<double>& transform) {
   InfluenceSpectra spectra;
   const std::size_t size = transform.size().quarter_size();
   const int reach_x = half.columns, reach_y = 2 * (half.rows - 1);
@@ -49,7 +49,7 @@ InfluenceSpectra transform_coefficients(const InfluenceTable& table, const Surfa
   };
   if (!friction) {
     pass(table.ww, spectra.ww, nullptr, nullptr, nullptr, nullptr);
-  } else if (!sphere) {
+  } else if (!lateral) {
     pass(table.ww, spectra.ww, nullptr, nullptr, &table.uu, &spectra.uu);
     pass(table.uw, spectra.uw, nullptr, nullptr, nullptr, nullptr);
   } else {
@@ -65,11 +65,11 @@ InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceT
                                      bool friction)
     : scene_(scene),
       grid_(half),
-      sphere_(scene.indenter == Indenter::sphere),
+      lateral_(dimensions(scene) == 3),
       friction_(friction),
       padded_(padded_size(half.columns, half.rows, 1)),
-      transform_(std::make_unique<SurfaceTransform<double>>(padded_)) {
-  spectra_ = transform_coefficients(table, half, sphere_, friction, *transform_);
+      transform_(std::make_unique<PaddedConvolution<double>>(padded_)) {
+  spectra_ = transform_coefficients(table, half, lateral_, friction, *transform_);
   if (!friction) {
     transform_.reset();
     even_transform_ = std::make_unique<EvenTransform<double>>(padded_);
@@ -82,14 +82,14 @@ InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceT
 InfluenceOperator::~InfluenceOperator() = default;
 
 template <>
-IterativeInfluence<float>& InfluenceOperator::iterative() const {
-  if (!single_) single_ = std::make_unique<IterativeInfluence<float>>(scene_, grid_, padded_, spectra_, friction_);
+KrylovOperator<float>& InfluenceOperator::krylov() const {
+  if (!single_) single_ = std::make_unique<KrylovOperator<float>>(scene_, grid_, padded_, spectra_, friction_);
   return *single_;
 }
 
 template <>
-IterativeInfluence<double>& InfluenceOperator::iterative() const {
-  if (!double_) double_ = std::make_unique<IterativeInfluence<double>>(scene_, grid_, padded_, spectra_, friction_);
+KrylovOperator<double>& InfluenceOperator::krylov() const {
+  if (!double_) double_ = std::make_unique<KrylovOperator<double>>(scene_, grid_, padded_, spectra_, friction_);
   return *double_;
 }
 
@@ -104,8 +104,8 @@ Displacements InfluenceOperator::apply(const Vector& pressure, const Vector& she
   const InfluenceTerms<double> terms{spectra_.ww, spectra_.uw, spectra_.vw, spectra_.uw,
                                      spectra_.vw, spectra_.uu, spectra_.uv, spectra_.vv};
   transform_->convolve({&pressure, &shear_y, &shear_x, grid_.columns, grid_.rows},
-                       [&](const WavenumberBlock<double>& block) { terms.multiply(block, sphere_); },
-                       {&moved.w, sphere_ ? &moved.v : nullptr, &moved.u, columns, grid_.rows});
+                       [&](const WavenumberBlock<double>& block) { terms.multiply(block, lateral_); },
+                       {&moved.w, lateral_ ? &moved.v : nullptr, &moved.u, columns, grid_.rows});
   return moved;
 }
 

@@ -4,19 +4,20 @@
 /// transform on a padded grid.
 ///
 /// On a sphere's half grid p, tau_x, w and u are even in y, tau_y and v odd, so that one complex transform carries all
-/// three tractions and one all three displacements (surface_transform.hpp).
+/// three tractions and one all three displacements (padded_convolution.hpp).
 
 #include <Eigen/Core>
 #include <memory>
 
-#include "core/convolution/surface_transform.hpp"
+#include "core/convolution/padded_convolution.hpp"
 #include "core/influence/influence.hpp"
 #include "core/numerics/vector.hpp"
+#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 
 template <class Real>
-class IterativeInfluence;
+class KrylovOperator;
 
 /// Displacements at the grid's nodes and one column beyond, x running fastest: size (columns + 1) * rows [m].
 struct Displacements {
@@ -46,7 +47,7 @@ class InfluenceOperator {
 
   /// What an iterative solution of the linearised laws asks for, in either precision; made when first asked for.
   template <class Real>
-  IterativeInfluence<Real>& iterative() const;
+  KrylovOperator<Real>& krylov() const;
   /// Whether iterations in single precision have reached what they were asked for so far.
   bool single_precision_suffices() const { return single_precision_suffices_; }
   void demand_double_precision() const { single_precision_suffices_ = false; }
@@ -54,14 +55,14 @@ class InfluenceOperator {
  private:
   RollingScene scene_;
   SurfaceGrid grid_;
-  bool sphere_, friction_;
+  bool lateral_, friction_;
   PaddedSize padded_;
   InfluenceSpectra spectra_;
-  mutable std::unique_ptr<SurfaceTransform<double>> transform_;
+  mutable std::unique_ptr<PaddedConvolution<double>> transform_;
   mutable std::unique_ptr<EvenTransform<double>> even_transform_;
   mutable bool single_precision_suffices_ = true;
-  mutable std::unique_ptr<IterativeInfluence<float>> single_;
-  mutable std::unique_ptr<IterativeInfluence<double>> double_;
+  mutable std::unique_ptr<KrylovOperator<float>> single_;
+  mutable std::unique_ptr<KrylovOperator<double>> double_;
   double self_normal_ = 0, self_slip_ = 0;
 };
 

@@ -2,7 +2,7 @@
 
 /// The products of tractions and influence coefficients, wavenumber by wavenumber.
 
-#include "core/convolution/surface_transform.hpp"
+#include "core/convolution/padded_convolution.hpp"
 
 namespace rollres {
 

@@ -15,11 +15,11 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
   maps.gap.resize(size);
   if (problem.friction) {
     maps.slip_x.resize(size);
-    if (problem.sphere) maps.slip_y.resize(size);
+    if (problem.lateral) maps.slip_y.resize(size);
   }
   const double scale = std::max(x.pressure.cwiseAbs().maxCoeff(), 1e-300);
-  const double friction = problem.scene.friction_coefficient;
-  const double per_friction = 1 / std::min(1.0, std::max(friction, 1e-300));  // shear is measured by mu p
+  // Shear is measured by mu p.
+  const double per_friction = 1 / std::min(1.0, std::max(problem.law.coefficient, 1e-300));
   const auto count = [&](double residual) {
     const double relative = std::abs(residual) / scale;
     maps.largest = std::max(maps.largest, relative);
@@ -41,27 +41,23 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
         count(pressure - std::max(0.0, pressure - gap));
       }
       if (!problem.friction) continue;
-      maps.slip_x(i) =
-          1 + (maps.moved.u(at + 1) - maps.moved.u(at)) / grid.spacing_x - x.rotation_ratio * problem.rolling_radius(i);
-      if (problem.sphere) maps.slip_y(i) = (maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x;
-      const double bound = friction * std::abs(pressure);
-      if (bound == 0 && x.shear_x(i) == 0) continue;
+      maps.slip_x(i) = problem.slip_x(i, (maps.moved.u(at + 1) - maps.moved.u(at)) / grid.spacing_x, x.rotation_ratio);
+      if (problem.lateral) maps.slip_y(i) = (maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x;
+      if (pressure == 0 && x.shear_x(i) == 0) continue;
       const double qx = x.shear_x(i) + maps.slip_x(i) / influence.self_slip();
-      const double qy =
-          problem.sphere && grid.first_row + row > 0 ? x.shear_y(i) + maps.slip_y(i) / influence.self_slip() : 0;
-      const double length = std::hypot(qx, qy), factor = length > bound ? bound / length : 1;
-      count((x.shear_x(i) - factor * qx) * per_friction);
-      if (problem.sphere) count((x.shear_y(i) - factor * qy) * per_friction);
+      const bool sideways = problem.lateral && !problem.on_axis(i);
+      const double qy = sideways ? x.shear_y(i) + maps.slip_y(i) / influence.self_slip() : 0;
+      const FrictionProjection projection = problem.law.project(pressure, qx, qy);
+      count((x.shear_x(i) - projection.x()) * per_friction);
+      if (problem.lateral) count((x.shear_y(i) - projection.y()) * per_friction);
     }
-  const Vector none = Vector::Zero(size);
-  const Vector& shear = problem.friction ? x.shear_x : none;
   if (problem.load_given()) {
-    const double missing = *problem.scene.load - problem.load(x.pressure, shear);
+    const double missing = *problem.scene.load - problem.load(x.pressure, x.shear_x);
     count(missing / *problem.scene.load * scale);
   }
   if (problem.friction && !problem.rotation_given()) {
-    const double force = std::max(problem.load(x.pressure, shear), 1e-300);
-    count((problem.drive_target - problem.drive(x.pressure, shear)) / force * scale);
+    const double force = std::max(problem.load(x.pressure, x.shear_x), 1e-300);
+    count(problem.drive_surplus(x.pressure, x.shear_x) / force * scale);
   }
   return maps;
 }
@@ -98,26 +94,25 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
   double least_excess = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index node = laws.contact[static_cast<std::size_t>(i)];
-    const double qx = x.shear_x(node) + maps.slip_x(node) * per_slip;
-    const double qy = problem.sphere ? x.shear_y(node) + maps.slip_y(node) * per_slip : 0;
-    const double size = std::hypot(qx, qy);
-    const double bound = problem.scene.friction_coefficient * std::abs(x.pressure(node));
-    if (size <= bound) {
+    const FrictionProjection projection =
+        problem.law.project(x.pressure(node), x.shear_x(node) + maps.slip_x(node) * per_slip,
+                            problem.lateral ? x.shear_y(node) + maps.slip_y(node) * per_slip : 0);
+    if (!projection.slips()) {
       sticking = true;
       continue;
     }
-    if (size - bound < least_excess) {
-      least_excess = size - bound;
+    if (projection.excess() < least_excess) {
+      least_excess = projection.excess();
       closest = i;
     }
     laws.zone[static_cast<std::size_t>(i)] = Zone::slip;
-    laws.direction_x(i) = qx / size;
-    laws.direction_y(i) = qy / size;
-    laws.beta(i) = bound / size;
+    laws.direction_x(i) = projection.direction_x();
+    laws.direction_y(i) = projection.direction_y();
+    laws.beta(i) = projection.beta();
   }
-  // Without any sticking node of a cylinder the drive could not determine the rotation; a sphere's slip also has a
-  // direction, which the rotation turns.
-  if (!sticking && n > 0 && !problem.rotation_given() && !problem.sphere)
+  // Without any sticking node of a cylinder the drive could not determine the rotation; where slip has a component
+  // along y, the rotation turns its direction.
+  if (!sticking && n > 0 && !problem.rotation_given() && !problem.lateral)
     laws.zone[static_cast<std::size_t>(closest)] = Zone::stick;
   return laws;
 }
@@ -127,7 +122,6 @@ LawResiduals law_residuals(const ContactProblem& problem, const InfluenceOperato
   const auto n = static_cast<Eigen::Index>(laws.contact.size());
   LawResiduals right;
   right.normal.resize(n);
-  const double friction = problem.scene.friction_coefficient;
   if (problem.friction) right.shear_x = right.shear_y = Vector::Zero(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index node = laws.contact[static_cast<std::size_t>(i)];
@@ -135,20 +129,16 @@ LawResiduals law_residuals(const ContactProblem& problem, const InfluenceOperato
     if (!problem.friction) continue;
     if (laws.zone[static_cast<std::size_t>(i)] == Zone::stick) {
       right.shear_x(i) = maps.slip_x(node) / influence.self_slip();
-      if (problem.sphere) right.shear_y(i) = maps.slip_y(node) / influence.self_slip();
+      if (problem.lateral) right.shear_y(i) = maps.slip_y(node) / influence.self_slip();
     } else {
-      const double bound = friction * std::abs(x.pressure(node));
+      const double bound = problem.law.bound(x.pressure(node));
       right.shear_x(i) = bound * laws.direction_x(i) - x.shear_x(node);
-      if (problem.sphere) right.shear_y(i) = bound * laws.direction_y(i) - x.shear_y(node);
+      if (problem.lateral) right.shear_y(i) = bound * laws.direction_y(i) - x.shear_y(node);
     }
-    if (problem.sphere && problem.grid.first_row + node / problem.grid.columns == 0)
-      right.shear_y(i) = -x.shear_y(node);
+    if (problem.lateral && problem.on_axis(node)) right.shear_y(i) = -x.shear_y(node);
   }
-  const Vector none = Vector::Zero(x.pressure.size());
-  const Vector& shear = problem.friction ? x.shear_x : none;
-  if (problem.load_given()) right.load = *problem.scene.load - problem.load(x.pressure, shear);
-  if (problem.friction && !problem.rotation_given())
-    right.drive = problem.drive_target - problem.drive(x.pressure, shear);
+  if (problem.load_given()) right.load = *problem.scene.load - problem.load(x.pressure, x.shear_x);
+  if (problem.friction && !problem.rotation_given()) right.drive = -problem.drive_surplus(x.pressure, x.shear_x);
   return right;
 }
 

@@ -10,9 +10,8 @@ namespace rollres {
 
 ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid) {
   ContactLevel level;
-  const bool sphere = scene.indenter == Indenter::sphere;
   level.problem = std::make_unique<ContactProblem>(scene, grid);
-  level.table = std::make_unique<InfluenceTable>(influence_table(scene, mirrored(grid, sphere)));
+  level.table = std::make_unique<InfluenceTable>(influence_table(scene, mirrored(grid)));
   level.influence = std::make_unique<InfluenceOperator>(scene, *level.table, grid, level.problem->friction);
   return level;
 }
@@ -24,14 +23,13 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
   const bool adhesive = problem.scene.adhesion_threshold > 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
-      const double y = problem.sphere ? grid.y(row) : 0, r = std::hypot(grid.x(column), y) / estimate.half_width;
+      const double r = std::hypot(grid.x(column), grid.y(row)) / estimate.half_width;
       if (adhesive)
         guess.pressure(grid.index(column, row)) = 1;
       else if (r < 1)
         guess.pressure(grid.index(column, row)) = std::sqrt(1 - r * r);
     }
-  const Vector none = Vector::Zero(grid.size());
-  const double load = problem.load(guess.pressure, none);
+  const double load = problem.load(guess.pressure, {});
   if (load > 0) guess.pressure *= estimate.load / load;
   guess.approach = problem.scene.approach.value_or(std::isfinite(estimate.approach) ? estimate.approach : 0);
   return guess;
@@ -40,7 +38,7 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
 namespace {
 
 /// Bilinear values on a finer grid, zero outside the coarser one.
-Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceGrid& to, bool sphere, double parity) {
+Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceGrid& to, double parity) {
   Vector result(to.size());
   const auto at = [&](int column, int row) {
     double sign = 1;
@@ -54,7 +52,7 @@ Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceG
   for (int row = 0; row < to.rows; ++row)
     for (int column = 0; column < to.columns; ++column) {
       const double x = (to.x(column) - from.origin_x) / from.spacing_x - from.first_column;
-      const double y = sphere ? to.y(row) / from.spacing_y : 0;
+      const double y = to.y(row) / from.spacing_y;
       const double left = std::floor(x), below = std::floor(y), fx = x - left, fy = y - below;
       const int c = static_cast<int>(left), r = static_cast<int>(below);
       double value = (1 - fx) * at(c, r) + fx * at(c + 1, r);
@@ -73,13 +71,12 @@ Vector signed_pressure(const ContactLevel& level) {
 
 ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to) {
   const SurfaceGrid& grid = from.problem->grid;
-  const bool sphere = from.problem->sphere;
   ContactUnknowns start = from.outcome.unknowns;
   // Pressure inside and gap outside join at the contact's edge: their interpolated sign tells the finer contact.
-  const Vector sign = interpolate(signed_pressure(from), grid, to, sphere, 1);
-  start.pressure = (sign.array() > 0).select(interpolate(start.pressure, grid, to, sphere, 1), 0.0);
-  if (start.shear_x.size() > 0) start.shear_x = interpolate(start.shear_x, grid, to, sphere, 1);
-  if (start.shear_y.size() > 0) start.shear_y = interpolate(start.shear_y, grid, to, sphere, -1);
+  const Vector sign = interpolate(signed_pressure(from), grid, to, 1);
+  start.pressure = (sign.array() > 0).select(interpolate(start.pressure, grid, to, 1), 0.0);
+  if (start.shear_x.size() > 0) start.shear_x = interpolate(start.shear_x, grid, to, 1);
+  if (start.shear_y.size() > 0) start.shear_y = interpolate(start.shear_y, grid, to, -1);
   return start;
 }
 
@@ -91,7 +88,7 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
       if (level.outcome.zone[static_cast<std::size_t>(grid.index(column, row))] != Zone::free) {
         leading = std::max(leading, grid.x(column));
         trailing = std::min(trailing, grid.x(column));
-        if (level.problem->sphere) half_width = std::max(half_width, grid.y(row));
+        half_width = std::max(half_width, grid.y(row));
       }
   if (leading < trailing) return like;  // no contact: around nothing
   const double widest = widest_window(level.problem->scene);
@@ -104,21 +101,14 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
   next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x);
   next.columns = cells(leading + margin, like.origin_x, like.spacing_x) - next.first_column + 1;
   next.first_row = 0;
-  next.rows = level.problem->sphere ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
+  next.rows = level.problem->lateral ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
   require_nodes(next.columns, next.rows, next.spacing_x);
   return next;
 }
 
 double resistance(const ContactLevel& level) {
-  const ContactProblem& problem = *level.problem;
   const ContactUnknowns& x = level.outcome.unknowns;
-  if (!problem.friction) {
-    const Vector none = Vector::Zero(x.pressure.size());
-    return problem.sphere ? problem.torque(x.pressure, none) / problem.scene.radius
-                          : problem.driving_force(x.pressure, none);
-  }
-  return problem.driving_force(x.pressure, x.shear_x) +
-         problem.torque(x.pressure, x.shear_x) * x.rotation_ratio / problem.scene.radius;
+  return level.problem->resistance(x.pressure, x.shear_x, x.rotation_ratio);
 }
 
 }  // namespace rollres

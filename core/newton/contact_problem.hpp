@@ -11,16 +11,16 @@
 
 #include "core/numerics/vector.hpp"
 #include "core/scene/contact_state.hpp"
-#include "core/scene/scene.hpp"
-#include "core/scene/solution.hpp"
+#include "core/scene/friction_law.hpp"
+#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 
-/// A linear functional of the tractions: sum(of_pressure * p) + sum(of_shear_x * tau_x).
+/// A linear functional of the tractions: sum(of_pressure * p) + sum(of_shear_x * tau_x); empty shear is none.
 struct Resultant {
   Vector of_pressure, of_shear_x;
   double operator()(const Vector& pressure, const Vector& shear_x) const {
-    return of_pressure.dot(pressure) + of_shear_x.dot(shear_x);
+    return of_pressure.dot(pressure) + (shear_x.size() > 0 ? of_shear_x.dot(shear_x) : 0);
   }
 };
 
@@ -30,7 +30,9 @@ struct ContactProblem {
 
   RollingScene scene;
   SurfaceGrid grid;
-  bool sphere, friction;
+  IndenterShape shape;
+  FrictionLaw law;
+  bool friction, lateral;                 // shear; tractions and displacements along y
   Vector profile;                         // height of the body's lower surface above its lowest point [m]
   Vector rolling_radius;                  // R(y)/R [1]
   Resultant load, torque, driving_force;  // (N3): P [N], T [N m], Q [N] (per metre for a cylinder)
@@ -39,12 +41,32 @@ struct ContactProblem {
 
   bool load_given() const { return scene.load.has_value(); }
   bool rotation_given() const { return scene.drive == Drive::rotation; }
+  double drive_surplus(const Vector& pressure, const Vector& shear_x) const {
+    return drive(pressure, shear_x) - drive_target;
+  }
+  /// Unknown tractions at a node in contact: p; tau_x; tau_y.
+  int components() const { return !friction ? 1 : lateral ? 3 : 2; }
+  /// Whether a node lies on y = 0, where tau_y vanishes by symmetry.
+  bool on_axis(Eigen::Index node) const { return grid.first_row + node / grid.columns == 0; }
+  /// How often a node of the half grid stands on the whole one.
+  int images(Eigen::Index node) const { return on_axis(node) ? 1 : 2; }
+  /// s_x of a node from du/dx [1]; s_y is dv/dx.
+  double slip_x(Eigen::Index node, double slope_u, double rotation_ratio) const {
+    return 1 + slope_u - rotation_ratio * rolling_radius(node);
+  }
+  /// Rotation ratio by which the torque counts in the resistance Q + omega T/R: without friction that of rolling, as
+  /// the pressure must be overcome by one or the other.
+  double turning(double rotation_ratio) const { return friction ? rotation_ratio : 1; }
+  /// Rolling resistance [N] (per metre for a cylinder); empty shear is none.
+  double resistance(const Vector& pressure, const Vector& shear_x, double rotation_ratio) const {
+    return driving_force(pressure, shear_x) + torque(pressure, shear_x) * turning(rotation_ratio) / shape.radius();
+  }
 };
 
-/// The whole grid of a half grid: rows mirrored to y < 0 for a sphere.
-SurfaceGrid mirrored(const SurfaceGrid& half, bool sphere);
+/// The whole grid of a half grid: rows mirrored to y < 0. A cylinder's single row stays.
+SurfaceGrid mirrored(const SurfaceGrid& half);
 
 /// Values on the whole grid from those on the half grid; `parity` -1 for odd in y.
-Vector mirrored(const SurfaceGrid& half, bool sphere, const Vector& values, double parity);
+Vector mirrored(const SurfaceGrid& half, const Vector& values, double parity);
 
 }  // namespace rollres

@@ -66,7 +66,7 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
   };
   std::vector<Row> rows;  // of the contact
   for (int row = 0; row < grid.rows; ++row) {
-    const double width = grid.spacing_y * (problem.sphere && grid.first_row + row > 0 ? 2 : 1);
+    const double width = grid.spacing_y * problem.images(grid.index(0, row));
     const Eigen::Index start = grid.index(0, row), end = start + grid.columns - 1;
     Eigen::Index first = -1, last = -1;
     for (Eigen::Index i = start; i <= end; ++i) {
@@ -85,7 +85,7 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
       sums.roughness += width * std::pow(pressure(i) - pressure(i - 1), 2) / spacing;
   }
   // The angle between the motion and the edge's normal, as of an ellipse.
-  const double half_width = problem.sphere && !rows.empty() ? rows.back().y + 0.5 * grid.spacing_y : INFINITY;
+  const double half_width = (rows.empty() ? 0 : rows.back().y) + 0.5 * grid.spacing_y;
   for (const Row& row : rows) {
     const double across = row.y / half_width, along = std::sqrt(1 - across * across);
     sums.edge_slopes += row.edge_slopes * along / std::hypot(along, across * sums.half_length / half_width);
@@ -111,8 +111,8 @@ void warn_of_memory(const GridError& error, RollingSolution& solution) {
 
 double GridError::estimate(double resistance, double last_change) const {
   // Calibrated on random scenes (`rollres accuracy --random`): a sphere's contact has more edge.
-  const double own = std::abs(edges), change = sphere ? last_change : 0.5 * last_change;
-  const double changed = (sphere ? 1.5 : 1.2) * (std::isnan(last_change) ? 2 * own : own + change);
+  const double own = std::abs(edges), change = lateral ? last_change : 0.5 * last_change;
+  const double changed = (lateral ? 1.5 : 1.2) * (std::isnan(last_change) ? 2 * own : own + change);
   const double viscous = std::min(1.0, std::abs(slow_loss / resistance));
   return (1 - slow_share * viscous) * changed + (1 - slow_share) * unresolved + slow_share * slow_error;
 }
@@ -124,7 +124,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   const CreepMoments moments = creep_moments(creep);
   const ContactIntegrals sums = contact_integrals(problem, pressure, zone, gap);
   GridError error;
-  error.sphere = problem.sphere;
+  error.lateral = problem.lateral;
   error.edges = sums.edges;
   for (const CreepSpectrum::Term& term : creep.terms)
     if (term.compliance > 0) error.memory_length = std::max(error.memory_length, scene.speed * term.time);

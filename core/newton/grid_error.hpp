@@ -11,7 +11,7 @@
 namespace rollres {
 
 struct GridError {
-  bool sphere = false;
+  bool lateral = false;      ///< a contact with an edge all around
   double edges = 0;          ///< Delta of (N15) [N] (per metre for a cylinder)
   double slow_loss = 0;      ///< viscous resistance by (N18) [N]
   double slow_error = 0;     ///< estimated error of that [N]

@@ -1,19 +1,18 @@
 #include "core/newton/law_rows.hpp"
 
 #include <cmath>
+#include <tuple>
 
 namespace rollres {
 
 template <class Real>
 LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
     : contacts_(static_cast<Eigen::Index>(laws.contact.size())),
-      components_(!problem.friction ? 1
-                  : problem.sphere  ? 3
-                                    : 2),
+      components_(problem.components()),
       approach_unknown_(problem.load_given()),
       rotation_unknown_(problem.friction && !problem.rotation_given()),
       force_scale_(problem.load.of_pressure.maxCoeff() * std::sqrt(static_cast<double>(laws.contact.size()))),
-      friction_(static_cast<Real>(problem.scene.friction_coefficient)) {
+      friction_(static_cast<Real>(problem.law.coefficient)) {
   border_ = (approach_unknown_ ? 1 : 0) + (rotation_unknown_ ? 1 : 0);
   const auto gathered = [&](const Vector& field, double factor) {
     VectorR values(contacts_);
@@ -34,7 +33,7 @@ LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
   for (Eigen::Index i = 0; i < contacts_; ++i) {
     const auto c = static_cast<std::size_t>(i);
     sticks_.push_back(laws.zone[c] == Zone::stick);
-    on_axis_.push_back(problem.sphere && problem.grid.first_row + laws.contact[c] / problem.grid.columns == 0);
+    on_axis_.push_back(problem.lateral && problem.on_axis(laws.contact[c]));
   }
 }
 
@@ -68,12 +67,9 @@ auto LawRows<Real>::operator()(const VectorR& x, const ScaledResponse<Real>& res
     const Real slip_y = components_ > 2 ? response.slip_y(i) : Real(0);
     const Real tx = x(n + i), ty = components_ > 2 ? x(2 * n + i) : Real(0);
     Real row_x = -slip_x, row_y = -slip_y;
-    if (!sticks(i)) {
-      const Real nx = direction_x_(i), ny = direction_y_(i), beta = beta_(i), bound = friction_ * x(i);
-      const Real qx = tx + slip_x, qy = ty + slip_y, along = nx * qx + ny * qy;
-      row_x = tx - nx * bound - beta * (qx - nx * along);
-      row_y = ty - ny * bound - beta * (qy - ny * along);
-    }
+    if (!sticks(i))
+      std::tie(row_x, row_y) =
+          slip_row(friction_, direction_x_(i), direction_y_(i), beta_(i), x(i), tx, ty, tx + slip_x, ty + slip_y);
     rows(n + i) = row_x;
     // On the axis of symmetry tau_y vanishes.
     if (components_ > 2) rows(2 * n + i) = on_axis(i) ? ty : row_y;

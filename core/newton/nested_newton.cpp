@@ -5,21 +5,19 @@
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/newton/friction_limit.hpp"
 #include "core/newton/newton_starts.hpp"
-#include "core/newton/sliding_limit.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 
 namespace {
 
-/// Violation of the laws on grids that only give a start, and R_r for the estimate of the error.
-constexpr double start_tolerance = 1e-8;
-
 NewtonOptions options_for(const RollingScene& scene) {
   NewtonOptions options;
   options.dense = scene.method == Method::newton_dense;
-  if (scene.indenter == Indenter::cylinder) options.dense_unknowns = 300;
+  if (dimensions(scene) == 2) options.dense_unknowns = 300;
   return options;
 }
 
@@ -71,7 +69,7 @@ SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
 
 ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort) {
   NewtonOptions options = options_for(scene);
-  if (!last_resort) options.tolerance = std::max(options.tolerance, start_tolerance);
+  if (!last_resort) options.tolerance = std::max(options.tolerance, options.start_tolerance);
   const ContactEstimate estimate = estimate_contact(scene);
   ContactLevel level;
   for (int growth = 0; growth < 12; ++growth) {
@@ -93,7 +91,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
     if (problem.friction && (last_resort || !problem.rotation_given())) attempt(solve_by_rotation);
     if (problem.friction && last_resort && !level.outcome.converged &&
         (problem.rotation_given() || sliding_limit(scene, grid) != SlidingLimit::not_enough)) {
-      if (problem.sphere) attempt(solve_by_friction);
+      if (problem.lateral) attempt(solve_by_friction);
       attempt(solve_by_pivots);
     }
     if (!level.outcome.reached_border || widest) break;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
+#include <optional>
 
 #include "core/numerics/solution_limits.hpp"
 
@@ -25,108 +27,151 @@ bool release(ContactUnknowns& x, const ContactMask& contact) {
   return changed;
 }
 
-/// Tolerance of the linear solution: what the step can gain, as the maps converge quadratically, and no more than the
-/// last step needs (N9).
-double forcing(double residual, const NewtonOptions& options) {
-  const double last = 0.05 * options.tolerance / residual;
-  return std::clamp(std::max(residual, last), 1e-5, 2e-2);
-}
-
 bool touches_border(const ContactProblem& problem, const ContactMask& contact) {
   const SurfaceGrid& grid = problem.grid;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
       if (contact[static_cast<std::size_t>(grid.index(column, row))] &&
-          (column == 0 || column == grid.columns - 1 || (problem.sphere && row == grid.rows - 1)))
+          (column == 0 || column == grid.columns - 1 || (problem.lateral && row == grid.rows - 1)))
         return true;
   return false;
 }
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+class NewtonIteration {
+ public:
+  NewtonIteration(const ContactProblem& problem, const InfluenceTable& table, const InfluenceOperator& influence,
+                  const ContactUnknowns& start, const NewtonOptions& options)
+      : problem_(problem),
+        table_(table),
+        influence_(influence),
+        options_(options),
+        x_(start),
+        contact_(loaded_nodes(start)),
+        maps_(natural_maps(problem, influence, start, contact_)) {}
+
+  NewtonOutcome run() {
+    while (outcome_.iterations < options_.most_iterations && !converged() && step()) ++outcome_.iterations;
+    return finish();
+  }
+
+ private:
+  bool converged() const { return !first_ && maps_.largest <= options_.tolerance; }
+
+  /// One step; false if there is none.
+  bool step() {
+    require_time();
+    // On the first step the contact of the start is held: its gaps may mean nothing yet.
+    ContactMask chosen = first_ ? contact_ : choose_contact(problem_, influence_, x_, maps_, contact_);
+    ContactUnknowns base = x_;
+    std::optional<NaturalMaps> released;
+    if (release(base, chosen)) released = natural_maps(problem_, influence_, base, chosen);
+    const NaturalMaps& base_maps = released ? *released : maps_;
+    const ActiveLaws laws =
+        choose_laws(problem_, influence_, base, base_maps, chosen, first_ && options_.first_all_stick);
+    if (laws.contact.empty()) return false;
+    const std::optional<ContactUnknowns> increment = linear_step(base, base_maps, laws);
+    if (!increment || !accept_part(base, *increment, chosen)) return false;
+    contact_ = std::move(chosen);
+    first_ = false;
+    if (maps_.largest < best_residual_) {
+      best_residual_ = maps_.largest;
+      best_ = x_;
+    }
+    return true;
+  }
+
+  /// Solution of the linearised laws (N8), by factors or by GMRES.
+  std::optional<ContactUnknowns> linear_step(const ContactUnknowns& base, const NaturalMaps& maps,
+                                             const ActiveLaws& laws) {
+    const NewtonSystem system(problem_, influence_, laws);
+    const LawResiduals right = law_residuals(problem_, influence_, base, maps, laws);
+    const int unknowns = static_cast<int>(laws.contact.size()) * problem_.components();
+    const bool dense = options_.dense || unknowns <= options_.dense_unknowns;
+    LinearStep linear =
+        dense ? system.solve_dense(table_, right) : system.solve_krylov(right, forcing(), options_.most_krylov_vectors);
+    outcome_.krylov_iterations += linear.iterations;
+    if (!linear.solved && !dense && unknowns <= options_.factorisable_unknowns)
+      linear = system.solve_dense(table_, right);
+    if (!linear.solved) return {};
+    return std::move(linear.step);
+  }
+
+  /// Tolerance of the linear solution: what the step can gain, as the maps converge quadratically, and no more than the
+  /// last step needs (N9).
+  double forcing() const {
+    const double last = 0.05 * options_.tolerance / maps_.largest;
+    return std::clamp(std::max(maps_.largest, last), options_.least_forcing, options_.most_forcing);
+  }
+
+  /// The full step, shortened while the maps grow beyond what they were lately; the best of those tried is taken.
+  bool accept_part(const ContactUnknowns& base, const ContactUnknowns& increment, const ContactMask& chosen) {
+    recent_.push_back(maps_.mean_square);
+    if (recent_.size() > options_.remembered_steps) recent_.pop_front();
+    const double allowed = first_ ? unbounded : *std::max_element(recent_.begin(), recent_.end());
+    ContactUnknowns kept;
+    NaturalMaps kept_maps;
+    double least = unbounded;
+    for (double factor = 1; factor > options_.shortest_step; factor *= 0.5) {
+      ContactUnknowns candidate = base;
+      candidate.add(factor, increment);
+      NaturalMaps maps = natural_maps(problem_, influence_, candidate, chosen);
+      const double square = maps.mean_square;
+      if (!(square >= least)) {
+        kept = std::move(candidate);
+        kept_maps = std::move(maps);
+        least = square;
+      }
+      if (square <= allowed) break;
+    }
+    if (!std::isfinite(least)) return false;
+    x_ = std::move(kept);
+    maps_ = std::move(kept_maps);
+    return true;
+  }
+
+  /// The last state, or the best one if that has not converged, with the zones that its maps choose.
+  NewtonOutcome finish() {
+    outcome_.converged = converged();
+    if (!outcome_.converged && std::isfinite(best_residual_)) {
+      x_ = std::move(best_);
+      maps_ = natural_maps(problem_, influence_, x_, contact_);
+    }
+    outcome_.residual = maps_.largest;
+    contact_ = choose_contact(problem_, influence_, x_, maps_, contact_);
+    if (problem_.scene.adhesion_threshold == 0)
+      for (std::size_t i = 0; i < contact_.size(); ++i) contact_[i] = x_.pressure(static_cast<Eigen::Index>(i)) > 0;
+    outcome_.reached_border = touches_border(problem_, contact_);
+    const ActiveLaws laws = choose_laws(problem_, influence_, x_, maps_, contact_);
+    outcome_.zone.assign(contact_.size(), Zone::free);
+    for (std::size_t i = 0; i < laws.contact.size(); ++i)
+      outcome_.zone[static_cast<std::size_t>(laws.contact[i])] = laws.zone[i];
+    release(x_, contact_);
+    outcome_.unknowns = std::move(x_);
+    outcome_.gap = std::move(maps_.gap);
+    return std::move(outcome_);
+  }
+
+  const ContactProblem& problem_;
+  const InfluenceTable& table_;
+  const InfluenceOperator& influence_;
+  const NewtonOptions& options_;
+  ContactUnknowns x_, best_;
+  ContactMask contact_;
+  NaturalMaps maps_;
+  NewtonOutcome outcome_;
+  double best_residual_ = unbounded;
+  std::deque<double> recent_;  // mean squares of the maps
+  bool first_ = true;
+};
 
 }  // namespace
 
 NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable& table,
                              const InfluenceOperator& influence, const ContactUnknowns& start,
                              const NewtonOptions& options) {
-  NewtonOutcome outcome;
-  ContactUnknowns x = start;
-  ContactMask contact = loaded_nodes(x);
-  NaturalMaps maps = natural_maps(problem, influence, x, contact);
-  ContactUnknowns best = x;
-  double best_norm = std::numeric_limits<double>::infinity();
-  std::deque<double> recent;
-  constexpr std::size_t memory = 4;  // of the non-monotone acceptance
-  bool first = true;
-
-  for (; outcome.iterations < options.most_iterations; ++outcome.iterations) {
-    if (!first && maps.largest <= options.tolerance) break;
-    require_time();
-    // On the first step the contact of the start is held: its gaps may mean nothing yet.
-    const ContactMask chosen = first ? contact : choose_contact(problem, influence, x, maps, contact);
-    ContactUnknowns base = x;
-    NaturalMaps base_maps = maps;
-    if (release(base, chosen)) base_maps = natural_maps(problem, influence, base, chosen);
-    const ActiveLaws laws = choose_laws(problem, influence, base, base_maps, chosen, first && options.first_all_stick);
-    if (laws.contact.empty()) break;
-
-    const NewtonSystem system(problem, influence, laws);
-    const LawResiduals right = law_residuals(problem, influence, base, base_maps, laws);
-    const int unknowns = static_cast<int>(laws.contact.size()) * (problem.friction ? (problem.sphere ? 3 : 2) : 1);
-    const bool dense = options.dense || unknowns <= options.dense_unknowns;
-    LinearStep linear =
-        dense ? system.solve_dense(table, right) : system.solve_krylov(right, forcing(maps.largest, options), 300);
-    outcome.krylov_iterations += linear.iterations;
-    if (!linear.solved && !dense && unknowns <= options.factorisable_unknowns)
-      linear = system.solve_dense(table, right);
-    if (!linear.solved) break;
-
-    // Full step from the released state, shortened while the maps grow beyond what they were lately.
-    ContactUnknowns step = linear.step;
-    recent.push_back(maps.mean_square);
-    if (recent.size() > memory) recent.pop_front();
-    const double allowed =
-        first ? std::numeric_limits<double>::infinity() : *std::max_element(recent.begin(), recent.end());
-    ContactUnknowns candidate, kept;
-    NaturalMaps candidate_maps, kept_maps;
-    double kept_square = std::numeric_limits<double>::infinity();
-    for (double factor = 1; factor > 0.05; factor *= 0.5) {
-      candidate = base;
-      candidate.add(factor, step);
-      candidate_maps = natural_maps(problem, influence, candidate, chosen);
-      if (!(candidate_maps.mean_square >= kept_square)) {
-        kept = candidate;
-        kept_maps = candidate_maps;
-        kept_square = candidate_maps.mean_square;
-      }
-      if (candidate_maps.mean_square <= allowed) break;
-    }
-    if (!std::isfinite(kept_square)) break;
-    x = std::move(kept);
-    maps = std::move(kept_maps);
-    contact = chosen;
-    first = false;
-    if (maps.largest < best_norm) {
-      best_norm = maps.largest;
-      best = x;
-    }
-  }
-  outcome.converged = !first && maps.largest <= options.tolerance;
-  if (!outcome.converged && std::isfinite(best_norm)) {
-    x = best;
-    maps = natural_maps(problem, influence, x, contact);
-  }
-  outcome.residual = maps.largest;
-  contact = choose_contact(problem, influence, x, maps, contact);
-  if (problem.scene.adhesion_threshold == 0)
-    for (std::size_t i = 0; i < contact.size(); ++i) contact[i] = x.pressure(static_cast<Eigen::Index>(i)) > 0;
-  outcome.reached_border = touches_border(problem, contact);
-  const ActiveLaws laws = choose_laws(problem, influence, x, maps, contact, false);
-  outcome.zone.assign(contact.size(), Zone::free);
-  for (std::size_t i = 0; i < laws.contact.size(); ++i)
-    outcome.zone[static_cast<std::size_t>(laws.contact[i])] = laws.zone[i];
-  release(x, contact);
-  outcome.unknowns = std::move(x);
-  outcome.gap = std::move(maps.gap);
-  return outcome;
+  return NewtonIteration(problem, table, influence, start, options).run();
 }
 
 }  // namespace rollres

@@ -10,13 +10,33 @@
 
 namespace rollres {
 
+/// The numbers that tune the method, and when one would change them. None changes an answer beyond `tolerance`.
 struct NewtonOptions {
-  bool dense = false;  ///< factorise always; otherwise only systems up to `dense_unknowns`
-  int dense_unknowns = 200;
-  int factorisable_unknowns = 2000;  ///< and those up to here where GMRES fails
-  double tolerance = 2e-10;  ///< largest violation of a law, relative to the largest pressure (shear: to mu times it)
-  int most_iterations = 60;
-  bool first_all_stick = false;  ///< whether the first step holds every contact node sticking
+  /// Largest violation of a law, relative to the largest pressure (shear: to mu times it). Rounding allows 1e-11.
+  double tolerance = 2e-10;
+  /// The same on grids that only give a start, or R_r for an estimate of the error.
+  double start_tolerance = 1e-8;
+
+  // The linear step. Larger systems are worth factorising where the processor multiplies matrices fast.
+  bool dense = false;                ///< factorise always; otherwise only systems up to `dense_unknowns`
+  int dense_unknowns = 200;          ///< where factorising takes as long as GMRES
+  int factorisable_unknowns = 2000;  ///< up to here also where GMRES fails: what a user waits for
+  int most_krylov_vectors = 300;     ///< of GMRES, which keeps them all: memory
+  /// Bounds of its tolerance (N9): the largest as long as steps with it converge, the least above single precision.
+  double least_forcing = 1e-5, most_forcing = 2e-2;
+
+  // The steps.
+  int most_iterations = 60;          ///< scenes that converge take below 15; of those left some need patience
+  bool first_all_stick = false;      ///< whether the first step holds every contact node sticking
+  std::size_t remembered_steps = 4;  ///< whose largest norm a step may reach: more lets sets change, fewer is safer
+  double shortest_step = 0.05;       ///< part of a step below which it is not shortened
+
+  // The path over the rotation (rotation_path.hpp).
+  int path_iterations = 20;  ///< for one point: a step in omega that needs more is too long
+  double first_turn = 1e-3;  ///< first step in omega: the strains under the body, which scale the creepage
+  double turn_growth = 3;    ///< of the steps that succeed
+  double end_of_path = 1e6;  ///< in omega, where everything slides
+  int most_points = 3000;    ///< on the path: kinks of some hundred nodes, several times
 };
 
 struct NewtonOutcome {

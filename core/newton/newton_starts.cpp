@@ -17,7 +17,7 @@ ContactUnknowns frictionless_start(const ContactProblem& problem, const ContactL
   const ContactProblem normal(frictionless, problem.grid);
   ContactUnknowns start = newton_contact(normal, *level.table, *level.influence, guess, options).unknowns;
   start.shear_x = Vector::Zero(problem.grid.size());
-  if (problem.sphere) start.shear_y = start.shear_x;
+  if (problem.lateral) start.shear_y = start.shear_x;
   start.rotation_ratio = rotation_ratio;
   return start;
 }
@@ -36,23 +36,21 @@ NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& leve
 
 namespace {
 
-constexpr double end_of_path = 1e6;  // in omega, where everything slides
-constexpr int most_points = 3000;
+double surplus(const ContactProblem& problem, const NewtonOutcome& at) {
+  return problem.drive_surplus(at.unknowns.pressure, at.unknowns.shear_x);
+}
 
 /// Solution with the drive's row between two neighbours on the path, where its surplus changes sign.
 std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const ContactLevel& level,
                                            const RotationPath& path, NewtonOutcome low, NewtonOutcome high,
                                            NewtonOptions options) {
-  const auto surplus = [&](const NewtonOutcome& at) {
-    return problem.drive(at.unknowns.pressure, at.unknowns.shear_x) - problem.drive_target;
-  };
-  options.most_iterations = 20;
+  options.most_iterations = options.path_iterations;
   const auto coupled = [&](const ContactUnknowns& start) -> std::optional<NewtonOutcome> {
     NewtonOutcome outcome = newton_contact(problem, *level.table, *level.influence, start, options);
     if (!outcome.converged) return {};
     return outcome;
   };
-  double low_value = surplus(low), high_value = surplus(high);
+  double low_value = surplus(problem, low), high_value = surplus(problem, high);
   ContactUnknowns between = low.unknowns;
   const double part = low_value / (low_value - high_value);
   between.add(part, high.unknowns).add(-part, low.unknowns);
@@ -71,7 +69,7 @@ std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const 
         path.solve_at(ratio, std::abs(low_value) < std::abs(high_value) ? low.unknowns : high.unknowns);
     if (!middle) return {};
     if (std::optional<NewtonOutcome> found = coupled(middle->unknowns)) return found;
-    const double value = surplus(*middle);
+    const double value = surplus(problem, *middle);
     ((value < 0) == (low_value < 0) ? low : high) = std::move(*middle);
     ((value < 0) == (low_value < 0) ? low_value : high_value) = value;
   }
@@ -79,18 +77,16 @@ std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const 
 }
 
 /// Where following the path ended.
-struct Journey {
+struct PathResult {
   std::optional<NewtonOutcome> found;
   bool at_end = false;  // everything slides the way that the drive asks for, which is not met
 };
 
 /// Highest point of the drive's surplus (times `direction`) between two points on the path, or any where it is
 /// positive, the middle one of three being higher than its neighbours.
-NewtonOutcome crest(const ContactProblem& problem, const RotationPath& path, int direction, double low, double high,
-                    NewtonOutcome middle) {
-  const auto height = [&](const NewtonOutcome& at) {
-    return direction * (problem.drive(at.unknowns.pressure, at.unknowns.shear_x) - problem.drive_target);
-  };
+NewtonOutcome maximise_surplus(const ContactProblem& problem, const RotationPath& path, int direction, double low,
+                               double high, NewtonOutcome middle) {
+  const auto height = [&](const NewtonOutcome& at) { return direction * surplus(problem, at); };
   for (int step = 0; step < 16 && height(middle) < 0; ++step) {
     const double at = middle.unknowns.rotation_ratio;
     constexpr double part = 0.381966;
@@ -109,32 +105,29 @@ NewtonOutcome crest(const ContactProblem& problem, const RotationPath& path, int
 }
 
 /// Follows the path one way, until omega takes the value given or the drive's row is met.
-Journey follow_path(const ContactProblem& problem, const ContactLevel& level, RotationPath& path,
-                    const NewtonOptions& options) {
+PathResult follow_path(const ContactProblem& problem, const ContactLevel& level, RotationPath& path,
+                       const NewtonOptions& options) {
   if (problem.rotation_given()) {
     const double wanted = *problem.scene.rotation_ratio;
-    for (int point = 0; point < most_points; ++point) {
+    for (int point = 0; point < options.most_points; ++point) {
       if (path.ratio() == wanted) return {path.here()};
-      if (std::abs(path.ratio()) > end_of_path || !path.advance(wanted)) break;
+      if (std::abs(path.ratio()) > options.end_of_path || !path.advance(wanted)) break;
     }
     return {};
   }
-  const auto surplus = [&](const NewtonOutcome& at) {
-    return problem.drive(at.unknowns.pressure, at.unknowns.shear_x) - problem.drive_target;
-  };
-  const int sign = surplus(path.here()) < 0 ? -1 : 1;
+  const int sign = surplus(problem, path.here()) < 0 ? -1 : 1;
   NewtonOutcome before = path.here(), last = before;
-  for (int point = 0; point < most_points; ++point) {
+  for (int point = 0; point < options.most_points; ++point) {
     before = std::move(last);
     last = path.here();
-    if (std::abs(path.ratio()) >= end_of_path) return {{}, path.direction() == -sign};
-    if (!path.advance(path.direction() * end_of_path)) return {};
-    const double value = sign * surplus(path.here()), last_value = sign * surplus(last);
+    if (std::abs(path.ratio()) >= options.end_of_path) return {{}, path.direction() == -sign};
+    if (!path.advance(path.direction() * options.end_of_path)) return {};
+    const double value = sign * surplus(problem, path.here()), last_value = sign * surplus(problem, last);
     if (value <= 0) return {solve_between(problem, level, path, last, path.here(), options)};
-    if (path.pivoting() || !(last_value < value && last_value < sign * surplus(before))) continue;
+    if (path.pivoting() || !(last_value < value && last_value < sign * surplus(problem, before))) continue;
     const NewtonOutcome top =
-        crest(problem, path, -sign, before.unknowns.rotation_ratio, path.ratio(), std::move(last));
-    if (sign * surplus(top) <= 0) return {solve_between(problem, level, path, before, top, options)};
+        maximise_surplus(problem, path, -sign, before.unknowns.rotation_ratio, path.ratio(), std::move(last));
+    if (sign * surplus(problem, top) <= 0) return {solve_between(problem, level, path, before, top, options)};
     last = top;
   }
   return {};
@@ -144,21 +137,20 @@ NewtonOutcome solve_on_path(const ContactProblem& problem, const ContactLevel& l
                             const NewtonOptions& options, bool pivoting) {
   const RotationPath path(problem, level, frictionless_start(problem, level, guess, 1, options), options);
   if (!path.started()) return {};
-  const ContactUnknowns& x = path.here().unknowns;
-  const bool upwards = problem.rotation_given() ? *problem.scene.rotation_ratio > path.ratio()
-                                                : problem.drive(x.pressure, x.shear_x) < problem.drive_target;
+  const bool upwards =
+      problem.rotation_given() ? *problem.scene.rotation_ratio > path.ratio() : surplus(problem, path.here()) < 0;
   NewtonOutcome failed;
   // On a part that is folded back the end looked for may lie the other way.
   for (const int direction : {upwards ? 1 : -1, upwards ? -1 : 1}) {
     RotationPath way = path;
-    way.head(direction, pivoting);
-    Journey journey = follow_path(problem, level, way, options);
-    if (journey.found) {
-      journey.found->iterations = way.iterations();
-      return *journey.found;
+    way.set_direction(direction, pivoting);
+    PathResult result = follow_path(problem, level, way, options);
+    if (result.found) {
+      result.found->iterations = way.iterations();
+      return *result.found;
     }
     if (way.here().reached_border) failed = way.here();
-    if (journey.at_end || !pivoting) break;
+    if (result.at_end || !pivoting) break;
   }
   failed.converged = false;
   return failed;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/convolution/iterative_influence.hpp"
+#include "core/convolution/krylov_operator.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/krylov.hpp"
@@ -34,7 +34,7 @@ class KrylovRows {
   KrylovRows(const ContactProblem& problem, const InfluenceOperator& influence, const ActiveLaws& laws)
       : rows_(problem, laws),
         laws_(laws),
-        influence_(influence.iterative<Real>()),
+        influence_(influence.krylov<Real>()),
         per_normal_(static_cast<Real>(1 / influence.self_normal())),
         per_slip_(static_cast<Real>(1 / influence.self_slip())) {
     const Eigen::Index size = problem.grid.size();
@@ -124,10 +124,10 @@ class KrylovRows {
 
   LawRows<Real> rows_;
   const ActiveLaws& laws_;
-  IterativeInfluence<Real>& influence_;
+  KrylovOperator<Real>& influence_;
   Real per_normal_, per_slip_;
-  typename IterativeInfluence<Real>::Tractions tractions_, inverse_;
-  typename IterativeInfluence<Real>::Response moved_, response_;
+  typename KrylovOperator<Real>::Tractions tractions_, inverse_;
+  typename KrylovOperator<Real>::Response moved_, response_;
   ScaledResponse<Real> scaled_;
   Matrix border_response_;  // preconditioned columns of the border
   Matrix border_schur_;     // and what they leave in the border's rows, inverted
@@ -182,7 +182,7 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
       const Eigen::Index source = laws_.contact[static_cast<std::size_t>(j)];
       const int source_column = static_cast<int>(source % grid.columns);
       const int source_row = static_cast<int>(source / grid.columns);
-      const bool image = problem_.sphere && source_row > 0;
+      const bool image = !problem_.on_axis(source);
       const auto moved = [&](Direction displacement, int column, int row) {
         double value = table(displacement, force, column - source_column, row - source_row);
         if (image) value += parity * table(displacement, force, column - source_column, row + source_row);

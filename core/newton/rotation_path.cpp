@@ -58,8 +58,9 @@ RotationPath::RotationPath(const ContactProblem& problem, const ContactLevel& le
     : level_(&level),
       options_(options),
       turning_(with_drive(problem, Drive::rotation, 1)),
-      freely_(with_drive(problem, Drive::free, 1)) {
-  options_.most_iterations = 20;
+      freely_(with_drive(problem, Drive::free, 1)),
+      step_(options.first_turn) {
+  options_.most_iterations = options.path_iterations;
   for (const double ratio : {1.0, 1.003, 0.997, 1.03, 0.97, 1.3, 0.7, 4.0, -2.0, 31.0, -29.0, 1e4, -1e4}) {
     if (std::optional<NewtonOutcome> found = solve_at(ratio, frictionless)) {
       here_ = std::move(*found);
@@ -90,7 +91,7 @@ bool RotationPath::step(double limit) {
   std::optional<NewtonOutcome> found = solve_at(next, here_.unknowns);
   if (!found) return false;
   here_ = std::move(*found);
-  step_ *= 3;
+  step_ *= options_.turn_growth;
   return true;
 }
 
@@ -104,7 +105,7 @@ ActiveLaws RotationPath::laws_at(const ContactUnknowns& x) const {
 /// core/newton/README.md, (N14)
 std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, const ContactUnknowns& measure) {
   const auto n = static_cast<Eigen::Index>(laws.contact.size());
-  if (!turning_.sphere && std::count(laws.zone.begin(), laws.zone.end(), Zone::stick) == 0) {
+  if (!turning_.lateral && std::count(laws.zone.begin(), laws.zone.end(), Zone::stick) == 0) {
     // A sliding cylinder's tractions do not know how fast it turns.
     ContactUnknowns turning = sum(here_.unknowns, -1, here_.unknowns);
     turning.rotation_ratio = 1;
@@ -122,7 +123,7 @@ std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, con
     const NewtonSystem system(freely_, *level_->influence, laws);
     const LinearStep linear = static_cast<int>(3 * n) <= options_.factorisable_unknowns
                                   ? system.solve_dense(*level_->table, right)
-                                  : system.solve_krylov(right, 1e-8, 300);
+                                  : system.solve_krylov(right, 1e-8, options_.most_krylov_vectors);
     const double size = linear.solved ? largest(linear.step) : 0;
     if (!(size > 0) || !std::isfinite(size)) return {};
     along = sum(linear.step, largest(here_.unknowns) / size - 1, linear.step);
@@ -130,9 +131,9 @@ std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, con
   return along;
 }
 
-std::optional<NewtonOutcome> RotationPath::land(const ContactUnknowns& predicted, double reach) {
+std::optional<NewtonOutcome> RotationPath::correct(const ContactUnknowns& predicted, double reach) {
   NewtonOutcome outcome;
-  if (turning_.sphere) {
+  if (turning_.lateral) {
     freely_.drive_target = freely_.drive(predicted.pressure, predicted.shear_x);
     outcome = newton_contact(freely_, *level_->table, *level_->influence, predicted, options_);
     iterations_ += outcome.iterations;
@@ -142,15 +143,15 @@ std::optional<NewtonOutcome> RotationPath::land(const ContactUnknowns& predicted
     if (!found) return {};
     outcome = std::move(*found);
   }
-  if (turning_.sphere && largest(sum(outcome.unknowns, -1, predicted)) > (reach + 1e-5) * largest(here_.unknowns))
+  if (turning_.lateral && largest(sum(outcome.unknowns, -1, predicted)) > (reach + 1e-5) * largest(here_.unknowns))
     return {};
   return outcome;
 }
 
-bool RotationPath::creep(double amount, double reach) {
+bool RotationPath::step_along_tangent(double amount, double reach) {
   const ActiveLaws old_laws = laws_at(here_.unknowns);
   tangent(old_laws, *tangent_);  // sets the measure of progress
-  std::optional<NewtonOutcome> found = land(sum(here_.unknowns, amount, *tangent_), reach * amount);
+  std::optional<NewtonOutcome> found = correct(sum(here_.unknowns, amount, *tangent_), reach * amount);
   if (!found) return false;
   const ContactUnknowns last = *tangent_;
   std::optional<ContactUnknowns> next = tangent(laws_at(found->unknowns), last);
@@ -211,19 +212,19 @@ bool RotationPath::pivot(double limit) {
       for (const int sign : {1, -1}) {
         const ContactUnknowns further = sum(kink, sign * amount, *onward);
         if (!changes_at(further) || changes_at(sum(kink, -sign * amount, *onward))) continue;
-        std::optional<NewtonOutcome> found = land(further, 2 * std::max(high, amount));
+        std::optional<NewtonOutcome> found = correct(further, 2 * std::max(high, amount));
         if (!found) continue;
         here_ = std::move(*found);
         tangent_ = sign > 0 ? *onward : sum(*onward, -2, *onward);
         direction_ = tangent_->rotation_ratio > 0 ? 1 : -1;
-        step_ = 1e-3;
+        step_ = options_.first_turn;
         return true;
       }
   // A sphere's path is curved: the kink may lie elsewhere, but nearer to it the tangent knows better.
-  if (!turning_.sphere || high < 1e-9) return false;
+  if (!turning_.lateral || high < 1e-9) return false;
   for (const double reach : {0.5, 1.0})
     for (const double share : {0.9, 0.5, 0.1, 0.02})
-      if (creep(share * high, reach)) return true;
+      if (step_along_tangent(share * high, reach)) return true;
   return false;
 }
 

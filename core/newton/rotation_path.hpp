@@ -27,7 +27,7 @@ class RotationPath {
   const NewtonOutcome& here() const { return here_; }
   double ratio() const { return here_.unknowns.rotation_ratio; }
   /// Goes the way in which omega grows (1) or falls (-1) at first: by steps in omega, fast, or by pivots, surely.
-  void head(int direction, bool pivoting) {
+  void set_direction(int direction, bool pivoting) {
     direction_ = direction;
     pivoting_ = pivoting;
     tangent_.reset();
@@ -46,10 +46,10 @@ class RotationPath {
   bool step(double limit);
   bool pivot(double limit);
   /// Moves part of the way to the kink; not further off the tangent than `reach` times that.
-  bool creep(double amount, double reach);
+  bool step_along_tangent(double amount, double reach);
   /// The solution near a predicted one, as far along the tangent; no other branch within `reach` of the largest
   /// traction.
-  std::optional<NewtonOutcome> land(const ContactUnknowns& predicted, double reach);
+  std::optional<NewtonOutcome> correct(const ContactUnknowns& predicted, double reach);
   ActiveLaws laws_at(const ContactUnknowns& x) const;
   std::optional<ContactUnknowns> tangent(const ActiveLaws& laws, const ContactUnknowns& measure);
 
@@ -60,7 +60,7 @@ class RotationPath {
   NewtonOutcome here_;
   std::optional<ContactUnknowns> tangent_;  // after a pivot
   int direction_ = 1;
-  double step_ = 1e-3;  // the strains under the body set the scale of the creepage
+  double step_;  // in omega
   bool pivoting_ = false;
   mutable int iterations_ = 0;
 };

@@ -6,6 +6,7 @@
 #include "core/convolution/influence_operator.hpp"
 #include "core/newton/contact_problem.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 
@@ -49,7 +50,7 @@ SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, 
   half.first_column = given.first_column + contact.first_column - ahead;
   half.columns = contact_columns + 2 * ahead;
   half.first_row = 0;
-  half.rows = scene.indenter == Indenter::sphere ? top_row + aside + 1 : 1;
+  half.rows = dimensions(scene) == 3 ? top_row + aside + 1 : 1;
   return half;
 }
 
@@ -58,11 +59,10 @@ SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, 
 SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& solution, double margin) {
   const SurfaceFields& given = solution.fields;
   if (solution.method == Method::spectral) return given;
-  const bool sphere = scene.indenter == Indenter::sphere;
   const SurfaceGrid half = half_window(scene, given, margin);
 
   SurfaceFields wide;
-  wide.grid = mirrored(half, sphere);
+  wide.grid = mirrored(half);
   const SurfaceGrid &from = given.grid, &to = wide.grid;
   const auto continued = [&](const auto& values, auto beyond) {
     std::vector all(values.empty() ? 0 : static_cast<std::size_t>(to.size()), beyond);
@@ -94,12 +94,12 @@ SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& s
     Vector kept(half.size());
     for (int row = 0; row < half.rows; ++row)
       kept.segment(half.index(0, row), half.columns) = values.segment(row * (half.columns + 1), half.columns);
-    const Vector all = mirrored(half, sphere, kept, parity);
+    const Vector all = mirrored(half, kept, parity);
     return std::vector<double>(all.begin(), all.end());
   };
   wide.w = whole(moved.w, 1);
   wide.u = whole(moved.u, 1);
-  if (sphere) wide.v = whole(moved.v, -1);
+  if (dimensions(scene) == 3) wide.v = whole(moved.v, -1);
   return wide;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/paper_method/normal_contact.hpp"
 #include "core/paper_method/stick_slip.hpp"
+#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 
@@ -32,7 +33,7 @@ bool touches_rim(const RollingScene& scene, const SurfaceGrid& grid, const std::
 
 template <class StickSlipSolver>
 ContactState combined_loop(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid) {
-  const bool frictionless = scene.friction_coefficient == 0, sphere = scene.indenter == Indenter::sphere;
+  const bool frictionless = scene.friction_coefficient == 0, lateral = dimensions(scene) == 3;
   NormalContactSolver normal_solver(scene, table, grid);
   std::optional<StickSlipSolver> stick_slip_solver;
   if (!frictionless) stick_slip_solver.emplace(scene, table, grid);
@@ -42,7 +43,7 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
   NormalContact normal;
   StickSlip tangential;
   tangential.force_x.setZero(grid.size());
-  if (sphere) tangential.force_y.setZero(grid.size());
+  if (lateral) tangential.force_y.setZero(grid.size());
 
   constexpr int pass_limit = 60;
   int failures = 0;               // of the tangential problem, in a row
@@ -67,7 +68,7 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
     StickSlip found = stick_slip_solver->solve(normal.contact, normal.force, inner_tolerance);
     state.iterations += found.iterations;
     change = std::max(change, (found.force_x - tangential.force_x).cwiseAbs().maxCoeff());
-    if (sphere) change = std::max(change, (found.force_y - tangential.force_y).cwiseAbs().maxCoeff());
+    if (lateral) change = std::max(change, (found.force_y - tangential.force_y).cwiseAbs().maxCoeff());
     same = same && found.zone == tangential.zone;
     tangential = std::move(found);
     const double largest = normal.force.cwiseAbs().maxCoeff();
@@ -96,7 +97,7 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
   const double area = grid.cell_area();
   state.pressure = -normal.force / area;
   state.shear_x = tangential.force_x / area;
-  if (sphere) state.shear_y = tangential.force_y / area;
+  if (lateral) state.shear_y = tangential.force_y / area;
   state.zone.assign(grid.size(), Zone::free);
   for (const int node : normal.contact)
     state.zone[node] = frictionless || tangential.zone.empty() ? Zone::slip : tangential.zone[node];
@@ -106,8 +107,8 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
 }  // namespace
 
 ContactState solve_active_set(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& candidate) {
-  return scene.indenter == Indenter::sphere ? combined_loop<SurfaceStickSlip>(scene, table, candidate)
-                                            : combined_loop<LineStickSlip>(scene, table, candidate);
+  return dimensions(scene) == 3 ? combined_loop<SurfaceStickSlip>(scene, table, candidate)
+                                : combined_loop<LineStickSlip>(scene, table, candidate);
 }
 
 }  // namespace rollres

@@ -74,7 +74,7 @@ StickSlip LineStickSlip::solve(const std::vector<int>& contact, const Eigen::Vec
     }
     std::vector<int> broken;
     for (const int node : stick)
-      if (std::abs(state.force_x[node]) > problem_.limit[node] * (1 + 1e-12)) broken.push_back(node);
+      if (exceeds(problem_.limit[node], state.force_x[node])) broken.push_back(node);
     opposed.clear();
     const Eigen::VectorXd slip = problem_.slip(0, slip_nodes, contact, state.force_x, state.force_y, false);
     for (std::size_t k = 0; k < slip_nodes.size(); ++k)

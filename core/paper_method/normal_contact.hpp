@@ -32,9 +32,6 @@
 
 namespace rollres {
 
-/// Distance of the undeformed body from its lowest point's level, R - sqrt(R^2 - x^2 - y^2) [m]; infinite beyond R.
-double profile(const RollingScene& scene, double x, double y);
-
 struct NormalContact {
   Eigen::VectorXd force;     // F_W at every node of the grid [N; cylinder: N/m], < 0 in compression
   std::vector<int> contact;  // nodes in contact, in ascending order
@@ -59,15 +56,25 @@ class NormalContactSolver {
 
  private:
   double element(int row, int column) const;
+  std::vector<int> first_contact() const;
+  /// w at every node from the shear forces.
+  Eigen::VectorXd lift_of(const Eigen::VectorXd& shear_x, const Eigen::VectorXd& shear_y) const;
+  /// Solves (12) or (21) for the nodes in contact. False if the system is singular.
+  bool press(NormalContact& state, const Eigen::VectorXd& lift, const Eigen::VectorXd& shear_x);
+  /// Free nodes that reach into the body (9), and nodes in contact that bear too much tension.
+  std::vector<int> conflicts_of(const NormalContact& state, const Eigen::VectorXd& lift) const;
+  std::vector<int> tense_of(const NormalContact& state) const;
   std::vector<int> one_doubling(const std::vector<int>& contact, const std::vector<int>& conflicts) const;
 
   SurfaceGrid grid_;
   OffsetKernel ww_, wu_, wv_;
   bool load_given_ = true;
-  double load_ = 0, approach_ = 0, largest_tension_ = 0, radius_ = 0;
-  Eigen::VectorXd profile_, upright_, lever_;  // profile, cos(phi) and x/R at each node; the sphere has 1 and 0
-  double scale_ = 1;                           // C_WW(0) [m/N]
-  SubsetSolver system_;                        // index grid.size() stands for the approach
+  double load_ = 0, approach_ = 0, largest_tension_ = 0;
+  Eigen::VectorXd profile_;               // at each node, infinite beyond the body [m]
+  Eigen::VectorXd of_normal_, of_shear_;  // P = sum(-of_normal F_W + of_shear F_U) [1]
+  double scale_ = 1;                      // C_WW(0) [m/N]
+  std::vector<int> all_;                  // nodes of the grid
+  SubsetSolver system_;                   // index grid.size() stands for the approach
 };
 
 }  // namespace rollres

@@ -25,7 +25,8 @@
 #include "core/influence/influence.hpp"
 #include "core/paper_method/offset_kernel.hpp"
 #include "core/paper_method/subset_solver.hpp"
-#include "core/scene/scene.hpp"
+#include "core/scene/friction_law.hpp"
+#include "core/scene/indenter_shape.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -56,7 +57,7 @@ class TangentialProblem {
   /// Element of the matrix of slip for unit forces; indices 0 to size - 1 are F_U and s_x, size to 2 size - 1 are F_V
   /// and s_y, `rotation_index()` is R Omega / V and the balance of moments.
   double element(int row, int column) const;
-  int rotation_index() const { return sphere ? 2 * grid.size() : grid.size(); }
+  int rotation_index() const { return components * grid.size(); }
 
   /// Solves the bordered system for the sticking nodes; the forces of the slipping ones are in `state`. Sets the forces
   /// of the sticking nodes and the rotation. False if the system is singular.
@@ -69,22 +70,22 @@ class TangentialProblem {
   /// Limiting friction everywhere in the direction that the moment asks for.
   StickSlip all_sliding(double needed) const;
 
-  bool sphere = false;
+  int components = 1;  // of the shear force at a node: F_U; F_V
   SurfaceGrid grid;
-  SlipStencil stencil = SlipStencil::forward;
-  double friction = 0, slip_threshold = 0, radius = 0, driving_torque = 0;
-  Drive drive = Drive::top_force;
+  FrictionLaw law;
+  double slip_threshold = 0;
   std::optional<double> given_rotation;  // R Omega / V
   std::vector<int> contact;
-  Eigen::VectorXd limit;       // mu |F_W| at every node, also in tension
-  Eigen::VectorXd moment_arm;  // at every node, over R: sum(moment_arm F_U) = moment
+  Eigen::VectorXd limit;       // of friction at every node, also in tension
+  Eigen::VectorXd moment_arm;  // at every node, over R: sum(moment_arm F_U) = moment, the drive's row
   double moment = 0;           // [N; cylinder: N/m]
   Eigen::VectorXd roll;        // R(y)/R at every node
   double scale = 1;            // the change of s_x at a node with its own F_U
 
  private:
   Eigen::VectorXd normal_force_;
-  Eigen::VectorXd x_;                          // of every node [m]
+  double drive_target_ = 0;
+  Eigen::VectorXd normal_arm_;                 // of every node, in the drive's row, over R
   OffsetKernel forward_[2][3], chosen_[2][3];  // slope of u, v (first index) for F_W, F_U, F_V (second)
 };
 
@@ -140,6 +141,7 @@ class SurfaceStickSlip {
   };
   Change projected_rule(const std::vector<int>& stick, const std::vector<int>& slip_nodes, const StickSlip& state);
   Change printed_rule(const std::vector<int>& stick, const std::vector<int>& slip_nodes, const StickSlip& state);
+  void turn(int node, double along_x, double along_y, Change& change);
   void slip_of(const std::vector<int>& nodes, const StickSlip& state, Eigen::VectorXd& slip_x,
                Eigen::VectorXd& slip_y) const;
   void balance_rotation(const std::vector<int>& slip_nodes, StickSlip& state);

@@ -80,13 +80,13 @@ SurfaceStickSlip::Change SurfaceStickSlip::projected_rule(const std::vector<int>
                                                           const std::vector<int>& slip_nodes, const StickSlip& state) {
   Change change;
   for (const int node : stick) {
-    const double force = std::hypot(state.force_x[node], state.force_y[node]), limit = problem_.limit[node];
-    if (force <= limit * (1 + 1e-12)) continue;
+    if (!exceeds(problem_.limit[node], state.force_x[node], state.force_y[node])) continue;
+    const FrictionProjection force(problem_.limit[node], state.force_x[node], state.force_y[node]);
     slips_[node] = 1;
     ++change.released;
-    along_x_[node] = state.force_x[node] / force;
-    along_y_[node] = state.force_y[node] / force;
-    change.largest = std::max(change.largest, (force - limit) / largest_limit_);
+    along_x_[node] = force.direction_x();
+    along_y_[node] = force.direction_y();
+    change.largest = std::max(change.largest, force.excess() / largest_limit_);
   }
   change.beyond_limit = change.released;
   Eigen::VectorXd slip_x, slip_y;
@@ -94,20 +94,26 @@ SurfaceStickSlip::Change SurfaceStickSlip::projected_rule(const std::vector<int>
   for (std::size_t k = 0; k < slip_nodes.size(); ++k) {
     const int node = slip_nodes[k];
     const double limit = problem_.limit[node];
-    const double x = state.force_x[node] + weight_ * slip_x[k], y = state.force_y[node] + weight_ * slip_y[k];
-    const double length = std::hypot(x, y);
-    if (length < limit) {
+    if (limit == 0) continue;
+    const FrictionProjection next(limit, state.force_x[node] + weight_ * slip_x[k],
+                                  state.force_y[node] + weight_ * slip_y[k]);
+    if (!next.slips()) {
       slips_[node] = 0;
       ++change.caught;
-      change.largest = std::max(change.largest, (limit - length) / largest_limit_);
-    } else if (limit > 0) {
-      change.largest = std::max(change.largest, std::hypot(x / length - along_x_[node], y / length - along_y_[node]) *
-                                                    limit / largest_limit_);
-      along_x_[node] = x / length;
-      along_y_[node] = y / length;
+      change.largest = std::max(change.largest, -next.excess() / largest_limit_);
+    } else {
+      turn(node, next.direction_x(), next.direction_y(), change);
     }
   }
   return change;
+}
+
+/// Gives the friction of a slipping node another direction.
+void SurfaceStickSlip::turn(int node, double along_x, double along_y, Change& change) {
+  const double turned = std::hypot(along_x - along_x_[node], along_y - along_y_[node]);
+  change.largest = std::max(change.largest, turned * problem_.limit[node] / largest_limit_);
+  along_x_[node] = along_x;
+  along_y_[node] = along_y;
 }
 
 SurfaceStickSlip::Change SurfaceStickSlip::printed_rule(const std::vector<int>& stick,
@@ -119,11 +125,10 @@ SurfaceStickSlip::Change SurfaceStickSlip::printed_rule(const std::vector<int>& 
   slip_of(nodes, state, slip_x, slip_y);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const int node = nodes[k];
-    const double slip = std::hypot(slip_x[k], slip_y[k]), limit = problem_.limit[node];
+    const double slip = std::hypot(slip_x[k], slip_y[k]);
     const bool moves = slip > problem_.slip_threshold;
     if (slips_[node] == 0) {
-      const double force = std::hypot(state.force_x[node], state.force_y[node]);
-      if (force <= limit * (1 + 1e-12)) continue;
+      if (!exceeds(problem_.limit[node], state.force_x[node], state.force_y[node])) continue;
       ++change.beyond_limit;
       if (!moves) continue;
       slips_[node] = 1;
@@ -133,9 +138,8 @@ SurfaceStickSlip::Change SurfaceStickSlip::printed_rule(const std::vector<int>& 
       ++change.caught;
       continue;
     } else {
-      change.largest =
-          std::max(change.largest, std::hypot(slip_x[k] / slip - along_x_[node], slip_y[k] / slip - along_y_[node]) *
-                                       limit / largest_limit_);
+      turn(node, slip_x[k] / slip, slip_y[k] / slip, change);
+      continue;
     }
     along_x_[node] = slip_x[k] / slip;
     along_y_[node] = slip_y[k] / slip;
@@ -161,10 +165,10 @@ void SurfaceStickSlip::balance_rotation(const std::vector<int>& slip_nodes, Stic
     double sum = -problem_.moment;
     for (std::size_t k = 0; k < slip_nodes.size(); ++k) {
       const int node = slip_nodes[k];
-      const double x = state.force_x[node] + weight_ * (slip_x[k] - rotation * problem_.roll[node]);
-      const double y = state.force_y[node] + weight_ * slip_y[k], limit = problem_.limit[node];
-      const double length = std::hypot(x, y);
-      sum += problem_.moment_arm[node] * (length > limit ? x * limit / length : x);
+      const FrictionProjection next(problem_.limit[node],
+                                    state.force_x[node] + weight_ * (slip_x[k] - rotation * problem_.roll[node]),
+                                    state.force_y[node] + weight_ * slip_y[k]);
+      sum += problem_.moment_arm[node] * next.x();
     }
     return sum;
   };

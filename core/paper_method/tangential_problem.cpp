@@ -6,50 +6,39 @@
 namespace rollres {
 
 TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& on_grid)
-    : sphere(scene.indenter == Indenter::sphere),
+    : components(dimensions(scene) - 1),
       grid(on_grid),
-      stencil(scene.slip_stencil),
-      friction(scene.friction_coefficient),
+      law{scene.friction_coefficient},
       slip_threshold(scene.slip_threshold),
-      radius(scene.radius),
-      driving_torque(scene.drive == Drive::torque ? scene.driving_torque.value_or(0) : 0),
-      drive(scene.drive) {
-  if (drive == Drive::rotation) given_rotation = scene.rotation_ratio;
+      drive_target_(drive_target(scene)) {
+  if (scene.drive == Drive::rotation) given_rotation = scene.rotation_ratio;
   const Direction directions[] = {Direction::w, Direction::u, Direction::v};
-  const int components = sphere ? 2 : 1;
   for (int i = 0; i < components; ++i)
     for (int j = 0; j < components + 1; ++j) {
       forward_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], SlipStencil::forward);
-      chosen_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], stencil);
+      chosen_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], scene.slip_stencil);
     }
   scale = std::abs(forward_[0][1](0, 0));
-  x_.resize(grid.size());
-  roll.setOnes(grid.size());
-  moment_arm.setZero(grid.size());
+  const IndenterShape shape(scene);
+  normal_arm_.resize(grid.size());
+  roll.resize(grid.size());
+  moment_arm.resize(grid.size());
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const int node = grid.index(column, row);
-      const double x = grid.x(column) / radius, y = sphere ? grid.y(row) / radius : 0;
-      x_[node] = grid.x(column);
-      if (x * x + y * y >= 1) continue;
-      roll[node] = std::sqrt(1 - y * y);
-      const double height = std::sqrt(1 - x * x - y * y);  // cos(phi), q_R / R
-      if (drive == Drive::top_force)
-        moment_arm[node] = 1 + height;
-      else
-        moment_arm[node] = sphere ? height : 1;
+      const double x = grid.x(column), y = grid.y(row);
+      const LeverArm torque = shape.torque(x, y), force = shape.driving_force(x, y);
+      roll[node] = shape.rolling_radius(y);
+      normal_arm_[node] = -drive_row(scene, torque.of_pressure, force.of_pressure);
+      moment_arm[node] = -drive_row(scene, torque.of_shear_x, force.of_shear_x);
     }
 }
 
 void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eigen::VectorXd& normal_force) {
   contact = in_contact;
   normal_force_ = normal_force;
-  limit = friction * normal_force.cwiseAbs();
-  const double normal_moment = x_.dot(normal_force) / radius;
-  if (drive == Drive::top_force)
-    moment = sphere ? -normal_moment : normal_moment;
-  else
-    moment = -driving_torque / radius - (sphere ? normal_moment : 0);
+  limit = normal_force.unaryExpr([&](double force) { return law.bound(force); });
+  moment = normal_arm_.dot(normal_force) - drive_target_;
 }
 
 double TangentialProblem::element(int row, int column) const {
@@ -66,14 +55,13 @@ Eigen::VectorXd TangentialProblem::slip(int component, const std::vector<int>& n
   Eigen::VectorXd values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(nodes.size()), component == 0 ? 1 : 0);
   kernels[0].add(nodes, contact, normal_force_, values);
   kernels[1].add(nodes, loaded, force_x, values);
-  if (sphere) kernels[2].add(nodes, loaded, force_y, values);
+  if (components == 2) kernels[2].add(nodes, loaded, force_y, values);
   return values;
 }
 
 bool TangentialProblem::solve_sticking(SubsetSolver& system, const std::vector<int>& stick,
                                        const std::vector<int>& slip_nodes, StickSlip& state) const {
   const auto n = static_cast<Eigen::Index>(stick.size());
-  const int components = sphere ? 2 : 1;
   std::vector<int> unknowns;
   for (int component = 0; component < components; ++component)
     for (const int node : stick) unknowns.push_back(component * grid.size() + node);
@@ -93,7 +81,7 @@ bool TangentialProblem::solve_sticking(SubsetSolver& system, const std::vector<i
   if (!solution.allFinite()) return false;
   for (Eigen::Index k = 0; k < n; ++k) {
     state.force_x[stick[k]] = solution[k];
-    if (sphere) state.force_y[stick[k]] = solution[n + k];
+    if (components == 2) state.force_y[stick[k]] = solution[n + k];
   }
   state.rotation_ratio = given_rotation ? *given_rotation : scale * solution[solution.size() - 1];
   return true;
@@ -103,14 +91,14 @@ std::optional<double> TangentialProblem::friction_needed() const {
   if (given_rotation) return {};
   const double bearable = moment_arm.dot(limit);
   if (std::abs(moment) < bearable) return {};
-  return friction * std::abs(moment) / bearable;
+  return law.coefficient * std::abs(moment) / bearable;
 }
 
 StickSlip TangentialProblem::all_sliding(double needed) const {
   StickSlip state;
   const double sense = moment < 0 ? -1 : 1;
   state.force_x = sense * limit;
-  if (sphere) state.force_y.setZero(grid.size());
+  if (components == 2) state.force_y.setZero(grid.size());
   state.zone.assign(grid.size(), Zone::free);
   for (const int node : contact) state.zone[node] = Zone::slip;
   state.rotation_ratio = std::numeric_limits<double>::quiet_NaN();

@@ -7,6 +7,7 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/scene/indenter_shape.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
 
@@ -44,7 +45,7 @@ class Simplification {
   double largest_change(const RollingScene& simpler) const {
     const HertzResponse answer = hertz_response(simpler, half_width_);
     const RollingScene& scene = choice_.scene;
-    const bool approach = scene.indenter == Indenter::sphere || std::isfinite(total_thickness(scene));
+    const bool approach = dimensions(scene) == 3 || std::isfinite(total_thickness(scene));
     return std::max({approach ? relative_change(full_.compliance, answer.compliance) : 0,
                      relative_change(full_.slope, answer.slope), relative_change(full_.loss, answer.loss)});
   }
@@ -86,7 +87,7 @@ class Simplification {
   /// be 1/2, its normal compliance kept: then the edges of the contact have no oscillations.
   void take_as_incompressible() {
     const RollingScene& scene = choice_.scene;
-    if (scene.indenter == Indenter::sphere || scene.period || scene.friction_coefficient == 0 || scene.spacing ||
+    if (dimensions(scene) == 3 || scene.period || scene.friction_coefficient == 0 || scene.spacing ||
         scene.coating_layers.empty() || inertia_included(scene))
       return;
     const auto compressible = [](const MaterialInputs& m) { return m.poisson_ratio < 0.5; };

@@ -4,7 +4,8 @@
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/newton/evidence.hpp"
+#include "core/newton/grid_solution.hpp"
+#include "core/scene/indenter_shape.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {
@@ -82,7 +83,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
       surface_in_words(scene) + "; " +
       message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
                    inertia(scene, solution));
-  const bool sphere = scene.indenter == Indenter::sphere, spectral = solution.method == Method::spectral;
+  const bool sphere = dimensions(scene) == 3, spectral = solution.method == Method::spectral;
   if (is_composite(scene) && !scene.period && !spectral)
     if (const double error = expansion_error(scene); error > 0)
       model += message_text("; memories expanded in fixed retardation times, to ", error);

@@ -11,11 +11,12 @@
 #include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/newton/evidence.hpp"
 #include "core/newton/grid_error.hpp"
+#include "core/newton/grid_solution.hpp"
 #include "core/newton/nested_newton.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/paper_method/active_set.hpp"
+#include "core/scene/indenter_shape.hpp"
 #include "core/solve/model_choice.hpp"
 #include "core/spectral/spectral_contact.hpp"
 #include "core/surface/scene_rules.hpp"
@@ -40,7 +41,7 @@ double tied_cells(const RollingScene& scene) {
 }
 
 GridSeries grids_of(const RollingScene& scene) {
-  if (scene.indenter == Indenter::sphere && !scene.spacing) return tied_grids(scene, tied_cells(scene));
+  if (dimensions(scene) == 3 && !scene.spacing) return tied_grids(scene, tied_cells(scene));
   return fixed_grids(scene, scene.spacing.value_or(default_spacing(scene)));
 }
 
@@ -50,15 +51,15 @@ constexpr double trusted_violation = 1e-8;
 constexpr int factorisable_nodes = 1000;
 
 NestedOutcome solve_on_grids(const RollingScene& scene) {
-  const bool sphere = scene.indenter == Indenter::sphere;
+  const int dimension = dimensions(scene);
   std::function<bool(const NestedOutcome&)> finer;
   if (scene.tolerance)
     finer = [&](const NestedOutcome& nested) {
       const std::vector<Zone>& zone = nested.finest.outcome.zone;
       const auto nodes =
-          (sphere ? 2 : 1) * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
+          (dimension - 1) * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
       return !(nested.error_estimate() <= *scene.tolerance) &&
-             (sphere ? 4 : 2) * nodes <= (sphere ? most_nodes_3d : most_nodes_2d);
+             2 * (dimension - 1) * nodes <= (dimension == 3 ? most_nodes_3d : most_nodes_2d);
     };
   return solve_nested(scene, grids_of(scene), finer);
 }
@@ -101,16 +102,16 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
 
 /// Unknowns on rows y >= 0 from those on the whole grid; `asymmetry` is the largest difference to the mirror image over
 /// the largest pressure.
-ContactUnknowns upper_half(const ContactState& state, const SurfaceGrid& half, bool sphere, double& asymmetry) {
+ContactUnknowns upper_half(const ContactState& state, const SurfaceGrid& half, double& asymmetry) {
   ContactUnknowns unknowns;
   unknowns.approach = state.approach;
   unknowns.rotation_ratio = std::isnan(state.rotation_ratio) ? 0 : state.rotation_ratio;
   const double scale = state.pressure.cwiseAbs().maxCoeff();
   const auto keep = [&](const Vector& whole, double parity) {
-    if (!sphere || whole.size() == 0) return whole;
+    if (whole.size() == 0) return whole;
     const Eigen::Index size = half.size();
     const Vector upper = whole.tail(size);
-    asymmetry = std::max(asymmetry, (mirrored(half, true, upper, parity) - whole).cwiseAbs().maxCoeff() / scale);
+    asymmetry = std::max(asymmetry, (mirrored(half, upper, parity) - whole).cwiseAbs().maxCoeff() / scale);
     return upper;
   };
   unknowns.pressure = keep(state.pressure, 1);
@@ -127,24 +128,23 @@ struct PaperAnswer {
 
 /// The paper's method on one grid, which grows until the contact keeps clear of its border.
 PaperAnswer solve_paper(const RollingScene& scene, double spacing) {
-  const bool sphere = scene.indenter == Indenter::sphere;
   double half_width = std::min(1.3 * estimate_contact(scene).half_width + 2 * spacing, widest_window(scene));
   for (;; half_width = std::min(1.4 * half_width, widest_window(scene))) {
     const SurfaceGrid half = window(scene.indenter, spacing, half_width);
-    const InfluenceTable table = influence_table(scene, mirrored(half, sphere));
-    const ContactState state = solve_active_set(scene, table, mirrored(half, sphere));
+    const InfluenceTable table = influence_table(scene, mirrored(half));
+    const ContactState state = solve_active_set(scene, table, mirrored(half));
     if (state.reached_border && half_width < widest_window(scene)) continue;
     PaperAnswer answer;
     RollingSolution& solution = answer.solution;
     if (state.status == Status::converged) {
       double asymmetry = 0;
-      const ContactUnknowns unknowns = upper_half(state, half, sphere, asymmetry);
+      const ContactUnknowns unknowns = upper_half(state, half, asymmetry);
       const std::vector<Zone> zone(state.zone.end() - half.size(), state.zone.end());
       const ContactProblem problem(scene, half);
       const InfluenceOperator influence(scene, table, half, true);
       solution = summarise(problem, influence, unknowns, zone);
       solution.law_violation = std::max(solution.law_violation, asymmetry);
-      const Vector moved = Eigen::Map<const Vector>(solution.fields.w.data(), mirrored(half, sphere).size());
+      const Vector moved = Eigen::Map<const Vector>(solution.fields.w.data(), mirrored(half).size());
       answer.error = grid_error(problem, unknowns.pressure, zone,
                                 problem.profile.array() - unknowns.approach - moved.tail(half.size()).array());
     }

@@ -6,10 +6,10 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/spectral/spectral_evidence.hpp"
 #include "core/spectral/spectral_field.hpp"
-#include "core/spectral/spectral_limit.hpp"
+#include "core/spectral/spectral_friction_limit.hpp"
 #include "core/spectral/spectral_search.hpp"
+#include "core/spectral/spectral_solution.hpp"
 #include "core/spectral/spectral_start.hpp"
 #include "core/surface/contact_surface.hpp"
 
@@ -139,7 +139,7 @@ class SpectralContact {
     double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
     double residual = std::min(1e-9, 0.01 * tolerance_);
     int stays = 0;
-    bool done = false, glanced = !costly;
+    bool done = false, checked = !costly;
     while (coefficients <= most_coefficients) {
       require_time();
       const auto order = static_cast<int>(coefficients);
@@ -168,21 +168,21 @@ class SpectralContact {
       change_before = change;
       tail_before = tail;
       last_ = std::move(state);
-      if (error <= tolerance_ || (!glanced && error < 1e-4)) {
-        glanced = true;
+      if (error <= tolerance_ || (!checked && error < 1e-4)) {
+        checked = true;
         work_ += work_of_check(problem_, pattern, order, edges.contact.half_length());
-        SpectralEvidence evidence = assess(problem_, *last_);
-        const double violation = evidence.solution.law_violation;
-        const bool lawful = evidence.wrong_zone < wrong_pattern;
+        AssessedSpectral assessed = assess(problem_, *last_);
+        const double violation = assessed.solution.law_violation;
+        const bool lawful = assessed.wrong_zone < wrong_pattern;
         if (!lawful) {
-          overloaded_ = evidence.overloaded;
-          overload_direction_ = evidence.overload_direction;
+          overloaded_ = assessed.overloaded;
+          overload_direction_ = assessed.overload_direction;
         }
-        if (evidence.wrong_zone > plainly_wrong) return false;
+        if (assessed.wrong_zone > plainly_wrong) return false;
         if (error <= tolerance_) {
           if (violation < largest_violation) {
-            evidence.solution.error_estimate = cautious(error, violation, scene_.drive) + problem_.left_out;
-            best_ = std::move(evidence);
+            assessed.solution.error_estimate = cautious(error, violation, scene_.drive) + problem_.left_out;
+            best_ = std::move(assessed);
             return true;
           }
           if (done && !lawful) return false;
@@ -213,7 +213,7 @@ class SpectralContact {
   double tolerance_;
   SpectralProblem problem_;
   std::optional<SpectralState> last_;
-  std::optional<SpectralEvidence> best_;
+  std::optional<AssessedSpectral> best_;
   double overloaded_ = RollingSolution::absent;
   int overload_direction_ = 0;
   int evaluations_ = 0;

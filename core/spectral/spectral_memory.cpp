@@ -69,7 +69,7 @@ SlopeMemory::SlopeMemory(const SpectralProblem& problem, const Interval& contact
       length_(problem.relaxation_length[term]),
       end_(contact.to),
       // A short memory of the slope as if the body went on; a long one from the edge.
-      goes_on_(contact.half_length() > 8 * length_ && contact.to + 40 * length_ < 0.9 * problem.radius) {}
+      goes_on_(contact.half_length() > 8 * length_ && contact.to + 40 * length_ < 0.9 * problem.shape.radius()) {}
 
 double SlopeMemory::at_edge() const { return goes_on_ ? (*this)(end_) : 0; }
 
@@ -79,7 +79,7 @@ double SlopeMemory::operator()(double x) const {
   double sum = 0;
   for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
     const double s = range * rule.nodes[q];
-    sum += rule.weights[q] * std::exp(-s) * problem_.slope(x + length_ * s);
+    sum += rule.weights[q] * std::exp(-s) * problem_.shape.slope(x + length_ * s);
   }
   return range * sum;
 }

@@ -66,7 +66,7 @@ bool single_incompressible(const RollingScene& scene) { return !is_composite(sce
 }  // namespace
 
 SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double half_width)
-    : scene(given), radius(given.radius) {
+    : scene(given), shape(given) {
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const TidySpectrum tidy =
@@ -102,9 +102,5 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
                             (creep_m - relaxation_length[static_cast<std::size_t>(j)]);
     }
 }
-
-double SpectralProblem::cosine(double x) const { return std::sqrt(std::max(1 - x * x / (radius * radius), 1e-4)); }
-double SpectralProblem::profile(double x) const { return x * x / (radius * (1 + cosine(x))); }
-double SpectralProblem::slope(double x) const { return x / (radius * cosine(x)); }
 
 }  // namespace rollres

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/material/relaxation.hpp"
-#include "core/scene/scene.hpp"
+#include "core/scene/indenter_shape.hpp"
 #include "core/spectral/slope_correction.hpp"
 
 namespace rollres {
@@ -21,12 +21,8 @@ struct SpectralProblem {
   /// @param half_width a rough one: memories below 1e-6 of it are joined, and those below 1e-9 are elastic [m]
   SpectralProblem(const RollingScene& scene, const CreepSpectrum& creep, double half_width);
 
-  double profile(double x) const;  // height of the body's lower surface above its lowest point [m]
-  double slope(double x) const;    // its derivative [1]
-  double cosine(double x) const;   // height of the axis above the surface over R [1]
-
   RollingScene scene;
-  double radius;
+  IndenterShape shape;
   double glassy, rubbery;                                     // G_inf, G0 [Pa]
   double left_out;                                            // loss of the memories that count as elastic [1]
   double rubbery_compliance;                                  // J_inf + sum C [1/Pa]

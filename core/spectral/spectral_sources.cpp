@@ -74,18 +74,15 @@ MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& la
   return slopes;
 }
 
-RowVectorXd load_row(const SpectralProblem& problem, const TractionSources& sources) {
-  RowVectorXd cosine(sources.x.size());
-  for (Index q = 0; q < cosine.size(); ++q) cosine(q) = problem.cosine(sources.x(q));
-  return cosine * sources.of_pressure - sources.x.transpose() / problem.radius * sources.of_shear;
+RowVectorXd resultant_row(const IndenterShape& shape, LeverArm (IndenterShape::*arm)(double, double) const,
+                          const TractionSources& sources) {
+  RowVectorXd of_pressure(sources.x.size()), of_shear(sources.x.size());
+  for (Index q = 0; q < sources.x.size(); ++q) {
+    const LeverArm at = (shape.*arm)(sources.x(q), 0);
+    of_pressure(q) = at.of_pressure;
+    of_shear(q) = at.of_shear_x;
+  }
+  return of_pressure * sources.of_pressure + of_shear * sources.of_shear;
 }
-
-RowVectorXd force_row(const SpectralProblem& problem, const TractionSources& sources) {
-  RowVectorXd cosine(sources.x.size());
-  for (Index q = 0; q < cosine.size(); ++q) cosine(q) = problem.cosine(sources.x(q));
-  return sources.x.transpose() / problem.radius * sources.of_pressure + cosine * sources.of_shear;
-}
-
-RowVectorXd torque_row(const TractionSources& sources) { return -sources.of_shear.colwise().sum(); }
 
 }  // namespace rollres

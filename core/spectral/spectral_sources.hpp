@@ -32,9 +32,8 @@ using LayerKernel = std::function<LayerSlopes(double)>;
 Eigen::MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 Eigen::MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 
-/// Resultants by unknown, as in core/newton/contact_problem.hpp: P [N/m], Q [N/m], T/R [N/m] (S18).
-Eigen::RowVectorXd load_row(const SpectralProblem& problem, const TractionSources& sources);
-Eigen::RowVectorXd force_row(const SpectralProblem& problem, const TractionSources& sources);
-Eigen::RowVectorXd torque_row(const TractionSources& sources);
+/// A resultant by unknown, from its lever arms (S18): `load`, `driving_force` [N/m] or `torque` [N] of the shape.
+Eigen::RowVectorXd resultant_row(const IndenterShape& shape, LeverArm (IndenterShape::*arm)(double, double) const,
+                                 const TractionSources& sources);
 
 }  // namespace rollres

@@ -103,7 +103,7 @@ class System {
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
     if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * memory_.series;
     if (problem_.layered()) matrix_.topRows(n_ + 1) += normal_slopes(sources_, layer(), x);
-    for (Index i = 0; i <= n_; ++i) right_(i) = problem_.glassy * problem_.slope(x(i));
+    for (Index i = 0; i <= n_; ++i) right_(i) = problem_.glassy * problem_.shape.slope(x(i));
     for (std::size_t j = 0; j < static_cast<std::size_t>(terms_); ++j) {
       const SlopeMemory memory(problem_, contact, j);
       for (Index i = 0; i <= n_; ++i) right_(i) -= problem_.relaxation_modulus[j] * memory(x(i));
@@ -250,13 +250,17 @@ class System {
       row(zone.amplitude() + j) += exponential(zone.interval, j, x) - images.dot(zone.memory.series.col(j));
   }
 
+  RowVectorXd resultant(LeverArm (IndenterShape::*arm)(double, double) const) const {
+    return resultant_row(problem_.shape, arm, sources_);
+  }
+
   /// What the drive asks of the tractions, and how much (S18).
   std::pair<RowVectorXd, double> drive_row() const {
     const RollingScene& scene = problem_.scene;
     const double half = edges_.contact.half_length();
-    RowVectorXd row = torque_row(sources_) / half;
-    if (scene.drive == Drive::top_force) row -= force_row(problem_, sources_) / half;
-    return {row, scene.drive == Drive::torque ? *scene.driving_torque / scene.radius / half : 0};
+    const RowVectorXd row =
+        rollres::drive_row(scene, resultant(&IndenterShape::torque), resultant(&IndenterShape::driving_force));
+    return {row / half, drive_target(scene) / half};
   }
 
   void drive() {
@@ -306,7 +310,7 @@ class System {
       const auto i = static_cast<std::size_t>(m);
       w += problem_.creep_compliance[i] * problem_.creep_length[i] * means(m);
     }
-    return problem_.profile(leading) - w;
+    return problem_.shape.profile(leading) - w;
   }
 
   SpectralState state() const {
@@ -315,9 +319,9 @@ class System {
     state.pattern = pattern_;
     state.edges = edges_;
     state.pressure = {solution_.head(n_), solution_.segment(amplitude_, terms_)};
-    state.load = load_row(problem_, sources_).dot(solution_);
-    state.driving_force = force_row(problem_, sources_).dot(solution_);
-    state.driving_torque = torque_row(sources_).dot(solution_) * scene.radius;
+    state.load = resultant(&IndenterShape::load).dot(solution_);
+    state.driving_force = resultant(&IndenterShape::driving_force).dot(solution_);
+    state.driving_torque = resultant(&IndenterShape::torque).dot(solution_);
     state.approach = approach();
     state.edge_means = means_ * solution_;
     state.sources = sources_.x;

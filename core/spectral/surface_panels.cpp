@@ -219,7 +219,7 @@ void measure_gaps(const SpectralProblem& problem, double leading_edge, std::vect
   for (std::size_t i = 0; i < panels.size(); ++i) {
     SurfacePanel& panel = panels[i];
     ArrayXd opening(PanelRule::count);
-    for (int k = 0; k < PanelRule::count; ++k) opening(k) = problem.slope(panel.x(k)) - panel.slope_w(k);
+    for (int k = 0; k < PanelRule::count; ++k) opening(k) = problem.shape.slope(panel.x(k)) - panel.slope_w(k);
     panel.gap = gap + panel.integrated(opening);
     gap = panel.gap(PanelRule::last);
     if (panel.from != leading_edge) continue;

@@ -30,7 +30,7 @@ struct Parts {
   explicit Parts(double spacing)
       : scene(timed::paper_sphere(spacing)),
         half(timed::grid_of(scene)),
-        whole(mirrored(half, true)),
+        whole(mirrored(half)),
         material(creep_spectrum(scene)) {}
 
   PassageKernel kernel() const {

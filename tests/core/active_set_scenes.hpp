@@ -4,7 +4,7 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/newton/contact_problem.hpp"
-#include "core/newton/evidence.hpp"
+#include "core/newton/grid_solution.hpp"
 #include "core/paper_method/active_set.hpp"
 #include "tests/core/paper_scenes.hpp"
 
@@ -26,7 +26,7 @@ inline Solved solve_on(const RollingScene& scene, double half_width) {
   const bool sphere = scene.indenter == Indenter::sphere;
   const SurfaceGrid half = window(scene.indenter, *scene.spacing, half_width);
   Solved solved;
-  solved.grid = mirrored(half, sphere);
+  solved.grid = mirrored(half);
   solved.table = influence_table(scene, solved.grid);
   solved.state = solve_active_set(scene, solved.table, solved.grid);
   const ContactState& state = solved.state;

@@ -60,7 +60,7 @@ TEST_CASE("convolution by Fourier transform equals sums over all nodes, on half 
     half.first_column = -4;
     half.columns = 11;
     half.rows = sphere ? 6 : 1;
-    const InfluenceTable table = influence_table(scene, mirrored(half, sphere));
+    const InfluenceTable table = influence_table(scene, mirrored(half));
     const Vector pressure = random_vector(half.size(), generator), shear_x = random_vector(half.size(), generator);
     Vector shear_y;
     if (sphere) {

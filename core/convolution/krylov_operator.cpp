@@ -1,4 +1,4 @@
-#include "core/convolution/iterative_influence.hpp"
+#include "core/convolution/krylov_operator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,11 +64,11 @@ Spectrum<Real> rounded(const Spectrum<double>& spectrum) {
 }  // namespace
 
 template <class Real>
-IterativeInfluence<Real>::IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded,
-                                             const InfluenceSpectra& spectra, bool friction)
-    : grid_(half), sphere_(scene.indenter == Indenter::sphere), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
+KrylovOperator<Real>::KrylovOperator(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded,
+                                     const InfluenceSpectra& spectra, bool friction)
+    : grid_(half), lateral_(dimensions(scene) == 3), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
   if (friction) {
-    transform_ = std::make_unique<SurfaceTransform<Real>>(padded_);
+    transform_ = std::make_unique<PaddedConvolution<Real>>(padded_);
     uw_ = rounded<Real>(spectra.uw);
     vw_ = rounded<Real>(spectra.vw);
     const std::size_t rows = padded_.quarter_rows();
@@ -92,11 +92,11 @@ IterativeInfluence<Real>::IterativeInfluence(const RollingScene& scene, const Su
 }
 
 template <class Real>
-void IterativeInfluence<Real>::prepare_inverses(const RollingScene& scene, bool friction) {
+void KrylovOperator<Real>::prepare_inverses(const RollingScene& scene, bool friction) {
   const double normalise = 1 / padded_.points();
   const std::size_t size = padded_.quarter_size(), rows = padded_.quarter_rows();
   const double step_x = 2 * M_PI / (padded_.columns * grid_.spacing_x);
-  const double step_y = sphere_ ? 2 * M_PI / (padded_.rows * grid_.spacing_y) : 0;
+  const double step_y = lateral_ ? 2 * M_PI / (padded_.rows * grid_.spacing_y) : 0;
   // All symbols first, whose largest values the floor and the shift refer to.
   std::vector<CellSymbols> symbols(size);
   std::vector<complex> difference;  // by kx
@@ -106,28 +106,28 @@ void IterativeInfluence<Real>::prepare_inverses(const RollingScene& scene, bool 
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t column = i / rows, row = i % rows;
     // A line's symbol at k = 0: the next; a surface's likewise.
-    const double kx = static_cast<double>(column == 0 && !sphere_ ? 1 : column) * step_x;
-    const double ky = sphere_ ? static_cast<double>(row == 0 && column == 0 ? 1 : row) * step_y : 0;
+    const double kx = static_cast<double>(column == 0 && !lateral_ ? 1 : column) * step_x;
+    const double ky = lateral_ ? static_cast<double>(row == 0 && column == 0 ? 1 : row) * step_y : 0;
     if (row == 0) {
       moduli = surface.moduli(kx);
       // Minus the forward difference over a cell, as a symbol.
       difference.push_back((1.0 - std::polar(1.0, kx * grid_.spacing_x)) / grid_.spacing_x);
     }
-    symbols[i] = cell_symbols(surface, moduli, kx, ky, grid_.spacing_x, sphere_ ? grid_.spacing_y : 0);
+    symbols[i] = cell_symbols(surface, moduli, kx, ky, grid_.spacing_x, lateral_ ? grid_.spacing_y : 0);
     largest_ww = std::max(largest_ww, std::abs(symbols[i].ww));
     largest_xx = std::max(largest_xx, std::abs(difference[column] * symbols[i].uu));
   }
   const double floor = std::pow(normal_floor * largest_ww, 2), shift = slip_shift * largest_xx;
   resize<Real>(size, {&inverse_ww_});
   if (friction) resize<Real>(size, {&inverse_xx_});
-  if (friction && sphere_) resize<Real>(size, {&inverse_xy_, &inverse_yy_});
+  if (friction && lateral_) resize<Real>(size, {&inverse_xy_, &inverse_yy_});
   for (std::size_t i = 0; i < size; ++i) {
     const CellSymbols& c = symbols[i];
     const complex ww = c.ww;
     store(inverse_ww_, i, normalise * std::conj(ww) / std::max(std::norm(ww), floor));
     if (!friction) continue;
     const complex slip = difference[i / rows];
-    if (!sphere_) {
+    if (!lateral_) {
       store(inverse_xx_, i, normalise / (slip * c.uu + shift));
       continue;
     }
@@ -140,13 +140,13 @@ void IterativeInfluence<Real>::prepare_inverses(const RollingScene& scene, bool 
 }
 
 template <class Real>
-EvenTransform<Real>& IterativeInfluence<Real>::even_transform() {
+EvenTransform<Real>& KrylovOperator<Real>::even_transform() {
   if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<Real>>(padded_);
   return *even_transform_;
 }
 
 template <class Real>
-void IterativeInfluence<Real>::apply(const Tractions& tractions, Response& response) {
+void KrylovOperator<Real>::apply(const Tractions& tractions, Response& response) {
   if (tractions.shear_x.size() == 0) {
     even_transform().convolve(tractions.pressure, grid_.columns, grid_.rows, ww_, response.w, grid_.columns);
     response.w = -response.w;
@@ -155,12 +155,12 @@ void IterativeInfluence<Real>::apply(const Tractions& tractions, Response& respo
   const InfluenceTerms<Real> terms{ww_, uw_, vw_, slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_};
   transform_->convolve(
       {&tractions.pressure, &tractions.shear_y, &tractions.shear_x, grid_.columns, grid_.rows},
-      [&](const WavenumberBlock<Real>& block) { terms.multiply(block, sphere_); },
-      {&response.w, sphere_ ? &response.slip_y : nullptr, &response.slip_x, grid_.columns, grid_.rows});
+      [&](const WavenumberBlock<Real>& block) { terms.multiply(block, lateral_); },
+      {&response.w, lateral_ ? &response.slip_y : nullptr, &response.slip_x, grid_.columns, grid_.rows});
 }
 
 template <class Real>
-void IterativeInfluence<Real>::approximate_inverse(const Response& wanted, Tractions& tractions) {
+void KrylovOperator<Real>::approximate_inverse(const Response& wanted, Tractions& tractions) {
   if (wanted.slip_x.size() == 0) {
     even_transform().convolve(wanted.w, grid_.columns, grid_.rows, inverse_ww_, tractions.pressure, grid_.columns);
     return;
@@ -175,7 +175,7 @@ void IterativeInfluence<Real>::approximate_inverse(const Response& wanted, Tract
       block.even_re[i] = wr[i] * pr - wi[i] * pi;
       block.even_im[i] = wr[i] * pi + wi[i] * pr;
     }
-    if (!sphere_) {
+    if (!lateral_) {
 #pragma GCC ivdep
       for (int i = 0; i < block.count; ++i) {
         const Real xr = block.second_re[i], xi = block.second_im[i];
@@ -197,10 +197,10 @@ void IterativeInfluence<Real>::approximate_inverse(const Response& wanted, Tract
   };
   transform_->convolve(
       {&wanted.w, &wanted.slip_y, &wanted.slip_x, grid_.columns, grid_.rows}, multiply,
-      {&tractions.pressure, sphere_ ? &tractions.shear_y : nullptr, &tractions.shear_x, grid_.columns, grid_.rows});
+      {&tractions.pressure, lateral_ ? &tractions.shear_y : nullptr, &tractions.shear_x, grid_.columns, grid_.rows});
 }
 
-template class IterativeInfluence<float>;
-template class IterativeInfluence<double>;
+template class KrylovOperator<float>;
+template class KrylovOperator<double>;
 
 }  // namespace rollres

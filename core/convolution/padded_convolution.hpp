@@ -51,7 +51,7 @@ PaddedSize padded_size(int columns, int rows, int more_columns);
 
 /// An object serves one thread at a time (it keeps work space).
 template <class Real>
-class SurfaceTransform {
+class PaddedConvolution {
  public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
   /// Rows y >= 0 of fields of `columns` values each; an empty vector is zero (in) or not wanted (null, out).
@@ -64,7 +64,7 @@ class SurfaceTransform {
     int columns, rows;
   };
 
-  explicit SurfaceTransform(PaddedSize size);
+  explicit PaddedConvolution(PaddedSize size);
 
   PaddedSize size() const { return size_; }
 

@@ -1,4 +1,4 @@
-#include "core/convolution/surface_transform.hpp"
+#include "core/convolution/padded_convolution.hpp"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ PaddedSize padded_size(int columns, int rows, int more_columns) {
 }
 
 template <class Real>
-SurfaceTransform<Real>::SurfaceTransform(PaddedSize size)
+PaddedConvolution<Real>::PaddedConvolution(PaddedSize size)
     : size_(size),
       along_x_(shared_fft_line<Real>(size.columns)),
       along_y_(shared_fft_line<Real>(std::max(size.rows, 4))),
@@ -34,7 +34,7 @@ SurfaceTransform<Real>::SurfaceTransform(PaddedSize size)
 }
 
 template <class Real>
-void SurfaceTransform<Real>::load(const Fields& in, int first_column) {
+void PaddedConvolution<Real>::load(const Fields& in, int first_column) {
   const Real* const even = in.even && in.even->size() > 0 ? in.even->data() : nullptr;
   const Real* const odd = in.odd && in.odd->size() > 0 ? in.odd->data() : nullptr;
   const Real* const second = in.second_even && in.second_even->size() > 0 ? in.second_even->data() : nullptr;
@@ -79,7 +79,7 @@ void SurfaceTransform<Real>::load(const Fields& in, int first_column) {
 }
 
 template <class Real>
-void SurfaceTransform<Real>::transform_columns(Work& work, int kx, int rows) {
+void PaddedConvolution<Real>::transform_columns(Work& work, int kx, int rows) {
   const int other = kx == 0 ? 0 : size_.columns - kx;
   for (const int k : {kx, other}) {
     std::fill(column(k) + rows, column(k) + size_.rows - rows + 1, complex());
@@ -89,7 +89,7 @@ void SurfaceTransform<Real>::transform_columns(Work& work, int kx, int rows) {
 }
 
 template <class Real>
-void SurfaceTransform<Real>::split(const Work& work, int kx, const WavenumberBlock<Real>& block) {
+void PaddedConvolution<Real>::split(const Work& work, int kx, const WavenumberBlock<Real>& block) {
   const Real half = Real(0.5);
   const complex* const plus = work.columns.data();
   const complex* const minus = single(kx) ? plus : plus + size_.rows;
@@ -106,7 +106,7 @@ void SurfaceTransform<Real>::split(const Work& work, int kx, const WavenumberBlo
 }
 
 template <class Real>
-void SurfaceTransform<Real>::join(Work& work, int kx, const WavenumberBlock<Real>& block) {
+void PaddedConvolution<Real>::join(Work& work, int kx, const WavenumberBlock<Real>& block) {
   complex* const plus = work.columns.data();
   complex* const minus = single(kx) ? plus : plus + size_.rows;
   for (int ky = 0; ky < block.count; ++ky) {
@@ -122,7 +122,7 @@ void SurfaceTransform<Real>::join(Work& work, int kx, const WavenumberBlock<Real
 }
 
 template <class Real>
-void SurfaceTransform<Real>::split_line(const WavenumberBlock<Real>& block) {
+void PaddedConvolution<Real>::split_line(const WavenumberBlock<Real>& block) {
   const Real half = Real(0.5);
   for (int kx = 0; kx < block.count; ++kx) {
     const complex a = spectrum_[static_cast<std::size_t>(kx)];
@@ -135,7 +135,7 @@ void SurfaceTransform<Real>::split_line(const WavenumberBlock<Real>& block) {
 }
 
 template <class Real>
-void SurfaceTransform<Real>::join_line(const WavenumberBlock<Real>& block) {
+void PaddedConvolution<Real>::join_line(const WavenumberBlock<Real>& block) {
   for (int kx = 0; kx < block.count; ++kx) {
     const Real pr = block.even_re[kx], pi = block.even_im[kx], qr = block.second_re[kx], qi = block.second_im[kx];
     spectrum_[static_cast<std::size_t>(kx)] = {pr - qi, pi + qr};
@@ -144,7 +144,7 @@ void SurfaceTransform<Real>::join_line(const WavenumberBlock<Real>& block) {
 }
 
 template <class Real>
-void SurfaceTransform<Real>::transform_columns_back(Work& work, int kx, const Results& out) {
+void PaddedConvolution<Real>::transform_columns_back(Work& work, int kx, const Results& out) {
   const int other = kx == 0 ? 0 : size_.columns - kx;
   const Real half = Real(0.5);
   for (const int k : {kx, other}) {
@@ -163,7 +163,7 @@ void SurfaceTransform<Real>::transform_columns_back(Work& work, int kx, const Re
 }
 
 template <class Real>
-void SurfaceTransform<Real>::unload(const Results& out) {
+void PaddedConvolution<Real>::unload(const Results& out) {
   const Eigen::Index size = static_cast<Eigen::Index>(out.columns) * out.rows;
   for (Vector* field : {out.even, out.odd, out.second_even})
     if (field) field->resize(size);
@@ -189,7 +189,7 @@ void SurfaceTransform<Real>::unload(const Results& out) {
 }
 
 template <class Real>
-void SurfaceTransform<Real>::unload_rows(Work& work, int row, const Results& out) {
+void PaddedConvolution<Real>::unload_rows(Work& work, int row, const Results& out) {
   const int count = std::min(batch, out.rows - row);
   for (int kx = 0; kx < size_.columns; ++kx) {
     const complex* const from = column(kx) + row;
@@ -209,7 +209,7 @@ void SurfaceTransform<Real>::unload_rows(Work& work, int row, const Results& out
 }
 
 template <class Real>
-void SurfaceTransform<Real>::unload_odd_rows(Work& work, int row, const Results& out) {
+void PaddedConvolution<Real>::unload_odd_rows(Work& work, int row, const Results& out) {
   // Two rows of the real field o make one complex line.
   const int rows = std::min(2 * batch, out.rows - row), count = (rows + 1) / 2;
   for (int kx = 0; kx < size_.columns; ++kx) {
@@ -300,8 +300,8 @@ void EvenTransform<Real>::convolve(const Vector& in, int columns, int rows, cons
   });
 }
 
-template class SurfaceTransform<double>;
-template class SurfaceTransform<float>;
+template class PaddedConvolution<double>;
+template class PaddedConvolution<float>;
 template class EvenTransform<double>;
 template class EvenTransform<float>;
 

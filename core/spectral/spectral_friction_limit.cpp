@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_limit.hpp"
+#include "core/spectral/spectral_friction_limit.hpp"
 
 #include <cmath>
 
@@ -20,11 +20,8 @@ double sliding_surplus(const SpectralProblem& given, const Interval& contact, do
   const int order = first_order(problem, start, 1e-8);
   const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
   if (!state) return NAN;
-  const RollingScene& scene = problem.scene;
-  double drive = state->driving_torque / scene.radius;
-  if (scene.drive == Drive::top_force) drive -= state->driving_force;
-  if (scene.drive == Drive::torque) drive -= *scene.driving_torque / scene.radius;
-  return direction * drive;
+  return direction *
+         (drive_row(problem.scene, state->driving_torque, state->driving_force) - drive_target(problem.scene));
 }
 
 }  // namespace

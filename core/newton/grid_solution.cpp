@@ -1,4 +1,4 @@
-#include "core/newton/evidence.hpp"
+#include "core/newton/grid_solution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ class Assessment {
     return shear.size() > 0 ? shear : Vector(Vector::Zero(problem_.grid.size()));
   }
   Vector lateral_shear(const ContactUnknowns& given) const {
-    return problem_.sphere ? shear_or_zero(given.shear_y) : Vector();
+    return problem_.lateral ? shear_or_zero(given.shear_y) : Vector();
   }
   Eigen::Index moved_index(Eigen::Index node) const {
     const Eigen::Index columns = problem_.grid.columns;
@@ -45,57 +45,49 @@ class Assessment {
   bool contact(Eigen::Index node) const { return zone_[static_cast<std::size_t>(node)] != Zone::free; }
   double shear_x(Eigen::Index node) const { return problem_.friction ? unknowns_.shear_x(node) : 0; }
   double shear_y(Eigen::Index node) const { return unknowns_.shear_y.size() > 0 ? unknowns_.shear_y(node) : 0; }
-  /// How often a node of the half grid stands on the whole one.
-  int count(Eigen::Index node) const {
-    return problem_.sphere && problem_.grid.first_row + node / problem_.grid.columns > 0 ? 2 : 1;
-  }
 
   void measure_contact() {
     const SurfaceGrid& grid = problem_.grid;
     double leading = -INFINITY, trailing = INFINITY, half_width = 0;
     s_.peak_pressure = 0;
     if (problem_.friction) s_.peak_shear_x = 0;
-    if (problem_.friction && problem_.sphere) s_.peak_shear_y = 0;
+    if (problem_.friction && problem_.lateral) s_.peak_shear_y = 0;
     for (Eigen::Index i = 0; i < grid.size(); ++i) {
       if (!contact(i)) continue;
-      s_.contact_nodes += count(i);
-      if (zone_[static_cast<std::size_t>(i)] == Zone::slip) s_.slip_nodes += count(i);
+      s_.contact_nodes += problem_.images(i);
+      if (zone_[static_cast<std::size_t>(i)] == Zone::slip) s_.slip_nodes += problem_.images(i);
       const double x = grid.x(static_cast<int>(i % grid.columns));
       leading = std::max(leading, x);
       trailing = std::min(trailing, x);
-      if (problem_.sphere) half_width = std::max(half_width, grid.y(static_cast<int>(i / grid.columns)));
+      if (problem_.lateral) half_width = std::max(half_width, grid.y(static_cast<int>(i / grid.columns)));
       s_.peak_pressure = std::max(s_.peak_pressure, unknowns_.pressure(i));
       if (problem_.friction) s_.peak_shear_x = std::max(s_.peak_shear_x, std::abs(shear_x(i)));
-      if (problem_.friction && problem_.sphere) s_.peak_shear_y = std::max(s_.peak_shear_y, std::abs(shear_y(i)));
+      if (problem_.friction && problem_.lateral) s_.peak_shear_y = std::max(s_.peak_shear_y, std::abs(shear_y(i)));
     }
     s_.leading_edge = leading;
     s_.trailing_edge = trailing;
-    if (problem_.sphere) s_.half_width = half_width;
+    if (problem_.lateral) s_.half_width = half_width;
     s_.contact_area = s_.contact_nodes * grid.cell_area();
     s_.spacing = grid.spacing_x;
     half_length_ = std::max(0.5 * (leading - trailing + grid.spacing_x), grid.spacing_x);
-    const bool undefined = !problem_.sphere && std::isinf(total_thickness(problem_.scene));
+    const bool undefined = dimensions(problem_.scene) == 2 && std::isinf(total_thickness(problem_.scene));
     s_.approach = undefined ? RollingSolution::absent : unknowns_.approach;
   }
 
   void sum_forces() {
-    const Vector none = Vector::Zero(problem_.grid.size());
-    const Vector& shear = problem_.friction ? unknowns_.shear_x : none;
-    const RollingScene& scene = problem_.scene;
-    s_.load = problem_.load(unknowns_.pressure, shear);
+    const Vector &pressure = unknowns_.pressure, &shear = unknowns_.shear_x;
+    s_.load = problem_.load(pressure, shear);
     s_.mean_pressure = s_.load / s_.contact_area;
+    s_.rolling_resistance = problem_.resistance(pressure, shear, unknowns_.rotation_ratio);
     if (problem_.friction) {
-      s_.driving_torque = problem_.torque(unknowns_.pressure, shear);
-      s_.driving_force = problem_.driving_force(unknowns_.pressure, shear);
+      s_.driving_torque = problem_.torque(pressure, shear);
+      s_.driving_force = problem_.driving_force(pressure, shear);
       s_.rotation_ratio = unknowns_.rotation_ratio;
-      s_.rotation_speed = unknowns_.rotation_ratio * scene.speed / scene.radius;
-      s_.rolling_resistance = s_.driving_force + s_.driving_torque * s_.rotation_speed / scene.speed;
+      s_.rotation_speed = unknowns_.rotation_ratio * problem_.scene.speed / problem_.scene.radius;
     } else {
       // The pressure passes through the axis: it is the driving force alone that overcomes its horizontal part.
       s_.driving_torque = 0;
-      s_.driving_force = problem_.sphere ? problem_.torque(unknowns_.pressure, none) / scene.radius
-                                         : problem_.driving_force(unknowns_.pressure, none);
-      s_.rolling_resistance = s_.driving_force;
+      s_.driving_force = s_.rolling_resistance;
     }
     s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
   }
@@ -114,8 +106,8 @@ class Assessment {
       const Eigen::Index left = stencil == SlipStencil::forward || column == 0 ? at : at - 1;
       const double distance = static_cast<double>(right - left) * grid.spacing_x;
       slope_u_(i) = (moved_.u(right) - moved_.u(left)) / distance;
-      slip_x_(i) = 1 + slope_u_(i) - unknowns_.rotation_ratio * problem_.rolling_radius(i);
-      if (!problem_.sphere) continue;
+      slip_x_(i) = problem_.slip_x(i, slope_u_(i), unknowns_.rotation_ratio);
+      if (!problem_.lateral) continue;
       slope_v_(i) = (moved_.v(right) - moved_.v(left)) / distance;
       slip_y_(i) = slope_v_(i);
     }
@@ -126,37 +118,31 @@ class Assessment {
     const double gap_scale = half_length_ * half_length_ / (2 * scene.radius);
     const double slip_scale = half_length_ / scene.radius;
     const double pressure_scale = std::max(s_.peak_pressure, 1e-300);
-    const double shear_scale = std::max(scene.friction_coefficient * pressure_scale, 1e-300);
+    const double shear_scale = std::max(problem_.law.bound(pressure_scale), 1e-300);
     double worst = s_.contact_nodes > 0 ? 0 : 1;
     const auto violated = [&](double amount) { worst = std::max(worst, std::isnan(amount) ? INFINITY : amount); };
     for (Eigen::Index i = 0; i < problem_.grid.size(); ++i) {
       const double gap = problem_.profile(i) - unknowns_.approach - moved_.w(moved_index(i));
-      const double pressure = unknowns_.pressure(i), shear = std::hypot(shear_x(i), shear_y(i));
+      const double pressure = unknowns_.pressure(i);
       if (!contact(i)) {
         violated(std::abs(pressure) / pressure_scale);
-        violated(shear / shear_scale);
+        violated(std::hypot(shear_x(i), shear_y(i)) / shear_scale);
         violated(-gap / gap_scale);
         continue;
       }
       violated(std::abs(gap) / gap_scale);
       violated((-pressure - scene.adhesion_threshold) / pressure_scale);
       if (!problem_.friction) continue;
-      const double bound = scene.friction_coefficient * std::abs(pressure);
-      // On a sphere's axis tau_y and the lateral slip vanish by symmetry.
-      const double sx = slip_x_(i), sy = slip_y_(i), slip = std::hypot(sx, sy);
-      if (zone_[static_cast<std::size_t>(i)] == Zone::stick) {
-        violated((shear - bound) / shear_scale);
-        violated(slip / slip_scale);
-      } else {
-        violated(std::abs(shear - bound) / shear_scale);
-        violated(std::hypot(shear_x(i) * slip - bound * sx, shear_y(i) * slip - bound * sy) /
-                 (shear_scale * std::max(slip_scale, slip)));
-      }
+      const FrictionViolation friction =
+          friction_violation(zone_[static_cast<std::size_t>(i)], problem_.law.bound(pressure), shear_x(i), shear_y(i),
+                             slip_x_(i), slip_y_(i), shear_scale, slip_scale);
+      violated(friction.shear);
+      violated(friction.slip);
     }
     if (scene.load) violated(std::abs(s_.load - *scene.load) / *scene.load);
     if (scene.approach) violated(std::abs(unknowns_.approach - *scene.approach) / *scene.approach);
     if (problem_.friction && !problem_.rotation_given())
-      violated(std::abs(problem_.drive(unknowns_.pressure, unknowns_.shear_x) - problem_.drive_target) / s_.load);
+      violated(std::abs(problem_.drive_surplus(unknowns_.pressure, unknowns_.shear_x)) / s_.load);
     s_.law_violation = worst;
   }
 
@@ -190,43 +176,34 @@ class Assessment {
 
   void balance_power() {
     const RollingScene& scene = problem_.scene;
-    const double speed = scene.speed, area = problem_.grid.cell_area(), radius = scene.radius;
+    const double speed = scene.speed, area = problem_.grid.cell_area();
+    const double turning = problem_.turning(unknowns_.rotation_ratio);
     double layer = 0, geometry = 0, friction = 0;  // powers over V; geometry is (N23)
     for (Eigen::Index i = 0; i < problem_.grid.size(); ++i) {
       if (!contact(i)) continue;
-      const double weight = area * count(i), x = problem_.grid.x(static_cast<int>(i % problem_.grid.columns));
-      const double force_w = -weight * unknowns_.pressure(i);
-      const double height = radius - problem_.profile(i);
-      layer -= force_w * slope_w(i);
-      if (!problem_.sphere) geometry += force_w * (x / height - x / radius);
-      if (!problem_.friction) {
-        if (problem_.sphere) geometry += force_w * (x / height - x / radius);
-        continue;
-      }
+      const double weight = area * problem_.images(i), force = weight * unknowns_.pressure(i);
       const double force_u = weight * shear_x(i), force_v = weight * shear_y(i);
+      const double x = problem_.grid.x(static_cast<int>(i % problem_.grid.columns));
+      const double y = problem_.grid.y(static_cast<int>(i / problem_.grid.columns));
+      layer += force * slope_w(i);
+      geometry += problem_.shape.unbalanced_power(turning, x, y)(force, force_u);
+      if (!problem_.friction) continue;
       layer -= force_u * slope_u_(i) + force_v * slope_v_(i);
       friction += force_u * slip_x_(i) + force_v * slip_y_(i);
-      const double ratio = unknowns_.rotation_ratio;
-      if (problem_.sphere)
-        geometry += force_w * (x / height - ratio * x / radius) +
-                    ratio * force_u * (problem_.rolling_radius(i) - height / radius);
-      else
-        geometry -= force_u * (1 - height / radius);
     }
     s_.viscous_loss = speed * (layer + geometry);
     s_.frictional_loss = speed * friction;
     const double power = s_.rolling_resistance * speed;
-    const double least = 1e-6 * s_.load * speed * half_length_ / radius;  // an elastic layer resists with nothing
+    const double least = 1e-6 * s_.load * speed * half_length_ / scene.radius;  // an elastic layer resists with nothing
     s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss) / std::max(std::abs(power), least);
   }
 
   void keep_fields() {
     const SurfaceGrid& half = problem_.grid;
-    const bool sphere = problem_.sphere;
     SurfaceFields& fields = s_.fields;
-    fields.grid = mirrored(half, sphere);
+    fields.grid = mirrored(half);
     const auto keep = [&](const Vector& values, double parity) {
-      const Vector whole = mirrored(half, sphere, values, parity);
+      const Vector whole = mirrored(half, values, parity);
       return std::vector<double>(whole.data(), whole.data() + whole.size());
     };
     const auto at_nodes = [&](const Vector& moved) {
@@ -240,14 +217,14 @@ class Assessment {
     fields.u = keep(at_nodes(moved_.u), 1);
     fields.shear_x = keep(problem_.friction ? unknowns_.shear_x : zero, 1);
     fields.slip_x = keep(problem_.friction ? slip_x_ : zero, 1);
-    if (sphere) {
+    if (problem_.lateral) {
       fields.v = keep(at_nodes(moved_.v), -1);
       fields.shear_y = keep(problem_.friction ? unknowns_.shear_y : zero, -1);
       fields.slip_y = keep(problem_.friction ? slip_y_ : zero, -1);
     }
     Vector zones(half.size());
     for (Eigen::Index i = 0; i < zones.size(); ++i) zones(i) = static_cast<double>(zone_[static_cast<std::size_t>(i)]);
-    const Vector whole = mirrored(half, sphere, zones, 1);
+    const Vector whole = mirrored(half, zones, 1);
     for (const double value : whole) fields.zone.push_back(static_cast<Zone>(static_cast<int>(value)));
   }
 

@@ -1,9 +1,10 @@
-#include "core/spectral/spectral_evidence.hpp"
+#include "core/spectral/spectral_solution.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/newton/surface_window.hpp"
+#include "core/scene/friction_law.hpp"
 #include "core/spectral/surface_panels.hpp"
 
 namespace rollres {
@@ -19,16 +20,16 @@ class SpectralAssessment {
         state_(given_state),
         field_(given_problem, given_state),
         panels_(surface_panels(given_problem, given_state, field_)),
-        friction_(given_problem.scene.friction_coefficient),
+        law_{given_problem.scene.friction_coefficient},
         half_(given_state.edges.contact.half_length()) {}
 
-  SpectralEvidence run() {
+  AssessedSpectral run() {
     measure_contact();
     sum_forces();
     check_laws();
     balance_power();
     keep_fields();
-    return std::move(evidence_);
+    return std::move(assessed_);
   }
 
  private:
@@ -103,13 +104,13 @@ class SpectralAssessment {
   void check_laws() {
     const RollingScene& scene = problem_.scene;
     const double gap_scale = half_ * half_ / (2 * scene.radius), slip_scale = half_ / scene.radius;
-    const double pressure_scale = s_.peak_pressure, shear_scale = std::max(friction_ * pressure_scale, 1e-300);
+    const double pressure_scale = s_.peak_pressure, shear_scale = std::max(law_.bound(pressure_scale), 1e-300);
     double worst = 0, load = 0, torque = 0, force = 0;
     const auto violated = [&](double amount) { worst = std::max(worst, std::isnan(amount) ? INFINITY : amount); };
     double overload = 0;
     const auto wrong = [&](double amount) {
       violated(amount);
-      if (!(amount <= evidence_.wrong_zone)) evidence_.wrong_zone = std::isnan(amount) ? INFINITY : amount;
+      if (!(amount <= assessed_.wrong_zone)) assessed_.wrong_zone = std::isnan(amount) ? INFINITY : amount;
     };
     for (const SurfacePanel& panel : panels_) {
       const Eigen::ArrayXd sliding = slip(panel);
@@ -119,24 +120,25 @@ class SpectralAssessment {
           if (std::abs(x) < 0.98 * scene.radius) wrong(-panel.gap(k) / gap_scale);
           continue;
         }
-        load += panel.weights(k) * (p * problem_.cosine(x) - shear * x / scene.radius);
-        torque -= panel.weights(k) * shear * scene.radius;
-        force += panel.weights(k) * (p * x / scene.radius + shear * problem_.cosine(x));
+        load += panel.weights(k) * problem_.shape.load(x)(p, shear);
+        torque += panel.weights(k) * problem_.shape.torque(x)(p, shear);
+        force += panel.weights(k) * problem_.shape.driving_force(x)(p, shear);
         violated(std::abs(panel.gap(k)) / gap_scale);
         wrong(-p / pressure_scale);
         if (!sheared()) continue;
-        const double bound = friction_ * std::abs(p), speed = std::abs(sliding(k));
+        const FrictionViolation friction =
+            friction_violation(panel.zone, law_.bound(p), shear, 0, sliding(k), 0, shear_scale, slip_scale);
         if (panel.zone == Zone::stick) {
-          wrong((std::abs(shear) - bound) / shear_scale);
-          if (std::abs(shear) - bound > overload) {
-            overload = std::abs(shear) - bound;
-            evidence_.overloaded = x;
-            evidence_.overload_direction = shear > 0 ? 1 : -1;
+          wrong(friction.shear);
+          violated(friction.slip);
+          if (friction.shear > overload) {
+            overload = friction.shear;
+            assessed_.overloaded = x;
+            assessed_.overload_direction = shear > 0 ? 1 : -1;
           }
-          violated(speed / slip_scale);
         } else {
-          violated(std::abs(std::abs(shear) - bound) / shear_scale);
-          wrong(std::abs(shear * speed - bound * sliding(k)) / (shear_scale * std::max(slip_scale, speed)));
+          violated(friction.shear);
+          wrong(friction.slip);
         }
       }
     }
@@ -145,16 +147,14 @@ class SpectralAssessment {
     if (scene.approach) violated(std::abs(s_.approach - *scene.approach) / *scene.approach);
     violated(std::abs(force - s_.driving_force) / load);
     if (!state_.sticks.empty() && scene.drive != Drive::rotation) {
-      double drive = torque / scene.radius;
-      if (scene.drive == Drive::top_force) drive -= force;
-      if (scene.drive == Drive::torque) drive -= *scene.driving_torque / scene.radius;
-      violated(std::abs(drive) / load);
+      violated(std::abs(drive_row(scene, torque, force) - drive_target(scene)) / load);
     }
     s_.law_violation = worst;
   }
 
   void balance_power() {
     const RollingScene& scene = problem_.scene;
+    const double turning = sheared() ? state_.rotation_ratio : 1;
     double layer = 0, geometry = 0, friction = 0;  // powers over V
     for (const SurfacePanel& panel : panels_) {
       if (!contact(panel)) continue;
@@ -162,11 +162,10 @@ class SpectralAssessment {
       for (Eigen::Index k = 0; k < panel.x.size(); ++k) {
         const double x = panel.x(k), pressure = panel.weights(k) * panel.pressure(k);
         layer += pressure * panel.slope_w(k);
-        geometry -= pressure * (problem_.slope(x) - x / scene.radius);
+        const double shear = sheared() ? panel.weights(k) * panel.shear(k) : 0;
+        geometry += problem_.shape.unbalanced_power(turning, x)(pressure, shear);
         if (!sheared()) continue;
-        const double shear = panel.weights(k) * panel.shear(k);
         layer -= shear * panel.slope_u(k);
-        geometry -= shear * (1 - problem_.cosine(x));
         friction += shear * sliding(k);
       }
     }
@@ -203,7 +202,7 @@ class SpectralAssessment {
         if (x > panel.to + rounding) continue;
         const auto i = static_cast<std::size_t>(column);
         fields.u[i] = panel.at(moved, x);
-        fields.w[i] = problem_.profile(x) - approach - panel.at(panel.gap, x);
+        fields.w[i] = problem_.shape.profile(x) - approach - panel.at(panel.gap, x);
         fields.zone[i] = panel.zone;
         if (!contact(panel)) continue;
         fields.pressure[i] = field_.pressure(x);
@@ -217,14 +216,15 @@ class SpectralAssessment {
   const SpectralState& state_;
   SpectralField field_;
   std::vector<SurfacePanel> panels_;
-  double friction_, half_;
-  SpectralEvidence evidence_;
-  RollingSolution& s_ = evidence_.solution;
+  FrictionLaw law_;
+  double half_;
+  AssessedSpectral assessed_;
+  RollingSolution& s_ = assessed_.solution;
 };
 
 }  // namespace
 
-SpectralEvidence assess(const SpectralProblem& problem, const SpectralState& state) {
+AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state) {
   return SpectralAssessment(problem, state).run();
 }
 

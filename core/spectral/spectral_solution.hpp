@@ -6,7 +6,7 @@
 /// The slopes w' and u' are recomputed from the tractions (spectral_field.hpp), and with them, on a fine set of points:
 ///   outside: no penetration;   contact: p >= 0, gap = 0 (integrated from the leading edge);
 ///   stick: |tau| <= mu p, slip = 0;   slip: |tau| = mu p along the slip.
-/// Scales and power balance are those of core/newton/evidence.hpp; the sums are quadratures over the same points.
+/// Scales and power balance are those of core/newton/grid_solution.hpp; the sums are quadratures over the same points.
 
 #include <vector>
 
@@ -15,7 +15,7 @@
 
 namespace rollres {
 
-struct SpectralEvidence {
+struct AssessedSpectral {
   /// All outputs but those that only the caller knows (status, reason, iterations, seconds, method, model, warnings,
   /// error_estimate). The fields stand on a uniform grid, 30 intervals per half-length.
   RollingSolution solution;
@@ -26,6 +26,6 @@ struct SpectralEvidence {
   int overload_direction = 0;
 };
 
-SpectralEvidence assess(const SpectralProblem& problem, const SpectralState& state);
+AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state);
 
 }  // namespace rollres

@@ -13,7 +13,7 @@
 namespace rollres {
 
 template <class Real>
-class IterativeInfluence {
+class KrylovOperator {
  public:
   using Field = Eigen::Matrix<Real, Eigen::Dynamic, 1>;  // on the half grid
 
@@ -26,8 +26,8 @@ class IterativeInfluence {
   };
 
   /// @param padded size of the spectra
-  IterativeInfluence(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded,
-                     const InfluenceSpectra& spectra, bool friction);
+  KrylovOperator(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded, const InfluenceSpectra& spectra,
+                 bool friction);
 
   /// Displacement w and change of slip from tractions [Pa]. Empty shear: only w is computed; shear_y is empty for
   /// a cylinder.
@@ -44,9 +44,9 @@ class IterativeInfluence {
   EvenTransform<Real>& even_transform();
 
   SurfaceGrid grid_;
-  bool sphere_;
+  bool lateral_;
   PaddedSize padded_;
-  std::unique_ptr<SurfaceTransform<Real>> transform_;
+  std::unique_ptr<PaddedConvolution<Real>> transform_;
   std::unique_ptr<EvenTransform<Real>> even_transform_;
   Spectrum<Real> ww_, uw_, vw_;  // of displacements
   Spectrum<Real> slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_;

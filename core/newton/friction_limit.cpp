@@ -1,4 +1,4 @@
-#include "core/newton/sliding_limit.hpp"
+#include "core/newton/friction_limit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ class Surplus {
     if (!level.outcome.converged) return RollingSolution::absent;
     const ContactProblem wanted(scene_, level.problem->grid);
     const ContactUnknowns& x = level.outcome.unknowns;
-    const double value = direction_ * (wanted.drive(x.pressure, x.shear_x) - wanted.drive_target);
+    const double value = direction_ * wanted.drive_surplus(x.pressure, x.shear_x);
     last_ = std::move(level);
     return value;
   }
