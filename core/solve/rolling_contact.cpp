@@ -214,7 +214,10 @@ std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
   constexpr double negligible = 1e-3;
   const double resistance = solution.rolling_resistance;
   if (std::abs(resistance) < negligible * lever) return {};
-  if (resistance < 0 && solution.error_estimate < 1)
+  // Lever arms on the circle and slip without the cosine leave a power of this order in the balance of a driven body.
+  const double reach = lever / solution.load;
+  const double unbalanced = std::abs(solution.driving_torque) / scene.radius * reach * reach;
+  if (resistance < -unbalanced && solution.error_estimate < 1)
     return message_text("the body would gain power: rolling resistance ", resistance, " with an estimated error of ",
                         solution.error_estimate);
   if (solution.energy_residual > std::max(0.01, solution.error_estimate))

@@ -67,7 +67,7 @@ TEST_CASE("a file that is no database of this program is refused and left as it 
   CHECK_FALSE(std::filesystem::exists(folder.path / "none.db"));
   CHECK(opening(folder.path / "no/folder.db", Access::write) ==
         (folder.path / "no/folder.db").string() + ": unable to open database file");
-  CHECK(opening(folder.path / "", Access::write) == (folder.path / "").string() + ": unable to open database file");
+  CHECK(opening(folder.path / "", Access::write) == (folder.path / "").string() + ": not a regular file");
   CHECK(opening("", Access::write) == "db = : must name a file");
   folder.write("empty.db", "");
   CHECK(opening(folder.path / "empty.db", Access::read) ==

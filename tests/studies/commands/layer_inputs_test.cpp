@@ -63,7 +63,7 @@ struct Workshop {
   std::vector<RollingScene> points(const Json& study) const { return rollres::points(read_study(write(study))); }
   std::string refusal(const Json& study) const {
     const std::string file = write(study);
-    return message_of([&] { read_study(file); }).substr(file.size() + 2);
+    return message_of([&] { rollres::points(read_study(file)); }).substr(file.size() + 2);
   }
   Json query(std::vector<std::string> words) const {
     words.insert(words.begin(), {"query", "--db", database, "--format", "json"});

@@ -74,7 +74,7 @@ TEST_CASE("a frequency in rad/s is an angular one, and rotations are refused", "
   };
   const std::vector<double> turns = frequencies("frequency [rad/s]"), right = frequencies("angular_frequency [rad/s]");
   for (std::size_t row = 0; row < 2; ++row) CHECK(turns[row] == Approx(right[row]).epsilon(1e-14));
-  CHECK(frequencies("frequency [1/s]") == frequencies("frequency [Hz]"));
+  CHECK(frequencies("frequency [s-1]") == frequencies("frequency [Hz]"));
   CHECK(
       message_of([&] { frequencies("frequency [rpm]"); })
           .ends_with("rubber.csv, line 2: frequency [rpm]: must have a unit of frequency (Hz) or rad/s, as an angular "
