@@ -75,13 +75,22 @@ std::string not_converged(const FitReport& report) {
   return report.interrupted ? "interrupted" : "";
 }
 
+/// Whether the parameter moves along the weakest direction, and that changes no prediction.
+bool has_no_effect(const FitReport& report, std::size_t parameter) {
+  constexpr double share = 0.5;  // of the unit vector
+  return report.errors.weakest.size() > 0 && !std::isfinite(report.errors.weakest_deviation) &&
+         std::abs(report.errors.weakest[static_cast<Eigen::Index>(parameter)]) > share;
+}
+
 void flag_parameters(FitReport& report) {
-  for (FittedParameter& fitted : report.parameters) {
+  for (std::size_t j = 0; j < report.parameters.size(); ++j) {
+    FittedParameter& fitted = report.parameters[j];
     const ConfidenceInterval& profile = fitted.profile.interval;
     const auto add = [&](const std::string& words) { fitted.flag += (fitted.flag.empty() ? "" : ", ") + words; };
     fitted.flag.clear();
     if (fitted.at_bound == AtBound::lowest) add("at its lower bound");
     if (fitted.at_bound == AtBound::highest) add("at its upper bound");
+    if (has_no_effect(report, j)) add("not bounded: changes no prediction");
     if (fitted.profile.points.empty()) continue;
     if (profile.low == IntervalEnd::open && fitted.at_bound != AtBound::lowest) add("not bounded below");
     if (profile.high == IntervalEnd::open && fitted.at_bound != AtBound::highest) add("not bounded above");
