@@ -85,12 +85,16 @@ bool has_no_effect(const FitReport& report, std::size_t parameter) {
 void flag_parameters(FitReport& report) {
   for (std::size_t j = 0; j < report.parameters.size(); ++j) {
     FittedParameter& fitted = report.parameters[j];
-    const ConfidenceInterval& profile = fitted.profile.interval;
+    ConfidenceInterval& profile = fitted.profile.interval;
     const auto add = [&](const std::string& words) { fitted.flag += (fitted.flag.empty() ? "" : ", ") + words; };
     fitted.flag.clear();
     if (fitted.at_bound == AtBound::lowest) add("at its lower bound");
     if (fitted.at_bound == AtBound::highest) add("at its upper bound");
-    if (has_no_effect(report, j)) add("not bounded: changes no prediction");
+    if (has_no_effect(report, j)) {  // what its profile met is rounding
+      add("not bounded: changes no prediction");
+      profile = {};
+      continue;
+    }
     if (fitted.profile.points.empty()) continue;
     if (profile.low == IntervalEnd::open && fitted.at_bound != AtBound::lowest) add("not bounded below");
     if (profile.high == IntervalEnd::open && fitted.at_bound != AtBound::highest) add("not bounded above");
