@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rollres {
 
@@ -79,6 +78,34 @@ ContactMask choose_contact(const ContactProblem& problem, const InfluenceOperato
   return now;
 }
 
+namespace {
+
+/// Where all nodes of a cylinder slide: lets that one stick at whose rotation the drive is met, if the nodes that stick
+/// at a higher rotation slide forwards and the others backwards; the last one if sliding does not meet the drive.
+void let_one_stick(const ContactProblem& problem, const ContactUnknowns& x, const NaturalMaps& maps, ActiveLaws& laws) {
+  struct Sliding {
+    double rotation;  // at which the node would stick
+    double power;     // of its friction in the drive's row, per sign
+    std::size_t place;
+  };
+  std::vector<Sliding> nodes;
+  double surplus = problem.drive.of_pressure.dot(x.pressure) - problem.drive_target;
+  for (std::size_t i = 0; i < laws.contact.size(); ++i) {
+    const Eigen::Index node = laws.contact[i];
+    const double power = problem.drive.of_shear_x(node) * problem.law.bound(x.pressure(node));
+    nodes.push_back({x.rotation_ratio + maps.slip_x(node) / problem.turning(node), power, i});
+    surplus += power;  // at a low rotation all slide forwards
+  }
+  std::sort(nodes.begin(), nodes.end(), [](const Sliding& a, const Sliding& b) { return a.rotation < b.rotation; });
+  std::size_t sticking = 0;
+  while (sticking + 1 < nodes.size() && (surplus -= 2 * nodes[sticking].power) < 0) ++sticking;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    laws.direction_x(static_cast<Eigen::Index>(nodes[k].place)) = k < sticking ? -1 : 1;
+  laws.zone[nodes[sticking].place] = Zone::stick;
+}
+
+}  // namespace
+
 ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
                        const NaturalMaps& maps, const ContactMask& contact, bool all_stick) {
   ActiveLaws laws;
@@ -90,8 +117,6 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
   if (!problem.friction || all_stick) return laws;
   const double per_slip = 1 / influence.self_slip();
   bool sticking = false;
-  Eigen::Index closest = 0;  // to sticking
-  double least_excess = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index node = laws.contact[static_cast<std::size_t>(i)];
     const FrictionProjection projection =
@@ -101,10 +126,6 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
       sticking = true;
       continue;
     }
-    if (projection.excess() < least_excess) {
-      least_excess = projection.excess();
-      closest = i;
-    }
     laws.zone[static_cast<std::size_t>(i)] = Zone::slip;
     laws.direction_x(i) = projection.direction_x();
     laws.direction_y(i) = projection.direction_y();
@@ -112,8 +133,7 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
   }
   // Without any sticking node of a cylinder the drive could not determine the rotation; where slip has a component
   // along y, the rotation turns its direction.
-  if (!sticking && n > 0 && !problem.rotation_given() && !problem.lateral)
-    laws.zone[static_cast<std::size_t>(closest)] = Zone::stick;
+  if (!sticking && n > 0 && !problem.rotation_given() && !problem.lateral) let_one_stick(problem, x, maps, laws);
   return laws;
 }
 

@@ -106,9 +106,4 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
   return next;
 }
 
-double resistance(const ContactLevel& level) {
-  const ContactUnknowns& x = level.outcome.unknowns;
-  return level.problem->resistance(x.pressure, x.shear_x, x.rotation_ratio);
-}
-
 }  // namespace rollres

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/estimate/contact_estimate.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/newton_contact.hpp"
 
@@ -15,7 +16,7 @@ struct ContactLevel {
   std::unique_ptr<InfluenceTable> table;
   std::unique_ptr<InfluenceOperator> influence;
   NewtonOutcome outcome;
-  double rolling_resistance = 0;
+  ContactPowers powers;
   GridError error;
 };
 
@@ -31,8 +32,5 @@ ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to);
 
 /// Grid with the spacings and the origin of `like` that leaves `margin` [m] around the level's contact.
 SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double margin);
-
-/// Rolling resistance of the level's solution [N] (per metre for a cylinder).
-double resistance(const ContactLevel& level);
 
 }  // namespace rollres

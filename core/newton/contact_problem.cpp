@@ -12,7 +12,8 @@ ContactProblem::ContactProblem(const RollingScene& given, const SurfaceGrid& hal
       drive_target(rollres::drive_target(given)) {
   const Eigen::Index size = grid.size();
   profile.resize(size);
-  rolling_radius.resize(size);
+  forward.resize(size);
+  turning.resize(size);
   for (Resultant* resultant : {&load, &torque, &driving_force}) {
     resultant->of_pressure.resize(size);
     resultant->of_shear_x.resize(size);
@@ -22,7 +23,9 @@ ContactProblem::ContactProblem(const RollingScene& given, const SurfaceGrid& hal
       const Eigen::Index i = grid.index(column, row);
       const double x = grid.x(column), y = grid.y(row), area = grid.cell_area() * images(i);
       profile(i) = shape.profile(x, y);
-      rolling_radius(i) = shape.rolling_radius(y);
+      const RigidSlip rigid = shape.slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
+      forward(i) = rigid.forward;
+      turning(i) = rigid.turning;
       const auto keep = [&](Resultant& resultant, LeverArm arm) {
         resultant.of_pressure(i) = area * arm.of_pressure;
         resultant.of_shear_x(i) = area * arm.of_shear_x;

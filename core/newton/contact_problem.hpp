@@ -34,7 +34,7 @@ struct ContactProblem {
   FrictionLaw law;
   bool friction, lateral;                 // shear; tractions and displacements along y
   Vector profile;                         // height of the body's lower surface above its lowest point [m]
-  Vector rolling_radius;                  // R(y)/R [1]
+  Vector forward, turning;                // of the slip (N2) [1]
   Resultant load, torque, driving_force;  // (N3): P [N], T [N m], Q [N] (per metre for a cylinder)
   Resultant drive;                        // row that the drive sets to `drive_target`; unused with drive "rotation"
   double drive_target = 0;
@@ -52,14 +52,14 @@ struct ContactProblem {
   int images(Eigen::Index node) const { return on_axis(node) ? 1 : 2; }
   /// s_x of a node from du/dx [1]; s_y is dv/dx.
   double slip_x(Eigen::Index node, double slope_u, double rotation_ratio) const {
-    return 1 + slope_u - rotation_ratio * rolling_radius(node);
+    return forward(node) + slope_u - rotation_ratio * turning(node);
   }
   /// Rotation ratio by which the torque counts in the resistance Q + omega T/R: without friction that of rolling, as
   /// the pressure must be overcome by one or the other.
-  double turning(double rotation_ratio) const { return friction ? rotation_ratio : 1; }
+  double turning_ratio(double rotation_ratio) const { return friction ? rotation_ratio : 1; }
   /// Rolling resistance [N] (per metre for a cylinder); empty shear is none.
   double resistance(const Vector& pressure, const Vector& shear_x, double rotation_ratio) const {
-    return driving_force(pressure, shear_x) + torque(pressure, shear_x) * turning(rotation_ratio) / shape.radius();
+    return driving_force(pressure, shear_x) + torque(pressure, shear_x) * turning_ratio(rotation_ratio) / shape.radius();
   }
 };
 

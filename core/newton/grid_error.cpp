@@ -6,6 +6,7 @@
 
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {
@@ -54,6 +55,7 @@ struct ContactIntegrals {
   double roughness = 0;    // int int (dp/dx)^2 dx dy (N21)
   double half_length = 0;  // [m]
   double pressure = 0;     // int int p dx dy [N]
+  double curved = 0;       // the same times the body's curvature, P/R of (N17) [N/m]
 };
 
 ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
@@ -73,7 +75,9 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
       if (zone[static_cast<std::size_t>(i)] == Zone::free) continue;
       if (first < 0) first = i;
       last = i;
-      sums.pressure += width * spacing * pressure(i);
+      const double force = width * spacing * pressure(i);
+      sums.pressure += force;
+      sums.curved += force * problem.shape.resisting_curvature(grid.x(static_cast<int>(i - start)), grid.y(row));
       if (i == start || i == end) continue;
       sums.edges += 0.5 * width * pressure(i) * (std::max(gap(i + 1), 0.0) - std::max(gap(i - 1), 0.0));
     }
@@ -131,7 +135,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   if (moments.first == 0) return error;
 
   // The two terms of (N17) and (N18).
-  const double limit = scene.speed * moments.first * sums.pressure / scene.radius;
+  const double limit = scene.speed * moments.first * sums.curved;
   const double modulus = 2 / (moments.rest * (1 - scene.poisson_ratio));
   const double second = scene.speed * scene.speed * (moments.second - 0.5 * moments.first * moments.first) * M_PI /
                         (4 * modulus) * sums.edge_slopes / limit;
@@ -163,7 +167,8 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   return error;
 }
 
-void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolution& solution) {
+void take_slow_rolling(const RollingScene& scene, GridError& error, const ContactPowers& powers,
+                       RollingSolution& solution) {
   const double friction = std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed));
   if (friction > 0) error.slow_share *= std::clamp(2 - friction / negligible_friction, 0.0, 1.0);
   warn_of_memory(error, solution);
@@ -185,17 +190,11 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolut
       }
   const CreepMoments moments = creep_moments(creep_spectrum(scene));
   const double loss = error.slow_loss - scene.speed * moments.first * grid.cell_area() * sheared;
-  const double change = error.slow_share * (loss - solution.viscous_loss / scene.speed);
-  solution.viscous_loss += change * scene.speed;
-  solution.rolling_resistance += change;
-  solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
-  const double ratio = std::isnan(solution.rotation_ratio) ? 0 : solution.rotation_ratio;
-  if (scene.drive == Drive::top_force && scene.friction_coefficient > 0) {
-    solution.driving_force += change / (1 + ratio);
-    solution.driving_torque += change / (1 + ratio) * scene.radius;
-  } else {
-    solution.driving_force += change;
-  }
+  const double viscous = solution.viscous_loss / scene.speed;
+  add_resistance(scene, error.slow_share * (loss - viscous + powers.losses() - powers.resistance()), solution);
+  solution.viscous_loss += error.slow_share * (loss - viscous) * scene.speed;
+  solution.energy_residual = (1 - error.slow_share) * std::abs(powers.resultants - powers.losses()) /
+                             std::max(std::abs(solution.rolling_resistance), 1e-6 * powers.halves);
   if (error.slow_share > 0.01)
     solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +
                       message_text(error.slow_share) +

@@ -6,6 +6,7 @@
 /// contact: the resistance to second order in the speed, (N18), which takes the place of the grid's own by a share that
 /// is smooth in all inputs, and what the grid loses of it where memories are shorter than a cell, (N21).
 
+#include "core/newton/contact_powers.hpp"
 #include "core/newton/contact_problem.hpp"
 
 namespace rollres {
@@ -30,6 +31,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
 
 /// Puts the slow-rolling resistance into a solution, by its share, which much friction reduces: R_r, what drives it,
 /// and the viscous loss. Shear tractions add to (N18) as in (N20).
-void take_slow_rolling(const RollingScene& scene, GridError& error, RollingSolution& solution);
+void take_slow_rolling(const RollingScene& scene, GridError& error, const ContactPowers& powers,
+                       RollingSolution& solution);
 
 }  // namespace rollres

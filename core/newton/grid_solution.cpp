@@ -4,7 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/numerics/finite_difference.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {
@@ -20,14 +21,14 @@ class Assessment {
         zone_(given_zone),
         moved_(influence.apply(given.pressure, shear_or_zero(given.shear_x), lateral_shear(given))) {}
 
-  RollingSolution run() {
+  GridSolution run() {
     measure_contact();
     sum_forces();
     measure_slip();
     check_laws();
     balance_power();
     keep_fields();
-    return std::move(s_);
+    return {std::move(s_), powers_};
   }
 
  private:
@@ -96,7 +97,7 @@ class Assessment {
   void measure_slip() {
     if (!problem_.friction) return;
     const SurfaceGrid& grid = problem_.grid;
-    slip_x_ = slip_y_ = slope_u_ = slope_v_ = Vector::Zero(grid.size());
+    slip_x_ = slip_y_ = Vector::Zero(grid.size());
     const bool own_stencil = problem_.scene.method == Method::active_set;
     const SlipStencil stencil = own_stencil ? problem_.scene.slip_stencil : SlipStencil::forward;
     for (Eigen::Index i = 0; i < grid.size(); ++i) {
@@ -105,11 +106,8 @@ class Assessment {
       const Eigen::Index right = stencil == SlipStencil::backward && column > 0 ? at : at + 1;
       const Eigen::Index left = stencil == SlipStencil::forward || column == 0 ? at : at - 1;
       const double distance = static_cast<double>(right - left) * grid.spacing_x;
-      slope_u_(i) = (moved_.u(right) - moved_.u(left)) / distance;
-      slip_x_(i) = problem_.slip_x(i, slope_u_(i), unknowns_.rotation_ratio);
-      if (!problem_.lateral) continue;
-      slope_v_(i) = (moved_.v(right) - moved_.v(left)) / distance;
-      slip_y_(i) = slope_v_(i);
+      slip_x_(i) = problem_.slip_x(i, (moved_.u(right) - moved_.u(left)) / distance, unknowns_.rotation_ratio);
+      if (problem_.lateral) slip_y_(i) = (moved_.v(right) - moved_.v(left)) / distance;
     }
   }
 
@@ -146,56 +144,16 @@ class Assessment {
     s_.law_violation = worst;
   }
 
-  /// dw/dx at a contact node from the nodes of its row that are in contact without interruption.
-  double slope_w(Eigen::Index node) const {
-    const Eigen::Index columns = problem_.grid.columns, column = node % columns, row_start = node - column;
-    Eigen::Index first = column, last = column;
-    while (last - first < 4) {
-      const bool left = first > 0 && contact(row_start + first - 1);
-      const bool right = last + 1 < columns && contact(row_start + last + 1);
-      if (!left && !right) break;
-      if (right && (!left || last - column <= column - first))
-        ++last;
-      else
-        --first;
-    }
-    if (first < last) {
-      std::vector<double> offsets;
-      for (Eigen::Index c = first; c <= last; ++c)
-        offsets.push_back(static_cast<double>(c - column) * problem_.grid.spacing_x);
-      double slope = 0;
-      const std::vector<double> weights = first_derivative_weights(offsets);
-      for (std::size_t i = 0; i < weights.size(); ++i)
-        slope += weights[i] * moved_.w(moved_index(row_start + first + static_cast<Eigen::Index>(i)));
-      return slope;
-    }
-    const Eigen::Index at = moved_index(node);  // a single node: the surface on both sides
-    return column > 0 ? (moved_.w(at + 1) - moved_.w(at - 1)) / (2 * problem_.grid.spacing_x)
-                      : (moved_.w(at + 1) - moved_.w(at)) / problem_.grid.spacing_x;
-  }
-
   void balance_power() {
-    const RollingScene& scene = problem_.scene;
-    const double speed = scene.speed, area = problem_.grid.cell_area();
-    const double turning = problem_.turning(unknowns_.rotation_ratio);
-    double layer = 0, geometry = 0, friction = 0;  // powers over V; geometry is (N23)
-    for (Eigen::Index i = 0; i < problem_.grid.size(); ++i) {
-      if (!contact(i)) continue;
-      const double weight = area * problem_.images(i), force = weight * unknowns_.pressure(i);
-      const double force_u = weight * shear_x(i), force_v = weight * shear_y(i);
-      const double x = problem_.grid.x(static_cast<int>(i % problem_.grid.columns));
-      const double y = problem_.grid.y(static_cast<int>(i / problem_.grid.columns));
-      layer += force * slope_w(i);
-      geometry += problem_.shape.unbalanced_power(turning, x, y)(force, force_u);
-      if (!problem_.friction) continue;
-      layer -= force_u * slope_u_(i) + force_v * slope_v_(i);
-      friction += force_u * slip_x_(i) + force_v * slip_y_(i);
-    }
-    s_.viscous_loss = speed * (layer + geometry);
-    s_.frictional_loss = speed * friction;
-    const double power = s_.rolling_resistance * speed;
-    const double least = 1e-6 * s_.load * speed * half_length_ / scene.radius;  // an elastic layer resists with nothing
-    s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss) / std::max(std::abs(power), least);
+    const double speed = problem_.scene.speed;
+    powers_ = contact_powers(problem_, moved_, unknowns_, zone_);
+    s_.viscous_loss = speed * powers_.layer;
+    s_.frictional_loss = speed * powers_.friction;
+    add_resistance(problem_.scene, powers_.resistance() - powers_.resultants, s_);
+    if (powers_.share > 0.01)
+      s_.model += "; rolling resistance from the losses, share " + message_text(powers_.share) +
+                  ", as the resultants are a small difference";
+    s_.energy_residual = std::abs(powers_.resultants - powers_.losses()) / powers_.scale();
   }
 
   void keep_fields() {
@@ -232,14 +190,15 @@ class Assessment {
   const ContactUnknowns& unknowns_;
   const std::vector<Zone>& zone_;
   Displacements moved_;
-  Vector slip_x_, slip_y_, slope_u_, slope_v_;
+  Vector slip_x_, slip_y_;
   double half_length_ = 0;
+  ContactPowers powers_;
   RollingSolution s_;
 };
 
 }  // namespace
 
-RollingSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
+GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
                           const ContactUnknowns& unknowns, const std::vector<Zone>& zone) {
   return Assessment(problem, influence, unknowns, zone).run();
 }

@@ -10,25 +10,27 @@
 /// and the load and the drive by their sums. Gaps are measured by l^2/(2R) (l half the contact's length), slips by
 /// l/R, pressures by the largest pressure p0, shear by mu p0, forces by the load; `law_violation` is the largest.
 ///
-/// Power balance: R_r V = Q V + T Omega is what the drive gives; the layer takes
-///   -V sum(F_W dw/dx + F_U du/dx + F_V dv/dx)
-/// and friction sum(F_t . w_t). Power of second order in the slope, which the linear layer does not know, is counted
-/// with the layer's (core/newton/README.md, (N23)). dw/dx is taken from the displacements of contact nodes, by
-/// differences of up to fourth order from inside the contact, so that `energy_residual` falls with the spacing at that
-/// order.
+/// Power balance: contact_powers.hpp. `energy_residual` compares what the drive gives, Q V + T Omega, with what the
+/// layers and friction take by the fields; with printed kinematics, less the power that these leave over.
 
 #include "core/convolution/influence_operator.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/newton/contact_problem.hpp"
 #include "core/newton/newton_system.hpp"
 #include "core/scene/contact_state.hpp"
 
 namespace rollres {
 
+struct GridSolution {
+  RollingSolution solution;
+  ContactPowers powers;
+};
+
 /// All outputs but those that only the caller knows (status, reason, iterations, seconds, method, model, warnings,
 /// error_estimate).
 /// @param influence with all components, also without friction (the fields want u and v)
 /// @param zone the method's claim for every node of the (half) grid
-RollingSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
+GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
                           const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
 
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.

@@ -26,7 +26,7 @@ LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
   load_shear_ = gathered(problem.load.of_shear_x, per_force);
   drive_ = gathered(problem.drive.of_pressure, per_force);
   drive_shear_ = gathered(problem.drive.of_shear_x, per_force);
-  rolling_radius_ = gathered(problem.rolling_radius, 1);
+  turning_ = gathered(problem.turning, 1);
   direction_x_ = laws.direction_x.cast<Real>();
   direction_y_ = laws.direction_y.cast<Real>();
   beta_ = laws.beta.cast<Real>();
@@ -63,7 +63,7 @@ auto LawRows<Real>::operator()(const VectorR& x, const ScaledResponse<Real>& res
 
   const Real rotation = rotation_unknown_ ? x(unknowns() - 1) : Real(0);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Real slip_x = response.slip_x(i) - rolling_radius_(i) * rotation;
+    const Real slip_x = response.slip_x(i) - turning_(i) * rotation;
     const Real slip_y = components_ > 2 ? response.slip_y(i) : Real(0);
     const Real tx = x(n + i), ty = components_ > 2 ? x(2 * n + i) : Real(0);
     Real row_x = -slip_x, row_y = -slip_y;

@@ -56,7 +56,7 @@ class LawRows {
   bool approach_unknown_, rotation_unknown_;
   double force_scale_;
   Real friction_;
-  VectorR direction_x_, direction_y_, beta_, rolling_radius_;
+  VectorR direction_x_, direction_y_, beta_, turning_;
   VectorR load_, load_shear_, drive_, drive_shear_;  // over force_scale
   std::vector<char> sticks_, on_axis_;
 };

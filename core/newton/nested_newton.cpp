@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/newton/friction_limit.hpp"
 #include "core/newton/newton_starts.hpp"
 #include "core/numerics/solution_limits.hpp"
@@ -52,8 +53,9 @@ void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double bor
 
 /// What is asked of a level that is solved.
 void measure(ContactLevel& level) {
-  level.rolling_resistance = resistance(level);
-  level.error = grid_error(*level.problem, level.outcome.unknowns.pressure, level.outcome.zone, level.outcome.gap);
+  const NewtonOutcome& outcome = level.outcome;
+  level.powers = contact_powers(*level.problem, outcome.moved, outcome.unknowns, outcome.zone);
+  level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone, outcome.gap);
 }
 
 /// The smallest grid that holds two of the same spacing: a window may grow, but never moves away from what it held.
@@ -88,6 +90,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
     };
     attempt(solve_cold);
+    if (problem.friction) attempt(solve_from_sliding);
     if (problem.friction && (last_resort || !problem.rotation_given())) attempt(solve_by_rotation);
     if (problem.friction && last_resort && !level.outcome.converged &&
         (problem.rotation_given() || sliding_limit(scene, grid) != SlidingLimit::not_enough)) {
@@ -101,12 +104,15 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
 }
 
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
-  const double last = std::abs(coarser_resistance - finest.rolling_resistance);
+  const double last = std::abs(coarser_resistance - finest.powers.resistance());
   const double before = 0.5 * std::abs(coarsest_resistance - coarser_resistance);
-  return error.estimate(resistance, share_left * (before > last ? before : last)) / std::abs(resistance);
+  constexpr double rounding = 1e-11;
+  return error.estimate(resistance, share_left * (before > last ? before : last)) + rounding * finest.powers.halves;
 }
 
-double NestedOutcome::error_estimate() const { return error_estimate(finest.error, finest.rolling_resistance); }
+double NestedOutcome::error_estimate() const {
+  return error_estimate(finest.error, finest.powers.resistance()) / finest.powers.scale();
+}
 
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer) {
@@ -157,7 +163,7 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     if (nested.status == Status::converged && !next.outcome.converged) return nested;
     nested.status = Status::not_converged;
     nested.coarsest_resistance = nested.coarser_resistance;
-    nested.coarser_resistance = solved ? level.rolling_resistance : RollingSolution::absent;
+    nested.coarser_resistance = solved ? level.powers.resistance() : RollingSolution::absent;
     nested.finest = std::move(next);
   }
   if (drive_may_fail && !nested.finest.outcome.reached_border) {

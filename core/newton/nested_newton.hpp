@@ -13,11 +13,11 @@ struct NestedOutcome {
   ContactLevel finest;
   /// Rolling resistance at twice and at four times the finest spacing; NaN if there was no such level.
   double coarser_resistance = RollingSolution::absent, coarsest_resistance = RollingSolution::absent;
-  /// Estimated relative error of a rolling resistance (core/newton/README.md, (N22)), by the change at the last halving
+  /// Estimated error of a rolling resistance [N] (core/newton/README.md, (N22)), by the change at the last halving
   /// of the spacing, or half the change before if that is larger (the edges of the contact move by whole cells, so that
   /// one change alone may be small by chance), times the series' share.
   double error_estimate(const GridError& error, double resistance) const;
-  /// The same of what the finest grid itself says.
+  /// The same of what the finest grid itself says, relative.
   double error_estimate() const;
   double share_left = 1;  // of the series
   Status status = Status::not_converged;

@@ -52,12 +52,16 @@ class NewtonIteration {
         maps_(natural_maps(problem, influence, start, contact_)) {}
 
   NewtonOutcome run() {
-    while (outcome_.iterations < options_.most_iterations && !converged() && step()) ++outcome_.iterations;
+    while (outcome_.iterations < options_.most_iterations && !converged() && !rounded() && step())
+      ++outcome_.iterations;
     return finish();
   }
 
  private:
   bool converged() const { return !first_ && maps_.largest <= options_.tolerance; }
+
+  /// Whether rounding keeps the maps from the tolerance: with little friction slips are large against mu p.
+  bool rounded() const { return best_residual_ <= options_.rounded && stays_ >= options_.most_stays; }
 
   /// One step; false if there is none.
   bool step() {
@@ -75,6 +79,8 @@ class NewtonIteration {
     if (!increment || !accept_part(base, *increment, chosen)) return false;
     contact_ = std::move(chosen);
     first_ = false;
+    ++stays_;
+    if (maps_.largest < 0.5 * best_residual_) stays_ = 0;
     if (maps_.largest < best_residual_) {
       best_residual_ = maps_.largest;
       best_ = x_;
@@ -133,8 +139,8 @@ class NewtonIteration {
 
   /// The last state, or the best one if that has not converged, with the zones that its maps choose.
   NewtonOutcome finish() {
-    outcome_.converged = converged();
-    if (!outcome_.converged && std::isfinite(best_residual_)) {
+    outcome_.converged = converged() || best_residual_ <= options_.rounded;
+    if (!converged() && std::isfinite(best_residual_)) {
       x_ = std::move(best_);
       maps_ = natural_maps(problem_, influence_, x_, contact_);
     }
@@ -150,6 +156,7 @@ class NewtonIteration {
     release(x_, contact_);
     outcome_.unknowns = std::move(x_);
     outcome_.gap = std::move(maps_.gap);
+    outcome_.moved = std::move(maps_.moved);
     return std::move(outcome_);
   }
 
@@ -162,6 +169,7 @@ class NewtonIteration {
   NaturalMaps maps_;
   NewtonOutcome outcome_;
   double best_residual_ = unbounded;
+  int stays_ = 0;  // steps since it was halved
   std::deque<double> recent_;  // mean squares of the maps
   bool first_ = true;
 };

@@ -27,6 +27,8 @@ struct NewtonOptions {
 
   // The steps.
   int most_iterations = 60;          ///< scenes that converge take below 15; of those left some need patience
+  double rounded = 5e-9;             ///< residual that will do where steps no longer lessen it
+  int most_stays = 4;                ///< such steps
   bool first_all_stick = false;      ///< whether the first step holds every contact node sticking
   std::size_t remembered_steps = 4;  ///< whose largest norm a step may reach: more lets sets change, fewer is safer
   double shortest_step = 0.05;       ///< part of a step below which it is not shortened
@@ -43,6 +45,7 @@ struct NewtonOutcome {
   ContactUnknowns unknowns;
   std::vector<Zone> zone;  // on the whole (half) grid
   Vector gap;              // profile - d - w [m]
+  Displacements moved;     // of all nodes; u and v empty without friction
   bool converged = false;
   int iterations = 0, krylov_iterations = 0;
   double residual = 0;  // largest violation, relative to the largest pressure

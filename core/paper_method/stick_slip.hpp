@@ -79,12 +79,13 @@ class TangentialProblem {
   Eigen::VectorXd limit;       // of friction at every node, also in tension
   Eigen::VectorXd moment_arm;  // at every node, over R: sum(moment_arm F_U) = moment, the drive's row
   double moment = 0;           // [N; cylinder: N/m]
-  Eigen::VectorXd roll;        // R(y)/R at every node
+  Eigen::VectorXd turning;     // of the slip, at every node (indenter_shape.hpp)
   double scale = 1;            // the change of s_x at a node with its own F_U
 
  private:
   Eigen::VectorXd normal_force_;
   double drive_target_ = 0;
+  Eigen::VectorXd forward_slip_;               // s_x at every node, without displacements and rotation
   Eigen::VectorXd normal_arm_;                 // of every node, in the drive's row, over R
   OffsetKernel forward_[2][3], chosen_[2][3];  // slope of u, v (first index) for F_W, F_U, F_V (second)
 };

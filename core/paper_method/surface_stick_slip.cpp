@@ -150,7 +150,7 @@ SurfaceStickSlip::Change SurfaceStickSlip::printed_rule(const std::vector<int>& 
 void SurfaceStickSlip::slip_of(const std::vector<int>& nodes, const StickSlip& state, Eigen::VectorXd& slip_x,
                                Eigen::VectorXd& slip_y) const {
   slip_x = problem_.slip(0, nodes, problem_.contact, state.force_x, state.force_y, false);
-  slip_x -= state.rotation_ratio * problem_.roll(nodes);
+  slip_x -= state.rotation_ratio * problem_.turning(nodes);
   slip_y = problem_.slip(1, nodes, problem_.contact, state.force_x, state.force_y, false);
 }
 
@@ -166,7 +166,7 @@ void SurfaceStickSlip::balance_rotation(const std::vector<int>& slip_nodes, Stic
     for (std::size_t k = 0; k < slip_nodes.size(); ++k) {
       const int node = slip_nodes[k];
       const FrictionProjection next(problem_.limit[node],
-                                    state.force_x[node] + weight_ * (slip_x[k] - rotation * problem_.roll[node]),
+                                    state.force_x[node] + weight_ * (slip_x[k] - rotation * problem_.turning[node]),
                                     state.force_y[node] + weight_ * slip_y[k]);
       sum += problem_.moment_arm[node] * next.x();
     }

@@ -21,14 +21,17 @@ TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceT
   scale = std::abs(forward_[0][1](0, 0));
   const IndenterShape shape(scene);
   normal_arm_.resize(grid.size());
-  roll.resize(grid.size());
+  forward_slip_.resize(grid.size());
+  turning.resize(grid.size());
   moment_arm.resize(grid.size());
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const int node = grid.index(column, row);
       const double x = grid.x(column), y = grid.y(row);
       const LeverArm torque = shape.torque(x, y), force = shape.driving_force(x, y);
-      roll[node] = shape.rolling_radius(y);
+      const RigidSlip rigid = shape.slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
+      forward_slip_[node] = rigid.forward;
+      turning[node] = rigid.turning;
       normal_arm_[node] = -drive_row(scene, torque.of_pressure, force.of_pressure);
       moment_arm[node] = -drive_row(scene, torque.of_shear_x, force.of_shear_x);
     }
@@ -44,7 +47,7 @@ void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eig
 double TangentialProblem::element(int row, int column) const {
   const int size = grid.size(), rotation = rotation_index();
   if (row == rotation) return column < size ? scale * moment_arm[column] : 0;
-  if (column == rotation) return row < size ? -scale * roll[row] : 0;
+  if (column == rotation) return row < size ? -scale * turning[row] : 0;
   return forward_[row / size][1 + column / size](row % size, column % size);
 }
 
@@ -52,7 +55,8 @@ Eigen::VectorXd TangentialProblem::slip(int component, const std::vector<int>& n
                                         const Eigen::VectorXd& force_x, const Eigen::VectorXd& force_y,
                                         bool forward) const {
   const auto& kernels = forward ? forward_[component] : chosen_[component];
-  Eigen::VectorXd values = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(nodes.size()), component == 0 ? 1 : 0);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
+  if (component == 0) values = forward_slip_(nodes);
   kernels[0].add(nodes, contact, normal_force_, values);
   kernels[1].add(nodes, loaded, force_x, values);
   if (components == 2) kernels[2].add(nodes, loaded, force_y, values);
@@ -70,7 +74,7 @@ bool TangentialProblem::solve_sticking(SubsetSolver& system, const std::vector<i
   for (int component = 0; component < components; ++component)
     rhs.segment(component * n, n) = -slip(component, stick, slip_nodes, state.force_x, state.force_y, true);
   if (given_rotation) {
-    rhs.head(n) += *given_rotation * roll(stick);
+    rhs.head(n) += *given_rotation * turning(stick);
   } else {
     double borne = 0;
     for (const int node : slip_nodes) borne += moment_arm[node] * state.force_x[node];

@@ -3,24 +3,42 @@
 namespace rollres {
 
 LeverArm IndenterShape::load(double x, double y) const {
-  if (!flat_in_y_) return {1, 0};
-  return {height(x, y) / radius_, -x / radius_};
+  if (kinematics_ == Kinematics::consistent || !flat_in_y_) return {.of_pressure = 1};
+  return {.of_pressure = height(x, y) / radius_, .of_shear_x = -x / radius_};
 }
 
 LeverArm IndenterShape::driving_force(double x, double y) const {
-  if (!flat_in_y_) return {0, 1};
-  return {x / radius_, height(x, y) / radius_};
+  if (kinematics_ == Kinematics::consistent) return {.of_pressure = slope(x, y), .of_shear_x = slip(x, y).forward};
+  if (!flat_in_y_) return {.of_shear_x = 1};
+  return {.of_pressure = x / radius_, .of_shear_x = height(x, y) / radius_};
 }
 
 LeverArm IndenterShape::torque(double x, double y) const {
-  if (!flat_in_y_) return {x, -height(x, y)};
-  return {0, -radius_};
+  if (kinematics_ == Kinematics::consistent) return {.of_shear_x = -radius_ * slip(x, y).turning};
+  if (!flat_in_y_) return {.of_pressure = x, .of_shear_x = -height(x, y)};
+  return {.of_shear_x = -radius_};
+}
+
+RigidSlip IndenterShape::slip(double x, double y) const {
+  if (kinematics_ == Kinematics::consistent) {
+    const double slope_x = slope(x, y);
+    return {.forward = 1 + slope_x * slope_x, .turning = (height(x, y) + x * slope_x) / radius_};
+  }
+  if (flat_in_y_) return {};
+  return {.turning = std::sqrt(std::max(1 - y * y / (radius_ * radius_), 1e-4))};
+}
+
+double IndenterShape::resisting_curvature(double x, double y) const {
+  if (kinematics_ == Kinematics::printed) return 1 / radius_;
+  const double q = height(x, y);
+  return (radius_ * radius_ - y * y) / (q * q * q);
 }
 
 LeverArm IndenterShape::unbalanced_power(double omega, double x, double y) const {
   const LeverArm force = driving_force(x, y), turning = torque(x, y);
-  return {force.of_pressure + omega * turning.of_pressure / radius_ - slope(x, y),
-          force.of_shear_x + omega * (turning.of_shear_x / radius_ + rolling_radius(y)) - 1};
+  const RigidSlip rigid = slip(x, y);
+  return {.of_pressure = force.of_pressure + omega * turning.of_pressure / radius_ - slope(x, y),
+          .of_shear_x = force.of_shear_x + omega * (turning.of_shear_x / radius_ + rigid.turning) - rigid.forward};
 }
 
 }  // namespace rollres

@@ -4,16 +4,29 @@
 /// and in the grid alone.
 ///
 /// The body touches the surface first at (0, 0). With q(x, y) = sqrt(R^2 - x^2 - y^2) the height of its centre above
-/// its lower surface (a cylinder has y = 0),
-///   profile R - q,   slope x/q,   rolling radius R(y) = sqrt(R^2 - y^2) (a cylinder: R).
-/// Pressure p and shear tau_x, on a unit of area, give the load P, the driving force Q and the torque T (Zehil and
-/// Gavin 2013, eqs. 12, 17, 19, 21, 37): a cylinder's act normal to and along its arc, a sphere's vertically and
-/// horizontally,
-///              P                    Q                    T
-///   cylinder   (q p - x tau_x)/R    (x p + q tau_x)/R    -R tau_x
-///   sphere     p                    tau_x                x p - q tau_x
-/// The slip is that of the body relative to the layer, over V, with omega = R Omega / V (their eqs. 15, 25, 26):
-///   s_x = 1 + du/dx - omega R(y)/R,   s_y = dv/dx.
+/// its lower surface (a cylinder has y = 0), its profile is B = R - q, with slopes b_x = x/q and b_y = y/q.
+///
+/// The layer feels the vertical pressure p and the shear (tau_x, tau_y) on each unit of its undeformed area; it moves by
+/// w, u, v. Load P, driving force Q and torque T are integrals of lever arms times p and tau_x; the slip of the body
+/// relative to the layer, over V, at omega = R Omega/V, is
+///   s_x = forward + du/dx - omega turning,   s_y = dv/dx.
+///
+/// `consistent`. The shear lies in the body's surface, whose slope is b_x: its vertical part b_x tau_x belongs to the
+/// layer's vertical traction, the pressure normal to the body is p + b_x tau_x, and the slip is the velocity conjugate
+/// to tau_x of the body less that of a layer that runs along it:
+///   forward = 1 + b_x^2,   turning = (R^2 - y^2)/(R q)
+///   P: (1, 0)   Q: (b_x, forward)   T: (0, -R turning)           (of p, of tau_x)
+/// So Q + omega T/R is the integral of p b_x - tau . (du/dx, dv/dx) + tau . s, and w_x = b_x in the contact: what the
+/// drive gives goes into the layer and into friction. To second order in the slope and near omega = 1 a cylinder's
+/// slip is 1 + du/dx + b_x^2/2 - omega: the surface is longer by the arc. (Left out: b_x b_y (1 - omega q/R) in s_y,
+/// of fourth order where the body rolls.)
+///
+/// `printed` (Zehil and Gavin 2013, eqs. 12, 15, 17, 19, 21, 25, 26, 37): a cylinder's pressure and shear act normal to
+/// and along its arc, a sphere's vertically and horizontally, and the slip is that on a flat surface,
+///              P                    Q                    T                forward   turning
+///   cylinder   (q p - x tau_x)/R    (x p + q tau_x)/R    -R tau_x         1         1
+///   sphere     p                    tau_x                x p - q tau_x    1         sqrt(R^2 - y^2)/R
+/// The power is off by terms of second order in the slope (`unbalanced_power`).
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +44,15 @@ struct LeverArm {
   double operator()(double pressure, double shear_x) const { return of_pressure * pressure + of_shear_x * shear_x; }
 };
 
+/// The slip s_x where the layer does not move along itself: forward - omega turning [1].
+struct RigidSlip {
+  double forward = 1, turning = 1;
+};
+
 class IndenterShape {
  public:
-  explicit IndenterShape(const RollingScene& scene) : radius_(scene.radius), flat_in_y_(dimensions(scene) == 2) {}
+  explicit IndenterShape(const RollingScene& scene)
+      : radius_(scene.radius), flat_in_y_(dimensions(scene) == 2), kinematics_(scene.kinematics) {}
 
   double radius() const { return radius_; }  // R [m]
   /// Whether there is a lower surface above this place.
@@ -46,21 +65,23 @@ class IndenterShape {
   double profile(double x, double y = 0) const { return (x * x + y * y) / (radius_ + height(x, y)); }
   /// Its derivative along x [1].
   double slope(double x, double y = 0) const { return x / height(x, y); }
-  /// R(y)/R [1]
-  double rolling_radius(double y) const {
-    return flat_in_y_ ? 1 : std::sqrt(std::max(1 - y * y / (radius_ * radius_), 1e-4));
-  }
 
   LeverArm load(double x, double y = 0) const;           // P
   LeverArm driving_force(double x, double y = 0) const;  // Q
   LeverArm torque(double x, double y = 0) const;         // T
+  RigidSlip slip(double x, double y = 0) const;
+  /// Derivative along x of what a unit of pressure resists with where the body rolls, Q + T/R [1/m].
+  double resisting_curvature(double x, double y = 0) const;
+  /// Whether that is the same at every place.
+  bool slips_evenly() const { return kinematics_ == Kinematics::printed && flat_in_y_; }
   /// Power over V that the resultants at rotation ratio omega, Q + omega T/R, put in beyond what goes into the moving
-  /// surface and into slip (core/newton/README.md, (N23)): of second order in the slope.
+  /// surface and into slip (core/newton/README.md, (N23)): 0 for consistent kinematics.
   LeverArm unbalanced_power(double omega, double x, double y = 0) const;
 
  private:
   double radius_;
   bool flat_in_y_;
+  Kinematics kinematics_;
 };
 
 /// The row of the drive, from torques and driving forces (numbers or rows of a system): T/R, less Q if a force at the

@@ -62,6 +62,16 @@ struct ChoiceNames<SlipRule> {
   static constexpr std::array<std::string_view, 2> names{"projected", "printed"};
 };
 
+/// What the forces of the contact do to the body, and what counts as slip (indenter_shape.hpp).
+enum class Kinematics {
+  consistent,  ///< resultants and slip are each other's conjugates: power balances in every solution
+  printed      ///< as Zehil and Gavin (2013) print them: the power is off by terms of second order in the slope
+};
+template <>
+struct ChoiceNames<Kinematics> {
+  static constexpr std::array<std::string_view, 2> names{"consistent", "printed"};
+};
+
 /// Whether the layers' inertia is part of the model.
 enum class Inertia {
   automatic,  ///< where it matters to a given tolerance, of a cylinder or in a periodic train
@@ -88,6 +98,7 @@ struct RollingScene : MaterialInputs {
   Drive drive = Drive::top_force;
   std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"
   std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
+  Kinematics kinematics = Kinematics::consistent;
   double adhesion_threshold = 0;         // [Pa]
   std::optional<double> spacing;         // a [m]; this or
   std::optional<double> tolerance;       // [1]; neither: 1e-8 (spectral) or the program's own grid
@@ -129,6 +140,8 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.driving_torque);
   visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed, with drive \"rotation\"; 0: locked"},
           scene.rotation_ratio);
+  visitor(Q{"kinematics", "", "", "how resultants and slip are counted; consistent: power balances; printed: the paper's"},
+          scene.kinematics);
   visitor(Q{"adhesion_threshold", "", "Pa", "largest tension that a node bears before it lets go", not_negative},
           scene.adhesion_threshold);
   visitor(Q{"spacing", "a", "m", "distance between nodes", positive}, scene.spacing);

@@ -76,6 +76,7 @@ struct RollingSolution {
   double friction_needed = absent;
   double friction_borne = absent;
   double error_estimate = absent;
+  double rolling_resistance_error = absent;
   double spacing = absent;
   int iterations = 0;
   double seconds = absent;
@@ -126,6 +127,8 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
             "largest friction coefficient with a steady state, where under more the body digs itself in"},
           s.friction_borne);
   visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
+  visitor(Q{"rolling_resistance_error", "", "N", "estimated error of the rolling resistance", any_number, "N/m"},
+          s.rolling_resistance_error);
   visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
   visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);
   visitor(Q{"seconds", "", "s", "wall time of the solution"}, s.seconds);

@@ -65,6 +65,14 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10)
     warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
+  if (scene.kinematics == Kinematics::printed) {
+    const double power = solution.rolling_resistance * scene.speed;
+    const double left = std::abs(power - solution.viscous_loss - solution.frictional_loss) / std::abs(power);
+    if (constexpr double noticeable = 0.02; left > noticeable + solution.energy_residual)
+      warnings.push_back(message_text("printed kinematics: ", left,
+                                      " of the power goes neither into the layers nor into friction; kinematics "
+                                      "\"consistent\" balances it"));
+  }
   for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
   if (scene.spacing && solution.method == Method::spectral)
     warnings.push_back(

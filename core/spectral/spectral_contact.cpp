@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/spectral/spectral_field.hpp"
 #include "core/spectral/spectral_friction_limit.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
+constexpr double smallest_tolerance = 1e-13;  // that rounding allows
 constexpr double largest_violation = 5e-9;  // of any law
 constexpr double rounded_tail = 1e-13;      // last coefficients, relative to the largest
 constexpr double wrong_pattern = 1e-7;      // violation of an inequality that no order mends
@@ -58,7 +60,7 @@ class SpectralContact {
  public:
   SpectralContact(const RollingScene& scene, const CreepSpectrum& creep)
       : scene_(scene),
-        tolerance_(scene.tolerance.value_or(default_spectral_tolerance)),
+        tolerance_(std::max(scene.tolerance.value_or(default_spectral_tolerance), smallest_tolerance)),
         problem_(scene, creep, estimate_contact(scene).half_width) {}
 
   SpectralOutcome run() {
@@ -95,6 +97,12 @@ class SpectralContact {
     best_->solution.method = Method::spectral;
     best_->solution.status = Status::converged;
     best_->solution.iterations = evaluations_;
+    constexpr double cautious_factor = 5;  // of an estimate, over the change that a tolerance asks for
+    if (scene_.tolerance && best_->solution.rolling_resistance_error > cautious_factor * *scene_.tolerance * scale_)
+      best_->solution.warnings.push_back(message_text("the tolerance ", *scene_.tolerance, " was not reached with ",
+                                                      best_->solution.contact_nodes,
+                                                      " coefficients: estimated error ",
+                                                      best_->solution.error_estimate));
     return {std::move(best_->solution), {}};
   }
 
@@ -181,7 +189,10 @@ class SpectralContact {
         if (assessed.wrong_zone > plainly_wrong) return false;
         if (error <= tolerance_) {
           if (violation < largest_violation) {
-            assessed.solution.error_estimate = cautious(error, violation, scene_.drive) + problem_.left_out;
+            const double relative = cautious(error, violation, scene_.drive);
+            assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
+            assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
+            scale_ = scale;
             best_ = std::move(assessed);
             return true;
           }
@@ -218,6 +229,7 @@ class SpectralContact {
   int overload_direction_ = 0;
   int evaluations_ = 0;
   double work_ = 0;
+  double scale_ = 0;  // by which errors of the best answer are measured [N/m]
 };
 
 }  // namespace

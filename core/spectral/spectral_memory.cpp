@@ -14,6 +14,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr int terms_at_a_distance = 100;
+constexpr double furthest = 40;  // memory lengths after which nothing is remembered
 
 }  // namespace
 
@@ -64,24 +65,29 @@ double IntervalMemory::tail_field(std::size_t j, const Interval& interval, doubl
   return sum;
 }
 
-SlopeMemory::SlopeMemory(const SpectralProblem& problem, const Interval& contact, std::size_t term)
-    : problem_(problem),
-      length_(problem.relaxation_length[term]),
-      end_(contact.to),
-      // A short memory of the slope as if the body went on; a long one from the edge.
-      goes_on_(contact.half_length() > 8 * length_ && contact.to + 40 * length_ < 0.9 * problem.shape.radius()) {}
-
-double SlopeMemory::at_edge() const { return goes_on_ ? (*this)(end_) : 0; }
-
-double SlopeMemory::operator()(double x) const {
-  const double range = goes_on_ ? 40 : std::min((end_ - x) / length_, 40.0);
-  const QuadratureRule& rule = gauss_rule(range > 4 ? 32 : 14);
-  double sum = 0;
-  for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-    const double s = range * rule.nodes[q];
-    sum += rule.weights[q] * std::exp(-s) * problem_.shape.slope(x + length_ * s);
+PrescribedSlope::PrescribedSlope(const SpectralProblem& problem, const Interval& interval, const VectorXd& points,
+                                 const std::function<double(double)>& f)
+    : elastic(points.size()), amplitude(problem.terms()) {
+  for (Index i = 0; i < points.size(); ++i) elastic(i) = problem.glassy * f(points(i));
+  for (Index j = 0; j < problem.terms(); ++j) {
+    const double length = problem.relaxation_length[static_cast<std::size_t>(j)];
+    const double modulus = problem.relaxation_modulus[static_cast<std::size_t>(j)];
+    // A short memory as if the body went on; a long one from the leading end.
+    const bool goes_on =
+        interval.half_length() > 8 * length && interval.to + furthest * length < 0.9 * problem.shape.radius();
+    const auto remembered = [&](double x) {
+      const double range = goes_on ? furthest : std::min((interval.to - x) / length, furthest);
+      const QuadratureRule& rule = gauss_rule(range > 4 ? 32 : 14);
+      double sum = 0;
+      for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+        const double s = range * rule.nodes[q];
+        sum += rule.weights[q] * std::exp(-s) * f(x + length * s);
+      }
+      return range * sum;
+    };
+    for (Index i = 0; i < points.size(); ++i) elastic(i) -= modulus * remembered(points(i));
+    amplitude(j) = goes_on ? modulus * remembered(interval.to) : 0;
   }
-  return range * sum;
 }
 
 PointsAhead::PointsAhead(const SpectralProblem& problem, const SpectralEdges& edges, double from, int order) {

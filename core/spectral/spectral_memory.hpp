@@ -3,6 +3,7 @@
 /// What the memories of a scene's layer make of densities on an interval (spectral_system.hpp).
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "core/spectral/spectral_system.hpp"
@@ -26,17 +27,13 @@ struct IntervalMemory {
   bool any_tail() const;
 };
 
-/// Solutions r_j of r - rho_j r' = slope of the body, at any point of the contact (S6).
-class SlopeMemory {
- public:
-  SlopeMemory(const SpectralProblem& problem, const Interval& contact, std::size_t term);
-  double at_edge() const;  // at the leading edge
-  double operator()(double x) const;
+/// What a slope f of the surface, prescribed on an interval, asks of the elastic slope there (S7).
+struct PrescribedSlope {
+  Eigen::VectorXd elastic;    // G_inf f - sum_j g_j r_j at the points, r_j - rho_j r_j' = f [Pa]
+  Eigen::VectorXd amplitude;  // [j]: g_j r_j at the leading end, the right side of (S8) [Pa]
 
- private:
-  const SpectralProblem& problem_;
-  double length_, end_;
-  bool goes_on_;
+  PrescribedSlope(const SpectralProblem& problem, const Interval& interval, const Eigen::VectorXd& points,
+                  const std::function<double(double)>& f);
 };
 
 /// Points for int_0^inf f(from + s) e^{-s/T}/T ds with all the scene's T, f having roots of the distance from the ends

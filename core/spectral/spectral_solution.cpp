@@ -35,7 +35,14 @@ class SpectralAssessment {
  private:
   bool sheared() const { return state_.pattern.shear; }
   static bool contact(const SurfacePanel& panel) { return panel.zone != Zone::free; }
-  Eigen::ArrayXd slip(const SurfacePanel& panel) const { return 1 + panel.slope_u - state_.rotation_ratio; }
+  Eigen::ArrayXd slip(const SurfacePanel& panel) const {
+    Eigen::ArrayXd values = panel.slope_u;
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      const RigidSlip rigid = problem_.shape.slip(panel.x(k));
+      values(k) += rigid.forward - state_.rotation_ratio * rigid.turning;
+    }
+    return values;
+  }
 
   /// Largest of |value| near its largest value at a node, by golden section between the node's neighbours.
   template <class Value>
@@ -169,11 +176,12 @@ class SpectralAssessment {
         friction += shear * sliding(k);
       }
     }
-    s_.viscous_loss = scene.speed * (layer + geometry);
+    s_.viscous_loss = scene.speed * layer;
     s_.frictional_loss = scene.speed * friction;
     const double power = s_.rolling_resistance * scene.speed;
     const double least = 1e-6 * s_.load * scene.speed * half_ / scene.radius;  // an elastic layer resists with nothing
-    s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss) / std::max(std::abs(power), least);
+    s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss - scene.speed * geometry) /
+                         std::max(std::abs(power), least);
   }
 
   void keep_fields() {

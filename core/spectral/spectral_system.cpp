@@ -103,19 +103,16 @@ class System {
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
     if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * memory_.series;
     if (problem_.layered()) matrix_.topRows(n_ + 1) += normal_slopes(sources_, layer(), x);
-    for (Index i = 0; i <= n_; ++i) right_(i) = problem_.glassy * problem_.shape.slope(x(i));
-    for (std::size_t j = 0; j < static_cast<std::size_t>(terms_); ++j) {
-      const SlopeMemory memory(problem_, contact, j);
-      for (Index i = 0; i <= n_; ++i) right_(i) -= problem_.relaxation_modulus[j] * memory(x(i));
-      right_(amplitude_ + static_cast<Index>(j)) = problem_.relaxation_modulus[j] * memory.at_edge();
-    }
+    const PrescribedSlope body(problem_, contact, x, [&](double at) { return problem_.shape.slope(at); });
+    right_.head(n_ + 1) = body.elastic;
+    right_.segment(amplitude_, terms_) = body.amplitude;
   }
 
   /// Left sides of (S8) and (S14): Z_j + g_j sum_m F_jm R_{T_m} g.
   void remember(Index amplitude, const MatrixXd& means) {
     for (Index j = 0; j < terms_; ++j) {
       auto row = matrix_.row(amplitude + j);
-      row = problem_.relaxation_modulus[static_cast<std::size_t>(j)] * (problem_.memory_factor.row(j) * means);
+      row += problem_.relaxation_modulus[static_cast<std::size_t>(j)] * (problem_.memory_factor.row(j) * means);
       row(amplitude + j) += 1;
     }
   }
@@ -171,7 +168,6 @@ class System {
     const Stick& zone = zones_[z];
     matrix_.block(zone.psi, zone.psi, stick_n_ + 1, stick_n_) = -0.5 * stick_rule_.images.rightCols(stick_n_);
     matrix_.block(zone.psi, zone.slack(), stick_n_ + 1, 1).setOnes();
-    matrix_.block(zone.psi, rotation_, stick_n_ + 1, 1).setConstant(-1);
     // The amplitudes are those of the exponentials in the densities' own field: without slip ahead, the tails of the
     // pressure, which the base follows, are tails of the stick as well (S17).
     MatrixXd kept;
@@ -180,6 +176,7 @@ class System {
       matrix_.block(zone.psi, zone.amplitude(), stick_n_ + 1, terms_) = -kept;
     }
     const VectorXd places = points(zone.interval, stick_rule_);
+    prescribe_stick(zone, places);
     if (problem_.layered()) matrix_.middleRows(zone.psi, stick_n_ + 1) += tangential_slopes(sources_, layer(), places);
     RowVectorXd row(size_);
     for (Index i = 0; i <= stick_n_; ++i) {
@@ -195,6 +192,25 @@ class System {
       }
       matrix_.row(zone.psi + i) += row;
     }
+  }
+
+  /// What (S14) and (S16) have of the strain u' = (omega - 1) turning + turning - forward that stick prescribes.
+  void prescribe_stick(const Stick& zone, const VectorXd& places) {
+    auto column = matrix_.col(rotation_);
+    column.segment(zone.psi, stick_n_ + 1).setConstant(-1);
+    for (Index j = 0; j < terms_; ++j)
+      column(zone.amplitude() + j) = -problem_.relaxation_modulus[static_cast<std::size_t>(j)] / problem_.rubbery;
+    if (problem_.shape.slips_evenly()) return;
+    const PrescribedSlope turning(problem_, zone.interval, places,
+                                  [&](double x) { return problem_.shape.slip(x).turning - 1; });
+    column.segment(zone.psi, stick_n_ + 1) -= turning.elastic / problem_.rubbery;
+    column.segment(zone.amplitude(), terms_) -= turning.amplitude / problem_.rubbery;
+    const PrescribedSlope known(problem_, zone.interval, places, [&](double x) {
+      const RigidSlip rigid = problem_.shape.slip(x);
+      return rigid.turning - rigid.forward;
+    });
+    right_.segment(zone.psi, stick_n_ + 1) += known.elastic;
+    right_.segment(zone.amplitude(), terms_) += known.amplitude;
   }
 
   /// The rows of a stick's amplitudes, (S14) or (S17).
@@ -233,9 +249,7 @@ class System {
     }
     remember(zone.amplitude(), means);
     for (Index j = 0; j < terms_; ++j) {
-      auto equation = matrix_.row(zone.amplitude() + j);
-      equation(rotation_) -= problem_.relaxation_modulus[static_cast<std::size_t>(j)] / problem_.rubbery;
-      if (at_edge) equation(amplitude_ + j) -= direction;
+      if (at_edge) matrix_(zone.amplitude() + j, amplitude_ + j) -= direction;
     }
   }
 

@@ -104,6 +104,7 @@ void bind_row(SQLite::Statement& statement, int first, const RollingScene& scene
 
 SceneAndSolution read_row(SQLite::Statement& statement, int first) {
   SceneAndSolution row;
+  row.scene.kinematics = Kinematics::printed;  // of rows from before there was a choice
   auto read_next = [&](const Quantity&, auto& value) {
     const SQLite::Column column = statement.getColumn(first++);
     if (!column.isNull()) read_value(column, value);

@@ -65,6 +65,14 @@ void create_summary_and_fields(SQLite::Database& connection) {
   )");
 }
 
+/// Rows of before there was a choice were solved with the paper's kinematics.
+void add_kinematics(SQLite::Database& connection) {
+  const std::vector<Column> present = columns_of(connection, "evaluation");
+  if (std::any_of(present.begin(), present.end(), [](const Column& column) { return column.name == "kinematics"; }))
+    return;
+  connection.exec("ALTER TABLE evaluation ADD COLUMN kinematics TEXT; UPDATE evaluation SET kinematics = 'printed'");
+}
+
 std::vector<Column> missing_columns(SQLite::Database& connection) {
   const std::vector<Column> present = columns_of(connection, "evaluation");
   std::vector<Column> missing;
@@ -114,7 +122,8 @@ std::vector<Column> columns_of(SQLite::Database& connection, const std::string& 
 }
 
 std::span<const Migration> schema_migrations() {
-  static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields, create_fit_tables};
+  static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields, create_fit_tables,
+                                             add_kinematics};
   return migrations;
 }
 

@@ -17,6 +17,7 @@ inline RollingScene paper_cylinder() {
   scene.speed = 0.05;
   scene.load = 20e3;
   scene.friction_coefficient = 0.2;
+  scene.kinematics = Kinematics::printed;
   scene.spacing = 0.25e-3;
   return scene;
 }

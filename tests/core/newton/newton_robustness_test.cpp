@@ -33,6 +33,7 @@ RollingScene scene_of(Indenter indenter, const Row& row) {
   scene.friction_coefficient = row.friction_coefficient;
   scene.spacing = row.spacing;
   scene.drive = row.drive;
+  scene.kinematics = Kinematics::printed;  // with which these rows were found
   if (row.drive == Drive::torque) scene.driving_torque = row.given;
   if (row.drive == Drive::rotation) scene.rotation_ratio = row.given;
   return scene;

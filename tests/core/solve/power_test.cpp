@@ -1,10 +1,12 @@
 /// Where the power goes: two balances that do not share their parts.
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "core/material/material.hpp"
+#include "core/scene/indenter_shape.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/layer_compliance.hpp"
 #include "tests/catch.hpp"
@@ -52,47 +54,87 @@ RollingScene shallow_scene() {
   return scene;
 }
 
+RollingScene with_consistent_kinematics(RollingScene scene) {
+  scene.kinematics = Kinematics::consistent;
+  return scene;
+}
+
+RollingSolution rolled(const RollingScene& scene) {
+  RollingSolution s = solve(scene);
+  INFO(s.reason);
+  REQUIRE(s.status == Status::converged);
+  return s;
+}
+
 }  // namespace
 
-TEST_CASE("the power that drives a body is lost in the layer and by friction, to the order of the differences used",
-          "[core][power]") {
-  // dw/dx by differences of fourth order inside the contact.
-  const auto residual = [](RollingScene scene, int refinement) {
-    *scene.spacing /= refinement;
-    const RollingSolution s = solve(scene);
-    REQUIRE(s.status == Status::converged);
-    return s.energy_residual;
-  };
-  for (const bool rough : {true, false}) {
-    const RollingScene cylinder = rough ? paper_cylinder() : frictionless(paper_cylinder());
-    CHECK(residual(cylinder, 1) < 1e-6);
-    CHECK(residual(cylinder, 2) < residual(cylinder, 1) / 10);
-    CHECK(residual(cylinder, 4) < residual(cylinder, 2) / 10);
-    const RollingScene sphere = rough ? paper_sphere() : frictionless(paper_sphere());
-    CHECK(residual(sphere, 1) < 1e-6);
-    CHECK(residual(sphere, 2) < residual(sphere, 1) / 10);
+// The drive gives what the resultants say; the layers and friction take what displacements and slip say. Wrong lever
+// arms, a wrong slip or wrong displacements would part them: with the paper's kinematics they part by up to a third.
+TEST_CASE("the power that drives a cylinder is lost in the layer and by friction, whatever drives it", "[core][power]") {
+  RollingScene scene = with_consistent_kinematics(paper_cylinder());
+  scene.spacing.reset();
+  for (const MaterialModel material : {MaterialModel::zener, MaterialModel::elastic}) {
+    scene.material = material;
+    const auto check_balance = [&](const RollingScene& driven) {
+      const RollingSolution s = rolled(driven);
+      CAPTURE(name_of(material), name_of(driven.drive), driven.driving_torque.value_or(0),
+              driven.rotation_ratio.value_or(0));
+      REQUIRE(s.method == Method::spectral);
+      const double power = s.load * 0.2 * driven.speed;  // of P a/R
+      CHECK(s.viscous_loss + s.frictional_loss == Approx(s.rolling_resistance * driven.speed).margin(1e-7 * power));
+      CHECK(s.frictional_loss > -1e-9 * power);
+      if (material == MaterialModel::elastic) CHECK(std::abs(s.viscous_loss) < 1e-9 * power);
+    };
+    for (const Drive drive : {Drive::top_force, Drive::free}) {
+      RollingScene driven = scene;
+      driven.drive = drive;
+      check_balance(driven);
+    }
+    for (const double torque : {-60.0, -20.0, 0.0, 20.0, 60.0}) {
+      RollingScene driven = scene;
+      driven.drive = Drive::torque;
+      driven.driving_torque = torque;
+      check_balance(driven);
+    }
+    for (const double ratio : {0.5, 1.0, 1.06}) {
+      RollingScene driven = scene;
+      driven.drive = Drive::rotation;
+      driven.rotation_ratio = ratio;
+      check_balance(driven);
+    }
   }
 }
 
-TEST_CASE("losses of drive, layer and friction add up for every drive", "[core][power]") {
-  for (RollingScene scene : {paper_cylinder(), paper_sphere()}) {
-    const auto check_balance = [&] {
-      const RollingSolution s = solve(scene);
-      REQUIRE(s.status == Status::converged);
-      INFO(name_of(scene.indenter) << ", " << name_of(scene.drive));
-      CHECK(s.energy_residual < 1e-6);
-      CHECK(s.frictional_loss >= 0);
-      CHECK(s.viscous_loss + s.frictional_loss == Approx(s.rolling_resistance * scene.speed).epsilon(1e-6));
-    };
-    check_balance();
-    scene.drive = Drive::free;
-    check_balance();
-    scene.drive = Drive::rotation;
-    for (const double ratio : {0.0, 1.0, 1.1}) {
-      scene.rotation_ratio = ratio;
-      check_balance();
+TEST_CASE("on a grid the power of a driven body is lost in the layer and by friction but for what the edges between nodes take",
+          "[core][power]") {
+  for (RollingScene scene : {with_consistent_kinematics(paper_cylinder()), with_consistent_kinematics(paper_sphere())})
+    for (const MaterialModel material : {MaterialModel::zener, MaterialModel::elastic}) {
+      scene.material = material;
+      scene.drive = Drive::torque;
+      scene.driving_torque = dimensions(scene) == 2 ? 60 : 0.2;
+      const auto residual = [&](double spacing) {
+        scene.spacing = spacing;
+        const RollingSolution s = rolled(scene);
+        CAPTURE(name_of(material), name_of(scene.indenter));
+        if (material == MaterialModel::elastic) CHECK(std::abs(s.viscous_loss) < 1e-9 * s.frictional_loss);
+        return s.energy_residual;
+      };
+      CHECK(residual(0.25e-3) < 0.03);
+      CHECK(residual(0.0625e-3) < 4e-3);
     }
-  }
+}
+
+TEST_CASE("the paper's kinematics leave a power of second order over, and say so", "[core][power]") {
+  RollingScene scene = paper_cylinder();
+  scene.spacing.reset();
+  scene.material = MaterialModel::elastic;
+  scene.drive = Drive::torque;
+  scene.driving_torque = 60;
+  const RollingSolution s = rolled(scene);
+  CHECK(std::abs(s.viscous_loss) < 1e-6 * s.frictional_loss);
+  CHECK(s.rolling_resistance * scene.speed > 1.3 * s.frictional_loss);
+  CHECK(std::any_of(s.warnings.begin(), s.warnings.end(),
+                    [](const std::string& warning) { return warning.find("kinematics") != std::string::npos; }));
 }
 
 TEST_CASE("the layer's loss equals the loss of its waves, counted one by one", "[core][power]") {

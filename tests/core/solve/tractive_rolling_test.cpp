@@ -25,6 +25,7 @@ RollingScene carter_scene(double used_friction, int nodes_in_half, double fricti
   scene.friction_coefficient = friction;
   scene.drive = Drive::torque;
   scene.driving_torque = used_friction * scene.friction_coefficient * *scene.load * scene.radius;
+  scene.kinematics = Kinematics::printed;  // slip of a flat surface
   scene.spacing = a / nodes_in_half;
   return scene;
 }
@@ -156,6 +157,7 @@ TEST_CASE("a viscoelastic cylinder under traction creeps as in CONTACT's example
   scene.load = 600e3;
   scene.friction_coefficient = 0.3;
   scene.drive = Drive::torque;
+  scene.kinematics = Kinematics::printed;  // slip of a flat surface
   scene.spacing = 0.16e-3;
   struct Row {
     double creep_time, creepage;

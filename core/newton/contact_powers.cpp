@@ -1,0 +1,64 @@
+#include "core/newton/contact_powers.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Rolling resistance over the moment of the load's halves: where it is less, the losses tell it better than the
+/// resultants, the difference of these halves.
+constexpr double cancelled = 1e-2, conditioned = 0.1;
+
+double share_of_losses(double resistance, double halves) {
+  const double relative = std::abs(resistance) / halves;
+  if (!(relative > cancelled)) return 1;
+  const double place = std::log(conditioned / relative) / std::log(conditioned / cancelled);
+  const double t = std::clamp(place, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
+                             const std::vector<Zone>& zone) {
+  const SurfaceGrid& grid = problem.grid;
+  ContactPowers powers;
+  const double turning = problem.turning_ratio(unknowns.rotation_ratio);
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
+      if (zone[static_cast<std::size_t>(i)] == Zone::free) continue;
+      const double x = grid.x(column), y = grid.y(row), weight = grid.cell_area() * problem.images(i);
+      const auto slope = [&](const Vector& values) {
+        const Eigen::Index behind = column > 0 ? at - 1 : at;
+        return (values(at + 1) - values(behind)) / (static_cast<double>(at + 1 - behind) * grid.spacing_x);
+      };
+      const double force = weight * unknowns.pressure(i);
+      const double force_u = problem.friction ? weight * unknowns.shear_x(i) : 0;
+      const double force_v = problem.friction && problem.lateral ? weight * unknowns.shear_y(i) : 0;
+      powers.halves += std::abs(force * x) / problem.shape.radius();
+      powers.layer += force * slope(moved.w);
+      powers.unbalanced += problem.shape.unbalanced_power(turning, x, y)(force, force_u);
+      if (!problem.friction) continue;
+      const double along = slope(moved.u), across = problem.lateral ? slope(moved.v) : 0;
+      const RigidSlip rigid = problem.shape.slip(x, y);
+      powers.layer -= force_u * along + force_v * across;
+      powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) + force_v * across;
+    }
+  powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio);
+  powers.share = share_of_losses(powers.losses(), powers.halves);
+  return powers;
+}
+
+void add_resistance(const RollingScene& scene, double change, RollingSolution& solution) {
+  solution.rolling_resistance += change;
+  solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
+  const double ratio = std::isnan(solution.rotation_ratio) ? 0 : solution.rotation_ratio;
+  if (scene.drive == Drive::top_force && scene.friction_coefficient > 0) {
+    solution.driving_force += change / (1 + ratio);
+    solution.driving_torque += change / (1 + ratio) * scene.radius;
+  } else {
+    solution.driving_force += change;
+  }
+}
+
+}  // namespace rollres

@@ -1,0 +1,37 @@
+#pragma once
+
+/// Where the power goes, told from the fields of a solution on a grid, and the rolling resistance that follows from it
+/// (core/newton/README.md, section 7).
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/newton/contact_problem.hpp"
+#include "core/newton/newton_system.hpp"
+
+namespace rollres {
+
+/// Powers over V [N] (per metre for a cylinder).
+struct ContactPowers {
+  double layer = 0;       ///< what the layers take: p w' - tau . (u', v'), slopes by central differences
+  double friction = 0;    ///< what friction takes: tau . slip, with the same slopes
+  double unbalanced = 0;  ///< of the kinematics, (N23): 0 where they are consistent
+  double resultants = 0;  ///< Q + T Omega/V
+  double halves = 0;      ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are
+  double share = 0;       ///< of the losses in `resistance`, 0 to 1, smooth in all inputs
+
+  double losses() const { return layer + friction + unbalanced; }
+  /// R_r: by the resultants, or by the losses where the resultants cancel.
+  double resistance() const { return resultants + share * (losses() - resultants); }
+  /// What errors of the resistance are measured by: an elastic layer resists with nothing.
+  double scale() const { return std::max(std::abs(resistance()), 1e-6 * halves); }
+};
+
+/// @param moved u and v may be empty without friction   @param zone of every node of the problem's (half) grid
+ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
+                             const std::vector<Zone>& zone);
+
+/// Changes a solution's rolling resistance, and what drives the body with it.
+void add_resistance(const RollingScene& scene, double change, RollingSolution& solution);
+
+}  // namespace rollres
