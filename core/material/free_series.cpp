@@ -15,28 +15,74 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Logarithm of the rows' probability on series of so many terms, before the rows normal in the logarithms of moduli
+/// and times.
+double evidence_of(const RelativeRows& rows, const PronySeries& series) {
+  constexpr double modulus_within = 5;  // powers of e: two deviations to either side
+  constexpr double exact = 2e-5;        // residuals that count as none, as of a smooth spectrum
+  const double time_within = (rows.decades() + 2) * std::log(10);
+  const TermSlopes terms(rows, series);
+  const VectorXd residual = rows.residuals(series);
+  const Index moduli = terms.moduli.size(), times = std::ssize(terms.times), parameters = moduli + times;
+  const auto n = static_cast<double>(residual.size());
+  const double freedom = std::max(1.0, n - static_cast<double>(parameters));
+  const double variance = (residual.squaredNorm() + n * exact * exact) / freedom;
+  VectorXd precision(parameters);  // roots
+  precision << VectorXd::Constant(moduli, 2 / modulus_within), VectorXd::Constant(times, 4 / time_within);
+  MatrixXd a(residual.size() + parameters, parameters);
+  a << terms.slopes / std::sqrt(variance), MatrixXd(precision.asDiagonal());
+  const VectorXd pivots = Eigen::HouseholderQR<MatrixXd>(a).matrixQR().diagonal().cwiseAbs();
+  // Terms may change places.
+  return -0.5 * n * std::log(2 * M_PI * variance) - 0.5 * freedom - pivots.array().log().sum() +
+         precision.array().log().sum() + std::lgamma(static_cast<double>(times) + 1);
+}
+
 /// A series of free times, moved to the least misfit.
 class FreeSeries {
  public:
-  explicit FreeSeries(const RelativeRows& rows) : rows_(rows) {
+  FreeSeries(const RelativeRows& rows, double wanted_evidence) : rows_(rows) {
     start();
-    join_all();
-    move(most_steps);
-    join();
-    move(most_steps);
+    settle();
+    if (may_reach(wanted_evidence)) {
+      join_all();
+      move(most_steps);
+      join();
+      move(most_steps);
+    }
     drop_negligible();
   }
   const PronySeries& series() const { return series_; }
 
  private:
-  static constexpr int most_steps = 60, few_steps = 12;
+  static constexpr int most_steps = 60, few_steps = 12, trial_steps = 8;
   static constexpr double beyond = 10;  // the table, at most
+  static constexpr std::size_t most_terms = 30;
   double shortest() const { return 1 / (beyond * rows_.highest()); }
   double longest() const { return beyond / rows_.lowest(); }
 
-  /// Non-negative moduli on a dense grid; neighbours on it are one term.
+  /// Moves as long as that gains much: without noise it does to the end, where no series of few terms fits it does not.
+  void settle() {
+    constexpr double much = 0.7;
+    constexpr int most_rounds = 5;
+    double before = INFINITY;
+    for (int round = 0; round < most_rounds; ++round) {
+      move(few_steps);
+      const double now = rows_.residuals(series_).norm();
+      if (now > much * before) return;
+      before = now;
+    }
+  }
+
+  /// Whether what joining and moving gain may lift the evidence so far.
+  bool may_reach(double wanted_evidence) const {
+    constexpr double gain_by_term = 3, gain_by_moving = 30;
+    const double gain = gain_by_moving + gain_by_term * static_cast<double>(series_.terms.size());
+    return evidence_of(rows_, series_) + gain > wanted_evidence;
+  }
+
+  /// Non-negative moduli on a dense grid; two neighbours on it are one term.
   void start() {
-    constexpr double most_times = 150, most_per_decade = 20;
+    constexpr double most_times = 100, most_per_decade = 10;
     const double decades = std::log10(longest() / shortest());
     const auto count = static_cast<int>(std::ceil(decades * std::min(most_per_decade, most_times / decades)));
     std::vector<double> times;
@@ -44,17 +90,29 @@ class FreeSeries {
       times.push_back(shortest() * std::pow(longest() / shortest(), static_cast<double>(j) / count));
     const VectorXd moduli = moduli_at(times);
     series_.static_modulus = rows_.least_rest() + (rows_.free_rest() ? moduli(count + 1) : 0);
-    bool neighbour = false;
+    bool neighbour = false;  // of a term that is not yet one of two
     for (int j = 0; j <= count; ++j) {
-      if (moduli(j) > 0) {
-        const PronySeries::Term term{moduli(j), times[static_cast<std::size_t>(j)]};
-        if (neighbour)
-          series_.terms.back() = one_of(series_.terms.back(), term);
-        else
-          series_.terms.push_back(term);
-      }
-      neighbour = moduli(j) > 0;
+      const PronySeries::Term term{moduli(j), times[static_cast<std::size_t>(j)]};
+      if (neighbour && term.modulus > 0)
+        series_.terms.back() = one_of(series_.terms.back(), term);
+      else if (term.modulus > 0)
+        series_.terms.push_back(term);
+      neighbour = !neighbour && term.modulus > 0;
     }
+    while (series_.terms.size() > most_terms) join_nearest();
+  }
+
+  void join_nearest() {
+    std::size_t nearest = 0;
+    const auto ratio = [&](std::size_t j) { return series_.terms[j + 1].time / series_.terms[j].time; };
+    for (std::size_t j = 1; j + 1 < series_.terms.size(); ++j)
+      if (ratio(j) < ratio(nearest)) nearest = j;
+    join_at(nearest);
+  }
+
+  void join_at(std::size_t j) {
+    series_.terms[j] = one_of(series_.terms[j], series_.terms[j + 1]);
+    series_.terms.erase(series_.terms.begin() + static_cast<std::ptrdiff_t>(j) + 1);
   }
 
   /// The non-negative moduli of least misfit at fixed times.
@@ -167,7 +225,6 @@ class FreeSeries {
 
   /// All that are nearer than some distance as one, for the largest distance that the criterion allows.
   void join_all() {
-    move(few_steps);
     const double before = criterion();
     for (const double distance : {3.2, 2.2, 1.6}) {
       const PronySeries kept = series_;
@@ -187,8 +244,10 @@ class FreeSeries {
   /// Neighbours as one, the nearest first, while the criterion falls.
   void join() {
     constexpr double farthest = 300;  // so far, and one of them is all but dropped
-    // So many trials that their cost, as that of a factorisation, is bounded.
-    int trials = static_cast<int>(std::clamp(2e4 / std::pow(static_cast<double>(series_.terms.size()), 2), 5.0, 40.0));
+    // So many trials that their cost, as that of factorisations, is bounded.
+    constexpr double most_work = 1.5e5;  // rows times the square of terms
+    const double work = static_cast<double>(rows_.rows()) * std::pow(static_cast<double>(series_.terms.size()), 2);
+    int trials = static_cast<int>(std::clamp(most_work / work, 4.0, 40.0));
     while (join_two(farthest, trials)) {
     }
   }
@@ -202,9 +261,8 @@ class FreeSeries {
     for (const std::size_t j : order) {
       if (ratio(j) > farthest || trials-- <= 0) return false;
       const PronySeries kept = series_;
-      series_.terms[j] = one_of(series_.terms[j], series_.terms[j + 1]);
-      series_.terms.erase(series_.terms.begin() + static_cast<std::ptrdiff_t>(j) + 1);
-      move(few_steps);
+      join_at(j);
+      move(trial_steps);
       if (criterion() <= before) return true;
       series_ = kept;
     }
@@ -226,32 +284,10 @@ class FreeSeries {
   PronySeries series_;
 };
 
-/// Logarithm of the rows' probability on series of so many terms, before the rows normal in the logarithms of moduli
-/// and times.
-double evidence_of(const RelativeRows& rows, const PronySeries& series) {
-  constexpr double modulus_within = 5;  // powers of e: two deviations to either side
-  constexpr double exact = 1e-6;        // residuals that are rounding
-  const double time_within = (rows.decades() + 2) * std::log(10);
-  const TermSlopes terms(rows, series);
-  const VectorXd residual = rows.residuals(series);
-  const Index moduli = terms.moduli.size(), times = std::ssize(terms.times), parameters = moduli + times;
-  const auto n = static_cast<double>(residual.size());
-  const double freedom = std::max(1.0, n - static_cast<double>(parameters));
-  const double variance = (residual.squaredNorm() + n * exact * exact) / freedom;
-  VectorXd precision(parameters);  // roots
-  precision << VectorXd::Constant(moduli, 2 / modulus_within), VectorXd::Constant(times, 4 / time_within);
-  MatrixXd a(residual.size() + parameters, parameters);
-  a << terms.slopes / std::sqrt(variance), MatrixXd(precision.asDiagonal());
-  const VectorXd pivots = Eigen::HouseholderQR<MatrixXd>(a).matrixQR().diagonal().cwiseAbs();
-  // Terms may change places.
-  return -0.5 * n * std::log(2 * M_PI * variance) - 0.5 * freedom - pivots.array().log().sum() +
-         precision.array().log().sum() + std::lgamma(static_cast<double>(times) + 1);
-}
-
 }  // namespace
 
-SpectrumFit free_series(const RelativeRows& rows) {
-  const PronySeries series = FreeSeries(rows).series();
+SpectrumFit free_series(const RelativeRows& rows, double wanted_evidence) {
+  const PronySeries series = FreeSeries(rows, wanted_evidence).series();
   return {series, open_beside_terms(rows, series), evidence_of(rows, series)};
 }
 

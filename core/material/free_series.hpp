@@ -12,6 +12,7 @@
 
 namespace rollres {
 
-SpectrumFit free_series(const RelativeRows& rows);
+/// @param wanted_evidence without a chance to come near it, the search ends before terms are joined
+SpectrumFit free_series(const RelativeRows& rows, double wanted_evidence);
 
 }  // namespace rollres

@@ -84,10 +84,11 @@ std::vector<std::string> remarks_on_outliers(const MasterCurve& curve, const std
 
 /// Few terms or a smooth spectrum, whichever the rows are more likely on.
 SpectrumFit likelier_spectrum(const RelativeRows& rows) {
-  SpectrumFit few = free_series(rows), smooth = smooth_spectrum(rows);
+  SpectrumFit smooth = smooth_spectrum(rows);
   smooth.evidence -= advantage_of_few;
+  const SpectrumFit few = free_series(rows, smooth.evidence);
   const bool is_smooth = smooth.evidence > few.evidence;
-  SpectrumFit& best = is_smooth ? smooth : few;
+  SpectrumFit best = is_smooth ? smooth : few;
   const SpectrumFit& other = is_smooth ? few : smooth;
   best.open.add(open_between(best.series, other.series,
                              std::exp((other.evidence - best.evidence) / evidence_by_chance)));

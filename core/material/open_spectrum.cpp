@@ -27,7 +27,7 @@ MatrixXd posterior_root(const MatrixXd& a) {
 /// Of times and moduli: a time's change is one modulus less just below it and one more just above.
 OpenSpectrum open_terms(const RelativeRows& rows, const PronySeries& series) {
   constexpr double apart = 0.02;            // of the logarithm of a time
-  constexpr double least_deviation = 1e-6;  // of the rows
+  constexpr double least_deviation = 1e-5;  // of the rows
   const TermSlopes terms(rows, series);
   const VectorXd residual = rows.residuals(series);
   const Index count = std::ssize(series.terms), parameters = terms.slopes.cols();
@@ -58,7 +58,7 @@ OpenSpectrum open_missed_terms(const RelativeRows& rows, const PronySeries& seri
   // one term that meets all rows leaves little room for others, one with nearly as many parameters as rows much.
   constexpr double share_within = 3, share_beyond = 1;
   constexpr double least_tangent = 1e-3;    // of the loss where it is next to none
-  constexpr double least_deviation = 1e-5;  // of the rows
+  constexpr double least_deviation = 2e-5;  // of the rows
   const double shortest = std::pow(10, -decades_open) / rows.highest();
   const double decades = rows.decades() + 2 * decades_open;
   const int count = static_cast<int>(std::ceil(decades * per_decade));

@@ -126,7 +126,7 @@ class EvenSpectrum {
 
   /// Of the rows' errors.
   double variance(double weight) const {
-    constexpr double exact = 5e-6;  // what the even times leave
+    constexpr double exact = 2e-5;  // what the even times leave
     return (objective(log_moduli_, weight) + static_cast<double>(wanted_.size()) * exact * exact) / freedom();
   }
 
