@@ -45,7 +45,7 @@ class FreeSeries {
     settle();
     if (may_reach(wanted_evidence)) {
       join_all();
-      move(most_steps);
+      move(few_steps);
       join();
       move(most_steps);
     }
@@ -75,7 +75,7 @@ class FreeSeries {
 
   /// Whether what joining and moving gain may lift the evidence so far.
   bool may_reach(double wanted_evidence) const {
-    constexpr double gain_by_term = 3, gain_by_moving = 30;
+    constexpr double gain_by_term = 2, gain_by_moving = 15;
     const double gain = gain_by_moving + gain_by_term * static_cast<double>(series_.terms.size());
     return evidence_of(rows_, series_) + gain > wanted_evidence;
   }

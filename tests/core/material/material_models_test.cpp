@@ -251,6 +251,7 @@ TEST_CASE("a rubber's few rows over fifteen decades, with 5 % noise, give the ro
   Coverage coverage;
   for (const double speed : {0.001, 0.5, 20.0}) {
     RollingScene solid = on_solid({2e6, {}}, speed);
+    solid.tolerance = 1e-3;
     solid.material = MaterialModel::fractional_zener;
     solid.stiffening = fractional.stiffening;
     solid.creep_time = fractional.creep_time;
