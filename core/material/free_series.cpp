@@ -149,8 +149,7 @@ class FreeSeries {
     MatrixXd slopes(all.slopes.rows(), 2 * terms + (rest_moves() ? 1 : 0));
     slopes.leftCols(terms) = all.slopes.leftCols(terms);
     slopes.middleCols(terms, terms) = all.slopes.rightCols(terms);
-    if (rest_moves())
-      slopes.col(2 * terms) = all.slopes.col(terms) * (1 - rows_.least_rest() / series_.static_modulus);
+    if (rest_moves()) slopes.col(2 * terms) = all.slopes.col(terms) * (1 - rows_.least_rest() / series_.static_modulus);
     return slopes;
   }
 

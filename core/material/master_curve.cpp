@@ -90,8 +90,8 @@ SpectrumFit likelier_spectrum(const RelativeRows& rows) {
   const bool is_smooth = smooth.evidence > few.evidence;
   SpectrumFit best = is_smooth ? smooth : few;
   const SpectrumFit& other = is_smooth ? few : smooth;
-  best.open.add(open_between(best.series, other.series,
-                             std::exp((other.evidence - best.evidence) / evidence_by_chance)));
+  best.open.add(
+      open_between(best.series, other.series, std::exp((other.evidence - best.evidence) / evidence_by_chance)));
   return best;
 }
 
@@ -105,7 +105,8 @@ std::string MasterCurveFit::in_words() const {
 MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const RelativeRows rows(curve);
   SpectrumFit found = likelier_spectrum(rows);
-  MasterCurveFit fit{.series = std::move(found.series), .open = std::move(found.open), .remarks = remarks_on_rows(curve)};
+  MasterCurveFit fit{
+      .series = std::move(found.series), .open = std::move(found.open), .remarks = remarks_on_rows(curve)};
   const std::vector<double> misfit = misfits(curve, fit.series);
   const std::size_t worst = static_cast<std::size_t>(std::max_element(misfit.begin(), misfit.end()) - misfit.begin());
   fit.largest_misfit = misfit[worst];
@@ -114,9 +115,9 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
                    std::sqrt(static_cast<double>(misfit.size()));
   for (std::string& remark : remarks_on_outliers(curve, misfit)) fit.remarks.push_back(std::move(remark));
   if (rows.free_rest() && fit.series.static_modulus <= not_shown * rows.least_rest())
-    fit.remarks.push_back(
-        message_text("master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,
-                     " Pa, about a tenth of the lowest storage modulus; static_shear_modulus gives it where it is known"));
+    fit.remarks.push_back(message_text(
+        "master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,
+        " Pa, about a tenth of the lowest storage modulus; static_shear_modulus gives it where it is known"));
   return fit;
 }
 

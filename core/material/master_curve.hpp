@@ -12,8 +12,8 @@
 /// by the relations of Kramers and Kronig, are residuals of any spectrum and widen it. Where the other kind of spectrum
 /// is about as likely, the difference of the two is open as well.
 /// @see Honerkamp and Weese (1989), Macromolecules 22, 4372, for the regularised spectrum; Baumgaertel and Winter
-///      (1989), Rheologica Acta 28, 511, for free times; MacKay (1992), Neural Computation 4, 415, for Bayes' factor and
-///      the weight of smoothness
+///      (1989), Rheologica Acta 28, 511, for free times; MacKay (1992), Neural Computation 4, 415, for Bayes' factor
+///      and the weight of smoothness
 
 #include <memory>
 #include <string>

@@ -60,7 +60,9 @@ CreepSpectrum creep_spectrum(const PronySeries& series) {
       to_next = (terms[j + 1].time - pole) / pole;
       const double next = terms[j + 1].modulus * terms[j + 1].time / pole;
       // Times (to_next - u), the next pole's term apart: times that nearly coincide lose no digits.
-      const auto without_poles = [&](double v) { return (to_next - v) * (v * others(v) - terms[j].modulus) + v * next; };
+      const auto without_poles = [&](double v) {
+        return (to_next - v) * (v * others(v) - terms[j].modulus) + v * next;
+      };
       u = bracketed_root(without_poles, 0, to_next);
     }
     const double time = pole * (1 + u);

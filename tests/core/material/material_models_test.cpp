@@ -229,8 +229,9 @@ struct Coverage {
 
 }  // namespace
 
-TEST_CASE("on rows with 2 % noise 95 % of all rolling resistances lie within the estimate, which is of their error's size",
-          "[core][material][rolling_contact]") {
+TEST_CASE(
+    "on rows with 2 % noise 95 % of all rolling resistances lie within the estimate, which is of their error's size",
+    "[core][material][rolling_contact]") {
   Coverage coverage;
   for (const PronySeries& series : known_solids())
     for (const double speed : {0.001, 0.5, 20.0}) {
