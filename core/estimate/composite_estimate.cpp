@@ -157,8 +157,8 @@ HertzResponse hertz_response(const RollingScene& scene, double half_width) {
 }
 
 double spectrum_error(const RollingScene& scene, double half_width) {
-  // Two deviations, and one for the fit's own distance from the mean of what is open.
-  constexpr double deviations = 3;
+  // Two deviations, and half of one for the fit's own distance from the mean of what is open.
+  constexpr double deviations = 2.5;
   const auto is_curve = [](const MaterialInputs& layer) { return layer.material == MaterialModel::master_curve; };
   const auto any_curve = [&](const BondedLayers& layers) {
     return std::any_of(layers.begin(), layers.end(), is_curve);

@@ -2,27 +2,24 @@
 
 /// A measured master curve as a Prony series, and how far others may lie from it that meet the table as well.
 ///
-/// Free times: the non-negative moduli of least relative misfit of G' and G" on a dense grid of relaxation times, from
-/// a decade below the table to a decade above (few of them are not zero); neighbours joined, times and moduli moved by
-/// Gauss-Newton steps to the least misfit, and joined further as long as Akaike's criterion gains by it. The curve of a
-/// Prony series without noise gives that series back.
+/// Two kinds of spectra are fitted, both by the relative misfit of G' and of G" at the rows:
+///  - few terms of free times (free_series.hpp): the curve of a Prony series without noise gives that series back;
+///  - a smooth spectrum (smooth_spectrum.hpp): no more bends of its logarithm than the rows ask for.
+/// The one is taken on which the rows are more likely (Bayes' factor), with an advantage for few terms.
 ///
-/// Where rows are so few that the loss tangent then has waves between them that the table does not show, times are
-/// fixed and even, and bends of the spectrum weigh: the least weight without such waves, as long as the misfit bears
-/// it. Storage and loss that do not belong together, by the relations of Kramers and Kronig, show as a misfit.
-///
-/// What is left open: the rows' errors are taken as independent, of the size of the residuals; before the rows the
-/// spectrum is the fit's with an error of the order of itself at each of many times, within the table and beyond. Both
-/// are normally distributed, and so is then the error of whatever is linear in a small change of the spectrum.
+/// What is left open: the rows' errors are taken as independent, of the size of the residuals; the error of whatever is
+/// linear in a small change of the spectrum is then normally distributed. Storage and loss that do not belong together,
+/// by the relations of Kramers and Kronig, are residuals of any spectrum and widen it. Where the other kind of spectrum
+/// is about as likely, the difference of the two is open as well.
 /// @see Honerkamp and Weese (1989), Macromolecules 22, 4372, for the regularised spectrum; Baumgaertel and Winter
-///      (1989), Rheologica Acta 28, 511, for free times; Rasmussen and Williams (2006), Gaussian Processes for Machine
-///      Learning, chapter 2, for the error
+///      (1989), Rheologica Acta 28, 511, for free times; MacKay (1992), Neural Computation 4, 415, for Bayes' factor
+///      and the weight of smoothness
 
-#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/material/open_spectrum.hpp"
 #include "core/material/prony_series.hpp"
 
 namespace rollres {
@@ -34,15 +31,6 @@ struct MasterCurve {
   double static_modulus = 0;          ///< G'(0) [Pa] where it is known; 0: found by the fit
 
   bool operator==(const MasterCurve&) const = default;
-};
-
-/// Changes of the spectrum that the table does not exclude: a modulus more or less at each time, and at rest.
-struct OpenSpectrum {
-  std::vector<double> times;  ///< [s]; the last infinite (the modulus at rest) where that was not given
-  Eigen::MatrixXd spread;     ///< [Pa]: the changes are spread * z, z normal, independent, of deviation 1
-
-  /// Standard deviation of the sum of slopes(j) times the change at times[j].
-  double deviation(const Eigen::VectorXd& slopes) const { return (spread.transpose() * slopes).norm(); }
 };
 
 /// The series with what it costs: misfits are |G*_fit - G*| / |G*| at the rows.

@@ -1,6 +1,7 @@
 #include "core/material/prony_series.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/numerics/bracketed_root.hpp"
 
@@ -38,14 +39,17 @@ CreepSpectrum creep_spectrum(const PronySeries& series) {
   // u = lambda / time_j - 1 for the pole below the zero, u has all its digits even when zero and pole nearly coincide.
   for (std::size_t j = 0; j < terms.size(); ++j) {
     const double pole = terms[j].time;
-    // u G(lambda), without its pole; negative at 0, positive for a large u or at the next pole.
-    const auto modulus_times_u = [&](double u) {
+    // G(lambda) without this pole and the next one.
+    const auto others = [&](double u) {
       double sum = series.static_modulus;
       for (std::size_t k = 0; k < terms.size(); ++k)
-        if (k != j) sum -= terms[k].modulus * terms[k].time / (pole * (1 + u) - terms[k].time);
-      return u * sum - terms[j].modulus;
+        if (k != j && k != j + 1) sum -= terms[k].modulus * terms[k].time / (pole * (1 + u) - terms[k].time);
+      return sum;
     };
+    // u G(lambda), negative at 0 and positive for a large u.
+    const auto modulus_times_u = [&](double u) { return u * others(u) - terms[j].modulus; };
     double u;
+    double to_next = INFINITY;  // u at the next pole
     if (terms.size() == 1) {
       u = terms[j].modulus / series.static_modulus;
     } else if (j + 1 == terms.size()) {
@@ -53,13 +57,18 @@ CreepSpectrum creep_spectrum(const PronySeries& series) {
       while (modulus_times_u(high) < 0) high *= 2;
       u = bracketed_root(modulus_times_u, 0, high);
     } else {
-      const double limit = terms[j + 1].time / pole - 1;
-      u = bracketed_root([&](double v) { return (limit - v) * modulus_times_u(v); }, 0, limit * (1 - 1e-15));
+      to_next = (terms[j + 1].time - pole) / pole;
+      const double next = terms[j + 1].modulus * terms[j + 1].time / pole;
+      // Times (to_next - u), the next pole's term apart: times that nearly coincide lose no digits.
+      const auto without_poles = [&](double v) {
+        return (to_next - v) * (v * others(v) - terms[j].modulus) + v * next;
+      };
+      u = bracketed_root(without_poles, 0, to_next);
     }
     const double time = pole * (1 + u);
     double slope = 0;  // lambda dG/ds at the zero
     for (std::size_t k = 0; k < terms.size(); ++k) {
-      const double distance = k == j ? u * pole : time - terms[k].time;
+      const double distance = k == j ? u * pole : k == j + 1 ? (u - to_next) * pole : time - terms[k].time;
       slope += terms[k].modulus * (terms[k].time / distance) * (time / distance);
     }
     creep.terms.push_back({1 / slope, time});

@@ -70,6 +70,16 @@ TEST_CASE("a Prony series and its spectrum of creep are each other's inverse, ov
   }
 }
 
+TEST_CASE("a Prony series whose times nearly coincide has the creep of one with them as one", "[core][material]") {
+  const CreepSpectrum one = creep_spectrum(PronySeries{1e6, {{2e6, 1e-3}, {3e6, 1}}});
+  for (const double apart : {1e-3, 1e-8, 1e-12, 1e-15}) {
+    CAPTURE(apart);
+    const CreepSpectrum two = creep_spectrum(PronySeries{1e6, {{1e6, 1e-3}, {1e6, 1e-3 * (1 + apart)}, {3e6, 1}}});
+    REQUIRE(two.terms.size() == 3);
+    CHECK(largest_difference(one, two, 1e-3, 1e6) < 1e-13 + apart);
+  }
+}
+
 TEST_CASE("the order of a Prony series' terms, equal times and moduli that are zero make no difference",
           "[core][material]") {
   MaterialInputs layer;
@@ -112,13 +122,23 @@ TEST_CASE("a master curve drawn from a Prony series is fitted within 3 %, from f
   }
 }
 
-TEST_CASE("the curve of a Prony series without noise gives the series back, its terms and the modulus at rest",
-          "[core][material]") {
-  const PronySeries zener{3e6, {{3e6, 0.125}}};
-  const PronySeries three{1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}};
+namespace {
+
+/// Of 1, 3, 5 and 10 terms.
+std::vector<PronySeries> known_solids() {
   PronySeries ten{1e6, {}};
   for (int j = 0; j < 10; ++j) ten.terms.push_back({4e5 * (1 + 0.5 * std::sin(3.0 * j)), 3e-5 * std::pow(10, 0.7 * j)});
-  for (const PronySeries& series : {zener, three, ten})
+  return {{3e6, {{3e6, 0.125}}},
+          {1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}},
+          {1e6, {{1e6, 1.3e-4}, {2e6, 3e-3}, {7e5, 2.3e-2}, {1.1e6, 0.4}, {3e5, 11}}},
+          ten};
+}
+
+}  // namespace
+
+TEST_CASE("the curve of a Prony series without noise gives the series back, its terms and the modulus at rest",
+          "[core][material]") {
+  for (const PronySeries& series : known_solids())
     for (const int rows_per_decade : {3, 5, 10}) {
       CAPTURE(series.terms.size(), rows_per_decade);
       const MasterCurveFit fit = fit_master_curve(sampled(series, rows_per_decade));
@@ -168,36 +188,87 @@ RollingScene on_rows(RollingScene scene, MasterCurve curve, double noise, std::u
 
 }  // namespace
 
-TEST_CASE("the rolling resistance on a drawn master curve is the solid's own, within the estimate",
+TEST_CASE("the rolling resistance on the exact master curve of a Prony solid is the solid's own, within the estimate",
           "[core][material][rolling_contact]") {
-  const PronySeries zener{3e6, {{3e6, 0.125}}};
-  const PronySeries five{1e6, {{1e6, 1.3e-4}, {2e6, 3e-3}, {7e5, 2.3e-2}, {1.1e6, 0.4}, {3e5, 11}}};
-  int all = 0, covered = 0;
-  std::vector<double> ratios;
-  for (const PronySeries& series : {zener, five})
-    for (const double speed : {0.001, 0.5, 20.0}) {
-      CAPTURE(series.terms.size(), speed);
+  for (const PronySeries& series : known_solids())
+    for (const double speed : {0.001, 0.03, 0.5, 20.0}) {
       const RollingScene solid = on_solid(series, speed);
       const double truth = solve(solid).rolling_resistance;
-      const auto error_of = [&](const RollingSolution& found) {
+      for (const int rows_per_decade : {3, 6, 12}) {
+        CAPTURE(series.terms.size(), speed, rows_per_decade);
+        const RollingSolution found = solve(on_rows(solid, sampled(series, rows_per_decade), 0, 0));
         REQUIRE(found.status == Status::converged);
-        return std::abs(found.rolling_resistance / truth - 1);
-      };
-      const RollingSolution exact = solve(on_rows(solid, sampled(series, 3), 0, 0));
-      CHECK(error_of(exact) < 1e-4);
-      CHECK(error_of(exact) <= exact.error_estimate);
-      for (std::uint64_t draw = 1; draw <= 12; ++draw) {
-        const RollingSolution found = solve(on_rows(solid, sampled(series, 5), 0.02, draw));
-        const double error = error_of(found);
-        ++all;
-        if (error <= found.error_estimate) ++covered;
-        ratios.push_back(found.error_estimate / error);
+        CHECK(found.rolling_resistance == Approx(truth).epsilon(1e-6));
+        CHECK(std::abs(found.rolling_resistance / truth - 1) < found.error_estimate);
+        CHECK(found.error_estimate < 1e-3);
       }
     }
-  // 95 % of 72 are 68; three fewer is what chance may take in one of a hundred.
-  CHECK(covered >= 65);
-  std::nth_element(ratios.begin(), ratios.begin() + all / 2, ratios.end());
-  CHECK(ratios[static_cast<std::size_t>(all / 2)] < 10);
+}
+
+namespace {
+
+/// How often the error of R_r on rows with noise is within its estimate, and the median of estimate over error.
+struct Coverage {
+  int draws = 0, covered = 0;
+  std::vector<double> ratios;
+
+  void add(const RollingSolution& found, double truth) {
+    REQUIRE(found.status == Status::converged);
+    const double error = std::abs(found.rolling_resistance / truth - 1);
+    ++draws;
+    if (error <= found.error_estimate) ++covered;
+    ratios.push_back(found.error_estimate / error);
+  }
+
+  double median_ratio() {
+    const auto middle = ratios.begin() + std::ssize(ratios) / 2;
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return *middle;
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "on rows with 2 % noise 95 % of all rolling resistances lie within the estimate, which is of their error's size",
+    "[core][material][rolling_contact]") {
+  Coverage coverage;
+  for (const PronySeries& series : known_solids())
+    for (const double speed : {0.001, 0.5, 20.0}) {
+      const RollingScene solid = on_solid(series, speed);
+      const double truth = solve(solid).rolling_resistance;
+      for (std::uint64_t draw = 1; draw <= 10; ++draw)
+        coverage.add(solve(on_rows(solid, sampled(series, 5), 0.02, draw)), truth);
+    }
+  CAPTURE(coverage.draws, coverage.covered, coverage.median_ratio());
+  CHECK(coverage.covered >= 0.95 * coverage.draws);
+  CHECK(coverage.median_ratio() < 7);
+}
+
+TEST_CASE("a rubber's few rows over fifteen decades, with 5 % noise, give the rolling resistance within the estimate",
+          "[core][material][rolling_contact]") {
+  const MaterialInputs rubber = filled_rubber();
+  const FractionalZener fractional{2e6, 300, 1e-3, 0.3};  // stiffens and loses about as that rubber
+  Coverage coverage;
+  for (const double speed : {0.001, 0.5, 20.0}) {
+    RollingScene solid = on_solid({2e6, {}}, speed);
+    solid.tolerance = 1e-3;
+    solid.material = MaterialModel::fractional_zener;
+    solid.stiffening = fractional.stiffening;
+    solid.creep_time = fractional.creep_time;
+    solid.fractional_order = fractional.order;
+    const double truth = solve(solid).rolling_resistance;
+    MasterCurve curve{rubber.frequencies, {}, {}};
+    for (const double frequency : curve.frequencies) {
+      const std::complex<double> modulus = complex_modulus(fractional, 2 * std::numbers::pi * frequency);
+      curve.storage.push_back(modulus.real());
+      curve.loss.push_back(modulus.imag());
+    }
+    for (std::uint64_t draw = 1; draw <= 20; ++draw) coverage.add(solve(on_rows(solid, curve, 0.05, draw)), truth);
+  }
+  CAPTURE(coverage.draws, coverage.covered, coverage.median_ratio());
+  CHECK(coverage.covered >= 0.9 * coverage.draws);
+  CHECK(coverage.median_ratio() < 5);
 }
 
 TEST_CASE("a master curve that ends far from the contact's frequencies says so", "[core][material][rolling_contact]") {
@@ -222,9 +293,13 @@ TEST_CASE("a master curve's fit says its misfit, and rows in any order are the s
   const MaterialInputs rubber = filled_rubber();
   MasterCurve curve{rubber.frequencies, rubber.storage_moduli, rubber.loss_moduli};
   const MasterCurveFit fit = fit_master_curve(curve);
-  // Storage and loss do not quite belong together: closer, the loss would wave between the rows.
-  CHECK(fit.rms_misfit < 0.06);
-  CHECK(fit.largest_misfit < 0.08);
+  // By the relations of Kramers and Kronig the storage moduli ask for a loss that is about a fifth less than the rows':
+  // neither is met, both about alike.
+  for (std::size_t row = 0; row < curve.frequencies.size(); ++row) {
+    const auto modulus = complex_modulus(fit.series, 2 * std::numbers::pi * curve.frequencies[row]);
+    CHECK(modulus.real() == Approx(curve.storage[row]).epsilon(0.15));
+    CHECK(modulus.imag() == Approx(curve.loss[row]).epsilon(0.1));
+  }
   CHECK(loss_peaks(creep_spectrum(fit.series)).size() <= 2);
   CHECK(fit.worst_frequency == 1.51e4);
   CHECK_THAT(fit.in_words(), Contains("Prony terms, misfit ") && Contains(" % at most (at 1.51e+04 Hz)"));

@@ -1,0 +1,96 @@
+#include "core/material/relative_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/material/prony_series.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Loss tangent below which a loss modulus counts as this part of its storage modulus.
+constexpr double noticeable_tangent = 1e-3;
+/// Smallest share of the lowest storage modulus that stays at rest where nothing says it.
+constexpr double share_at_rest = 0.1;
+
+}  // namespace
+
+RelativeRows::RelativeRows(const MasterCurve& curve) : free_rest_(curve.static_modulus == 0) {
+  const Eigen::Index rows = std::ssize(curve.frequencies);
+  omega_ = 2 * std::numbers::pi * Eigen::Map<const Eigen::VectorXd>(curve.frequencies.data(), rows);
+  wanted_.resize(2 * rows);
+  wanted_ << Eigen::Map<const Eigen::VectorXd>(curve.storage.data(), rows),
+      Eigen::Map<const Eigen::VectorXd>(curve.loss.data(), rows);
+  size_ = wanted_;
+  size_.tail(rows) = wanted_.tail(rows).cwiseMax(noticeable_tangent * wanted_.head(rows));
+  rest_ = free_rest_ ? share_at_rest * wanted_.head(rows).minCoeff() : curve.static_modulus;
+  order_.resize(curve.frequencies.size());
+  std::iota(order_.begin(), order_.end(), Eigen::Index{0});
+  std::stable_sort(order_.begin(), order_.end(), [&](Eigen::Index a, Eigen::Index b) { return omega_(a) < omega_(b); });
+}
+
+double RelativeRows::decades() const { return std::log10(highest() / lowest()); }
+
+Eigen::MatrixXd RelativeRows::responses(const std::vector<double>& times) const {
+  Eigen::MatrixXd a(2 * rows(), std::ssize(times) + (free_rest_ ? 1 : 0));
+  for (Eigen::Index j = 0; j < std::ssize(times); ++j) {
+    const Eigen::ArrayXd turn = omega_.array() * times[static_cast<std::size_t>(j)];
+    a.col(j) << (1 - 1 / (1 + turn.square())), turn / (1 + turn.square());
+  }
+  if (free_rest_) a.col(a.cols() - 1) << Eigen::VectorXd::Ones(rows()), Eigen::VectorXd::Zero(rows());
+  return a.array().colwise() / size_.array();
+}
+
+Eigen::MatrixXd RelativeRows::slopes(const std::vector<double>& times) const {
+  Eigen::MatrixXd a(2 * rows(), std::ssize(times));
+  for (Eigen::Index j = 0; j < std::ssize(times); ++j) {
+    const Eigen::ArrayXd turn = omega_.array() * times[static_cast<std::size_t>(j)];
+    const Eigen::ArrayXd square = turn.square(), whole = (1 + square).square();
+    a.col(j) << 2 * square / whole, turn * (1 - square) / whole;
+  }
+  return a.array().colwise() / size_.array();
+}
+
+Eigen::VectorXd RelativeRows::wanted() const {
+  Eigen::VectorXd wanted = wanted_;
+  wanted.head(rows()).array() -= rest_;
+  return wanted.cwiseQuotient(size_);
+}
+
+Eigen::VectorXd RelativeRows::residuals(const PronySeries& series) const {
+  std::vector<double> times;
+  Eigen::VectorXd moduli(std::ssize(series.terms) + (free_rest_ ? 1 : 0));
+  for (const PronySeries::Term& term : series.terms) {
+    moduli(std::ssize(times)) = term.modulus;
+    times.push_back(term.time);
+  }
+  if (free_rest_) moduli(moduli.size() - 1) = series.static_modulus - rest_;
+  return responses(times) * moduli - wanted();
+}
+
+double RelativeRows::loss_at(double omega) const {
+  const auto loss = [&](Eigen::Index row) { return size_(rows() + row); };
+  const auto above = std::lower_bound(order_.begin(), order_.end(), omega,
+                                      [&](Eigen::Index row, double at) { return omega_(row) < at; });
+  if (above == order_.begin()) return loss(order_.front());
+  if (above == order_.end()) return loss(order_.back());
+  const Eigen::Index a = *(above - 1), b = *above;
+  return loss(a) * std::pow(loss(b) / loss(a), std::log(omega / omega_(a)) / std::log(omega_(b) / omega_(a)));
+}
+
+TermSlopes::TermSlopes(const RelativeRows& rows, const PronySeries& series) {
+  const Eigen::Index count = std::ssize(series.terms);
+  moduli.resize(count + (rows.free_rest() ? 1 : 0));
+  for (const PronySeries::Term& term : series.terms) {
+    moduli(std::ssize(times)) = term.modulus;
+    times.push_back(term.time);
+  }
+  if (rows.free_rest()) moduli(count) = series.static_modulus;
+  slopes.resize(2 * rows.rows(), moduli.size() + count);
+  slopes << rows.responses(times) * moduli.asDiagonal(), rows.slopes(times) * moduli.head(count).asDiagonal();
+}
+
+}  // namespace rollres
