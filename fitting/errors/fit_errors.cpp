@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fitting/errors/singular_values.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "fitting/errors/singular_values.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fitting/errors/singular_values.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {
 
