@@ -23,13 +23,7 @@ class SquareSystem {
   Eigen::PartialPivLU<Eigen::MatrixXd> decomposition_;
 };
 
-/// The x of least |a x - b|, by orthogonalisation of Gram and Schmidt with column pivots, b as one more column. A column
-/// that the others give to rounding has no part: its x is 0.
-/// Source: A. Bjorck, Numerical Methods for Least Squares Problems (1996), 2.4.
-Eigen::VectorXd least_squares(Eigen::MatrixXd a, Eigen::VectorXd b);
-
-/// a = u diag(values) v^T with as many values as the shorter side of a, the largest first; by rotations of the columns
-/// (Hestenes 1958), which compile in a fraction of the time of Eigen's decompositions.
+/// a = u diag(values) v^T with as many values as the shorter side of a, the largest first.
 struct SingularValues {
   explicit SingularValues(const Eigen::MatrixXd& a);
 
@@ -42,6 +36,9 @@ struct SingularValues {
   Eigen::MatrixXd u, v;
   Eigen::VectorXd values;
 };
+
+/// The x of least |a x - b|, by QR decomposition with column pivots.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// The inverse of Moore and Penrose.
 /// @param threshold singular values below so much of the largest count as 0; absent: about the rounding
