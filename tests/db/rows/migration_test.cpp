@@ -151,3 +151,20 @@ TEST_CASE("the views hold what is plotted: every point, those with an answer, an
         "study position indenter radius layer_thickness speed load friction_coefficient drive rolling_resistance "
         "rolling_resistance_coefficient approach contact_area peak_pressure ");
 }
+
+TEST_CASE("results of before the kinematics were a choice count as those of the paper's equations", "[db][migration]") {
+  const TemporaryDirectory folder;
+  const auto file = folder / "old.db";
+  const Evaluation evaluation{"a key", plain_scene(), closed_form(plain_scene())};
+  ResultStore(file).save({&evaluation, 1});
+  {
+    SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);
+    plain.exec("ALTER TABLE evaluation DROP COLUMN kinematics");
+    plain.exec("PRAGMA user_version = 3");  // the schema before
+  }
+  const std::optional<StoredEvaluation> found = ResultStore(file).find("a key");
+  REQUIRE(found);
+  CHECK(found->scene.kinematics == Kinematics::printed);
+  SQLite::Database plain(file.string());
+  CHECK(plain.execAndGet("SELECT kinematics FROM evaluation").getString() == "printed");
+}
