@@ -26,7 +26,7 @@ class Surplus {
     turning.driving_torque.reset();
     turning.rotation_ratio = 1 + direction_ * excess;
     if (last_) last_->outcome.unknowns.rotation_ratio = *turning.rotation_ratio;
-    ContactLevel level = solve_level(turning, grid_, last_ ? &*last_ : nullptr, false);
+    ContactLevel level = solve_level(turning, grid_, last_ ? &*last_ : nullptr, Effort::start);
     if (!level.outcome.converged) return RollingSolution::absent;
     const ContactProblem wanted(scene_, level.problem->grid);
     const ContactUnknowns& x = level.outcome.unknowns;
@@ -147,7 +147,7 @@ double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid) {
   const auto solved = [&](double friction) {
     RollingScene weaker = scene;
     weaker.friction_coefficient = friction;
-    const ContactLevel level = solve_level(weaker, half_grid, nullptr, true);
+    const ContactLevel level = solve_level(weaker, half_grid, nullptr, Effort::all);
     return level.outcome.converged && !level.outcome.reached_border;
   };
   double high = scene.friction_coefficient, low = high / 1.2;

@@ -69,9 +69,10 @@ SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
 
 }  // namespace
 
-ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort) {
+ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, Effort effort) {
   NewtonOptions options = options_for(scene);
-  if (!last_resort) options.tolerance = std::max(options.tolerance, options.start_tolerance);
+  if (effort == Effort::refinement) options.most_iterations = options.refining_iterations;
+  if (effort == Effort::start) options.tolerance = std::max(options.tolerance, options.start_tolerance);
   const ContactEstimate estimate = estimate_contact(scene);
   ContactLevel level;
   for (int growth = 0; growth < 12; ++growth) {
@@ -90,9 +91,10 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
     };
     attempt(solve_cold);
-    if (problem.friction) attempt(solve_from_sliding);
-    if (problem.friction && (last_resort || !problem.rotation_given())) attempt(solve_by_rotation);
-    if (problem.friction && last_resort && !level.outcome.converged &&
+    if (problem.friction && effort != Effort::refinement) attempt(solve_from_sliding);
+    if (problem.friction && (effort == Effort::all || (effort == Effort::start && !problem.rotation_given())))
+      attempt(solve_by_rotation);
+    if (problem.friction && effort == Effort::all && !level.outcome.converged &&
         (problem.rotation_given() || sliding_limit(scene, grid) != SlidingLimit::not_enough)) {
       if (problem.lateral) attempt(solve_by_friction);
       attempt(solve_by_pivots);
@@ -121,8 +123,12 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
   int coarsening = grids.coarsest, last = 0;
   const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
   bool sliding_checked = !drive_may_fail;
-  const auto last_resort = [&] { return coarsening == last && grids.last_resort; };
-  nested.finest = solve_level(scene, grids.first(coarsening), nullptr, last_resort());
+  bool answered = false;
+  const auto effort = [&] {
+    if (coarsening > last || !grids.last_resort) return Effort::start;
+    return answered ? Effort::refinement : Effort::all;
+  };
+  nested.finest = solve_level(scene, grids.first(coarsening), nullptr, effort());
   for (;;) {
     const ContactLevel& level = nested.finest;
     if (level.outcome.reached_border) break;
@@ -138,13 +144,14 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
           refuse(nested, scene, needed);
           return nested;
         }
-        nested.finest = solve_level(scene, grids.first(coarsening), nullptr, true);
+        nested.finest = solve_level(scene, grids.first(coarsening), nullptr, Effort::all);
         continue;
       }
     }
     if (coarsening == last) {
       if (!solved) break;
       nested.status = Status::converged;
+      answered = true;
       if (!finer || !finer(nested)) return nested;
       --last;
     }
@@ -152,8 +159,8 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     // A grid too coarse for its layer may have no solution: the next one then starts afresh.
     ContactLevel next;
     try {
-      next = solved ? solve_level(scene, grids.around(level, coarsening), &level, last_resort())
-                    : solve_level(scene, grids.first(coarsening), nullptr, last_resort());
+      next = solved ? solve_level(scene, grids.around(level, coarsening), &level, effort())
+                    : solve_level(scene, grids.first(coarsening), nullptr, effort());
     } catch (const BeyondLimits& limit) {
       if (nested.status != Status::converged) throw;
       nested.reason = limit.what();

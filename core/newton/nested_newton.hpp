@@ -31,9 +31,15 @@ struct NestedOutcome {
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
 
+/// How much a grid's solution is worth.
+enum class Effort {
+  start,       ///< it gives a start, or an error: laws to `NewtonOptions::start_tolerance`
+  refinement,  ///< there is an answer on a coarser grid already: laws to the tolerance, the quick starts only
+  all          ///< without it there is no answer: every start, and the path of solutions over the rotation
+};
+
 /// Solves on one window, which grows until the contact keeps clear of its border.
-/// @param coarser tried first if not null   @param last_resort whether to follow the path of solutions also where the
-/// rotation is given
-ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, bool last_resort);
+/// @param coarser tried first if not null
+ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, Effort effort);
 
 }  // namespace rollres

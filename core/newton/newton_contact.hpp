@@ -29,6 +29,7 @@ struct NewtonOptions {
   int most_iterations = 60;          ///< scenes that converge take below 15; of those left some need patience
   double rounded = 5e-9;             ///< residual that will do where steps no longer lessen it
   int most_stays = 4;                ///< such steps
+  int refining_iterations = 20;      ///< the same on a grid finer than one that gave an answer
   bool first_all_stick = false;      ///< whether the first step holds every contact node sticking
   std::size_t remembered_steps = 4;  ///< whose largest norm a step may reach: more lets sets change, fewer is safer
   double shortest_step = 0.05;       ///< part of a step below which it is not shortened

@@ -56,7 +56,12 @@ GridSeries grids_of(const RollingScene& scene) {
 constexpr double trusted_violation = 1e-8;
 constexpr int factorisable_nodes = 1000;
 
-NestedOutcome solve_on_grids(const RollingScene& scene) {
+/// Of a solution on one grid beyond which no finer one is tried for a tolerance: GMRES vectors times unknowns, some
+/// seconds.
+constexpr double most_work = 2e7;
+
+/// @param most_nodes in contact; beyond, a tolerance is given up
+NestedOutcome solve_on_grids(const RollingScene& scene, int most_nodes) {
   const int dimension = dimensions(scene);
   std::function<bool(const NestedOutcome&)> finer;
   if (scene.tolerance)
@@ -65,7 +70,8 @@ NestedOutcome solve_on_grids(const RollingScene& scene) {
       const auto nodes =
           (dimension - 1) * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
       return !(nested.error_estimate() <= *scene.tolerance) &&
-             2 * (dimension - 1) * nodes <= (dimension == 3 ? most_nodes_3d : most_nodes_2d);
+             2 * (dimension - 1) * nodes <= most_nodes &&
+             static_cast<double>(nodes) * nested.finest.outcome.krylov_iterations <= most_work;
     };
   return solve_nested(scene, grids_of(scene), finer);
 }
@@ -189,8 +195,10 @@ void require_valid(const RollingScene& scene) {
   throw std::invalid_argument(message);
 }
 
-/// Of a grid that stands in for continuous edges where none is given: nearer to what those would give than the usual one.
+/// Of a grid that stands in for continuous edges where no tolerance is given: nearer to what those would give than the
+/// usual grid, as long as it is quick.
 constexpr double tolerance_for_spectral = 3e-4;
+constexpr int most_nodes_for_spectral = 2000;
 
 RollingSolution solve_by_method(const RollingScene& scene) {
   const Method method = resolved_method(scene);
@@ -202,13 +210,17 @@ RollingSolution solve_by_method(const RollingScene& scene) {
   }
   if (method == Method::active_set) return solve_paper(scene);
   RollingScene gridded = scene;
-  if (method == Method::spectral && !scene.tolerance) gridded.tolerance = tolerance_for_spectral;
-  RollingSolution solution = answer_from(solve_on_grids(gridded), scene);
+  int most_nodes = dimensions(scene) == 3 ? most_nodes_3d : most_nodes_2d;
+  if (method == Method::spectral && !scene.tolerance) {
+    gridded.tolerance = tolerance_for_spectral;
+    most_nodes = most_nodes_for_spectral;
+  }
+  RollingSolution solution = answer_from(solve_on_grids(gridded, most_nodes), scene);
   if (solution.status == Status::converged && !(solution.law_violation <= trusted_violation) &&
       solution.contact_nodes <= factorisable_nodes) {
     RollingScene factorised = scene;
     factorised.method = Method::newton_dense;
-    solution = answer_from(solve_on_grids(factorised), scene);
+    solution = answer_from(solve_on_grids(factorised, most_nodes), scene);
   }
   solution.method = method == Method::newton_dense ? method : Method::newton;
   solution.model += note;
