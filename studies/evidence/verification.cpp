@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/reference/reference_rollers.hpp"
 #include "core/reference/reference_solutions.hpp"
 #include "studies/scene_io/paper_scenes.hpp"
 #include "studies/scene_io/scene_file.hpp"
@@ -15,7 +16,10 @@ namespace {
 
 constexpr const char *paper_2d = "Zehil and Gavin (2013), 5.1", *paper_3d = "Zehil and Gavin (2013), 5.2",
                      *dense_program = "independent dense program",
-                     *contact_program = "CONTACT, after Wang and Knothe (1993)";
+                     *contact_program = "CONTACT, after Wang and Knothe (1993)",
+                     *rollers = "Bentall and Johnson (1967)",
+                     *contact_rollers = "CONTACT, after Bentall and Johnson (1967)",
+                     *contact_sphere = "CONTACT, Cattaneo to Carter";
 
 class Checks {
  public:
@@ -226,6 +230,87 @@ void check_carter(Checks& checks) {
               carter.rolling_resistance * scene.speed, s.frictional_loss, 2e-5, allowance});
 }
 
+constexpr double rollers_half_width = 1e-4;  // of Hertz [m]
+
+/// Bentall and Johnson's rollers as CONTACT has them: one rigid, the other a half-space.
+RollingScene rollers_scene(double friction_coefficient, int cells) {
+  RollingScene scene = on_half_space(Indenter::cylinder);
+  scene.radius = 0.025;
+  scene.static_shear_modulus = 15059.0866e6;
+  scene.poisson_ratio = 0.41600128;
+  scene.load = 16201.9;
+  scene.friction_coefficient = friction_coefficient;
+  scene.drive = Drive::free;
+  scene.spacing = rollers_half_width / cells;
+  return scene;
+}
+
+void check_rollers(Checks& checks) {
+  const RollingScene slippery = rollers_scene(1e-5, 240);
+  RollingScene rough = rollers_scene(10, 960);
+  const FullSlipLine slips = full_slip_line(slippery.radius, *slippery.load, *slippery.static_shear_modulus,
+                                            slippery.poisson_ratio, slippery.friction_coefficient);
+  const NoSlipLine sticks = no_slip_line(rough.radius, *rough.load, *rough.static_shear_modulus, rough.poisson_ratio);
+  rough.spacing = sticks.half_width / 960.5;  // whole cells in contact
+  const RollingSolution slipping = checks.solve(slippery);
+  checks.add({"free roller in full slip: creepage", rollers, "1", slips.creepage, 1 - slipping.rotation_ratio, 1e-3,
+              "half a cell where the slip turns, a/240"});
+  checks.add({"free roller in full slip: loss to friction", rollers, "W/m", slips.rolling_resistance * slippery.speed,
+              slipping.frictional_loss, 3e-4, "order 3/2 in the spacing, a/240"});
+  checks.add({"free roller without slip: creepage", rollers, "1", sticks.creepage,
+              1 - checks.solve(rough).rotation_ratio, 1.5e-3, "first order in the spacing, a/960"});
+}
+
+void check_contact_rollers(Checks& checks) {
+  const char *digits = "four digits", *grid = "its grid is not told; ours, a/240, is within 3e-4 of the limit";
+  const RollingScene low = rollers_scene(1e-4, 240), free = rollers_scene(0.05, 240);
+  const RollingSolution slipping = checks.solve(low), partly = checks.solve(free);
+  checks.add(
+      {"free roller, μ = 1e-4: creepage", contact_rollers, "1", 5.260e-4, 1 - slipping.rotation_ratio, 1e-3, grid});
+  checks.add({"free roller, μ = 1e-4: largest pressure", contact_rollers, "Pa", 103.1e6, slipping.peak_pressure,
+              0.05 / 103.1, digits});
+  checks.add(
+      {"free roller, μ = 0.05: creepage", contact_rollers, "1", 4.294e-4, 1 - partly.rotation_ratio, 1e-3, grid});
+  checks.add({"free roller, μ = 0.05: largest pressure", contact_rollers, "Pa", 103.6e6, partly.peak_pressure,
+              0.05 / 103.6, digits});
+  checks.add({"free roller, μ = 0.05: loss to friction", contact_rollers, "W/m", 9.475e-3, partly.frictional_loss, 1e-3,
+              grid});
+  for (const auto& [share, creepage] : {std::pair{0.75, 2.108e-4}, {-0.75, 5.392e-4}}) {
+    RollingScene driven = free;
+    driven.drive = Drive::torque;
+    driven.driving_torque = share * free.friction_coefficient * *free.load * free.radius;
+    checks.add({"roller, μ = 0.05, T = " + short_number(share) + " μPR: creepage", contact_rollers, "1", creepage,
+                1 - checks.solve(driven).rotation_ratio, 1e-3, grid});
+  }
+}
+
+/// Two spheres of one material, braked: a coating, 46 half-widths thick, stands for the second one.
+void check_two_spheres(Checks& checks) {
+  // The radius times 1,000, load and creepage over it: the contact is the same, and the circle a parabola.
+  const double enlarged = 1000;
+  RollingScene scene = on_half_space(Indenter::sphere);
+  scene.radius = 0.16875 * enlarged;
+  scene.static_shear_modulus = 1e6;
+  scene.poisson_ratio = 0.28;
+  BondedLayer second;
+  second.layer_thickness = 0.16;
+  static_cast<MaterialInputs&>(second) = scene;
+  scene.coating_layers = {second};
+  scene.load = 0.4705 / enlarged;
+  scene.friction_coefficient = 0.4013;
+  scene.drive = Drive::torque;
+  scene.driving_torque = -0.657 * scene.friction_coefficient * *scene.load * scene.radius;
+  scene.spacing = 0.25e-3;  // its own
+  const RollingSolution s = checks.solve(scene);
+  const std::string body = "two spheres of one material, braked: ";
+  checks.add({body + "cells in contact", contact_sphere, "1", 621, count(s, s.contact_nodes), 0, "a count"});
+  checks.add({body + "cells that slip", contact_sphere, "1", 275, count(s, s.slip_nodes), 0, "a count"});
+  checks.add({body + "largest pressure", contact_sphere, "Pa", 0.01834e6, s.peak_pressure * enlarged, 0.0005 / 1.834,
+              "four digits"});
+  checks.add({body + "creepage", contact_sphere, "1", 3.101e-3, (1 - s.rotation_ratio) * enlarged, 5e-4,
+              "four digits, and 3e-4 for the coating's thickness"});
+}
+
 void check_kalker(Checks& checks) {
   RollingScene scene = on_half_space(Indenter::sphere);
   scene.friction_coefficient = 1;
@@ -290,6 +375,9 @@ std::vector<VerificationRow> verify(const Evaluate& evaluate) {
   check_hunter(checks);
   check_contact_program(checks);
   check_carter(checks);
+  check_rollers(checks);
+  check_contact_rollers(checks);
+  check_two_spheres(checks);
   check_kalker(checks);
   check_layers(checks);
   check_speed_limits(checks);

@@ -3,8 +3,7 @@
 /// What the program must reproduce, asked live: numbers of Zehil and Gavin (2013), closed forms, tables of others, the
 /// balance of power, and one method against another.
 ///
-/// What is expected comes from core/reference/reference_solutions.hpp and core/reference/reference_hunter.hpp, which
-/// use no solver, or is a number that its source printed.
+/// What is expected comes from core/reference, which uses no solver, or is a number that its source printed.
 
 #include <string>
 #include <vector>
