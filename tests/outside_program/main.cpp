@@ -15,6 +15,7 @@ int main(int, char** words) {
   scene.load = 20e3;
   scene.friction_coefficient = 0.2;
   scene.spacing = 0.25e-3;
+  scene.kinematics = rollres::Kinematics::printed;
   const rollres::RollingSolution solution = rollres::solve(scene);
   std::printf("%.17g\n", solution.rolling_resistance);
   return std::abs(solution.rolling_resistance / std::atof(words[1]) - 1) < 1e-12 ? EXIT_SUCCESS : EXIT_FAILURE;
