@@ -21,9 +21,13 @@ double half_length(const RollingSolution& solution) {
 double inertia(const RollingScene& scene, const RollingSolution& solution) {
   const double frequency = scene.speed / half_length(solution), square = scene.speed * scene.speed;
   double largest = scene.layer_density * square / std::abs(complex_modulus(scene, frequency));
-  for (const BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
-    for (const BondedLayer& layer : *layers)
-      largest = std::max(largest, layer.layer_density * square / std::abs(complex_modulus(layer, frequency)));
+  const auto take = [&](const BondedLayers& layers, double flow) {
+    for (const BondedLayer& layer : layers)
+      largest = std::max(
+          largest, layer.layer_density * square * flow * flow / std::abs(complex_modulus(layer, frequency * flow)));
+  };
+  take(scene.lower_layers, 1);
+  take(scene.coating_layers, flow_of_coating(scene));
   return largest;
 }
 
@@ -105,6 +109,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (!is_composite(scene) && (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0)))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
   if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
+  if (const double flow = flow_of_coating(scene); coating_flow_counts(scene))
+    model += flow == 0 ? "; the body is locked: its coating is at rest"
+                       : message_text("; the coating flows at ", flow, " V", flow < 0 ? ", backwards" : "");
   if (spectral) model += "; continuous edges of contact, no grid";
   if (!spectral && !scene.spacing && sphere && solution.method != Method::active_set)
     model += "; grid tied to the contact";
