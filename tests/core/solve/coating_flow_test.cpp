@@ -84,43 +84,42 @@ TEST_CASE("a locked coating answers with its modulus at rest", "[core][coating_f
 }
 
 TEST_CASE("a coating flowing at RΩ is one of RΩ/V as long memories flowing at V", "[core][coating_flow]") {
-  for (const double ratio : {0.5, 3.0}) {
-    CAPTURE(ratio);
-    // Without friction the rotation acts through the coating's memory alone, and is V/R where it is not given.
-    RollingScene given = turning(soft_tyre_on_layer(), ratio);
-    given.friction_coefficient = 0;
-    RollingScene scaled = soft_tyre_on_layer();
-    scaled.friction_coefficient = 0;
-    SECTION("a Zener solid") { scaled.coating_layers[0].creep_time *= ratio; }
-    SECTION("a fractional one") {
-      for (RollingScene* const scene : {&given, &scaled}) {
-        scene->coating_layers[0].material = MaterialModel::fractional_zener;
-        scene->coating_layers[0].fractional_order = 0.6;
+  const double ratio = GENERATE(0.5, 3.0);
+  CAPTURE(ratio);
+  // Without friction the rotation acts through the coating's memory alone, and is V/R where it is not given.
+  RollingScene given = turning(soft_tyre_on_layer(), ratio);
+  given.friction_coefficient = 0;
+  RollingScene scaled = soft_tyre_on_layer();
+  scaled.friction_coefficient = 0;
+  SECTION("a Zener solid") { scaled.coating_layers[0].creep_time *= ratio; }
+  SECTION("a fractional one") {
+    for (RollingScene* const scene : {&given, &scaled}) {
+      scene->coating_layers[0].material = MaterialModel::fractional_zener;
+      scene->coating_layers[0].fractional_order = 0.6;
+    }
+    scaled.coating_layers[0].creep_time *= ratio;
+  }
+  SECTION("a master curve") {
+    for (RollingScene* const scene : {&given, &scaled}) {
+      BondedLayer& coating = scene->coating_layers[0];
+      coating.material = MaterialModel::master_curve;
+      coating.static_shear_modulus.reset();
+      for (double frequency = 0.01; frequency < 1e5; frequency *= 2) {
+        const std::complex<double> turn(0, 2 * M_PI * frequency * 5e-3);
+        const std::complex<double> modulus = 2e6 * 2.5 * (1.0 + turn) / (2.5 + turn);
+        coating.frequencies.push_back(scene == &scaled ? frequency / ratio : frequency);
+        coating.storage_moduli.push_back(modulus.real());
+        coating.loss_moduli.push_back(modulus.imag());
       }
-      scaled.coating_layers[0].creep_time *= ratio;
     }
-    SECTION("a master curve") {
-      for (RollingScene* const scene : {&given, &scaled}) {
-        BondedLayer& coating = scene->coating_layers[0];
-        coating.material = MaterialModel::master_curve;
-        coating.static_shear_modulus.reset();
-        for (double frequency = 0.01; frequency < 1e5; frequency *= 2) {
-          const std::complex<double> turn(0, 2 * M_PI * frequency * 5e-3);
-          const std::complex<double> modulus = 2e6 * 2.5 * (1.0 + turn) / (2.5 + turn);
-          coating.frequencies.push_back(scene == &scaled ? frequency / ratio : frequency);
-          coating.storage_moduli.push_back(modulus.real());
-          coating.loss_moduli.push_back(modulus.imag());
-        }
-      }
-    }
-    for (const Method method : {Method::spectral, Method::newton}) {
-      CAPTURE(name_of(method));
-      given.method = scaled.method = method;
-      const RollingSolution got = answered(given), expected = answered(scaled);
-      // A master curve is fitted twice.
-      CHECK(got.rolling_resistance == Approx(expected.rolling_resistance).epsilon(1e-6));
-      CHECK(got.peak_pressure == Approx(expected.peak_pressure).epsilon(1e-6));
-    }
+  }
+  for (const Method method : {Method::spectral, Method::newton}) {
+    CAPTURE(name_of(method));
+    given.method = scaled.method = method;
+    const RollingSolution got = answered(given), expected = answered(scaled);
+    // A master curve is fitted twice.
+    CHECK(got.rolling_resistance == Approx(expected.rolling_resistance).epsilon(1e-6));
+    CHECK(got.peak_pressure == Approx(expected.peak_pressure).epsilon(1e-6));
   }
 }
 
@@ -154,12 +153,13 @@ TEST_CASE("where the drive leaves the rotation open the coating flows at the rot
     scene.spacing = 0.025e-3;
     const RollingSolution grid = answered(scene);
     CHECK(grid.rolling_resistance == Approx(open.rolling_resistance).epsilon(2e-4));
-    CHECK(grid.rotation_ratio == Approx(open.rotation_ratio).epsilon(2e-5));
+    // Slip by forward differences: of first order in the spacing.
+    CHECK(grid.rotation_ratio - 1 == Approx(open.rotation_ratio - 1).epsilon(5e-3));
   }
 }
 
 TEST_CASE("spectral and newton agree on turning coated bodies", "[core][coating_flow]") {
-  for (const double ratio : {0.0, 0.5, 3.0}) {
+  for (const double ratio : {0.0, 0.4, 3.0}) {
     CAPTURE(ratio);
     RollingScene scene = turning(soft_tyre_on_layer(), ratio);
     const RollingSolution limit = answered(scene);
