@@ -172,30 +172,33 @@ double spectrum_error(const RollingScene& scene, double half_width) {
   const double loss_power = std::log(wider.loss / at.loss) / std::log1p(step);
   const double slope_power = std::log(wider.slope / at.slope) / std::log1p(step);
   double variance = 0;
-  const auto add = [&](const MaterialInputs& layer, const HertzPressure::Stiffen& stiffen) {
+  /// @param flow speed at which the layer flows through the contact over V
+  const auto add = [&](const MaterialInputs& layer, const CreepSpectrum& creep, double flow,
+                       const HertzPressure::Stiffen& stiffen) {
     if (!is_curve(layer)) return;
     const auto fit = shared_master_curve_fit(layer);
-    const Eigen::ArrayXd times =
-        time_shift(layer) *
+    const Eigen::ArrayXd open =
         Eigen::Map<const Eigen::ArrayXd>(fit->open.times.data(), static_cast<Eigen::Index>(fit->open.times.size()));
-    const HertzPressure::Changes change = pressure.changes(half_width, creep_spectrum(layer), stiffen, times);
+    const Eigen::ArrayXd times = open.isInf().select(open, time_shift(layer) * flow * open);
+    const HertzPressure::Changes change = pressure.changes(half_width, creep, stiffen, times);
     // Under a load P = -2 a/(n' R A') is kept, under an approach nearly a.
     const Eigen::VectorXd slope = change.slope / at.slope, loss = change.loss / at.loss;
     const double through_slope = scene.load ? loss_power / (1 - slope_power) : -2;
     variance += std::pow(fit->open.deviation(loss + through_slope * slope), 2);
   };
   const bool composite = is_composite(scene);
-  add(scene, [&](SteadySurface::Moduli& moduli, double factor) {
+  add(scene, creep_spectrum(scene), 1, [&](SteadySurface::Moduli& moduli, double factor) {
     if (composite)
       moduli.foundation.front() *= factor;
     else
       moduli.compliance /= factor;
   });
   for (std::size_t i = 0; i < scene.lower_layers.size(); ++i)
-    add(scene.lower_layers[i],
+    add(scene.lower_layers[i], creep_spectrum(scene.lower_layers[i]), 1,
         [i](SteadySurface::Moduli& moduli, double factor) { moduli.foundation[i + 1] *= factor; });
   for (std::size_t i = 0; i < scene.coating_layers.size(); ++i)
-    add(scene.coating_layers[i], [i](SteadySurface::Moduli& moduli, double factor) { moduli.coating[i] *= factor; });
+    add(scene.coating_layers[i], creep_in_flow(scene, scene.coating_layers[i]), std::abs(flow_of_coating(scene)),
+        [i](SteadySurface::Moduli& moduli, double factor) { moduli.coating[i] *= factor; });
   return deviations * std::sqrt(variance);
 }
 

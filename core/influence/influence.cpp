@@ -37,6 +37,36 @@ double InfluenceTable::operator()(Direction displacement, Direction force, int c
   return tangential == u ? sign * uw[at] : sign * odd * vw[at];
 }
 
+InfluenceTable InfluenceTable::reversed() const {
+  InfluenceTable turned(reach_x_, reach_y_);
+  const auto turn = [&](const std::vector<double>& from, std::vector<double>& to, double parity) {
+    if (from.empty()) return;
+    for (int rows = 0; rows <= reach_y_; ++rows)
+      for (int columns = -reach_x_; columns <= reach_x_; ++columns)
+        to[static_cast<std::size_t>(index(columns, rows))] =
+            parity * from[static_cast<std::size_t>(index(-columns, rows))];
+  };
+  turn(ww, turned.ww, 1);
+  turn(uu, turned.uu, 1);
+  turn(vv, turned.vv, 1);
+  turn(uv, turned.uv, -1);
+  turn(uw, turned.uw, -1);
+  turn(vw, turned.vw, 1);
+  return turned;
+}
+
+void InfluenceTable::add_coating(const InfluenceTable& coating) {
+  const auto add = [](std::vector<double>& to, const std::vector<double>& from, double sign) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] += sign * from[i];
+  };
+  add(ww, coating.ww, 1);
+  add(uu, coating.uu, 1);
+  add(vv, coating.vv, 1);
+  add(uv, coating.uv, 1);
+  add(uw, coating.uw, -1);
+  add(vw, coating.vw, -1);
+}
+
 namespace {
 
 struct SurfaceKey {
@@ -78,15 +108,7 @@ InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& gri
   const LayeredMedium coating = coating_of(scene);
   if (coating.empty()) return sum;
   const std::shared_ptr<const InfluenceTable> body = table_of(coating);
-  const auto add = [](std::vector<double>& to, const std::vector<double>& from, double sign) {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] += sign * from[i];
-  };
-  add(sum.ww, body->ww, 1);
-  add(sum.uu, body->uu, 1);
-  add(sum.vv, body->vv, 1);
-  add(sum.uv, body->uv, 1);
-  add(sum.uw, body->uw, -1);
-  add(sum.vw, body->vw, -1);
+  sum.add_coating(coating_remembers_ahead(scene) ? body->reversed() : *body);
   return sum;
 }
 

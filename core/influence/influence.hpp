@@ -34,6 +34,11 @@ class InfluenceTable {
   std::vector<double> ww, uu, vv, uv, uw, vw;
   int index(int columns, int rows) const { return rows * (2 * reach_x_ + 1) + columns + reach_x_; }
 
+  /// The coefficients of the same layers flowing the other way: x and displacements along it change sign.
+  InfluenceTable reversed() const;
+  /// Adds those of a coating, whose cross terms are opposite (contact_surface.hpp).
+  void add_coating(const InfluenceTable& coating);
+
  private:
   int reach_x_ = 0, reach_y_ = 0;
 };

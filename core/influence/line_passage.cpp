@@ -50,9 +50,10 @@ struct NearSpectraKey {
 };
 
 /// The same for all grids of a scene.
-std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene) {
+std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene, const LayeredMedium& foundation,
+                                                const LayeredMedium& coating) {
   static RecentlyMade<NearSpectraKey, NearSpectra, 16> cache;
-  const NearSpectraKey key{foundation_of(scene), coating_of(scene), inertia_included(scene) ? scene.speed : 0};
+  const NearSpectraKey key{foundation, coating, inertia_included(scene) ? scene.speed : 0};
   return cache(key, [&] {
     NearSpectra spectra;
     spectra.add(key.foundation, key.wave_speed, 1);
@@ -106,20 +107,26 @@ class AddedDisplacements {
 }  // namespace
 
 double line_expansion_error(const RollingScene& scene) {
-  return inertia_included(scene) ? near_spectra(scene)->error : 0;
+  return inertia_included(scene) ? near_spectra(scene, foundation_of(scene), coating_of(scene))->error : 0;
 }
 
 InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x) {
   const double cell = grid.spacing_x;
-  const std::shared_ptr<const NearSpectra> near = near_spectra(scene);
-  const auto half_space = [&](double poisson_ratio, const CreepSpectrum& spectrum) {
-    return shared_passage_kernel(Indenter::cylinder, Layer(INFINITY, poisson_ratio), cell, grid.spacing_y, reach_x, 0)
-        ->table(spectrum, scene.speed, reach_x, 0);
+  const auto half_spaces = [&](const LayeredMedium& foundation, const LayeredMedium& coating) {
+    const std::shared_ptr<const NearSpectra> near = near_spectra(scene, foundation, coating);
+    const auto half_space = [&](double poisson_ratio, const CreepSpectrum& spectrum) {
+      return shared_passage_kernel(Indenter::cylinder, Layer(INFINITY, poisson_ratio), cell, grid.spacing_y, reach_x, 0)
+          ->table(spectrum, scene.speed, reach_x, 0);
+    };
+    InfluenceTable table(reach_x, 0);
+    table.ww = half_space(0.5, near->normal).ww;
+    table.uu = half_space(0.5, near->longitudinal).uu;
+    table.uw = half_space(0, near->cross).uw;
+    return table;
   };
-  InfluenceTable table(reach_x, 0);
-  table.ww = half_space(0.5, near->normal).ww;
-  table.uu = half_space(0.5, near->longitudinal).uu;
-  table.uw = half_space(0, near->cross).uw;
+  const bool ahead = coating_remembers_ahead(scene);
+  InfluenceTable table = half_spaces(foundation_of(scene), ahead ? LayeredMedium{} : coating_of(scene));
+  if (ahead) table.add_coating(half_spaces(coating_of(scene), {}).reversed());
   if (std::isinf(nearest_interface(scene))) return table;
   const AddedDisplacements added(scene, cell);
   for (int column = -reach_x; column <= reach_x; ++column) {

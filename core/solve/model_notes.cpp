@@ -21,9 +21,13 @@ double half_length(const RollingSolution& solution) {
 double inertia(const RollingScene& scene, const RollingSolution& solution) {
   const double frequency = scene.speed / half_length(solution), square = scene.speed * scene.speed;
   double largest = scene.layer_density * square / std::abs(complex_modulus(scene, frequency));
-  for (const BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
-    for (const BondedLayer& layer : *layers)
-      largest = std::max(largest, layer.layer_density * square / std::abs(complex_modulus(layer, frequency)));
+  const auto take = [&](const BondedLayers& layers, double flow) {
+    for (const BondedLayer& layer : layers)
+      largest = std::max(
+          largest, layer.layer_density * square * flow * flow / std::abs(complex_modulus(layer, frequency * flow)));
+  };
+  take(scene.lower_layers, 1);
+  take(scene.coating_layers, flow_of_coating(scene));
   return largest;
 }
 
@@ -65,6 +69,16 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10)
     warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
+  if (const double apart = std::abs(1 - flow_of_coating(scene)); !scene.coating_layers.empty() && apart > 0.1) {
+    // The coating's part of the pressure's horizontal force is a torque about the axis instead, int p w' of the coating,
+    // and the power of both is R Omega: R_r misses (R Omega/V - 1) times that, which is no more than all of the force.
+    const double force = std::abs(solution.driving_force + solution.driving_torque / scene.radius);
+    const double open = apart * force / std::abs(solution.rolling_resistance);
+    if (constexpr double noticeable = 0.01; open > noticeable)
+      warnings.push_back(message_text("a coated body at RΩ/V = ", flow_of_coating(scene),
+                                      ": pressure is taken to pass through its axis, which may change R_r by ",
+                                      100 * open, " %, and viscous_loss is that of a coating at RΩ = V"));
+  }
   if (scene.kinematics == Kinematics::printed) {
     const double power = solution.rolling_resistance * scene.speed;
     const double left = std::abs(power - solution.viscous_loss - solution.frictional_loss) / std::abs(power);
@@ -105,6 +119,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (!is_composite(scene) && (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0)))
     model += "; elastic: no relaxation (f = 0 or τ = 0)";
   if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
+  if (const double flow = flow_of_coating(scene); coating_flow_counts(scene))
+    model += flow == 0 ? "; the body is locked: its coating is at rest"
+                       : message_text<6>("; the coating flows at ", flow, " V", flow < 0 ? ", backwards" : "");
   if (spectral) model += "; continuous edges of contact, no grid";
   if (!spectral && !scene.spacing && sphere && solution.method != Method::active_set)
     model += "; grid tied to the contact";

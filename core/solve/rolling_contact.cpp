@@ -19,6 +19,7 @@
 #include "core/scene/indenter_shape.hpp"
 #include "core/solve/model_choice.hpp"
 #include "core/spectral/spectral_contact.hpp"
+#include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
 
 namespace rollres {
@@ -260,8 +261,7 @@ void add_error(double error, RollingSolution& solution) {
 }
 
 /// Adds to a method's answer what does not depend on the method.
-RollingSolution solve_freely(const RollingScene& given) {
-  require_valid(given);
+RollingSolution solve_in_flow(const RollingScene& given) {
   const ModelChoice choice = choose_model(given);
   RollingScene model = choice.scene;
   model.tolerance = given.tolerance;
@@ -299,6 +299,49 @@ RollingSolution solve_freely(const RollingScene& given) {
                          choice.scene.speed / (2 * std::numbers::pi * half_width), " Hz"));
     }
     for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
+  }
+  return solution;
+}
+
+/// Whether the drive decides how fast a coating flows through the contact, and the answer depends on it.
+bool flow_is_unknown(const RollingScene& scene) {
+  return scene.friction_coefficient > 0 && scene.drive != Drive::rotation && coating_flow_counts(scene) &&
+         coating_flow_counts(choose_model(scene).scene);
+}
+
+/// A coating flows at R Omega, which may only be known with the answer: R Omega/V = f is the root of ratio(f) - f,
+/// found by secants. ratio(f) hardly depends on f; the first solution takes R_r to change no more than in proportion to
+/// f.
+RollingSolution solve_freely(RollingScene scene) {
+  require_valid(scene);
+  RollingSolution solution = solve_in_flow(scene);
+  if (!flow_is_unknown(scene)) return solution;
+  constexpr int most_solutions = 8;
+  constexpr double share_of_error = 0.01;
+  double response = 0, sensitivity = std::abs(solution.rolling_resistance);
+  for (int solutions = 1; solution.status == Status::converged; ++solutions) {
+    const double step = (solution.rotation_ratio - scene.coating_flow) / (1 - response);
+    const double left = sensitivity * std::abs(step);
+    if (left <= share_of_error * solution.rolling_resistance_error || solutions == most_solutions) {
+      if (left > solution.rolling_resistance_error)
+        solution.warnings.push_back(
+            message_text("the speed at which the coating flows was found to ", std::abs(step), " of V only"));
+      add_error(left / std::abs(solution.rolling_resistance), solution);
+      break;
+    }
+    const RollingSolution before = solution;
+    scene.coating_flow += step;
+    if (!(scene.coating_flow > 0)) {
+      solution = {};
+      solution.method = before.method;
+      solution.reason =
+          "this drive stops the coated body or turns it backwards; give rotation_ratio, with drive "
+          "\"rotation\"";
+      break;
+    }
+    solution = solve_in_flow(scene);
+    response = std::clamp((solution.rotation_ratio - before.rotation_ratio) / step, -2.0, 0.8);
+    sensitivity = std::abs((solution.rolling_resistance - before.rolling_resistance) / step);
   }
   return solution;
 }

@@ -29,6 +29,12 @@ MediumLayer medium_layer(const MaterialInputs& material, double thickness, doubl
   return {thickness, material.poisson_ratio, density, creep_spectrum(material)};
 }
 
+/// Of a coating, with the inertia at V that it has at R Omega [kg/m3].
+double density_in_flow(const RollingScene& scene, const BondedLayer& coating) {
+  const double flow = flow_of_coating(scene);
+  return coating.layer_density * flow * flow;
+}
+
 /// All layers under (or on) the body with their densities.
 LayeredMedium all_under(const RollingScene& scene) {
   LayeredMedium medium{medium_layer(scene, scene.layer_thickness, scene.layer_density)};
@@ -40,7 +46,8 @@ LayeredMedium all_under(const RollingScene& scene) {
 LayeredMedium all_on(const RollingScene& scene) {
   LayeredMedium medium;
   for (const BondedLayer& layer : scene.coating_layers)
-    medium.push_back(medium_layer(layer, layer.layer_thickness, layer.layer_density));
+    medium.push_back(
+        {layer.layer_thickness, layer.poisson_ratio, density_in_flow(scene, layer), creep_in_flow(scene, layer)});
   return medium;
 }
 
@@ -50,6 +57,14 @@ SurfaceCompliance together(const SurfaceCompliance& below, const SurfaceComplian
           below.transverse + body.transverse};
 }
 
+bool coating_remembers(const RollingScene& scene) {
+  return std::any_of(scene.coating_layers.begin(), scene.coating_layers.end(), [](const BondedLayer& layer) {
+    const CreepSpectrum creep = creep_spectrum(layer);
+    return std::any_of(creep.terms.begin(), creep.terms.end(),
+                       [](const CreepSpectrum::Term& term) { return term.compliance > 0 && term.time > 0; });
+  });
+}
+
 LayeredMedium without_inertia(LayeredMedium medium) {
   for (MediumLayer& layer : medium) layer.density = 0;
   return medium;
@@ -57,11 +72,32 @@ LayeredMedium without_inertia(LayeredMedium medium) {
 
 }  // namespace
 
+double flow_of_coating(const RollingScene& scene) {
+  return scene.drive == Drive::rotation ? scene.rotation_ratio.value_or(1) : scene.coating_flow;
+}
+
+bool coating_flow_counts(const RollingScene& scene) {
+  return !scene.coating_layers.empty() && (inertia_included(scene) || coating_remembers(scene));
+}
+
+bool coating_remembers_ahead(const RollingScene& scene) {
+  return flow_of_coating(scene) < 0 && coating_remembers(scene);
+}
+
+CreepSpectrum creep_in_flow(const RollingScene& scene, const BondedLayer& coating) {
+  CreepSpectrum spectrum = creep_spectrum(coating);
+  const double flow = std::abs(flow_of_coating(scene));
+  if (flow == 0) return {.instantaneous = spectrum.at_rest(), .terms = {}};
+  for (CreepSpectrum::Term& term : spectrum.terms) term.time *= flow;
+  return spectrum;
+}
+
 double rayleigh_number(const RollingScene& scene) {
   double largest = rayleigh_number(scene, scene.layer_density, scene.speed);
-  for (const BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
-    for (const BondedLayer& layer : *layers)
-      largest = std::max(largest, rayleigh_number(layer, layer.layer_density, scene.speed));
+  for (const BondedLayer& layer : scene.lower_layers)
+    largest = std::max(largest, rayleigh_number(layer, layer.layer_density, scene.speed));
+  for (const BondedLayer& layer : scene.coating_layers)
+    largest = std::max(largest, rayleigh_number(layer, density_in_flow(scene, layer), scene.speed));
   return largest;
 }
 
@@ -114,15 +150,14 @@ double nearest_interface(const RollingScene& scene) {
 
 CreepSpectrum near_spectrum(const RollingScene& scene) {
   CreepSpectrum sum;
-  const auto add = [&](const MaterialInputs& material) {
+  const auto add = [&](const MaterialInputs& material, const CreepSpectrum& spectrum) {
     const double share = 2 * (1 - material.poisson_ratio);
-    const CreepSpectrum spectrum = creep_spectrum(material);
     sum.instantaneous += share * spectrum.instantaneous;
     for (const CreepSpectrum::Term& term : spectrum.terms) sum.terms.push_back({share * term.compliance, term.time});
   };
-  add(scene);
+  add(scene, creep_spectrum(scene));
   if (scene.coating_layers.empty()) return sum;
-  add(scene.coating_layers.front());
+  add(scene.coating_layers.front(), creep_in_flow(scene, scene.coating_layers.front()));
   std::sort(sum.terms.begin(), sum.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   std::vector<CreepSpectrum::Term> joined;
   for (const CreepSpectrum::Term& term : sum.terms) {
@@ -149,6 +184,7 @@ std::string surface_in_words(const RollingScene& scene) {
 
 SteadySurface::SteadySurface(const RollingScene& scene)
     : composite_(is_composite(scene)),
+      backwards_(flow_of_coating(scene) < 0),
       layer_(layer_of(scene)),
       speed_(scene.speed),
       thickness_(total_thickness(scene)),
@@ -161,7 +197,7 @@ SteadySurface::SteadySurface(const RollingScene& scene)
 SteadySurface::Moduli SteadySurface::moduli(double along) const {
   const double omega = -along * speed_;
   if (!composite_) return {material_(omega), {}, {}};
-  return {1, moduli_at(foundation_, omega), moduli_at(coating_, omega)};
+  return {1, moduli_at(foundation_, omega), moduli_at(coating_, backwards_ ? -omega : omega)};
 }
 
 SurfaceCompliance SteadySurface::operator()(const Moduli& moduli, double along, double across) const {

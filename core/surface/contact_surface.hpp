@@ -4,7 +4,10 @@
 ///
 /// Tractions on a coating are opposite to those on the foundation, and so are their normals: compliances add, but for
 /// the cross terms, which subtract (Johnson 1985, section 5.1, for two half-spaces). A coating is taken as flat, bonded
-/// to the rigid core of the body, and to have recovered when it comes round again.
+/// to the rigid core of the body, and to have recovered when it comes round again. It flows through the contact at
+/// R Omega, the foundation at V: at a wavenumber k it answers with the modulus of the frequency -k R Omega, which is
+/// that of a material with omega = R Omega/V times as long retardation times at -k V, and, backwards, its conjugate. A
+/// locked coating is at rest in the body's frame and answers with G0.
 
 #include <string>
 
@@ -12,6 +15,20 @@
 #include "core/surface/layered_medium.hpp"
 
 namespace rollres {
+
+/// Speed at which the coating flows through the contact over V, R Omega/V: as given, or `coating_flow` of the scene
+/// [1].
+double flow_of_coating(const RollingScene& scene);
+
+/// Whether the answer depends on that speed: a coating has a memory, or inertia that counts.
+bool coating_flow_counts(const RollingScene& scene);
+
+/// Whether a coating with a memory flows backwards, so that its memory lies ahead of the contact.
+bool coating_remembers_ahead(const RollingScene& scene);
+
+/// Creep of one of the scene's coatings as steady motion at V meets it: its retardation times multiplied by |R
+/// Omega/V|.
+CreepSpectrum creep_in_flow(const RollingScene& scene, const BondedLayer& coating);
 
 /// What rho V^2/G must stay below for steady motion: 1 at the speed of Rayleigh waves on a half-space of the layer at
 /// rest, for the layer of the scene that is nearest to it [1].
@@ -33,7 +50,7 @@ double negligible_inertia(const RollingScene& scene);
 bool is_composite(const RollingScene& scene);
 
 /// The layers under the body and those on it, from the contact away; densities are 0 where inertia is left out. The
-/// latter may be none.
+/// latter may be none; their creep and density are those that act as much at V (`flow_of_coating`), forwards.
 LayeredMedium foundation_of(const RollingScene& scene);
 LayeredMedium coating_of(const RollingScene& scene);
 
@@ -83,7 +100,7 @@ class SteadySurface {
   double longest_wave() const;
 
  private:
-  bool composite_;
+  bool composite_, backwards_;
   Layer layer_;
   double speed_, thickness_;
   CreepSpectrum material_;

@@ -18,6 +18,9 @@ std::string broken_for_spectral(const RollingScene& scene) {
   if (scene.indenter == Indenter::sphere) return "method = spectral: only for a cylinder";
   if (scene.period) return message_text("period = ", *scene.period, ": not with method \"spectral\"");
   if (inertia_included(scene)) return "inertia = on: not with method \"spectral\"";
+  if (coating_remembers_ahead(scene))
+    return message_text("rotation_ratio = ", flow_of_coating(scene),
+                        ": must be >= 0 with method \"spectral\" and a viscoelastic coating");
   // Half-spaces whose pressure moves the surface sideways oscillate at the edges of their sticking contact; and two of
   // them do so with memories of their own.
   const auto compressible = [](const MaterialInputs& material) { return material.poisson_ratio < 0.5; };
