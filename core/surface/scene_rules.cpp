@@ -84,7 +84,7 @@ void check_range(const std::string& owner, const Quantity& quantity, const Value
   } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
     if (value) check_number(*value, "");
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    for (std::size_t i = 0; i < value.size(); ++i) check_number(value[i], "[" + std::to_string(i) + "]");
+    for (std::size_t i = 0; i < value.size(); ++i) check_number(value[i], message_text("[", i, "]"));
   }
 }
 
