@@ -23,8 +23,9 @@ struct ContactPowers {
   double losses() const { return layer + friction + unbalanced; }
   /// R_r: by the resultants, or by the losses where the resultants cancel.
   double resistance() const { return resultants + share * (losses() - resultants); }
-  /// What errors of the resistance are measured by: an elastic layer resists with nothing.
-  double scale() const { return std::max(std::abs(resistance()), 1e-6 * halves); }
+  /// What errors of a rolling resistance are measured by: an elastic layer resists with nothing.
+  double scale(double of_resistance) const { return std::max(std::abs(of_resistance), 1e-6 * halves); }
+  double scale() const { return scale(resistance()); }
 };
 
 /// @param moved u and v may be empty without friction   @param zone of every node of the problem's (half) grid

@@ -59,7 +59,8 @@ struct ContactProblem {
   double turning_ratio(double rotation_ratio) const { return friction ? rotation_ratio : 1; }
   /// Rolling resistance [N] (per metre for a cylinder); empty shear is none.
   double resistance(const Vector& pressure, const Vector& shear_x, double rotation_ratio) const {
-    return driving_force(pressure, shear_x) + torque(pressure, shear_x) * turning_ratio(rotation_ratio) / shape.radius();
+    return driving_force(pressure, shear_x) +
+           torque(pressure, shear_x) * turning_ratio(rotation_ratio) / shape.radius();
   }
 };
 

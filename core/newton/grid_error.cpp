@@ -194,7 +194,7 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, const Contac
   add_resistance(scene, error.slow_share * (loss - viscous + powers.losses() - powers.resistance()), solution);
   solution.viscous_loss += error.slow_share * (loss - viscous) * scene.speed;
   solution.energy_residual = (1 - error.slow_share) * std::abs(powers.resultants - powers.losses()) /
-                             std::max(std::abs(solution.rolling_resistance), 1e-6 * powers.halves);
+                             powers.scale(solution.rolling_resistance);
   if (error.slow_share > 0.01)
     solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +
                       message_text(error.slow_share) +

@@ -199,7 +199,7 @@ class Assessment {
 }  // namespace
 
 GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
-                          const ContactUnknowns& unknowns, const std::vector<Zone>& zone) {
+                       const ContactUnknowns& unknowns, const std::vector<Zone>& zone) {
   return Assessment(problem, influence, unknowns, zone).run();
 }
 

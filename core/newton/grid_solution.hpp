@@ -31,7 +31,7 @@ struct GridSolution {
 /// @param influence with all components, also without friction (the fields want u and v)
 /// @param zone the method's claim for every node of the (half) grid
 GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
-                          const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
+                       const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
 
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution);

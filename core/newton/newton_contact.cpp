@@ -169,7 +169,7 @@ class NewtonIteration {
   NaturalMaps maps_;
   NewtonOutcome outcome_;
   double best_residual_ = unbounded;
-  int stays_ = 0;  // steps since it was halved
+  int stays_ = 0;              // steps since it was halved
   std::deque<double> recent_;  // mean squares of the maps
   bool first_ = true;
 };

@@ -45,8 +45,7 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> t
   const double least =
       threshold.value_or(rounding * static_cast<double>(std::max(a.rows(), a.cols()))) * parts.values(0);
   Eigen::MatrixXd scaled = parts.v;
-  for (Eigen::Index k = 0; k < scaled.cols(); ++k)
-    scaled.col(k) *= parts.values(k) > least ? 1 / parts.values(k) : 0;
+  for (Eigen::Index k = 0; k < scaled.cols(); ++k) scaled.col(k) *= parts.values(k) > least ? 1 / parts.values(k) : 0;
   return scaled * parts.u.transpose();
 }
 

@@ -78,7 +78,8 @@ StickSlip LineStickSlip::solve(const std::vector<int>& contact, const Eigen::Vec
     opposed.clear();
     const Eigen::VectorXd slip = problem_.slip(0, slip_nodes, contact, state.force_x, state.force_y, false);
     for (std::size_t k = 0; k < slip_nodes.size(); ++k)
-      if (sense_[slip_nodes[k]] * (slip[k] - state.rotation_ratio * problem_.turning[slip_nodes[k]]) < -problem_.slip_threshold)
+      if (sense_[slip_nodes[k]] * (slip[k] - state.rotation_ratio * problem_.turning[slip_nodes[k]]) <
+          -problem_.slip_threshold)
         opposed.push_back(slip_nodes[k]);
     if (resticking_) broken.insert(broken.end(), opposed.begin(), opposed.end());
     if (broken.empty()) {

@@ -6,8 +6,8 @@
 /// The body touches the surface first at (0, 0). With q(x, y) = sqrt(R^2 - x^2 - y^2) the height of its centre above
 /// its lower surface (a cylinder has y = 0), its profile is B = R - q, with slopes b_x = x/q and b_y = y/q.
 ///
-/// The layer feels the vertical pressure p and the shear (tau_x, tau_y) on each unit of its undeformed area; it moves by
-/// w, u, v. Load P, driving force Q and torque T are integrals of lever arms times p and tau_x; the slip of the body
+/// The layer feels the vertical pressure p and the shear (tau_x, tau_y) on each unit of its undeformed area; it moves
+/// by w, u, v. Load P, driving force Q and torque T are integrals of lever arms times p and tau_x; the slip of the body
 /// relative to the layer, over V, at omega = R Omega/V, is
 ///   s_x = forward + du/dx - omega turning,   s_y = dv/dx.
 ///

@@ -70,8 +70,7 @@ NestedOutcome solve_on_grids(const RollingScene& scene, int most_nodes) {
       const std::vector<Zone>& zone = nested.finest.outcome.zone;
       const auto nodes =
           (dimension - 1) * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
-      return !(nested.error_estimate() <= *scene.tolerance) &&
-             2 * (dimension - 1) * nodes <= most_nodes &&
+      return !(nested.error_estimate() <= *scene.tolerance) && 2 * (dimension - 1) * nodes <= most_nodes &&
              static_cast<double>(nodes) * nested.finest.outcome.krylov_iterations <= most_work;
     };
   return solve_nested(scene, grids_of(scene), finer);

@@ -21,12 +21,12 @@ namespace {
 constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
 constexpr double smallest_tolerance = 1e-13;  // that rounding allows
-constexpr double largest_violation = 5e-9;  // of any law
-constexpr double rounded_tail = 1e-13;      // last coefficients, relative to the largest
-constexpr double wrong_pattern = 1e-7;      // violation of an inequality that no order mends
-constexpr double plainly_wrong = 0.01;      // the same, seen at once
-constexpr int most_stays = 3;               // checks of all laws that find no smaller violation
-constexpr double slowest_fall = 0.9;        // of the last coefficients, from one order to the next
+constexpr double largest_violation = 5e-9;    // of any law
+constexpr double rounded_tail = 1e-13;        // last coefficients, relative to the largest
+constexpr double wrong_pattern = 1e-7;        // violation of an inequality that no order mends
+constexpr double plainly_wrong = 0.01;        // the same, seen at once
+constexpr int most_stays = 3;                 // checks of all laws that find no smaller violation
+constexpr double slowest_fall = 0.9;          // of the last coefficients, from one order to the next
 
 /// The error estimate (core/spectral/README.md, (S27)). The change from one order to the next, times how fast
 /// coefficients fall, is often too hopeful; the laws between the points are taken into account too. A
@@ -100,8 +100,7 @@ class SpectralContact {
     constexpr double cautious_factor = 5;  // of an estimate, over the change that a tolerance asks for
     if (scene_.tolerance && best_->solution.rolling_resistance_error > cautious_factor * *scene_.tolerance * scale_)
       best_->solution.warnings.push_back(message_text("the tolerance ", *scene_.tolerance, " was not reached with ",
-                                                      best_->solution.contact_nodes,
-                                                      " coefficients: estimated error ",
+                                                      best_->solution.contact_nodes, " coefficients: estimated error ",
                                                       best_->solution.error_estimate));
     return {std::move(best_->solution), {}};
   }

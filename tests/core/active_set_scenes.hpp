@@ -38,7 +38,8 @@ inline Solved solve_on(const RollingScene& scene, double half_width) {
   unknowns.rotation_ratio = state.rotation_ratio;
   const std::vector<Zone> zone(state.zone.end() - half.size(), state.zone.end());
   solved.solution =
-      summarise(ContactProblem(scene, half), InfluenceOperator(scene, solved.table, half, true), unknowns, zone).solution;
+      summarise(ContactProblem(scene, half), InfluenceOperator(scene, solved.table, half, true), unknowns, zone)
+          .solution;
   return solved;
 }
 

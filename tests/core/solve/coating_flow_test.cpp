@@ -8,6 +8,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/converged.hpp"
 #include "tests/infinite.hpp"
 
 using namespace rollres;
@@ -50,14 +51,6 @@ RollingScene soft_tyre_on_layer() {
   return scene;
 }
 
-RollingSolution answered(const RollingScene& scene) {
-  const RollingSolution solution = solve(scene);
-  INFO(solution.reason);
-  REQUIRE(solution.status == Status::converged);
-  CHECK(solution.law_violation < 1e-8);
-  return solution;
-}
-
 bool says(const std::vector<std::string>& lines, const std::string& words) {
   for (const std::string& line : lines)
     if (line.find(words) != std::string::npos) return true;
@@ -70,7 +63,7 @@ TEST_CASE("a locked coating answers with its modulus at rest", "[core][coating_f
   RollingScene scene = turning(tyre(), 0);
   RollingScene at_rest = turning(tyre(0), 0);
   at_rest.kinematics = scene.kinematics = Kinematics::printed;
-  const RollingSolution locked = answered(scene), elastic = answered(at_rest);
+  const RollingSolution locked = converged(scene), elastic = converged(at_rest);
   CHECK(locked.rolling_resistance == Approx(elastic.rolling_resistance).epsilon(1e-9));
   CHECK(locked.model.find("the body is locked: its coating is at rest") != std::string::npos);
   // By a program of another make; its peak is that of a node of a grid.
@@ -80,7 +73,7 @@ TEST_CASE("a locked coating answers with its modulus at rest", "[core][coating_f
 
   scene.method = Method::newton;
   scene.spacing = 0.025e-3;
-  CHECK(answered(scene).rolling_resistance == Approx(locked.rolling_resistance).epsilon(1e-4));
+  CHECK(converged(scene).rolling_resistance == Approx(locked.rolling_resistance).epsilon(1e-4));
 }
 
 TEST_CASE("a coating flowing at RΩ is one of RΩ/V as long memories flowing at V", "[core][coating_flow]") {
@@ -116,7 +109,7 @@ TEST_CASE("a coating flowing at RΩ is one of RΩ/V as long memories flowing at 
   for (const Method method : {Method::spectral, Method::newton}) {
     CAPTURE(name_of(method));
     given.method = scaled.method = method;
-    const RollingSolution got = answered(given), expected = answered(scaled);
+    const RollingSolution got = converged(given), expected = converged(scaled);
     // A master curve is fitted twice.
     CHECK(got.rolling_resistance == Approx(expected.rolling_resistance).epsilon(1e-6));
     CHECK(got.peak_pressure == Approx(expected.peak_pressure).epsilon(1e-6));
@@ -127,7 +120,7 @@ TEST_CASE("a tyre sliding over a hard floor meets only the speed of its own surf
   // All slides: the shear is mu p at any ratio.
   RollingScene slower = turning(tyre(), 0.5), faster = turning(tyre(), 0.25);
   faster.coating_layers[0].creep_time *= 2;
-  const RollingSolution expected = answered(slower), got = answered(faster);
+  const RollingSolution expected = converged(slower), got = converged(faster);
   CHECK(expected.slip_nodes == expected.contact_nodes);
   CHECK(got.driving_force == Approx(expected.driving_force).epsilon(1e-8));
   CHECK(got.driving_torque == Approx(expected.driving_torque).epsilon(1e-8));
@@ -139,9 +132,9 @@ TEST_CASE("where the drive leaves the rotation open the coating flows at the rot
     CAPTURE(name_of(drive));
     RollingScene scene = tyre();
     scene.drive = drive;
-    const RollingSolution open = answered(scene);
+    const RollingSolution open = converged(scene);
     CHECK(std::abs(open.rotation_ratio - 1) > 0.01);
-    const RollingSolution given = answered(turning(tyre(), open.rotation_ratio));
+    const RollingSolution given = converged(turning(tyre(), open.rotation_ratio));
     CHECK(given.rolling_resistance == Approx(open.rolling_resistance).epsilon(1e-8));
     CHECK(given.driving_torque == Approx(open.driving_torque).margin(1e-8 * scene.radius * *scene.load));
     CHECK(open.model.find("the coating flows at 0.98") != std::string::npos);
@@ -151,7 +144,7 @@ TEST_CASE("where the drive leaves the rotation open the coating flows at the rot
 
     scene.method = Method::newton;
     scene.spacing = 0.025e-3;
-    const RollingSolution grid = answered(scene);
+    const RollingSolution grid = converged(scene);
     CHECK(grid.rolling_resistance == Approx(open.rolling_resistance).epsilon(2e-4));
     // Slip by forward differences: of first order in the spacing.
     CHECK(grid.rotation_ratio - 1 == Approx(open.rotation_ratio - 1).epsilon(5e-3));
@@ -162,11 +155,11 @@ TEST_CASE("spectral and newton agree on turning coated bodies", "[core][coating_
   for (const double ratio : {0.0, 0.4, 3.0}) {
     CAPTURE(ratio);
     RollingScene scene = turning(soft_tyre_on_layer(), ratio);
-    const RollingSolution limit = answered(scene);
+    const RollingSolution limit = converged(scene);
     CHECK(limit.method == Method::spectral);
     scene.method = Method::newton;
     scene.spacing = 0.025e-3;
-    const RollingSolution grid = answered(scene);
+    const RollingSolution grid = converged(scene);
     CHECK(grid.rolling_resistance == Approx(limit.rolling_resistance).epsilon(2e-4));
     CHECK(grid.peak_pressure == Approx(limit.peak_pressure).epsilon(1e-3));
   }
@@ -180,11 +173,11 @@ TEST_CASE("a coating that flows backwards remembers ahead of the contact", "[cor
   CHECK(check(spectral)[0] ==
         "rotation_ratio = -0.5: must be >= 0 with method \"spectral\" and a viscoelastic coating");
   scene.spacing = 0.05e-3;
-  const RollingSolution passage = answered(scene);
+  const RollingSolution passage = converged(scene);
   // A train takes the compliance of every wave as it is.
   scene.period = 0.5;
   scene.series_terms = 40000;
-  const RollingSolution train = answered(scene);
+  const RollingSolution train = converged(scene);
   CHECK(passage.rolling_resistance == Approx(train.rolling_resistance).epsilon(1e-5));
   CHECK(passage.peak_pressure == Approx(train.peak_pressure).epsilon(1e-4));
 }
@@ -196,9 +189,9 @@ TEST_CASE("an elastic coating does not feel how fast it flows", "[core][coating_
     scene.method = method;
     scene.drive = Drive::free;
     scene.coating_layers[0].material = MaterialModel::elastic;
-    const RollingSolution at_speed = answered(scene);
+    const RollingSolution at_speed = converged(scene);
     scene.coating_flow = 0.5;  // where its search would begin
-    const RollingSolution slower = answered(scene);
+    const RollingSolution slower = converged(scene);
     CHECK(slower.rolling_resistance == at_speed.rolling_resistance);
     CHECK(slower.rotation_ratio == at_speed.rotation_ratio);
     CHECK(at_speed.model.find("the coating flows") == std::string::npos);

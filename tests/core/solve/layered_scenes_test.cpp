@@ -6,6 +6,7 @@
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/converged.hpp"
 #include "tests/infinite.hpp"
 #include "tests/plain_scene.hpp"
 
@@ -42,14 +43,6 @@ BondedLayer zener_layer(double thickness, double modulus, double stiffening, dou
   layer.stiffening = stiffening;
   layer.creep_time = time;
   return layer;
-}
-
-RollingSolution converged(const RollingScene& scene) {
-  const RollingSolution solution = solve(scene);
-  INFO(solution.reason);
-  REQUIRE(solution.status == Status::converged);
-  CHECK(solution.law_violation < 1e-8);
-  return solution;
 }
 
 }  // namespace

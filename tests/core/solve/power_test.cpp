@@ -10,6 +10,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/layer_compliance.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/converged.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 using namespace rollres;
@@ -59,24 +60,18 @@ RollingScene with_consistent_kinematics(RollingScene scene) {
   return scene;
 }
 
-RollingSolution rolled(const RollingScene& scene) {
-  RollingSolution s = solve(scene);
-  INFO(s.reason);
-  REQUIRE(s.status == Status::converged);
-  return s;
-}
-
 }  // namespace
 
 // The drive gives what the resultants say; the layers and friction take what displacements and slip say. Wrong lever
 // arms, a wrong slip or wrong displacements would part them: with the paper's kinematics they part by up to a third.
-TEST_CASE("the power that drives a cylinder is lost in the layer and by friction, whatever drives it", "[core][power]") {
+TEST_CASE("the power that drives a cylinder is lost in the layer and by friction, whatever drives it",
+          "[core][power]") {
   RollingScene scene = with_consistent_kinematics(paper_cylinder());
   scene.spacing.reset();
   for (const MaterialModel material : {MaterialModel::zener, MaterialModel::elastic}) {
     scene.material = material;
     const auto check_balance = [&](const RollingScene& driven) {
-      const RollingSolution s = rolled(driven);
+      const RollingSolution s = converged(driven);
       CAPTURE(name_of(material), name_of(driven.drive), driven.driving_torque.value_or(0),
               driven.rotation_ratio.value_or(0));
       REQUIRE(s.method == Method::spectral);
@@ -105,8 +100,10 @@ TEST_CASE("the power that drives a cylinder is lost in the layer and by friction
   }
 }
 
-TEST_CASE("on a grid the power of a driven body is lost in the layer and by friction but for what the edges between nodes take",
-          "[core][power]") {
+TEST_CASE(
+    "on a grid the power of a driven body is lost in the layer and by friction but for what the edges between nodes "
+    "take",
+    "[core][power]") {
   for (RollingScene scene : {with_consistent_kinematics(paper_cylinder()), with_consistent_kinematics(paper_sphere())})
     for (const MaterialModel material : {MaterialModel::zener, MaterialModel::elastic}) {
       scene.material = material;
@@ -114,7 +111,7 @@ TEST_CASE("on a grid the power of a driven body is lost in the layer and by fric
       scene.driving_torque = dimensions(scene) == 2 ? 60 : 0.2;
       const auto residual = [&](double spacing) {
         scene.spacing = spacing;
-        const RollingSolution s = rolled(scene);
+        const RollingSolution s = converged(scene);
         CAPTURE(name_of(material), name_of(scene.indenter));
         if (material == MaterialModel::elastic) CHECK(std::abs(s.viscous_loss) < 1e-9 * s.frictional_loss);
         return s.energy_residual;
@@ -130,7 +127,7 @@ TEST_CASE("the paper's kinematics leave a power of second order over, and say so
   scene.material = MaterialModel::elastic;
   scene.drive = Drive::torque;
   scene.driving_torque = 60;
-  const RollingSolution s = rolled(scene);
+  const RollingSolution s = converged(scene);
   CHECK(std::abs(s.viscous_loss) < 1e-6 * s.frictional_loss);
   CHECK(s.rolling_resistance * scene.speed > 1.3 * s.frictional_loss);
   CHECK(std::any_of(s.warnings.begin(), s.warnings.end(),
