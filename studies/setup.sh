@@ -41,6 +41,8 @@ python3-jsonschema: holds files against their schemas
 fish: completion
 zsh: completion
 man-db: manual page
+dpkg-dev: the Debian package
+file: the Debian package
 LIST
 )
 
