@@ -21,8 +21,8 @@ PaddedSize padded_size(int columns, int rows, int more_columns) {
 template <class Real>
 PaddedConvolution<Real>::PaddedConvolution(PaddedSize size)
     : size_(size),
-      along_x_(shared_fft_line<Real>(size.columns)),
-      along_y_(shared_fft_line<Real>(std::max(size.rows, 4))),
+      along_x_(shared_fft_line<complex>(size.columns)),
+      along_y_(shared_fft_line<complex>(std::max(size.rows, 4))),
       work_(static_cast<std::size_t>(threads_for(size.points()))),
       spectrum_(static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows)) {
   for (Work& work : work_) {
@@ -233,8 +233,8 @@ void PaddedConvolution<Real>::unload_odd_rows(Work& work, int row, const Results
 template <class Real>
 EvenTransform<Real>::EvenTransform(PaddedSize size)
     : size_(size),
-      along_x_(shared_real_fft_line<Real>(size.columns)),
-      along_y_(shared_fft_line<Real>(std::max(size.rows, 4))),
+      along_x_(shared_fft_line<Real>(size.columns)),
+      along_y_(shared_fft_line<complex>(std::max(size.rows, 4))),
       work_(static_cast<std::size_t>(threads_for(size.points()))),
       spectrum_(static_cast<std::size_t>(size.columns / 2 + 1) * static_cast<std::size_t>(size.rows)) {
   for (Work& work : work_) {

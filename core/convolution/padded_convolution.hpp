@@ -137,8 +137,7 @@ class PaddedConvolution {
   }
 
   PaddedSize size_;
-  const FftLine<Real>& along_x_;
-  const FftLine<Real>& along_y_;
+  const FftLine<complex>&along_x_, &along_y_;
   std::vector<Work> work_;       // of each thread
   FftBuffer<complex> spectrum_;  // y running fastest
 };
@@ -160,8 +159,8 @@ class EvenTransform {
  private:
   using complex = std::complex<Real>;
   PaddedSize size_;
-  const RealFftLine<Real>& along_x_;
-  const FftLine<Real>& along_y_;
+  const FftLine<Real>& along_x_;
+  const FftLine<complex>& along_y_;
   struct Work {
     FftBuffer<Real> lines;
     FftBuffer<complex> transformed, column;

@@ -64,11 +64,10 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   InfluenceTable table(reach_x, reach_y);
   const std::array<std::vector<double>*, 6> targets{&table.ww, &table.uu, &table.vv, &table.uv, &table.uw, &table.vw};
   FftBuffer<double> field(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
-  const FftPlan plan(columns, rows);
   for (int component = 0; component < components; ++component) {
     const std::size_t c =
         sphere ? static_cast<std::size_t>(component) : line_components[static_cast<std::size_t>(component)];
-    plan.inverse(spectra[c], field);
+    inverse_plane(columns, rows, spectra[c], field);
     for (int row = 0; row <= reach_y; ++row)
       for (int column = -reach_x; column <= reach_x; ++column)
         (*targets[c])[static_cast<std::size_t>(table.index(column, row))] =

@@ -12,13 +12,12 @@ std::mutex& planner_mutex() {
   return mutex;
 }
 
-template <class Real>
+template <class Complex>
 struct Fftw;
 
 template <>
-struct Fftw<double> {
-  using Plan = fftw_plan;
-  using Complex = fftw_complex;
+struct Fftw<std::complex<double>> {
+  using Pointer = fftw_complex*;
   static constexpr auto plan = fftw_plan_dft_1d;
   static constexpr auto plan_forward = fftw_plan_dft_r2c_1d;
   static constexpr auto plan_inverse = fftw_plan_dft_c2r_1d;
@@ -29,9 +28,8 @@ struct Fftw<double> {
 };
 
 template <>
-struct Fftw<float> {
-  using Plan = fftwf_plan;
-  using Complex = fftwf_complex;
+struct Fftw<std::complex<float>> {
+  using Pointer = fftwf_complex*;
   static constexpr auto plan = fftwf_plan_dft_1d;
   static constexpr auto plan_forward = fftwf_plan_dft_r2c_1d;
   static constexpr auto plan_inverse = fftwf_plan_dft_c2r_1d;
@@ -41,123 +39,78 @@ struct Fftw<float> {
   static constexpr auto destroy = fftwf_destroy_plan;
 };
 
-template <class Real>
-typename Fftw<Real>::Complex* fftw(std::complex<Real>* data) {
-  return reinterpret_cast<typename Fftw<Real>::Complex*>(data);
-}
-
-template <class Real>
-void destroy(typename Fftw<Real>::Plan forward, typename Fftw<Real>::Plan inverse) {
-  const std::lock_guard lock(planner_mutex());
-  Fftw<Real>::destroy(forward);
-  Fftw<Real>::destroy(inverse);
+template <class Complex>
+typename Fftw<Complex>::Pointer fftw(Complex* data) {
+  return reinterpret_cast<typename Fftw<Complex>::Pointer>(data);
 }
 
 }  // namespace
 
-template <class Real>
-struct FftLine<Real>::Plans {
-  typename Fftw<Real>::Plan forward, inverse;
-  ~Plans() { destroy<Real>(forward, inverse); }
-};
-
-template <class Real>
-FftLine<Real>::FftLine(int length) : plans_(std::make_unique<Plans>()) {
-  FftBuffer<std::complex<Real>> from(static_cast<std::size_t>(length)), to(static_cast<std::size_t>(length));
+template <class Value>
+FftLine<Value>::FftLine(int length) {
+  using Library = Fftw<Complex>;
+  FftBuffer<Value> values(static_cast<std::size_t>(length));
+  FftBuffer<Complex> spectrum(static_cast<std::size_t>(length));
+  const auto from = values.data();
+  const auto to = fftw(spectrum.data());
   const std::lock_guard lock(planner_mutex());
-  plans_->forward = Fftw<Real>::plan(length, fftw(from.data()), fftw(to.data()), FFTW_FORWARD, FFTW_ESTIMATE);
-  plans_->inverse = Fftw<Real>::plan(length, fftw(from.data()), fftw(to.data()), FFTW_BACKWARD, FFTW_ESTIMATE);
+  if constexpr (std::is_same_v<Value, Complex>) {
+    forward_ = Library::plan(length, fftw(from), to, FFTW_FORWARD, FFTW_ESTIMATE);
+    inverse_ = Library::plan(length, fftw(from), to, FFTW_BACKWARD, FFTW_ESTIMATE);
+  } else {
+    forward_ = Library::plan_forward(length, from, to, FFTW_ESTIMATE);
+    inverse_ = Library::plan_inverse(length, to, from, FFTW_ESTIMATE);
+  }
 }
 
-template <class Real>
-FftLine<Real>::~FftLine() = default;
-
-template <class Real>
-void FftLine<Real>::forward(std::complex<Real>* from, std::complex<Real>* to) const {
-  Fftw<Real>::execute(plans_->forward, fftw(from), fftw(to));
-}
-
-template <class Real>
-void FftLine<Real>::inverse(std::complex<Real>* from, std::complex<Real>* to) const {
-  Fftw<Real>::execute(plans_->inverse, fftw(from), fftw(to));
-}
-
-template <class Real>
-struct RealFftLine<Real>::Plans {
-  typename Fftw<Real>::Plan forward, inverse;
-  ~Plans() { destroy<Real>(forward, inverse); }
-};
-
-template <class Real>
-RealFftLine<Real>::RealFftLine(int length) : plans_(std::make_unique<Plans>()) {
-  FftBuffer<Real> field(static_cast<std::size_t>(length));
-  FftBuffer<std::complex<Real>> spectrum(static_cast<std::size_t>(length / 2 + 1));
+template <class Value>
+FftLine<Value>::~FftLine() {
   const std::lock_guard lock(planner_mutex());
-  plans_->forward = Fftw<Real>::plan_forward(length, field.data(), fftw(spectrum.data()), FFTW_ESTIMATE);
-  plans_->inverse = Fftw<Real>::plan_inverse(length, fftw(spectrum.data()), field.data(), FFTW_ESTIMATE);
+  Fftw<Complex>::destroy(forward_);
+  Fftw<Complex>::destroy(inverse_);
 }
 
-template <class Real>
-RealFftLine<Real>::~RealFftLine() = default;
-
-template <class Real>
-void RealFftLine<Real>::forward(Real* from, std::complex<Real>* to) const {
-  Fftw<Real>::execute_forward(plans_->forward, from, fftw(to));
+template <class Value>
+void FftLine<Value>::forward(Value* from, Complex* to) const {
+  if constexpr (std::is_same_v<Value, Complex>)
+    Fftw<Complex>::execute(forward_, fftw(from), fftw(to));
+  else
+    Fftw<Complex>::execute_forward(forward_, from, fftw(to));
 }
 
-template <class Real>
-void RealFftLine<Real>::inverse(std::complex<Real>* from, Real* to) const {
-  Fftw<Real>::execute_inverse(plans_->inverse, fftw(from), to);
+template <class Value>
+void FftLine<Value>::inverse(Complex* from, Value* to) const {
+  if constexpr (std::is_same_v<Value, Complex>)
+    Fftw<Complex>::execute(inverse_, fftw(from), fftw(to));
+  else
+    Fftw<Complex>::execute_inverse(inverse_, fftw(from), to);
 }
 
-FftPlan::FftPlan(int columns, int rows) {
-  FftBuffer<double> field(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  FftBuffer<std::complex<double>> spectrum(static_cast<std::size_t>(columns / 2 + 1) * static_cast<std::size_t>(rows));
-  const std::lock_guard lock(planner_mutex());
-  inverse_ = fftw_plan_dft_c2r_2d(rows, columns, fftw(spectrum.data()), field.data(), FFTW_ESTIMATE);
-}
-
-FftPlan::~FftPlan() {
-  const std::lock_guard lock(planner_mutex());
-  fftw_destroy_plan(inverse_);
-}
-
-void FftPlan::inverse(FftBuffer<std::complex<double>>& spectrum, FftBuffer<double>& field) const {
-  fftw_execute_dft_c2r(inverse_, fftw(spectrum.data()), field.data());
-}
-
-namespace {
-
-template <class Line>
-const Line& shared_line(int length) {
+template <class Value>
+const FftLine<Value>& shared_fft_line(int length) {
   static std::mutex mutex;
-  static std::map<int, std::unique_ptr<const Line>> kept;
+  static std::map<int, FftLine<Value>> kept;
   const std::lock_guard lock(mutex);
-  std::unique_ptr<const Line>& line = kept[length];
-  if (!line) line = std::make_unique<const Line>(length);
-  return *line;
-}
-
-}  // namespace
-
-template <class Real>
-const FftLine<Real>& shared_fft_line(int length) {
-  return shared_line<FftLine<Real>>(length);
-}
-
-template <class Real>
-const RealFftLine<Real>& shared_real_fft_line(int length) {
-  return shared_line<RealFftLine<Real>>(length);
+  return kept.try_emplace(length, length).first->second;
 }
 
 template class FftLine<double>;
 template class FftLine<float>;
-template class RealFftLine<double>;
-template class RealFftLine<float>;
+template class FftLine<std::complex<double>>;
+template class FftLine<std::complex<float>>;
 template const FftLine<double>& shared_fft_line(int);
 template const FftLine<float>& shared_fft_line(int);
-template const RealFftLine<double>& shared_real_fft_line(int);
-template const RealFftLine<float>& shared_real_fft_line(int);
+template const FftLine<std::complex<double>>& shared_fft_line(int);
+template const FftLine<std::complex<float>>& shared_fft_line(int);
+
+void inverse_plane(int columns, int rows, FftBuffer<std::complex<double>>& spectrum, FftBuffer<double>& field) {
+  std::unique_lock lock(planner_mutex());
+  const fftw_plan plan = fftw_plan_dft_c2r_2d(rows, columns, fftw(spectrum.data()), field.data(), FFTW_ESTIMATE);
+  lock.unlock();
+  fftw_execute(plan);
+  lock.lock();
+  fftw_destroy_plan(plan);
+}
 
 int good_fft_size(int size) {
   // Time per point as measured with FFTW 3.3.10, relative to a power of two.

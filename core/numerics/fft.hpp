@@ -1,16 +1,16 @@
 #pragma once
 
-/// Thin layer over FFTW in double and single precision: aligned buffers, transforms of lines, and real
-/// transforms of two-dimensional arrays (x running fastest). All are unnormalised. The planner of FFTW is not
-/// thread-safe and is guarded; executing plans is. Plans are made once for each size and shared by all threads.
+/// Thin layer over FFTW in double and single precision: aligned buffers, transforms of lines, and the
+/// real one of two-dimensional arrays (x running fastest). All are unnormalised. The planner of FFTW is not thread-safe
+/// and is guarded; executing plans is.
 
 #include <fftw3.h>
 
 #include <complex>
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 
 namespace rollres {
@@ -44,61 +44,33 @@ class FftBuffer {
   std::size_t size_ = 0;
 };
 
-/// Transforms of lines of `length` complex values from one place to another, both aligned for FFTW or a multiple of two
-/// complex values from there. The inverse may destroy its input.
-template <class Real>
+/// Transforms of lines of `length` values to as many complex ones and back, or of real values, even in number, to
+/// length/2 + 1 complex ones. Both places are aligned for FFTW or a multiple of two complex values from there. The
+/// inverse may destroy its input.
+template <class Value>
 class FftLine {
  public:
+  using Complex = std::complex<decltype(std::abs(Value()))>;
+
   explicit FftLine(int length);
   ~FftLine();
   FftLine(const FftLine&) = delete;
   FftLine& operator=(const FftLine&) = delete;
 
-  void forward(std::complex<Real>* from, std::complex<Real>* to) const;
-  void inverse(std::complex<Real>* from, std::complex<Real>* to) const;
+  void forward(Value* from, Complex* to) const;
+  void inverse(Complex* from, Value* to) const;
 
  private:
-  struct Plans;
-  std::unique_ptr<Plans> plans_;
-};
-
-/// The same from `length` (even) real values to length/2 + 1 complex ones and back.
-template <class Real>
-class RealFftLine {
- public:
-  explicit RealFftLine(int length);
-  ~RealFftLine();
-  RealFftLine(const RealFftLine&) = delete;
-  RealFftLine& operator=(const RealFftLine&) = delete;
-
-  void forward(Real* from, std::complex<Real>* to) const;
-  void inverse(std::complex<Real>* from, Real* to) const;
-
- private:
-  struct Plans;
-  std::unique_ptr<Plans> plans_;
-};
-
-/// Plans for real arrays of `columns` by `rows` and spectra of (columns/2 + 1) by rows.
-class FftPlan {
- public:
-  FftPlan(int columns, int rows);
-  ~FftPlan();
-  FftPlan(const FftPlan&) = delete;
-  FftPlan& operator=(const FftPlan&) = delete;
-
-  /// `inverse` destroys its input.
-  void inverse(FftBuffer<std::complex<double>>& spectrum, FftBuffer<double>& field) const;
-
- private:
-  fftw_plan inverse_ = nullptr;
+  using Plan = std::conditional_t<std::is_same_v<Complex, std::complex<double>>, fftw_plan, fftwf_plan>;
+  Plan forward_, inverse_;
 };
 
 /// The plans for a length, made once.
-template <class Real>
-const FftLine<Real>& shared_fft_line(int length);
-template <class Real>
-const RealFftLine<Real>& shared_real_fft_line(int length);
+template <class Value>
+const FftLine<Value>& shared_fft_line(int length);
+
+/// Real array of `columns` by `rows` from its spectrum of (columns/2 + 1) by rows, which is destroyed.
+void inverse_plane(int columns, int rows, FftBuffer<std::complex<double>>& spectrum, FftBuffer<double>& field);
 
 /// The size from `size` to twice that whose transform is the fastest: few, small and mostly even prime factors.
 int good_fft_size(int size);

@@ -99,14 +99,7 @@ Eigen::VectorXd edge_memory(double x, int count, const ScaledBesselK& k) {
 }
 
 double scaled_exponential_integral(double x) {
-  if (x < 1) {  // series
-    double sum = 0, term = 1;
-    for (int k = 1; k < 30; ++k) {
-      term *= -x / k;
-      sum -= term / k;
-    }
-    return std::exp(x) * (sum - std::log(x) - 0.57721566490153286061);
-  }
+  if (x < 1) return -std::exp(x) * std::expint(-x);
   // Continued fraction, from below (Abramowitz and Stegun 5.1.22 in its even form).
   double tail = 0;
   for (int k = 20 + static_cast<int>(80 / x); k >= 1; --k) tail = k * k / (x + 2 * k + 1 - tail);
