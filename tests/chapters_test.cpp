@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tests/catch.hpp"
@@ -81,4 +84,28 @@ TEST_CASE("a folder of sources holds at most thirty files", "[chapters]") {
     INFO(chapter);
     CHECK(sources.size() <= 30);
   }
+}
+
+TEST_CASE("each source of core has a test of its name or is named in one", "[chapters]") {
+  std::set<std::string> words;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_directory() / "tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    words.insert(entry.path().stem().string());
+    std::ifstream text(entry.path());
+    std::string word;
+    for (char c; text.get(c);)
+      if (std::isalnum(static_cast<unsigned char>(c)) || c == '_')
+        word += c;
+      else if (!word.empty())
+        words.insert(std::exchange(word, {}));
+  }
+  std::vector<std::string> untested;
+  for (const auto& [chapter, sources] : sources_by_chapter())
+    for (const auto& source : sources) {
+      const std::string name = source.stem().string();
+      if (source.extension() == ".cpp" && chapter.starts_with("core/") && !words.contains(name) &&
+          !words.contains(name + "_test"))
+        untested.push_back(chapter + "/" + name);
+    }
+  CHECK(untested == std::vector<std::string>());
 }

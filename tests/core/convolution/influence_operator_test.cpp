@@ -1,3 +1,5 @@
+// Covers influence_terms, padded_convolution too.
+
 #include "core/convolution/influence_operator.hpp"
 
 #include <random>

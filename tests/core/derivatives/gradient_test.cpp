@@ -1,3 +1,5 @@
+// Covers sampled_line, calibration too.
+
 #include "core/derivatives/gradient.hpp"
 
 #include <algorithm>

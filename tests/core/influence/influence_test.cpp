@@ -1,3 +1,5 @@
+// Covers passage_quadrature, layer_tables too.
+
 #include "core/influence/influence.hpp"
 
 #include <array>

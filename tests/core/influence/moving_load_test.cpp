@@ -1,3 +1,4 @@
+// Covers sphere_passage, directional_expansion too.
 /// A single moving sphere on layers with inertia: influence coefficients against closed forms, lines of loads and
 /// trains.
 

@@ -1,3 +1,6 @@
+// Covers material_inputs, material_scale, temperature_shift; of master curves relative_rows, free_series,
+// smooth_spectrum, open_spectrum too.
+
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -1,3 +1,4 @@
+// Covers newton_contact, newton_system, newton_starts, rotation_path, friction_limit too.
 /// Random scenes (studies/evidence/stability_scene.hpp) on which the Newton method alone finds nothing: contacts that
 /// friction draws aside, with several solutions, and bodies on the verge of sliding.
 

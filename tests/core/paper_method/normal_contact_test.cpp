@@ -1,3 +1,5 @@
+// Covers offset_kernel too.
+
 #include "core/paper_method/normal_contact.hpp"
 
 #include <numeric>

@@ -1,3 +1,5 @@
+// Covers line_stick_slip, surface_stick_slip, tangential_problem too.
+
 #include "core/paper_method/stick_slip.hpp"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// Covers grid_solution too.
 /// The examples of Zehil and Gavin (2013), sections 5.1 and 5.2, and what finer grids make of them.
 
 #include <algorithm>

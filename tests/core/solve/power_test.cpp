@@ -1,3 +1,4 @@
+// Covers contact_powers, model_notes too.
 /// Where the power goes: two balances that do not share their parts.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Covers contact_laws, law_rows, krylov_operator too.
 /// Random scenes over the ranges that a study may ask for: every one is answered, and both linear algebras agree.
 
 #include <cmath>

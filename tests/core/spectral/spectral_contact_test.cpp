@@ -1,3 +1,6 @@
+// Covers spectral_problem, spectral_start, spectral_search, spectral_system, spectral_sources, spectral_memory,
+// spectral_field, surface_panels, spectral_solution, spectral_friction_limit too.
+
 #include "core/spectral/spectral_contact.hpp"
 
 #include <cmath>

@@ -1,0 +1,29 @@
+#include "core/surface/fourier_table.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace rollres;
+
+TEST_CASE("a Fourier table has the functions of known transforms, on either side and at any distance",
+          "[core][fourier_table]") {
+  // Re int_0^inf e^{-2k} e^{ikx} dk = 2/(4 + x^2), with i in front -x/(4 + x^2), with k (4 - x^2)/(4 + x^2)^2.
+  const FourierTable table(2, 0.01, [](double k, std::span<std::complex<double>> values) {
+    const double f = std::exp(-2 * k);
+    const std::complex<double> i(0, 1);
+    const std::array<std::complex<double>, 6> all{f, i * f, k * f, -f, 2.0 * f, i * k * f};
+    std::copy(all.begin(), all.end(), values.begin());
+  });
+  for (const double x : {0.0, 0.7, -0.7, 1.2, -4.0, 17.0, -31.0, 250.0, -1000.0}) {
+    const double square = 4 + x * x, even = 2 / square, odd = -x / square;
+    const LayerSlopes first = table(0, x), second = table(1, x);
+    // Beyond a distance of 48 the panels widen in proportion, and what is interpolated keeps eleven digits.
+    const double margin = std::abs(x) < 48 ? 1e-14 : 5e-11;
+    INFO("x = " << x);
+    CHECK(first[layer_slope::normal] == Approx(even).margin(margin));
+    CHECK(first[layer_slope::tangential] == Approx(odd).margin(margin));
+    CHECK(first[layer_slope::cross] == Approx((4 - x * x) / (square * square)).margin(margin));
+    CHECK(second[layer_slope::normal] == Approx(-even).margin(margin));
+    CHECK(second[layer_slope::tangential] == Approx(2 * even).margin(margin));
+    CHECK(second[layer_slope::cross] == Approx(-4 * x / (square * square)).margin(margin));
+  }
+}
