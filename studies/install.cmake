@@ -29,6 +29,7 @@ install(FILES ${written}/rollres.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/
 install(TARGETS rollres RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY studies/examples studies/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/rollres COMPONENT program)
 install(FILES README.md CITATION.cff ${written}/changelog.gz ${written}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES studies/guide.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/studies COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 
 set(CPACK_GENERATOR DEB)

@@ -1,4 +1,4 @@
-# An outside program, built on the installed library, has the answer of the installed program.
+# An outside program, built on the installed library, has the answer of the installed program; so builds the README's.
 # cmake -D BUILD=tree -D FOLDER=scratch -D CXX=compiler [-D FLAGS=...] -P install_test.cmake; BUILD must be built.
 
 function(run)
@@ -24,8 +24,16 @@ string(JSON resistance GET "${output}" rolling_resistance)
 # With the generator of our build: cmake's default one, make, need not be there.
 file(STRINGS ${BUILD}/CMakeCache.txt generator REGEX "^CMAKE_GENERATOR:")
 string(REGEX REPLACE ".*=" "" generator "${generator}")
+file(READ ${CMAKE_CURRENT_LIST_DIR}/../README.md readme)
+string(REGEX MATCH "```cpp\n([^`]*)```" block "${readme}")
+file(WRITE ${FOLDER}/readme.cpp "${CMAKE_MATCH_1}")
 run(${CMAKE_COMMAND} -G ${generator} -S ${CMAKE_CURRENT_LIST_DIR}/outside_program -B ${FOLDER}/outside
-    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_BUILD_TYPE=Release)
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_BUILD_TYPE=Release
+    -D README_PROGRAM=${FOLDER}/readme.cpp)
 run(${CMAKE_COMMAND} --build ${FOLDER}/outside)
 run(${FOLDER}/outside/outside_program ${resistance})
+run(${FOLDER}/outside/readme_program)
+if(NOT output MATCHES "^3[0-9.]+ N/m\n$")
+  message(FATAL_ERROR "the README's program says ${output}")
+endif()
 file(REMOVE_RECURSE ${FOLDER})

@@ -16,8 +16,15 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string& readme() {
-  static const std::string text = file_text(source_directory() / "README.md");
+constexpr const char* pages[] = {"README.md", "studies/guide.md"};
+
+/// The README and the guide.
+const std::string& all_pages() {
+  static const std::string text = [] {
+    std::string all;
+    for (const char* page : pages) all += file_text(source_directory() / page);
+    return all;
+  }();
   return text;
 }
 
@@ -35,7 +42,7 @@ struct Block {
 
 std::vector<Block> blocks() {
   std::vector<Block> found;
-  std::istringstream stream(readme());
+  std::istringstream stream(all_pages());
   bool inside = false;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with("```")) {
@@ -86,9 +93,11 @@ bool can_run(const std::string& program, const std::string& probe) {
 
 }  // namespace
 
-TEST_CASE("every command of the README runs, and every file that it names is there", "[studies][readme]") {
+TEST_CASE("every command of the README and of the guide runs, and every file that they name is there",
+          "[studies][readme]") {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory / "bin");
+  std::filesystem::create_directory(directory / "out");  // quickstart.sh makes it
   std::filesystem::create_symlink(ROLLRES_PROGRAM, directory / "bin" / "rollres");
   std::filesystem::create_directory_symlink(source_directory() / "studies", directory / "studies");
   const std::string here =
@@ -135,16 +144,18 @@ TEST_CASE("every command of the README runs, and every file that it names is the
   std::istringstream lines(table.out);
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("| ") && line.find("| difference") == std::string::npos)
-      CHECK_THAT(std::regex_replace(readme(), std::regex(R"(\| [0-9.e+-]+ +\|( [0-9.e+-]+ +\|)\n)"), "$1\n"),
+      CHECK_THAT(std::regex_replace(all_pages(), std::regex(R"(\| [0-9.e+-]+ +\|( [0-9.e+-]+ +\|)\n)"), "$1\n"),
                  Contains(std::regex_replace(line, difference, "$1") + "\n"));
   const std::regex count("([0-9]+) of [0-9]+ pass");
   std::smatch match;
   REQUIRE(std::regex_search(table.out, match, count));
-  CHECK_THAT(readme(), Contains("solves " + match[1].str() + " cases"));
+  for (const char* page : pages)
+    CHECK_THAT(file_text(source_directory() / page), Contains("solves " + match[1].str() + " cases"));
 }
 
-TEST_CASE("links, pictures, paths, options and files of the README are as it says", "[studies][readme]") {
-  const std::string& text = readme();
+TEST_CASE("links, pictures, paths, options and files of the README and of the guide are as they say",
+          "[studies][readme]") {
+  const std::string& text = all_pages();
   const auto each = [](const std::string& all, const std::string& pattern, const auto& act) {
     const std::regex expression(pattern);
     for (std::sregex_iterator at(all.begin(), all.end(), expression), end; at != end; ++at) act((*at)[1].str());
@@ -153,7 +164,9 @@ TEST_CASE("links, pictures, paths, options and files of the README are as it say
     INFO(path);
     CHECK(std::filesystem::exists(source_directory() / path));
   };
-  each(text, R"(\]\(([^):]+)\))", check_there);
+  for (const std::filesystem::path page : pages)
+    each(file_text(source_directory() / page), R"(\]\(([^):#]+)[^):]*\))",
+         [&](const std::string& link) { check_there((page.parent_path() / link).string()); });
   each(text, R"((?:^|[^A-Za-z0-9_/.])((?:core|db|fitting|studies|tests)/[A-Za-z0-9_./-]*[A-Za-z0-9_]))", check_there);
 
   // In the text: commands with options as they are declared.
