@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/numerics/quadrature.hpp"
 #include "core/numerics/recently_made.hpp"
 #include "core/surface/layer_compliance.hpp"
 

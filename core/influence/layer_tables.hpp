@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "core/numerics/quadrature.hpp"
+#include "core/numerics/chebyshev.hpp"
 
 namespace rollres {
 

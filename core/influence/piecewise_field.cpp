@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/numerics/chebyshev.hpp"
+
 namespace rollres {
 
 using Eigen::Index;
@@ -19,15 +21,14 @@ Eigen::VectorXd signs(const Coefficients& of_coefficients, Index rows) {
 
 ChebyshevPanels::ChebyshevPanels(std::vector<double> borders, int degree) : borders_(std::move(borders)) {
   const int count = degree + 1;
+  const ChebyshevFit& fit = chebyshev_fit(count);
   for (std::size_t panel = 0; panel + 1 < borders_.size(); ++panel)
-    for (int node = 0; node < count; ++node)
-      nodes_.push_back(borders_[panel] +
-                       0.5 * (borders_[panel + 1] - borders_[panel]) * (1 + std::cos(M_PI * (node + 0.5) / count)));
+    for (const double t : fit.nodes)
+      nodes_.push_back(borders_[panel] + 0.5 * (borders_[panel + 1] - borders_[panel]) * (1 + t));
   integration_ = Eigen::MatrixXd::Zero(count + 1, count);
   for (int node = 0; node < count; ++node) {
     Eigen::VectorXd series = Eigen::VectorXd::Zero(count + 2);  // of the function that is 1 at the node
-    for (int k = 0; k < count; ++k)
-      series(k) = (k == 0 ? 1.0 : 2.0) / count * std::cos(k * M_PI * (node + 0.5) / count);
+    series.head(count) = fit.from_values.col(node);
     double at_start = 0;
     for (int k = 1; k <= count; ++k) {
       integration_(k, node) = ((k == 1 ? 2 : 1) * series(k - 1) - series(k + 1)) / (2 * k);
@@ -46,11 +47,7 @@ std::size_t ChebyshevPanels::panel_of(double x) const {
 Eigen::VectorXd ChebyshevPanels::images(std::size_t panel, double x) const {
   const double from = borders_[panel], to = borders_[panel + 1],
                t = std::clamp(2 * (x - from) / (to - from) - 1, -1.0, 1.0);
-  Eigen::VectorXd images(integration_.rows());
-  images(0) = 1;
-  images(1) = t;
-  for (Index k = 2; k < images.size(); ++k) images(k) = 2 * t * images(k - 1) - images(k - 2);
-  return images;
+  return chebyshev_images(t, static_cast<int>(integration_.rows()));
 }
 
 Eigen::VectorXd ChebyshevPanels::integral_weights(double x) const {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <memory>
 
 namespace rollres {
 
@@ -20,12 +19,27 @@ ChebyshevRule::ChebyshevRule(int given_order)
   }
 }
 
-const ChebyshevRule& chebyshev_rule(int order) {
-  thread_local std::map<int, std::unique_ptr<ChebyshevRule>> rules;
-  std::unique_ptr<ChebyshevRule>& rule = rules[order];
-  if (!rule) rule = std::make_unique<ChebyshevRule>(order);
-  return *rule;
+ChebyshevFit::ChebyshevFit(int count) : nodes(count), from_values(count, count) {
+  for (int node = 0; node < count; ++node) {
+    const double angle = M_PI * (node + 0.5) / count;
+    nodes(node) = std::cos(angle);
+    for (int k = 0; k < count; ++k) from_values(k, node) = (k == 0 ? 1.0 : 2.0) / count * std::cos(k * angle);
+  }
 }
+
+namespace {
+
+template <class Made>
+const Made& kept_for_thread(int size) {
+  thread_local std::map<int, Made> kept;
+  return kept.try_emplace(size, size).first->second;
+}
+
+}  // namespace
+
+const ChebyshevRule& chebyshev_rule(int order) { return kept_for_thread<ChebyshevRule>(order); }
+
+const ChebyshevFit& chebyshev_fit(int count) { return kept_for_thread<ChebyshevFit>(count); }
 
 Eigen::VectorXd chebyshev_images(double t, int count) {
   Eigen::VectorXd values(count);

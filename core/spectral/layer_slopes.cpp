@@ -53,13 +53,9 @@ struct SlopeTable {
     for (int panel = 0; panel < panels; ++panel) {
       const auto p = static_cast<std::size_t>(panel);
       const double middle = 0.5 * (borders[p] + borders[p + 1]), half = 0.5 * (borders[p + 1] - borders[p]);
-      LayerSlopes* c = &slopes[p * terms];
-      for (int k = 0; k < terms; ++k) c[k].setZero();
-      for (int node = 0; node < terms; ++node) {
-        const double angle = M_PI * (node + 0.5) / terms;
-        const LayerSlopes value = transformed(middle + half * std::cos(angle));
-        for (int k = 0; k < terms; ++k) c[k] += (k == 0 ? 1.0 : 2.0) / terms * std::cos(k * angle) * value;
-      }
+      const std::vector<LayerSlopes> c =
+          chebyshev_fit(terms).series<LayerSlopes>([&](double t) { return transformed(middle + half * t); });
+      std::copy(c.begin(), c.end(), slopes.begin() + static_cast<std::ptrdiff_t>(p * terms));
     }
     const double ahead = std::log(layer_reach) / (2 * M_PI);
     LayerSlopes end_value(ahead, ahead, 0, 0);
@@ -91,15 +87,13 @@ class FastTable {
  public:
   FastTable() {
     Eigen::Matrix<double, count, count> powers;
-    for (int node = 0; node < count; ++node) {
-      nodes_[static_cast<std::size_t>(node)] = std::cos(M_PI * (node + 0.5) / count);
-      for (int k = 0; k < count; ++k) powers(node, k) = std::pow(nodes_[static_cast<std::size_t>(node)], k);
-    }
+    const Eigen::VectorXd& nodes = chebyshev_fit(count).nodes;
+    for (int k = 0; k < count; ++k) powers.col(k) = nodes.array().pow(k);
     const auto to_powers = powers.partialPivLu();
     for (int panel = 0; panel < fast_panels; ++panel) {
       Eigen::Matrix<double, count, 4> values;
       for (int node = 0; node < count; ++node) {
-        const auto [wide, place] = find_panel((panel + 0.5 + 0.5 * nodes_[static_cast<std::size_t>(node)]) * width);
+        const auto [wide, place] = find_panel((panel + 0.5 + 0.5 * nodes(node)) * width);
         values.row(node) = clenshaw(&slope_table().slopes[static_cast<std::size_t>(wide * terms)], place).transpose();
       }
       const Eigen::Matrix<double, count, 4> c = to_powers.solve(values);
@@ -120,7 +114,6 @@ class FastTable {
  private:
   static constexpr int count = 10, fast_panels = 192;
   static constexpr double width = layer_reach / fast_panels;
-  std::array<double, count> nodes_;
   std::array<LayerSlopes, count * fast_panels> coefficients_;
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/quadrature.hpp"
 

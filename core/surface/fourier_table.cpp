@@ -15,29 +15,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr int degree = 19, terms = degree + 1;
+constexpr int terms = 20;
 constexpr double highest_wavenumber = 18;  // e^{-36}
 constexpr double panel_growth = 1.6;       // of distances, as of the first ones
 constexpr std::array<double, 7> first_borders{1.2, 3, 6, 11, 19, 31, 48};
-
-/// The Chebyshev nodes of a panel, and the series from values there.
-struct PanelNodes {
-  Eigen::ArrayXd place{terms};
-  MatrixXd to_series{terms, terms};
-
-  PanelNodes() {
-    for (int node = 0; node < terms; ++node) {
-      const double angle = M_PI * (node + 0.5) / terms;
-      place(node) = std::cos(angle);
-      for (int k = 0; k < terms; ++k) to_series(k, node) = (k == 0 ? 1.0 : 2.0) / terms * std::cos(k * angle);
-    }
-  }
-};
-
-const PanelNodes& panel_nodes() {
-  static const PanelNodes nodes;
-  return nodes;
-}
 
 }  // namespace
 
@@ -77,11 +58,11 @@ FourierTable::WaveRule FourierTable::wave_rule(double from, double to) const {
 
 FourierTable::PanelPair FourierTable::made(double from, double to) const {
   const WaveRule rule = wave_rule(from, to);
-  const PanelNodes& nodes = panel_nodes();
-  const Eigen::ArrayXd x = from + 0.5 * (to - from) * (1 + nodes.place);
+  const ChebyshevFit& fit = chebyshev_fit(terms);
+  const Eigen::ArrayXd x = from + 0.5 * (to - from) * (1 + fit.nodes.array());
   const Eigen::ArrayXXd phase = (x.matrix() * rule.k.matrix().transpose()).array();
-  const MatrixXd even = nodes.to_series * (phase.cos().matrix() * rule.real);
-  const MatrixXd odd = nodes.to_series * (phase.sin().matrix() * rule.imaginary);
+  const MatrixXd even = fit.from_values * (phase.cos().matrix() * rule.real);
+  const MatrixXd odd = fit.from_values * (phase.sin().matrix() * rule.imaginary);
   PanelPair pair;
   for (const int side : {0, 1}) {
     const MatrixXd series = side == 0 ? MatrixXd(even - odd) : MatrixXd(even + odd);

@@ -5,6 +5,7 @@
 
 #include "core/material/relaxation.hpp"
 #include "core/numerics/bracketed_root.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/solution_limits.hpp"
 
@@ -16,7 +17,7 @@ using complex = std::complex<double>;
 using Eigen::Index;
 using Symbols = Eigen::Array<complex, 4, 1>;
 
-constexpr int panel_degree = 11, coefficients = panel_degree + 1;
+constexpr int coefficients = 12;   // of a panel
 constexpr double panel_ratio = 2;  // of the wavenumbers at a panel's ends
 // Rayleigh waves of an incompressible half-space need rho V^2/G = 0.9126, of a compressible one less.
 constexpr double incompressible_rayleigh_number = 0.9126;
@@ -171,18 +172,13 @@ void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, const 
 
   coefficients_.clear();
   for (std::size_t panel = 0; panel + 1 < borders_.size(); ++panel) {
-    std::vector<Corrections> c(coefficients, Corrections::Zero(4, columns));
-    for (int node = 0; node < coefficients; ++node) {
-      const double angle = M_PI * (node + 0.5) / coefficients;
-      const double k =
-          std::exp(borders_[panel] + 0.5 * (borders_[panel + 1] - borders_[panel]) * (1 + std::cos(angle)));
-      const Corrections values = fitted([&](const auto& at) -> Symbols {
+    const std::vector<Corrections> c = chebyshev_fit(coefficients).series<Corrections>([&](double t) {
+      const double k = std::exp(borders_[panel] + 0.5 * (borders_[panel + 1] - borders_[panel]) * (1 + t));
+      return fitted([&](const auto& at) -> Symbols {
         return scaled(surface_compliance(medium, at, k, wave_speed), k) -
                half_space(medium.front(), at.front(), wave_speed);
       });
-      for (int i = 0; i < coefficients; ++i)
-        c[static_cast<std::size_t>(i)] += values * ((i == 0 ? 1.0 : 2.0) / coefficients * std::cos(i * angle));
-    }
+    });
     coefficients_.insert(coefficients_.end(), c.begin(), c.end());
   }
 }
@@ -205,7 +201,7 @@ MediumExpansion::Corrections MediumExpansion::correction(double wavenumber) cons
   const double t = 2 * (at - borders_[panel]) / step - 1;
   const Corrections* c = &coefficients_[panel * coefficients];
   Corrections b1 = Corrections::Zero(4, c[0].cols()), b2 = b1;
-  for (int i = panel_degree; i > 0; --i) {
+  for (int i = coefficients - 1; i > 0; --i) {
     Corrections b0 = c[i] + 2 * t * b1 - b2;
     b2.swap(b1);
     b1.swap(b0);

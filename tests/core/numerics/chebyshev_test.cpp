@@ -53,3 +53,12 @@ TEST_CASE("Clenshaw's sum is the sum of the polynomials", "[core][chebyshev]") {
     CHECK((chebyshev_sum(std::span<const Value>(c), t) - sum).abs().maxCoeff() < 1e-14);
   }
 }
+
+TEST_CASE("a Chebyshev table returns its functions on every panel", "[core][chebyshev]") {
+  const ChebyshevTable<2> table({0, 1, 2, 3.5, 5}, 12,
+                                [](double x) { return Eigen::Array2d(std::exp(-x), x * x * x); });
+  for (double x = 0; x <= 5; x += 0.0371) {
+    CHECK(std::abs(table(x)(0) - std::exp(-x)) < 1e-13);  // 2 (width/4)^13/13! of a panel of 1.5
+    CHECK(table(x)(1) == Approx(x * x * x).margin(1e-12));
+  }
+}

@@ -94,12 +94,3 @@ TEST_CASE("the rule for a fading memory follows x log x at the end of a panel", 
     CHECK(std::abs(integrate(at_right, memory, from_right) - memory_integral(0, length, memory, from_right)) < scale);
   }
 }
-
-TEST_CASE("a Chebyshev table returns its functions on every panel", "[core][quadrature]") {
-  const ChebyshevTable<2> table({0, 1, 2, 3.5, 5}, 12,
-                                [](double x) { return Eigen::Array2d(std::exp(-x), x * x * x); });
-  for (double x = 0; x <= 5; x += 0.0371) {
-    CHECK(std::abs(table(x)(0) - std::exp(-x)) < 1e-13);  // 2 (width/4)^13/13! of a panel of 1.5
-    CHECK(table(x)(1) == Approx(x * x * x).margin(1e-12));
-  }
-}
