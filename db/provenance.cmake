@@ -3,7 +3,7 @@
 #
 # The digest of the solver is part of the keys of stored results: it changes with what may change answers, and with
 # nothing else.
-#   in    every source of core, its text without comments and white space; those of a new chapter too
+#   in    every source of core, its text without comments (// and /* */) and white space; those of a new chapter too
 #   out   core/derivatives, which asks the solver and is asked by nothing in it, and core/reference, but for the sources
 #         there that a source that counts includes (the estimate of the contact, hence the grid, starts from Hertz)
 #   out   compiler, its options and the processor: they move the last digits, far below the error that a result states,
@@ -11,12 +11,17 @@
 #         beside each result.
 set(left_out core/derivatives core/reference)
 
-# The text of a source without comments and white space; what looks like a comment in a text stays.
+# The text of a source without comments (of both kinds, of several lines too) and white space. Texts and letters in quotes
+# are read first, so that what looks like a comment in one stays.
 function(read_bare_source source result)
   file(READ ${SOURCE}/${source} text)
-  string(REGEX REPLACE "([0-9])'([0-9])" "\\1\\2" text "\n${text}")  # 1'000
-  set(code "([^\"'/\n]|/[^/\n]|\"([^\"\\\n]|\\\\.)*\"|'([^'\\\n]|\\\\.)*')*")
-  string(REGEX REPLACE "(\n${code})//[^\n]*" "\\1" text "${text}")
+  string(REGEX REPLACE "([0-9])'([0-9])" "\\1\\2" text "${text}")  # 1'000
+  string(ASCII 1 mark)
+  set(quoted "\"([^\"\\\n]|\\\\.)*\"|'([^'\\\n]|\\\\.)*'")
+  set(comment "//[^\n]*|/\\*([^*]|\\*+[^*/])*\\*+/")
+  string(REGEX REPLACE "(${quoted}|${comment})" "${mark}\\1" text "${text}")
+  string(REGEX REPLACE "${mark}(${comment})" "" text "${text}")
+  string(REPLACE "${mark}" "" text "${text}")
   string(REGEX REPLACE "[ \t\r\n]+" "" text "${text}")
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
