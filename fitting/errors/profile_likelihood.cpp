@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "core/numerics/dense_algebra.hpp"
 #include "fitting/descent/secant_slopes.hpp"
 #include "fitting/errors/quick_profile.hpp"
 
@@ -14,17 +13,10 @@ namespace rollres {
 namespace {
 
 /// One side of a profile.
-class Side {
+class Side : ProfileSide {
  public:
-  Side(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
-       std::size_t parameter, double direction, double threshold, const std::atomic<bool>* stop)
-      : problem_(problem),
-        fit_(fit),
-        slopes_(slopes),
-        errors_(errors),
-        parameter_(parameter),
-        direction_(direction),
-        threshold_(threshold),
+  Side(const ProfileSide& side, const std::atomic<bool>* stop)
+      : ProfileSide(side),
         stop_(stop),
         quick_(with_secants(problem, {.known = KnownSlopes{fit.end, fit.prediction, slopes}})),
         origin_(scaled_point(problem, fit.end)) {}
@@ -36,22 +28,21 @@ class Side {
 
   /// Finds the end; the points on the way are in `points`.
   End find(const std::optional<Bend>& other_side) {
-    const Variable& variable = problem_.parameters[parameter_].variable;
-    const double bound = direction_ < 0 ? variable.lowest : variable.highest;
+    const Variable& variable = problem.parameters[parameter].variable;
+    const double bound = direction < 0 ? variable.lowest : variable.highest;
     constexpr double farthest = 6.9;  // a factor of 1000
     const double to_bound = std::abs(variable.scaled(bound) - origin_[index()]);
     const double limit = std::min(to_bound, farthest);
-    const double physical = direction_ < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
+    const double physical = direction < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
     const IntervalEnd at_limit = to_bound <= farthest && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
     if (limit <= 0) return {bound, at_limit};
-    const ProfileSide side{problem_, fit_, slopes_, errors_, parameter_, direction_, threshold_};
-    if (const auto quick = quick_end(side, limit, other_side)) {
+    if (const auto quick = quick_end(*this, limit, other_side)) {
       bend = quick->bend;
       points.push_back(quick->point);
       return {value_at(quick->distance), IntervalEnd::closed};
     }
 
-    const double target = std::sqrt(threshold_), deviation = errors_.deviations[index()];
+    const double target = std::sqrt(threshold), deviation = errors.deviations[index()];
     double inside = 0, inside_root = 0, outside = 0, outside_root = 0;  // roots of the rise: nearly straight lines
     double next = std::isfinite(deviation) ? std::min(target * deviation, 1.0) : 0.5;
     constexpr int most = 14;
@@ -87,19 +78,19 @@ class Side {
   std::optional<Bend> bend;
 
  private:
-  Eigen::Index index() const { return static_cast<Eigen::Index>(parameter_); }
+  Eigen::Index index() const { return static_cast<Eigen::Index>(parameter); }
   double value_at(double distance) const {
-    return problem_.parameters[parameter_].variable.value(origin_[index()] + direction_ * distance);
+    return problem.parameters[parameter].variable.value(origin_[index()] + direction * distance);
   }
 
   /// Where the others are thought to be: by the covariance, then along the line through the last two points.
   Eigen::VectorXd guess(double distance) const {
-    const double moved = direction_ * distance;
+    const double moved = direction * distance;
     Eigen::VectorXd scaled = origin_;
     if (trail_.empty()) {
-      const double variance = errors_.covariance(index(), index());
+      const double variance = errors.covariance(index(), index());
       for (Eigen::Index k = 0; k < scaled.size(); ++k) {
-        const double shift = moved * errors_.covariance(k, index()) / variance;
+        const double shift = moved * errors.covariance(k, index()) / variance;
         if (k != index() && std::isfinite(shift)) scaled[k] += std::clamp(shift, -2.0, 2.0);
       }
     } else {
@@ -116,26 +107,26 @@ class Side {
   /// sqrt of the rise with the parameter at this distance; NaN without a prediction.
   double root_of_rise(double distance) {
     DescentOptions options;
-    options.held = {parameter_};
+    options.held = {parameter};
     options.most_iterations = 12;
-    options.tolerance = 2e-3 * threshold_ * errors_.scale / (fit_.misfit + threshold_ * errors_.scale);
+    options.tolerance = 2e-3 * threshold * errors.scale / (fit.misfit + threshold * errors.scale);
     options.stop = stop_;
-    FitPoint start = point_of(problem_, guess(distance));
-    start[parameter_] = value_at(distance);
+    FitPoint start = point_of(problem, guess(distance));
+    start[parameter] = value_at(distance);
     if (const auto rise = rise_beside(start)) return kept(start, distance, *rise);  // which moved it
     Descent there = descend(quick_, start, options);
     if (!there.found()) {  // the guess was bold
-      start = fit_.end;
-      start[parameter_] = value_at(distance);
+      start = fit.end;
+      start[parameter] = value_at(distance);
       there = descend(quick_, start, options);
     }
     if (!there.found()) return RollingSolution::absent;
-    return kept(there.end, distance, (there.misfit - fit_.misfit) / errors_.scale);
+    return kept(there.end, distance, (there.misfit - fit.misfit) / errors.scale);
   }
 
   double kept(const FitPoint& point, double distance, double rise) {
-    trail_.push_back(scaled_point(problem_, point));
-    if (rise < -0.01 * threshold_) better = point;
+    trail_.push_back(scaled_point(problem, point));
+    if (rise < -0.01 * threshold) better = point;
     points.push_back({value_at(distance), rise});
     return std::sqrt(std::max(rise, 0.0));
   }
@@ -152,46 +143,16 @@ class Side {
       const double here = misfit(quick_, misses);
       if (!(here < before)) return std::nullopt;
       before = here;
-      const OwnStep step = step_of_others(misses, quick_.differentiate(point, prediction));
-      if (step.fall < 0.02 * threshold_ * errors_.scale) return (here - step.fall - fit_.misfit) / errors_.scale;
-      const double own = point[parameter_];
-      point = point_of(problem_, scaled_point(problem_, point) + step.scaled);
-      point[parameter_] = own;
+      const LocalParabola parabola(quick_, misses, quick_.differentiate(point, prediction), index());
+      if (const double fall = parabola.fall(); fall < 0.02 * threshold * errors.scale)
+        return (here - fall - fit.misfit) / errors.scale;
+      const double own = point[parameter];
+      point = point_of(problem, scaled_point(problem, point) + parabola.step(0));
+      point[parameter] = own;
     }
     return std::nullopt;
   }
 
-  struct OwnStep {
-    Eigen::VectorXd scaled;
-    double fall;  // of the misfit, by the slopes
-  };
-
-  /// Gauss and Newton's step with this parameter held.
-  OwnStep step_of_others(const Eigen::VectorXd& misses, const Slopes& slopes) const {
-    OwnStep step{Eigen::VectorXd::Zero(origin_.size()), 0};
-    if (origin_.size() == 1) return step;
-    Eigen::VectorXd weighted = misses;
-    Eigen::MatrixXd others(misses.size(), origin_.size() - 1);
-    for (Eigen::Index i = 0; i < misses.size(); ++i) {
-      const double root = std::sqrt(loss_of(quick_, misses[i] * misses[i]).weight);
-      weighted[i] *= root;
-      for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
-        if (j != index())
-          others(i, k++) = root / quick_.data[static_cast<std::size_t>(i)].deviation * slopes.derivatives(i, j);
-    }
-    const Eigen::VectorXd moved = least_squares(others, -weighted);
-    for (Eigen::Index j = 0, k = 0; j < origin_.size(); ++j)
-      if (j != index()) step.scaled[j] = moved[k++];
-    step.fall = weighted.squaredNorm() - (weighted + others * moved).squaredNorm();
-    return step;
-  }
-
-  const FitProblem& problem_;
-  const Descent& fit_;
-  const Slopes& slopes_;
-  const FitErrors& errors_;
-  std::size_t parameter_;
-  double direction_, threshold_;
   const std::atomic<bool>* stop_;
   FitProblem quick_;
   Eigen::VectorXd origin_;
@@ -206,7 +167,7 @@ Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slo
   answer.points.push_back({fit.end[parameter], 0});
   std::optional<Bend> bend;
   for (const double direction : {-1.0, 1.0}) {
-    Side side(problem, fit, slopes, errors, parameter, direction, threshold, stop);
+    Side side({problem, fit, slopes, errors, parameter, direction, threshold}, stop);
     const Side::End end = side.find(bend);
     bend = side.bend;
     (direction < 0 ? answer.interval.lowest : answer.interval.highest) = end.value;

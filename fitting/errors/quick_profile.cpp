@@ -3,78 +3,54 @@
 #include <cmath>
 #include <optional>
 
-#include "core/numerics/dense_algebra.hpp"
-
 namespace rollres {
 
-namespace {
-
-/// The misfit near a point by its slopes: others follow one parameter.
-class LocalParabola {
- public:
-  LocalParabola(const FitProblem& problem, const Eigen::VectorXd& misses, const Slopes& slopes, Eigen::Index own)
-      : own_(own), whitening_(misses.size()), misses_(misses), others_(misses.size(), slopes.derivatives.cols() - 1) {
-    for (Eigen::Index i = 0; i < misses.size(); ++i) {
-      const double root = std::sqrt(loss_of(problem, misses[i] * misses[i]).weight);
-      misses_[i] *= root;
-      whitening_[i] = root / problem.data[static_cast<std::size_t>(i)].deviation;
-    }
-    slope_ = whitening_.cwiseProduct(slopes.derivatives.col(own));
-    for (Eigen::Index j = 0, k = 0; j < slopes.derivatives.cols(); ++j)
-      if (j != own) others_.col(k++) = whitening_.cwiseProduct(slopes.derivatives.col(j));
-    if (others_.cols() > 0) decomposition_.emplace(others_);
+LocalParabola::LocalParabola(const FitProblem& problem, const Eigen::VectorXd& misses, const Slopes& slopes,
+                             Eigen::Index own)
+    : own_(own), whitening_(misses.size()), misses_(misses), others_(misses.size(), slopes.derivatives.cols() - 1) {
+  for (Eigen::Index i = 0; i < misses.size(); ++i) {
+    const double root = std::sqrt(loss_of(problem, misses[i] * misses[i]).weight);
+    misses_[i] *= root;
+    whitening_[i] = root / problem.data[static_cast<std::size_t>(i)].deviation;
   }
+  slope_ = whitening_.cwiseProduct(slopes.derivatives.col(own));
+  for (Eigen::Index j = 0, k = 0; j < slopes.derivatives.cols(); ++j)
+    if (j != own) others_.col(k++) = whitening_.cwiseProduct(slopes.derivatives.col(j));
+  if (others_.cols() > 0) decomposition_.emplace(others_);
+}
 
-  const Eigen::VectorXd& whitening() const { return whitening_; }
+double LocalParabola::distance_to(double rise, double direction) const {
+  const Eigen::VectorXd own = left(slope_);
+  const double a = own.squaredNorm(), b = own.dot(left(misses_));
+  return (-b + direction * std::sqrt(b * b + a * rise)) / a;
+}
 
-  /// By how much the misfit falls if only the others move.
-  double fall() const { return misses_.squaredNorm() - left(misses_).squaredNorm(); }
-
-  /// How far this parameter must move, in a direction, for the least misfit to grow by `rise` in comparison with the
-  /// least misfit here; NaN if it never does.
-  double distance_to(double rise, double direction) const {
-    const Eigen::VectorXd own = left(slope_);
-    const double a = own.squaredNorm(), b = own.dot(left(misses_));
-    return (-b + direction * std::sqrt(b * b + a * rise)) / a;
+double LocalParabola::distance_to(double rise, double direction, const Bend& bend, double farthest) const {
+  const double here = left(misses_).squaredNorm();
+  double inside = 0, outside = farthest;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = 0.5 * (inside + outside);
+    const double there = left(bent(direction * middle, bend) + direction * middle * slope_).squaredNorm();
+    (there - here < rise ? inside : outside) = middle;
   }
+  return direction * inside;
+}
 
-  /// The same with residuals that bend: misses * (distance / bend.distance)^2 more.
-  double distance_to(double rise, double direction, const Bend& bend, double farthest) const {
-    const double here = left(misses_).squaredNorm();
-    double inside = 0, outside = farthest;
-    for (int halving = 0; halving < 40; ++halving) {
-      const double middle = 0.5 * (inside + outside);
-      const double there = left(bent(direction * middle, bend) + direction * middle * slope_).squaredNorm();
-      (there - here < rise ? inside : outside) = middle;
-    }
-    return direction * inside;
-  }
+Eigen::VectorXd LocalParabola::step(double distance, const std::optional<Bend>& bend) const {
+  const Eigen::VectorXd there = (bend ? bent(distance, *bend) : misses_) + distance * slope_;
+  Eigen::VectorXd all(others_.cols() + 1), moved;
+  if (others_.cols() > 0) moved = decomposition_->least_squares(-there);
+  for (Eigen::Index j = 0, k = 0; j < all.size(); ++j) all[j] = j == own_ ? distance : moved[k++];
+  return all;
+}
 
-  /// The step to the least misfit at this distance.
-  Eigen::VectorXd step(double distance, const std::optional<Bend>& bend = {}) const {
-    const Eigen::VectorXd there = (bend ? bent(distance, *bend) : misses_) + distance * slope_;
-    Eigen::VectorXd all(others_.cols() + 1), moved;
-    if (others_.cols() > 0) moved = decomposition_->least_squares(-there);
-    for (Eigen::Index j = 0, k = 0; j < all.size(); ++j) all[j] = j == own_ ? distance : moved[k++];
-    return all;
-  }
+Eigen::VectorXd LocalParabola::left(const Eigen::VectorXd& misses) const {
+  return others_.cols() > 0 ? Eigen::VectorXd(misses - others_ * decomposition_->least_squares(misses)) : misses;
+}
 
- private:
-  /// What the others cannot take away.
-  Eigen::VectorXd left(const Eigen::VectorXd& misses) const {
-    return others_.cols() > 0 ? Eigen::VectorXd(misses - others_ * decomposition_->least_squares(misses)) : misses;
-  }
-  Eigen::VectorXd bent(double distance, const Bend& bend) const {
-    return misses_ + std::pow(distance / bend.distance, 2) * bend.misses;
-  }
-
-  Eigen::Index own_;
-  Eigen::VectorXd whitening_, misses_, slope_;
-  Eigen::MatrixXd others_;
-  std::optional<SingularValues> decomposition_;  // of others_, if there are any
-};
-
-}  // namespace
+Eigen::VectorXd LocalParabola::bent(double distance, const Bend& bend) const {
+  return misses_ + std::pow(distance / bend.distance, 2) * bend.misses;
+}
 
 std::optional<QuickEnd> quick_end(const ProfileSide& side, double limit, const std::optional<Bend>& other_side) {
   constexpr int most_points = 4;
