@@ -1,6 +1,9 @@
 #include "db/rows/fit_store.hpp"
 
 #include <cmath>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "db/file/provenance.hpp"
 #include "db/file/sqlite.hpp"
@@ -9,214 +12,157 @@ namespace rollres {
 
 namespace {
 
-/// Binds values one after the other; NULL for NaN.
-class Binder {
- public:
-  explicit Binder(SQLite::Statement& statement) : statement_(statement) {}
+/// The columns of a table and where a record holds them: what is created, written and read. A column more needs a
+/// migration (schema.hpp).
+template <class Record>
+constexpr int columns = 0;
 
-  Binder& operator<<(double value) {
-    if (std::isnan(value))
-      statement_.bind(index_++);
-    else
-      statement_.bind(index_++, value);
-    return *this;
-  }
-  Binder& operator<<(std::int64_t value) {
-    statement_.bind(index_++, value);
-    return *this;
-  }
-  Binder& operator<<(bool value) { return *this << std::int64_t{value}; }
-  Binder& operator<<(const std::string& value) {
-    statement_.bind(index_++, value);
-    return *this;
-  }
+using Fit = FitRecord;
+template <>
+constexpr auto columns<Fit> = std::tuple(
+    std::pair("name", &Fit::name), std::pair("kind", &Fit::kind), std::pair("definition", &Fit::definition),
+    std::pair("data_digest", &Fit::data_digest), std::pair("status", &Fit::status), std::pair("reason", &Fit::reason),
+    std::pair("warnings", &Fit::warnings), std::pair("weakest_direction", &Fit::weakest_direction),
+    std::pair("degrees", &Fit::degrees), std::pair("starts", &Fit::starts), std::pair("agreeing", &Fit::agreeing),
+    std::pair("evaluations", &Fit::evaluations), std::pair("recalled", &Fit::recalled),
+    std::pair("failures", &Fit::failures), std::pair("chi_squared", &Fit::chi_squared),
+    std::pair("reduced_chi_squared", &Fit::reduced_chi_squared), std::pair("p_value", &Fit::p_value),
+    std::pair("rms", &Fit::rms), std::pair("runs_p_value", &Fit::runs_p_value), std::pair("condition", &Fit::condition),
+    std::pair("noise", &Fit::noise), std::pair("seconds", &Fit::seconds),
+    std::pair("deviations_known", &Fit::deviations_known));
 
- private:
-  SQLite::Statement& statement_;
-  int index_ = 1;
-};
+using Parameter = FitParameterRecord;
+template <>
+constexpr auto columns<Parameter> = std::tuple(
+    std::pair("name", &Parameter::name), std::pair("unit", &Parameter::unit), std::pair("fixed", &Parameter::fixed),
+    std::pair("value", &Parameter::value), std::pair("standard_error", &Parameter::standard_error),
+    std::pair("relative_error", &Parameter::relative_error), std::pair("linear_lowest", &Parameter::linear_lowest),
+    std::pair("linear_highest", &Parameter::linear_highest), std::pair("profile_lowest", &Parameter::profile_lowest),
+    std::pair("profile_highest", &Parameter::profile_highest), std::pair("profile_low", &Parameter::profile_low),
+    std::pair("profile_high", &Parameter::profile_high), std::pair("start", &Parameter::start),
+    std::pair("lowest", &Parameter::lowest), std::pair("highest", &Parameter::highest),
+    std::pair("step", &Parameter::step), std::pair("flag", &Parameter::flag));
 
-/// Reads columns one after the other; NaN for NULL.
-class Reader {
- public:
-  explicit Reader(SQLite::Statement& statement) : statement_(statement) {}
+using Correlation = FitCorrelationRecord;
+template <>
+constexpr auto columns<Correlation> = std::tuple(std::pair("first", &Correlation::first),
+                                                 std::pair("second", &Correlation::second),
+                                                 std::pair("correlation", &Correlation::correlation));
 
-  Reader& operator>>(double& value) {
-    const SQLite::Column column = statement_.getColumn(index_++);
-    value = column.isNull() ? std::nan("") : column.getDouble();
-    return *this;
-  }
-  Reader& operator>>(std::int64_t& value) {
-    value = statement_.getColumn(index_++).getInt64();
-    return *this;
-  }
-  Reader& operator>>(bool& value) {
-    value = statement_.getColumn(index_++).getInt() != 0;
-    return *this;
-  }
-  Reader& operator>>(std::string& value) {
-    value = statement_.getColumn(index_++).getString();
-    return *this;
-  }
+using Datum = FitDataRecord;
+template <>
+constexpr auto columns<Datum> = std::tuple(std::pair("place", &Datum::place), std::pair("measured", &Datum::measured),
+                                           std::pair("deviation", &Datum::deviation),
+                                           std::pair("predicted", &Datum::predicted),
+                                           std::pair("residual", &Datum::residual), std::pair("band", &Datum::band));
 
- private:
-  SQLite::Statement& statement_;
-  int index_ = 0;
-};
-
-std::string placeholders(int count) {
-  std::string text = "?";
-  for (int i = 1; i < count; ++i) text += ", ?";
-  return text;
+/// Calls `visit(name, value)` for each column of a record.
+template <class Record, class Visit>
+void visit_columns(Record& record, Visit&& visit) {
+  std::apply([&](const auto&... column) { (visit(column.first, record.*column.second), ...); },
+             columns<std::remove_const_t<Record>>);
 }
 
-constexpr const char* fit_columns =
-    "name, kind, definition, data_digest, status, reason, warnings, weakest_direction, degrees, starts, agreeing, "
-    "evaluations, recalled, failures, chi_squared, reduced_chi_squared, p_value, rms, runs_p_value, condition, noise, "
-    "seconds, deviations_known";
-constexpr int fit_column_count = 23;
+std::string type_of(double) { return "REAL"; }
+std::string type_of(std::int64_t) { return "INTEGER NOT NULL"; }
+std::string type_of(bool) { return "INTEGER NOT NULL"; }
+std::string type_of(const std::string&) { return "TEXT NOT NULL"; }
 
-constexpr const char* parameter_columns =
-    "name, unit, fixed, value, standard_error, relative_error, linear_lowest, linear_highest, profile_lowest, "
-    "profile_highest, profile_low, profile_high, start, lowest, highest, step, flag";
-constexpr int parameter_column_count = 17;
+/// "name TEXT NOT NULL, ...", or without the types.
+template <class Record>
+std::string column_list(bool types = false) {
+  std::string list;
+  const Record record{};
+  visit_columns(record, [&](const char* name, const auto& value) {
+    list += (list.empty() ? "" : ", ") + std::string(name) + (types ? " " + type_of(value) : "");
+  });
+  return list;
+}
 
-void save_parts(SQLite::Database& connection, std::int64_t id, const FitRecord& fit) {
-  SQLite::Statement parameter(connection, std::string("INSERT INTO fit_parameter(fit, position, ") + parameter_columns +
-                                              ") VALUES (" + placeholders(parameter_column_count + 2) + ")");
-  std::int64_t position = 0;
-  for (const FitParameterRecord& p : fit.parameters) {
-    parameter.reset();
-    Binder(parameter) << id << ++position << p.name << p.unit << p.fixed << p.value << p.standard_error
-                      << p.relative_error << p.linear_lowest << p.linear_highest << p.profile_lowest
-                      << p.profile_highest << p.profile_low << p.profile_high << p.start << p.lowest << p.highest
-                      << p.step << p.flag;
-    parameter.exec();
-  }
-  SQLite::Statement correlation(connection,
-                                "INSERT INTO fit_correlation(fit, first, second, correlation) VALUES (?, ?, ?, ?)");
-  for (const FitCorrelationRecord& pair : fit.correlations) {
-    correlation.reset();
-    Binder(correlation) << id << pair.first << pair.second << pair.correlation;
-    correlation.exec();
-  }
-  SQLite::Statement row(connection,
-                        "INSERT INTO fit_data(fit, position, place, measured, deviation, predicted, residual, band) "
-                        "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-  position = 0;
-  for (const FitDataRecord& datum : fit.data) {
-    row.reset();
-    Binder(row) << id << ++position << datum.place << datum.measured << datum.deviation << datum.predicted
-                << datum.residual << datum.band;
-    row.exec();
-  }
+void bind_column(SQLite::Statement& statement, int index, double value) {
+  std::isnan(value) ? statement.bind(index) : statement.bind(index, value);
+}
+void bind_column(SQLite::Statement& statement, int index, std::int64_t value) { statement.bind(index, value); }
+void bind_column(SQLite::Statement& statement, int index, bool value) { statement.bind(index, std::int64_t{value}); }
+void bind_column(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }
+
+void read_column(const SQLite::Column& column, double& value) {
+  value = column.isNull() ? std::nan("") : column.getDouble();
+}
+void read_column(const SQLite::Column& column, std::int64_t& value) { value = column.getInt64(); }
+void read_column(const SQLite::Column& column, bool& value) { value = column.getInt() != 0; }
+void read_column(const SQLite::Column& column, std::string& value) { value = column.getString(); }
+
+template <class Record>
+Record read_record(SQLite::Statement& row, int index) {
+  Record record;
+  visit_columns(record, [&](const char*, auto& value) { read_column(row.getColumn(index++), value); });
+  return record;
+}
+
+/// Adds a row: what comes before the columns of the record are SQL expressions with parameters for `before`.
+template <class Record, class... Before>
+void insert(SQLite::Database& connection, const std::string& table, const std::string& names, const std::string& values,
+            const Record& record, const Before&... before) {
+  std::string places = values;
+  visit_columns(record, [&](const char*, const auto&) { places += ", ?"; });
+  SQLite::Statement row(
+      connection, "INSERT INTO " + table + "(" + names + ", " + column_list<Record>() + ") VALUES (" + places + ")");
+  int index = 1;
+  (bind_column(row, index++, before), ...);
+  visit_columns(record, [&](const char*, const auto& value) { bind_column(row, index++, value); });
+  row.exec();
+}
+
+template <class Record>
+std::vector<Record> parts_of(SQLite::Database& connection, const std::string& table, const std::string& order,
+                             std::int64_t fit) {
+  SQLite::Statement row(connection, "SELECT " + column_list<Record>() + " FROM " + table + " WHERE fit = ?" + order);
+  row.bind(1, fit);
+  std::vector<Record> parts;
+  while (row.executeStep()) parts.push_back(read_record<Record>(row, 0));
+  return parts;
 }
 
 }  // namespace
 
 void create_fit_tables(SQLite::Database& connection) {
-  connection.exec(R"(
-    CREATE TABLE fit(
-      id INTEGER PRIMARY KEY,
-      created TEXT NOT NULL,
-      version TEXT NOT NULL,
-      git_hash TEXT NOT NULL,
-      solver TEXT NOT NULL,
-      name TEXT NOT NULL,
-      kind TEXT NOT NULL,
-      definition TEXT NOT NULL,
-      data_digest TEXT NOT NULL,
-      status TEXT NOT NULL,
-      reason TEXT NOT NULL,
-      warnings TEXT NOT NULL,
-      weakest_direction TEXT NOT NULL,
-      degrees INTEGER NOT NULL,
-      starts INTEGER NOT NULL,
-      agreeing INTEGER NOT NULL,
-      evaluations INTEGER NOT NULL,
-      recalled INTEGER NOT NULL,
-      failures INTEGER NOT NULL,
-      chi_squared REAL,
-      reduced_chi_squared REAL,
-      p_value REAL,
-      rms REAL,
-      runs_p_value REAL,
-      condition REAL,
-      noise REAL,
-      seconds REAL,
-      deviations_known INTEGER NOT NULL,
-      UNIQUE(name, definition, data_digest)) STRICT;
-    CREATE TABLE fit_parameter(
-      fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE,
-      position INTEGER NOT NULL,
-      name TEXT NOT NULL,
-      unit TEXT NOT NULL,
-      fixed INTEGER NOT NULL,
-      value REAL,
-      standard_error REAL,
-      relative_error REAL,
-      linear_lowest REAL,
-      linear_highest REAL,
-      profile_lowest REAL,
-      profile_highest REAL,
-      profile_low TEXT NOT NULL,
-      profile_high TEXT NOT NULL,
-      start REAL,
-      lowest REAL,
-      highest REAL,
-      step REAL,
-      flag TEXT NOT NULL,
-      PRIMARY KEY(fit, position)) STRICT, WITHOUT ROWID;
-    CREATE TABLE fit_correlation(
-      fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE,
-      first TEXT NOT NULL,
-      second TEXT NOT NULL,
-      correlation REAL,
-      PRIMARY KEY(fit, first, second)) STRICT, WITHOUT ROWID;
-    CREATE TABLE fit_data(
-      fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE,
-      position INTEGER NOT NULL,
-      place TEXT NOT NULL,
-      measured REAL,
-      deviation REAL,
-      predicted REAL,
-      residual REAL,
-      band REAL,
-      PRIMARY KEY(fit, position)) STRICT, WITHOUT ROWID;
-  )");
+  const std::string part = "(fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE, ",
+                    rowless = ") STRICT, WITHOUT ROWID";
+  connection.exec(
+      "CREATE TABLE fit(id INTEGER PRIMARY KEY, created TEXT NOT NULL, version TEXT NOT NULL, git_hash TEXT "
+      "NOT NULL, solver TEXT NOT NULL, " +
+      column_list<Fit>(true) + ", UNIQUE(name, definition, data_digest)) STRICT");
+  connection.exec("CREATE TABLE fit_parameter" + part + "position INTEGER NOT NULL, " + column_list<Parameter>(true) +
+                  ", PRIMARY KEY(fit, position)" + rowless);
+  connection.exec("CREATE TABLE fit_correlation" + part + column_list<Correlation>(true) +
+                  ", PRIMARY KEY(fit, first, second)" + rowless);
+  connection.exec("CREATE TABLE fit_data" + part + "position INTEGER NOT NULL, " + column_list<Datum>(true) +
+                  ", PRIMARY KEY(fit, position)" + rowless);
 }
 
 std::int64_t save_fit(const Database& database, const FitRecord& fit) {
   return naming(database.name(), [&] {
     SQLite::Database& connection = database.connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
-    SQLite::Statement find(connection, "SELECT id FROM fit WHERE name = ? AND definition = ? AND data_digest = ?");
-    Binder(find) << fit.name << fit.definition << fit.data_digest;
-    if (find.executeStep()) {
-      const std::int64_t old = find.getColumn(0).getInt64();
-      for (const char* table : {"fit_parameter", "fit_correlation", "fit_data"}) {
-        SQLite::Statement remove(connection, std::string("DELETE FROM ") + table + " WHERE fit = ?");
-        Binder(remove) << old;
-        remove.exec();
-      }
-      SQLite::Statement remove(connection, "DELETE FROM fit WHERE id = ?");
-      Binder(remove) << old;
+    for (const std::string table : {"fit_parameter", "fit_correlation", "fit_data", "fit"}) {
+      SQLite::Statement remove(connection, "DELETE FROM " + table + " WHERE " + (table == "fit" ? "id" : "fit") +
+                                               " IN (SELECT id FROM fit WHERE name = ? AND definition = ? AND "
+                                               "data_digest = ?)");
+      int index = 1;
+      for (const std::string* const text : {&fit.name, &fit.definition, &fit.data_digest}) remove.bind(index++, *text);
       remove.exec();
     }
-    find.reset();
-    SQLite::Statement insert(connection, std::string("INSERT INTO fit(created, version, git_hash, solver, ") +
-                                             fit_columns +
-                                             ") VALUES (strftime('%Y-%m-%dT%H:%M:%fZ', 'now'), ?, ?, ?, " +
-                                             placeholders(fit_column_count) + ")");
     const Provenance& program = this_program();
-    Binder(insert) << program.version << program.git_hash << program.solver << fit.name << fit.kind << fit.definition
-                   << fit.data_digest << fit.status << fit.reason << fit.warnings << fit.weakest_direction
-                   << fit.degrees << fit.starts << fit.agreeing << fit.evaluations << fit.recalled << fit.failures
-                   << fit.chi_squared << fit.reduced_chi_squared << fit.p_value << fit.rms << fit.runs_p_value
-                   << fit.condition << fit.noise << fit.seconds << fit.deviations_known;
-    insert.exec();
+    insert(connection, "fit", "created, version, git_hash, solver", "strftime('%Y-%m-%dT%H:%M:%fZ', 'now'), ?, ?, ?",
+           fit, program.version, program.git_hash, program.solver);
     const std::int64_t id = connection.getLastInsertRowid();
-    save_parts(connection, id, fit);
+    std::int64_t position = 0;
+    for (const Parameter& one : fit.parameters)
+      insert(connection, "fit_parameter", "fit, position", "?, ?", one, id, ++position);
+    for (const Correlation& pair : fit.correlations) insert(connection, "fit_correlation", "fit", "?", pair, id);
+    position = 0;
+    for (const Datum& one : fit.data) insert(connection, "fit_data", "fit, position", "?, ?", one, id, ++position);
     transaction.commit();
     return id;
   });
@@ -225,40 +171,14 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
 std::optional<FitRecord> find_fit(const Database& database, const std::string& name, FitParts parts) {
   return naming(database.name(), [&]() -> std::optional<FitRecord> {
     SQLite::Database& connection = database.connection();
-    SQLite::Statement row(connection,
-                          std::string("SELECT id, ") + fit_columns + " FROM fit WHERE name = ? ORDER BY id DESC");
-    Binder(row) << name;
+    SQLite::Statement row(connection, "SELECT id, " + column_list<Fit>() + " FROM fit WHERE name = ? ORDER BY id DESC");
+    row.bind(1, name);
     if (!row.executeStep()) return std::nullopt;
-    FitRecord fit;
-    std::int64_t id = 0;
-    Reader(row) >> id >> fit.name >> fit.kind >> fit.definition >> fit.data_digest >> fit.status >> fit.reason >>
-        fit.warnings >> fit.weakest_direction >> fit.degrees >> fit.starts >> fit.agreeing >> fit.evaluations >>
-        fit.recalled >> fit.failures >> fit.chi_squared >> fit.reduced_chi_squared >> fit.p_value >> fit.rms >>
-        fit.runs_p_value >> fit.condition >> fit.noise >> fit.seconds >> fit.deviations_known;
-    SQLite::Statement parameter(
-        connection, std::string("SELECT ") + parameter_columns + " FROM fit_parameter WHERE fit = ? ORDER BY position");
-    Binder(parameter) << id;
-    while (parameter.executeStep()) {
-      FitParameterRecord& p = fit.parameters.emplace_back();
-      Reader(parameter) >> p.name >> p.unit >> p.fixed >> p.value >> p.standard_error >> p.relative_error >>
-          p.linear_lowest >> p.linear_highest >> p.profile_lowest >> p.profile_highest >> p.profile_low >>
-          p.profile_high >> p.start >> p.lowest >> p.highest >> p.step >> p.flag;
-    }
-    SQLite::Statement pair(connection, "SELECT first, second, correlation FROM fit_correlation WHERE fit = ?");
-    Binder(pair) << id;
-    while (pair.executeStep()) {
-      FitCorrelationRecord& correlation = fit.correlations.emplace_back();
-      Reader(pair) >> correlation.first >> correlation.second >> correlation.correlation;
-    }
-    if (parts == FitParts::without_data) return fit;
-    SQLite::Statement data(connection,
-                           "SELECT place, measured, deviation, predicted, residual, band FROM fit_data WHERE fit = ? "
-                           "ORDER BY position");
-    Binder(data) << id;
-    while (data.executeStep()) {
-      FitDataRecord& one = fit.data.emplace_back();
-      Reader(data) >> one.place >> one.measured >> one.deviation >> one.predicted >> one.residual >> one.band;
-    }
+    const std::int64_t id = row.getColumn(0).getInt64();
+    FitRecord fit = read_record<Fit>(row, 1);
+    fit.parameters = parts_of<Parameter>(connection, "fit_parameter", " ORDER BY position", id);
+    fit.correlations = parts_of<Correlation>(connection, "fit_correlation", "", id);
+    if (parts == FitParts::with_data) fit.data = parts_of<Datum>(connection, "fit_data", " ORDER BY position", id);
     return fit;
   });
 }
