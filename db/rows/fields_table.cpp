@@ -1,6 +1,13 @@
 #include "db/rows/fields_table.hpp"
 
-#include "db/rows/packed_fields.hpp"
+#include <zlib.h>
+
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
 
 namespace rollres {
 
@@ -49,6 +56,109 @@ std::optional<PackedFields> find_packed_fields(SQLite::Database& connection, con
   const SQLite::Column bytes = row.getColumn(1);
   return PackedFields{row.getColumn(0).getInt(),
                       {static_cast<const char*>(bytes.getBlob()), static_cast<std::size_t>(bytes.getBytes())}};
+}
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the format is that of the memory");
+static_assert(sizeof(double) == 8 && sizeof(Zone) == 1);
+
+struct Header {
+  double spacing_x, spacing_y, origin_x, origin_y;
+  std::int32_t first_column, first_row, columns, rows, present;
+};
+constexpr std::size_t header_size = 4 * sizeof(double) + 5 * sizeof(std::int32_t);
+static_assert(offsetof(Header, present) + sizeof(std::int32_t) == header_size);
+
+/// The numbers grow little when squeezed harder, but the time does: level 1.
+constexpr int compression_level = 1;
+
+template <class Fields>
+auto arrays_of(Fields& fields) {
+  return std::array{&fields.u,       &fields.v,       &fields.w,      &fields.pressure,
+                    &fields.shear_x, &fields.shear_y, &fields.slip_x, &fields.slip_y};
+}
+
+[[noreturn]] void refuse() { throw std::runtime_error("the stored fields are damaged"); }
+
+/// Inflates step by step, so that no number in damaged bytes decides how much memory is taken.
+std::string inflated(std::string_view bytes) {
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  std::string content;
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  int state = Z_OK;
+  std::array<char, 65536> part;
+  while (state == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(part.data());
+    stream.avail_out = static_cast<uInt>(part.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+    content.append(part.data(), part.size() - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  if (state != Z_STREAM_END) refuse();
+  return content;
+}
+
+}  // namespace
+
+std::string packed(const SurfaceFields& fields) {
+  const SurfaceGrid& grid = fields.grid;
+  const auto nodes = static_cast<std::size_t>(grid.size());
+  Header header{grid.spacing_x, grid.spacing_y,    grid.origin_x,
+                grid.origin_y,  grid.first_column, grid.first_row,
+                grid.columns,   grid.rows,         0};
+  std::string arrays;
+  int bit = 0;
+  for (const std::vector<double>* const values : arrays_of(fields)) {
+    if (!values->empty()) {
+      assert(values->size() == nodes);
+      header.present |= 1 << bit;
+      arrays.append(reinterpret_cast<const char*>(values->data()), nodes * sizeof(double));
+    }
+    ++bit;
+  }
+  assert(fields.zone.size() == nodes);
+  arrays.append(reinterpret_cast<const char*>(fields.zone.data()), nodes);
+  const std::string content = std::string(reinterpret_cast<const char*>(&header), header_size) + arrays;
+  uLongf length = compressBound(content.size());
+  std::string bytes(length, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &length, reinterpret_cast<const Bytef*>(content.data()),
+                content.size(), compression_level) != Z_OK)
+    throw std::bad_alloc();
+  bytes.resize(length);
+  return bytes;
+}
+
+SurfaceFields unpacked_fields(int format, std::string_view bytes) {
+  if (format != fields_format)
+    throw std::runtime_error("fields of format " + std::to_string(format) + ": not known to this version of rollres");
+  const std::string content = inflated(bytes);
+  Header header{};
+  if (content.size() < header_size) refuse();
+  std::memcpy(&header, content.data(), header_size);
+  SurfaceFields fields;
+  fields.grid = {header.spacing_x,    header.spacing_y, header.origin_x, header.origin_y,
+                 header.first_column, header.first_row, header.columns,  header.rows};
+  if (header.columns < 0 || header.rows < 0 || header.present >> arrays_of(fields).size() != 0) refuse();
+  const std::size_t nodes = static_cast<std::size_t>(header.columns) * static_cast<std::size_t>(header.rows);
+  const auto count = static_cast<std::size_t>(std::popcount(static_cast<unsigned>(header.present)));
+  if (nodes > content.size() || content.size() != header_size + nodes * (count * sizeof(double) + 1)) refuse();
+  const char* next = content.data() + header_size;
+  int bit = 0;
+  for (std::vector<double>* const values : arrays_of(fields))
+    if (header.present >> bit++ & 1) {
+      values->resize(nodes);
+      std::memcpy(values->data(), next, nodes * sizeof(double));
+      next += nodes * sizeof(double);
+    }
+  fields.zone.resize(nodes);
+  for (Zone& zone : fields.zone) {
+    if (*next < 0 || *next >= static_cast<int>(ChoiceNames<Zone>::names.size())) refuse();
+    zone = static_cast<Zone>(*next++);
+  }
+  return fields;
 }
 
 }  // namespace rollres

@@ -3,7 +3,6 @@
 #include "db/file/sqlite.hpp"
 #include "db/rows/evaluation_row.hpp"
 #include "db/rows/fields_table.hpp"
-#include "db/rows/packed_fields.hpp"
 #include "db/rows/schema.hpp"
 
 namespace rollres {
@@ -280,16 +279,21 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
     SQLite::Statement remove(connection, "DELETE FROM study_point WHERE study = ?");
     remove.bind(1, id);
     remove.exec();
+    // An index that most keys are new to is made anew: sorted once, not one by one.
+    const auto others = connection.execAndGet("SELECT count(*) FROM study_point").getInt64();
+    const bool anew = others < static_cast<std::int64_t>(keys.size());
+    if (anew) connection.exec("DROP INDEX study_point_key");
     SQLite::Statement add(connection, "INSERT INTO study_point(study, position, key) VALUES (?, ?, ?)");
+    add.bind(1, id);
     std::int64_t position = 0;
     for (const std::string& key : keys) {
       add.reset();
-      add.bind(1, id);
       add.bind(2, ++position);
-      add.bind(3, key);
+      add.bindNoCopy(3, key);
       add.exec();
     }
     add.reset();
+    if (anew) connection.exec(study_point_index);
     transaction.commit();
   });
 }

@@ -34,8 +34,8 @@ void create_first_tables(SQLite::Database& connection) {
       position INTEGER NOT NULL,
       key TEXT NOT NULL,
       PRIMARY KEY(study, position)) STRICT, WITHOUT ROWID;
-    CREATE INDEX study_point_key ON study_point(key);
   )");
+  connection.exec(study_point_index);
   std::string table =
       "CREATE TABLE evaluation(\n  id INTEGER PRIMARY KEY,\n  key TEXT NOT NULL UNIQUE,\n  created TEXT NOT NULL,\n"
       "  provenance INTEGER NOT NULL REFERENCES provenance";

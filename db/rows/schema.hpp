@@ -5,7 +5,7 @@
 ///     evaluation    one row for each scene that was solved: a column for each input and each output. What is absent
 ///                   (NaN, not given, not applicable) is NULL; an infinite layer_thickness is SQLite's Inf.
 ///     fields        the fields on the surface, where they were asked for, by the key of their evaluation: compressed
-///                   (packed_fields.hpp)
+///                   (fields_table.hpp)
 ///     provenance    what computed an evaluation
 ///     study         a name, its axes and the text of its file
 ///     study_point   the points of a study, in order, by the key of their evaluation: one that has no evaluation yet is
@@ -58,6 +58,9 @@ const QuantityColumn* find_quantity_column(std::string_view name);
 /// Columns of the index evaluation_summary. Changing them needs a migration.
 inline constexpr std::array<std::string_view, 8> summary_columns{
     "rolling_resistance", "status", "indenter", "speed", "load", "friction_coefficient", "radius", "layer_thickness"};
+
+/// The index of study_point, by which an evaluation knows its studies.
+inline constexpr const char* study_point_index = "CREATE INDEX study_point_key ON study_point(key)";
 
 /// Columns that table or view has in this file.
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table);

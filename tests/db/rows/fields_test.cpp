@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "db/rows/packed_fields.hpp"
+#include "db/rows/fields_table.hpp"
 #include "db/rows/result_store.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
