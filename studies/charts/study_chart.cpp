@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "db/rows/schema.hpp"
-#include "studies/stored/stored_study.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/scaled_unit.hpp"

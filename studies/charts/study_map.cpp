@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "studies/optimise/stored_optimum.hpp"
-#include "studies/stored/stored_study.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/study/study_definition.hpp"
 
 namespace rollres {

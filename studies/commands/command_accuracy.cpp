@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -11,11 +10,10 @@
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
 #include "studies/run/progress.hpp"
-#include "studies/scene_io/paper_scenes.hpp"
 #include "studies/scene_io/scene_file.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
-#include "studies/text/write_file.hpp"
 
 namespace rollres {
 
@@ -69,7 +67,6 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
 }
 
 Json object_of(const AccuracyReport& report) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   const AccuracyReference& reference = report.reference;
   Json object{{"scene", report.name},
               {"reference", nullptr},
@@ -78,15 +75,15 @@ Json object_of(const AccuracyReport& report) {
   if (reference.found())
     object["reference"] = {{"rolling_resistance", reference.rolling_resistance},
                            {"method", name_of(reference.method)},
-                           {"spacing", number(reference.spacing)},
+                           {"spacing", finite_or_null(reference.spacing)},
                            {"contact_nodes", reference.contact_nodes},
                            {"extrapolated", reference.extrapolated},
-                           {"uncertainty", number(reference.uncertainty)}};
+                           {"uncertainty", finite_or_null(reference.uncertainty)}};
   for (const AccuracyTrend& trend : report.trends)
     object["trends"].push_back({{"method", name_of(trend.method)},
-                                {"order", number(trend.order)},
-                                {"order_deviation", number(trend.order_deviation)},
-                                {"growth", number(trend.growth)}});
+                                {"order", finite_or_null(trend.order)},
+                                {"order_deviation", finite_or_null(trend.order_deviation)},
+                                {"growth", finite_or_null(trend.growth)}});
   return object;
 }
 
@@ -136,16 +133,11 @@ void random_accuracy(const AccuracyArguments& arguments, Session& session) {
 }
 
 void accuracy(const AccuracyArguments& arguments, Session& session) {
+  if (arguments.random > 0) return random_accuracy(arguments, session);
   AccuracyOptions options = arguments.options;
   options.methods = methods_named(arguments.methods);
-  const std::size_t columns = terminal_width(session.err);
-  const auto clear_line = [&] {
-    if (columns > 0) session.err << "\r\x1b[K" << std::flush;
-  };
-  if (columns > 0)
-    options.report = [&](const std::string& line) {
-      session.err << "\r" << line.substr(0, columns - 1) << "\x1b[K" << std::flush;
-    };
+  StatusLine progress(session.err);
+  options.report = [&](const std::string& line) { progress.show(line); };
   std::vector<std::string> files = arguments.scenes;
   if (files.empty())
     for (const PaperScene& paper : paper_scenes()) files.emplace_back(paper.name);
@@ -162,7 +154,7 @@ void accuracy(const AccuracyArguments& arguments, Session& session) {
   std::vector<AccuracyReport> reports;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     reports.push_back(measure_accuracy(named[i].name, scenes[i], options, measure));
-    clear_line();
+    progress.clear();
     if (arguments.json) continue;
     session.out << accuracy_text(reports.back(), arguments.format == "markdown") << std::endl;
   }
@@ -199,87 +191,67 @@ void accuracy(const AccuracyArguments& arguments, Session& session) {
 }  // namespace
 
 void add_accuracy(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("accuracy", "Chart error against time, method by method, over a range of spacings");
-  const auto arguments = std::make_shared<AccuracyArguments>();
-  AccuracyOptions& options = arguments->options;
-  command
-      ->add_option("scene", arguments->scenes,
-                   "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
-                   "these two")
-      ->option_text("SCENE");
-  command->add_option("--out", arguments->out, "directory for accuracy.csv and the charts")
-      ->required()
-      ->option_text("DIR");
-  command->add_option("--methods", arguments->methods, "methods, separated by commas; left out: all")
-      ->option_text("METHOD,...")
+  const auto [command, arguments] = program.add<AccuracyArguments>(
+      "accuracy", "Chart error against time, method by method, over a range of spacings", session, accuracy);
+  AccuracyOptions& options = arguments.options;
+  command->add_option("scene SCENE", arguments.scenes,
+                      "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
+                      "these two");
+  command->add_option("--out DIR", arguments.out, "directory for accuracy.csv and the charts")->required();
+  command->add_option("--methods METHOD,...", arguments.methods, "methods, separated by commas; left out: all")
       ->delimiter(',');
-  CommandOption* const spacings =
-      command->add_option("--spacings", arguments->spacings, "spacings, with a unit or in m, separated by commas")
-          ->option_text("SPACING,...")
-          ->delimiter(',');
+  CommandOption* const spacings = command
+                                      ->add_option("--spacings SPACING,...", arguments.spacings,
+                                                   "spacings, with a unit or in m, separated by commas")
+                                      ->delimiter(',');
   command
-      ->add_option("--levels", options.levels,
+      ->add_option("--levels N", options.levels,
                    "how many spacings, each 1/sqrt(2) of the last, from 8 nodes along the contact; left out: to 500 "
                    "nodes along a cylinder's, 130 along a sphere's")
-      ->option_text("N")
       ->between(1, 100)
       ->excludes(spacings);
-  command->add_option("--repeats", options.repeats, "solutions of which the median time is taken; default 5")
-      ->option_text("N")
+  command->add_option("--repeats N", options.repeats, "solutions of which the median time is taken; default 5")
       ->between(1, 1000);
   command
-      ->add_option("--seconds-limit", options.seconds_limit,
+      ->add_option("--seconds-limit SECONDS", options.seconds_limit,
                    "what would take longer is skipped, what takes longer is stopped; default 30")
-      ->option_text("SECONDS")
       ->positive();
   command
-      ->add_option("--set", arguments->overrides,
+      ->add_option("--set KEY=VALUE", arguments.overrides,
                    "replace an input of all scenes, in SI or with a unit; may be repeated")
-      ->option_text("KEY=VALUE")
       ->one_value_each();
-  command->add_option("--format", arguments->format, "text or markdown")
-      ->option_text("FORMAT")
-      ->one_of({"text", "markdown"});
-  command->add_flag("--json", arguments->json, "print one JSON object");
+  command->add_option("--format FORMAT", arguments.format, "text or markdown")->one_of({"text", "markdown"});
+  command->add_flag("--json", arguments.json, "print one JSON object");
   CommandOption* const random =
       command
-          ->add_option("--random", arguments->random,
+          ->add_option("--random N", arguments.random,
                        "instead: how often, on so many random scenes of each indenter, the error is below its estimate "
                        "and a tolerance is met; into DIR/random_accuracy.csv")
-          ->between(1, 1'000'000)
-          ->option_text("N");
-  command->add_option("--seed", arguments->plan.seed, "of the random scenes; default: 1")
-      ->needs(random)
-      ->option_text("S");
-  command->add_option("--tolerances", arguments->plan.tolerances, "of the random scenes' solutions; default: 1e-2,1e-3")
-      ->option_text("X,...")
+          ->between(1, 1'000'000);
+  command->add_option("--seed S", arguments.plan.seed, "of the random scenes; default: 1")->needs(random);
+  command
+      ->add_option("--tolerances X,...", arguments.plan.tolerances,
+                   "of the random scenes' solutions; default: 1e-2,1e-3")
       ->delimiter(',')
       ->positive()
       ->needs(random);
-  command->add_option("--indenter", arguments->indenter, "of the random scenes: cylinder, sphere or both (the default)")
+  command
+      ->add_option("--indenter INDENTER", arguments.indenter,
+                   "of the random scenes: cylinder, sphere or both (the default)")
       ->one_of({"cylinder", "sphere", "both"})
-      ->needs(random)
-      ->option_text("INDENTER");
-  command->add_option("--jobs", arguments->plan.jobs, "processes for the random scenes; default: one for each core")
+      ->needs(random);
+  command->add_option("--jobs N", arguments.plan.jobs, "processes for the random scenes; default: one for each core")
       ->between(1, 1024)
-      ->needs(random)
-      ->option_text("N");
-  command->add_option("--time-limit", arguments->plan.time_limit, "for one random scene, in seconds; default: 600")
+      ->needs(random);
+  command
+      ->add_option("--time-limit SECONDS", arguments.plan.time_limit, "for one random scene, in seconds; default: 600")
       ->positive()
-      ->needs(random)
-      ->option_text("SECONDS");
+      ->needs(random);
   command->footer(
       "Each solution is cold, in a process of its own on one core. Exit status 1: a method did not converge "
       "somewhere.\n"
       "Example: rollres accuracy studies/examples/paper_sphere.json --out out --methods newton,active_set\n"
       "Example: rollres accuracy --random 100 --seed 1 --out out");
-  command->callback([arguments, &session] {
-    if (arguments->random > 0)
-      random_accuracy(*arguments, session);
-    else
-      accuracy(*arguments, session);
-  });
 }
 
 }  // namespace rollres

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -7,10 +6,9 @@
 #include "studies/charts/study_map.hpp"
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
-#include "studies/stored/read_filter.hpp"
-#include "studies/stored/stored_study.hpp"
-#include "studies/text/file_name.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -143,49 +141,36 @@ void chart(const ChartArguments& arguments, Session& session) {
 }  // namespace
 
 void add_chart(Command& program, Session& session) {
-  Command* command = program.add_subcommand("chart", "Draw a stored study as SVG and PNG, through gnuplot");
-  const auto arguments = std::make_shared<ChartArguments>();
-  StudyChartOptions& options = arguments->options;
-  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
-  command->add_option("--study", options.study, "study; may be left out if the database holds one")
-      ->option_text("NAME");
-  command
-      ->add_option("--chart", options.chart,
-                   "chart of the study file, by its name or its number; all: every one; left out: the first")
-      ->option_text("NAME");
-  command
-      ->add_option("--x", options.x, "input or output along x; left out: as the study file says, or its longest axis")
-      ->option_text("KEY");
-  command
-      ->add_option("--y", options.y,
-                   "output along y; left out: as the study file says, or rolling_resistance. With --map: an axis")
-      ->option_text("KEY");
-  command->add_option("--family", options.family, "axis with one curve for each value; left out: the other axes")
-      ->option_text("KEY");
+  const auto [command, arguments] =
+      program.add<ChartArguments>("chart", "Draw a stored study as SVG and PNG, through gnuplot", session, chart);
+  StudyChartOptions& options = arguments.options;
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--study NAME", options.study, "study; may be left out if the database holds one");
+  command->add_option("--chart NAME", options.chart,
+                      "chart of the study file, by its name or its number; all: every one; left out: the first");
+  command->add_option("--x KEY", options.x,
+                      "input or output along x; left out: as the study file says, or its longest axis");
+  command->add_option("--y KEY", options.y,
+                      "output along y; left out: as the study file says, or rolling_resistance. With --map: an axis");
+  command->add_option("--family KEY", options.family, "axis with one curve for each value; left out: the other axes");
   command->add_flag("--shares", options.shares,
                     "what of the rolling resistance is lost in the layer and what to friction, stacked");
-  command->add_option("--map", arguments->map, "contour map of this output over the axes --x and --y")
-      ->option_text("KEY");
+  command->add_option("--map KEY", arguments.map, "contour map of this output over the axes --x and --y");
+  command->add_option("--optimum NAME", arguments.optimum,
+                      "with --map: draw the designs and the optimum of this optimisation");
   command
-      ->add_option("--optimum", arguments->optimum, "with --map: draw the designs and the optimum of this optimisation")
-      ->option_text("NAME");
-  command->add_option("--where", arguments->filters, "show only points with KEY=VALUE, as in query; may be repeated")
-      ->option_text("FILTER")
+      ->add_option("--where FILTER", arguments.filters, "show only points with KEY=VALUE, as in query; may be repeated")
       ->one_value_each();
   const std::vector<std::string_view> scales{"auto", "linear", "logarithmic"};
   command
-      ->add_option("--x-scale", arguments->x_scale, "auto: logarithmic if the study spaced it so or over two decades")
-      ->option_text("SCALE")
+      ->add_option("--x-scale SCALE", arguments.x_scale,
+                   "auto: logarithmic if the study spaced it so or over two decades")
       ->one_of(scales);
-  command->add_option("--y-scale", arguments->y_scale, "auto, linear or logarithmic")
-      ->option_text("SCALE")
+  command->add_option("--y-scale SCALE", arguments.y_scale, "auto, linear or logarithmic")->one_of(scales);
+  command->add_option("--map-scale SCALE", arguments.map_scale, "of the colours of a map: auto, linear or logarithmic")
       ->one_of(scales);
-  command->add_option("--map-scale", arguments->map_scale, "of the colours of a map: auto, linear or logarithmic")
-      ->option_text("SCALE")
-      ->one_of(scales);
-  command
-      ->add_option("--out", arguments->out, "name of the files, with or without suffix; left out: beside the database")
-      ->option_text("PATH");
+  command->add_option("--out PATH", arguments.out,
+                      "name of the files, with or without suffix; left out: beside the database");
   command->footer(
       "The script (.gp) and the data (.dat) stay beside the pictures: change the script and run gnuplot on it.\n"
       "Examples: rollres chart --db results.db --study speed_resistance --x speed --y rolling_resistance --family "
@@ -193,7 +178,6 @@ void add_chart(Command& program, Session& session) {
       "          rollres chart --db results.db --shares --where 'load=20 kN/m'\n"
       "          rollres chart --db results.db --map rolling_resistance --x speed --y load\n"
       "          rollres chart --db results.db --chart all");
-  command->callback([arguments, &session] { chart(*arguments, session); });
 }
 
 }  // namespace rollres

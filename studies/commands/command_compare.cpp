@@ -1,14 +1,14 @@
 #include <cmath>
-#include <memory>
 #include <ostream>
 
 #include "studies/evidence/comparison.hpp"
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/split.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -24,10 +24,7 @@ struct CompareArguments {
 constexpr std::size_t lines_on_screen = 20;
 
 std::string cell_in_words(const Cell& cell) {
-  if (const auto* const number = std::get_if<double>(&cell)) return readable(*number, "");
-  if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
-  return "not given";
+  return std::holds_alternative<std::monostate>(cell) ? "not given" : value_in_words(cell, "");
 }
 
 Table table_of(const StudyComparison& comparison, std::optional<std::size_t> limit) {
@@ -122,39 +119,28 @@ void compare(const CompareArguments& arguments, Session& session) {
 }  // namespace
 
 void add_compare(Command& program, Session& session) {
-  Command* command = program.add_subcommand("compare", "Compare two stored studies point by point");
-  const auto arguments = std::make_shared<CompareArguments>();
-  command->add_option("studies", arguments->studies, "names of two studies, or of one that both databases hold")
-      ->option_text("NAME")
+  const auto [command, arguments] =
+      program.add<CompareArguments>("compare", "Compare two stored studies point by point", session, compare);
+  command->add_option("studies NAME", arguments.studies, "names of two studies, or of one that both databases hold")
       ->required()
       ->expected(1, 2);
-  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
-  command->add_option("--with", arguments->other_database, "database of the second study; left out: the same")
-      ->option_text("FILE");
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--with FILE", arguments.other_database, "database of the second study; left out: the same");
+  command->add_option("--outputs KEY,...", arguments.outputs,
+                      "numbers to compare, separated by commas; left out: rolling_resistance");
+  command->add_option(
+      "--ignore KEY,...", arguments.ignored,
+      "inputs that may differ in matching points, separated by commas; those that are one value in each "
+      "study, but not the same, are found by themselves");
   command
-      ->add_option("--outputs", arguments->outputs,
-                   "numbers to compare, separated by commas; left out: rolling_resistance")
-      ->option_text("KEY,...");
-  command
-      ->add_option("--ignore", arguments->ignored,
-                   "inputs that may differ in matching points, separated by commas; those that are one value in each "
-                   "study, but not the same, are found by themselves")
-      ->option_text("KEY,...");
-  command
-      ->add_option("--within", arguments->within,
+      ->add_option("--within X", arguments.within,
                    "exit status 1 if a relative difference is larger, or a point has an answer in one study only")
-      ->option_text("X")
       ->not_negative();
-  command->add_option("--limit", arguments->limit, "print this many, the largest first")
-      ->option_text("N")
-      ->not_negative();
-  command->add_option("--format", arguments->format, "table, csv or json")
-      ->option_text("FORMAT")
-      ->one_of({"table", "csv", "json"});
+  command->add_option("--limit N", arguments.limit, "print this many, the largest first")->not_negative();
+  command->add_option("--format FORMAT", arguments.format, "table, csv or json")->one_of({"table", "csv", "json"});
   command->footer(
       "Exit status 1: nothing matches, or not within.\n"
       "Example: rollres compare spectral newton --db results.db --outputs rolling_resistance,approach --within 1e-3");
-  command->callback([arguments, &session] { compare(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,4 +1,3 @@
-#include <memory>
 #include <ostream>
 
 #include "db/file/provenance.hpp"
@@ -10,24 +9,15 @@
 namespace rollres {
 
 void add_completion(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("completion", "Print what a shell reads to complete commands, options, keys and files");
-  const auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "bash, zsh or fish")
-      ->required()
-      ->option_text("SHELL")
-      ->one_of({"bash", "zsh", "fish"});
+  const auto [command, shell] = program.add<std::string>(
+      "completion", "Print what a shell reads to complete commands, options, keys and files", session,
+      [](const std::string& name, Session& to) { to.out << completion_script(name); });
+  command->add_option("shell SHELL", shell, "bash, zsh or fish")->required()->one_of({"bash", "zsh", "fish"});
   command->footer(
       "An installed rollres needs none of these commands: its shells find what was installed with it.\n"
       "Examples: rollres completion bash > ~/.local/share/bash-completion/completions/rollres\n"
       "          rollres completion zsh > ~/.zfunc/_rollres\n"
       "          rollres completion fish > ~/.config/fish/completions/rollres.fish");
-  command->callback([shell, &program, &session] {
-    const CommandWords words = program.words();
-    session.out << (*shell == "bash"  ? bash_completion(words)
-                    : *shell == "zsh" ? zsh_completion(words)
-                                      : fish_completion(words));
-  });
 }
 
 void add_manual(Command& program, Session& session) {

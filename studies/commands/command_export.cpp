@@ -1,4 +1,3 @@
-#include <memory>
 #include <ostream>
 
 #include "db/rows/schema.hpp"
@@ -32,30 +31,25 @@ void import_one(const ExportArguments& arguments, Session& session) {
 }  // namespace
 
 void add_export(Command& program, Session& session) {
-  Command* command = program.add_subcommand("export", "Write a study with its results and provenance into a folder");
-  const auto arguments = std::make_shared<ExportArguments>();
-  command->add_option("--study", arguments->study, "name of the study; may be left out if the database holds one")
-      ->option_text("NAME");
-  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
-  command->add_option("--out", arguments->folder, "folder; made if it is missing")->option_text("DIR")->required();
+  const auto [command, arguments] = program.add<ExportArguments>(
+      "export", "Write a study with its results and provenance into a folder", session, export_one);
+  command->add_option("--study NAME", arguments.study, "name of the study; may be left out if the database holds one");
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--out DIR", arguments.folder, "folder; made if it is missing")->required();
   command->footer(
       "README.txt in the folder tells what is what.\n"
       "Example: rollres export --study speed_resistance --db results.db --out speed_resistance");
-  command->callback([arguments, &session] { export_one(*arguments, session); });
 }
 
 void add_import(Command& program, Session& session) {
-  Command* command = program.add_subcommand("import", "Bring an exported study into a database");
-  const auto arguments = std::make_shared<ExportArguments>();
-  command->add_option("folder", arguments->folder, "folder that rollres export wrote")->option_text("DIR")->required();
-  command->add_option("--db", arguments->database, "database; created if it is missing")
-      ->option_text("FILE")
-      ->required();
-  command->add_flag("--json", arguments->json, "print one JSON object");
+  const auto [command, arguments] =
+      program.add<ExportArguments>("import", "Bring an exported study into a database", session, import_one);
+  command->add_option("folder DIR", arguments.folder, "folder that rollres export wrote")->required();
+  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->required();
+  command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
       "As rollres merge: importing again changes nothing.\n"
       "Example: rollres import speed_resistance --db mine.db");
-  command->callback([arguments, &session] { import_one(*arguments, session); });
 }
 
 }  // namespace rollres

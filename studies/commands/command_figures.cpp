@@ -1,4 +1,3 @@
-#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -8,8 +7,8 @@
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/scene_file.hpp"
-#include "studies/stored/stored_study.hpp"
-#include "studies/text/write_file.hpp"
+#include "studies/stored/study_rows.hpp"
+#include "studies/text/files.hpp"
 
 namespace rollres {
 
@@ -76,32 +75,26 @@ void figures(const FigureArguments& arguments, Session& session) {
 }  // namespace
 
 void add_figures(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("figures", "Draw the fields of a solution: the paper's figures, and files for ParaView");
-  const auto arguments = std::make_shared<FigureArguments>();
-  command->add_option("scene", arguments->scene, "Scene file (JSON)")->option_text("SCENE");
-  command->add_option("--out", arguments->out, "Directory; made if it is missing")->required()->option_text("DIR");
-  command->add_option("--set", arguments->overrides, "Replace an input, in SI or with a unit; may be repeated")
-      ->option_text("KEY=VALUE")
+  const auto [command, arguments] = program.add<FigureArguments>(
+      "figures", "Draw the fields of a solution: the paper's figures, and files for ParaView", session, figures);
+  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)");
+  command->add_option("--out DIR", arguments.out, "Directory; made if it is missing")->required();
+  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
   std::string list = "Only this one, by its number in the paper or its name; may be repeated:";
   for (const Figure& figure : all_figures())
     list += (figure.number == all_figures().front().number ? " " : ", ") + std::to_string(figure.number) + " " +
             std::string(figure.name);
-  command->add_option("--figure", arguments->figures, list)->option_text("FIGURE")->one_value_each();
-  command
-      ->add_option("--db", arguments->database, "Database: the stored fields of a study as VTK files and a collection")
-      ->option_text("FILE");
-  command->add_option("--study", arguments->study, "Study; may be left out if the database holds one")
-      ->option_text("NAME");
-  command->add_option("--axis", arguments->axis, "Axis whose value is the collection's time; left out: the first")
-      ->option_text("KEY");
+  command->add_option("--figure FIGURE", arguments.figures, list)->one_value_each();
+  command->add_option("--db FILE", arguments.database,
+                      "Database: the stored fields of a study as VTK files and a collection");
+  command->add_option("--study NAME", arguments.study, "Study; may be left out if the database holds one");
+  command->add_option("--axis KEY", arguments.axis, "Axis whose value is the collection's time; left out: the first");
   command->footer(
       "Pictures as SVG and PNG; beside each stand its script (.gp) and data (.dat): change the script and run gnuplot "
       "on it.\nfields.csv and fields.vti hold the fields of the whole window.\n"
       "Examples: rollres figures studies/examples/paper_sphere.json --out out/sphere\n"
       "          rollres figures --db results.db --study speed_resistance --axis speed --out out/film");
-  command->callback([arguments, &session] { figures(*arguments, session); });
 }
 
 }  // namespace rollres

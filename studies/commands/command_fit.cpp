@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -14,12 +13,12 @@
 #include "studies/fit/material_file.hpp"
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
-#include "studies/run/shared_recall.hpp"
 #include "studies/run/stop_signal.hpp"
+#include "studies/run/stored_evaluations.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/refusing_at.hpp"
 #include "studies/text/table_json.hpp"
-#include "studies/text/write_file.hpp"
 
 namespace rollres {
 
@@ -67,13 +66,13 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
   const StopSignal signal;
   file.options.stop = &signal.requested();
   file.options.profiles = !arguments.no_profiles;
-  SharedRecall recall(arguments.database, session.evaluate);
-  const Evaluate evaluate = [&recall](const RollingScene& scene) { return recall(scene); };
+  StoredEvaluations stored(session.evaluate, arguments.database);
+  const Evaluate evaluate = [&](const RollingScene& scene) { return stored(scene); };
   const FitProblem problem = problem_of(file, evaluate, arguments.jobs);
   const FitReport report = refusing_at(file.source, [&] { return fit(problem, file.options); });
   FitContext context = context_of(file);
-  context.solved = recall.solved();
-  context.recalled = recall.recalled();
+  context.solved = stored.count().solved;
+  context.recalled = stored.count().recalled;
   context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   save_fit(open_database(arguments.database, Access::write), fit_record(report, context));
   if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
@@ -95,7 +94,7 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
     for (const auto& picture : draw_fit(report, fit_curves(file, report, evaluate, arguments.jobs), file.name,
                                         arguments.out, file.indenter()))
       session.err << "drawn: " << picture.string() << '\n';
-  recall.finish();
+  stored.flush();
   if (arguments.json) session.out << text_of(object, 2) << '\n';
 }
 
@@ -157,42 +156,34 @@ void fit_moduli(const FitArguments& arguments, Session& session) {
     session.err << "drawn: " << picture.string() << '\n';
 }
 
+void run_fit(const FitArguments& arguments, Session& session) {
+  is_material_fit(arguments.fit) ? fit_moduli(arguments, session) : fit_resistance(arguments, session);
+}
+
 }  // namespace
 
 void add_fit(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("fit", "Fit a scene, or a material, to measured values, with intervals and a judgement");
-  const auto arguments = std::make_shared<FitArguments>();
-  command->add_option("fit", arguments->fit, "Fit file (JSON): scene or material, data (CSV), parameters")
-      ->required()
-      ->option_text("FIT");
-  command->add_option("--db", arguments->database, "Database: every evaluation and the fit are stored here")
-      ->required()
-      ->option_text("FILE");
-  command->add_option("--out", arguments->out, "Draw data, residuals, profiles and the worst pair's ellipse into DIR")
-      ->option_text("DIR");
-  command->add_flag("--design", arguments->design, "Which speed, and which load, to measure next");
+  const auto [command, arguments] = program.add<FitArguments>(
+      "fit", "Fit a scene, or a material, to measured values, with intervals and a judgement", session, run_fit);
+  command->add_option("fit FIT", arguments.fit, "Fit file (JSON): scene or material, data (CSV), parameters")
+      ->required();
+  command->add_option("--db FILE", arguments.database, "Database: every evaluation and the fit are stored here")
+      ->required();
+  command->add_option("--out DIR", arguments.out,
+                      "Draw data, residuals, profiles and the worst pair's ellipse into DIR");
+  command->add_flag("--design", arguments.design, "Which speed, and which load, to measure next");
   command
-      ->add_option("--coverage", arguments->coverage,
+      ->add_option("--coverage N", arguments.coverage,
                    "Draw the data N times around the fit, fit them, and count the intervals that hold it")
-      ->between(1, 1'000'000)
-      ->option_text("N");
-  command->add_option("--seed", arguments->seed, "Of the draws; default 1")->option_text("S");
-  command->add_option("--jobs", arguments->jobs, "Threads; default: one for each core")
-      ->option_text("N")
-      ->between(1, 1024);
-  command->add_flag("--no-profiles", arguments->no_profiles, "Leave out the intervals by profile likelihood");
-  command->add_flag("--json", arguments->json, "Print one JSON object");
+      ->between(1, 1'000'000);
+  command->add_option("--seed S", arguments.seed, "Of the draws; default 1");
+  command->add_option("--jobs N", arguments.jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_flag("--no-profiles", arguments.no_profiles, "Leave out the intervals by profile likelihood");
+  command->add_flag("--json", arguments.json, "Print one JSON object");
   command->footer(
       "Status: USABLE; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); DID NOT MOVE (ended\n"
       "where it started); NOT CONVERGED (no least misfit was found). Exit status 1 for the last three.\n"
       "Example: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit");
-  command->callback([arguments, &session] {
-    if (is_material_fit(arguments->fit))
-      fit_moduli(*arguments, session);
-    else
-      fit_resistance(*arguments, session);
-  });
 }
 
 }  // namespace rollres

@@ -1,4 +1,3 @@
-#include <memory>
 #include <ostream>
 
 #include "studies/program/command_line.hpp"
@@ -38,25 +37,19 @@ void run_gradient(const GradientArguments& arguments, Session& session) {
 }  // namespace
 
 void add_gradient(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("gradient", "Differentiate one output of a scene by some of its inputs");
-  const auto arguments = std::make_shared<GradientArguments>();
-  command->add_option("scene", arguments->scene, "Scene file (JSON)")->required()->option_text("SCENE");
-  command->add_option("--inputs", arguments->inputs, "Inputs to differentiate by, separated by commas")
+  const auto [command, arguments] = program.add<GradientArguments>(
+      "gradient", "Differentiate one output of a scene by some of its inputs", session, run_gradient);
+  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)")->required();
+  command->add_option("--inputs KEY,...", arguments.inputs, "Inputs to differentiate by, separated by commas")
       ->required()
-      ->delimiter(',')
-      ->option_text("KEY,...");
-  command->add_option("--output", arguments->output, "Output; default rolling_resistance")->option_text("KEY");
-  command->add_option("--set", arguments->overrides, "Replace an input, in SI or with a unit; may be repeated")
-      ->option_text("KEY=VALUE")
+      ->delimiter(',');
+  command->add_option("--output KEY", arguments.output, "Output; default rolling_resistance");
+  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
-  command->add_option("--order", arguments->options.order, "2 or 4 (default): order of the differences")
-      ->option_text("ORDER")
+  command->add_option("--order ORDER", arguments.options.order, "2 or 4 (default): order of the differences")
       ->one_of({"2", "4"});
-  command->add_option("--jobs", arguments->options.jobs, "Threads; default: one for each core")
-      ->option_text("N")
-      ->between(1, 1024);
-  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->add_option("--jobs N", arguments.options.jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_flag("--json", arguments.json, "Print one JSON object");
   command->footer(
       "Derivatives are by finite differences whose steps suit the noise of the output, which is measured first (8 or "
       "14\n"
@@ -64,7 +57,6 @@ void add_gradient(Command& program, Session& session) {
       "deviations "
       "of\nthe noise. Steps are relative, noise is relative to the output; elasticity is d ln output / d ln input.\n"
       "Example: rollres gradient studies/examples/paper_cylinder.json --inputs load,speed,creep_time");
-  command->callback([arguments, &session] { run_gradient(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,4 +1,3 @@
-#include <memory>
 #include <ostream>
 
 #include "db/rows/result_store.hpp"
@@ -6,6 +5,7 @@
 #include "studies/program/commands.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -42,24 +42,20 @@ void list(const ListArguments& arguments, Session& session) {
     return;
   }
   Table table{{"study", "points", "answered", "failed", "created (UTC)", "last result (UTC)", "axes"}, {}};
-  for (const StudySummary& study : studies) {
-    std::string axes;
-    for (const std::string& axis : study.axes) axes += (axes.empty() ? "" : ", ") + axis;
+  for (const StudySummary& study : studies)
     table.rows.push_back({study.name, study.points, study.answered, study.failed, to_the_second(study.created),
-                          to_the_second(study.last_result), axes});
-  }
+                          to_the_second(study.last_result), joined(study.axes)});
   write_aligned(session.out, table);
 }
 
 }  // namespace
 
 void add_list(Command& program, Session& session) {
-  Command* command = program.add_subcommand("list", "List the studies of a database and how far they are");
-  const auto arguments = std::make_shared<ListArguments>();
-  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
-  command->add_flag("--json", arguments->json, "print one JSON object");
+  const auto [command, arguments] =
+      program.add<ListArguments>("list", "List the studies of a database and how far they are", session, list);
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer("Example: rollres list --db results.db");
-  command->callback([arguments, &session] { list(*arguments, session); });
 }
 
 }  // namespace rollres

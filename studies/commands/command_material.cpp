@@ -1,4 +1,3 @@
-#include <memory>
 #include <numbers>
 #include <ostream>
 
@@ -58,23 +57,18 @@ void run_material(const MaterialArguments& arguments, Session& session) {
 }  // namespace
 
 void add_material(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("material", "Show a scene's material: moduli, peaks of loss, creep and relaxation");
-  const auto arguments = std::make_shared<MaterialArguments>();
-  command->add_option("scene", arguments->scene, "Scene file (JSON)")->required()->option_text("SCENE");
-  command->add_option("--set", arguments->overrides, "Replace an input, in SI or with a unit; may be repeated")
-      ->option_text("KEY=VALUE")
+  const auto [command, arguments] = program.add<MaterialArguments>(
+      "material", "Show a scene's material: moduli, peaks of loss, creep and relaxation", session, run_material);
+  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)")->required();
+  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
-  command->add_option("--out", arguments->chart, "Draw pictures PATH_moduli and PATH_creep")->option_text("PATH");
+  command->add_option("--out PATH", arguments.chart, "Draw pictures PATH_moduli and PATH_creep");
   command
-      ->add_option("--per-decade", arguments->per_decade, "Rows of the table for each decade of frequency; default 1")
-      ->option_text("N")
+      ->add_option("--per-decade N", arguments.per_decade, "Rows of the table for each decade of frequency; default 1")
       ->between(1, 100);
-  command->add_option("--format", arguments->format, "table (default), csv, json, jsonl or markdown")
-      ->option_text("FORMAT")
+  command->add_option("--format FORMAT", arguments.format, "table (default), csv, json, jsonl or markdown")
       ->one_of(table_formats);
   command->footer("Example: rollres material studies/examples/paper_cylinder.json --out rubber");
-  command->callback([arguments, &session] { run_material(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <memory>
 #include <ostream>
 
 #include "db/merge/merge.hpp"
@@ -28,19 +27,17 @@ void merge_all(const MergeArguments& arguments, Session& session) {
 }  // namespace
 
 void add_merge(Command& program, Session& session) {
-  Command* command = program.add_subcommand("merge", "Bring the results of several databases together in one");
-  const auto arguments = std::make_shared<MergeArguments>();
-  command->add_option("sources", arguments->sources, "databases; they are only read")->option_text("FILE")->required();
-  command->add_option("--db", arguments->database, "database that takes them; created if it is missing")
-      ->option_text("FILE")
+  const auto [command, arguments] = program.add<MergeArguments>(
+      "merge", "Bring the results of several databases together in one", session, merge_all);
+  command->add_option("sources FILE", arguments.sources, "databases; they are only read")->required();
+  command->add_option("--db FILE", arguments.database, "database that takes them; created if it is missing")
       ->required();
-  command->add_flag("--json", arguments->json, "print one JSON object");
+  command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
       "Merging again changes nothing. A result that is there stays, unless it had not converged and the new one has.\n"
       "Exit status 1: two converged results for the same scene differ by more than 1e-9; the first is kept.\n"
       "Exit status 3: a source is missing or damaged; nothing of it was taken, all of the others.\n"
       "Example: rollres merge shard-*.db --db results.db");
-  command->callback([arguments, &session] { merge_all(*arguments, session); });
 }
 
 }  // namespace rollres

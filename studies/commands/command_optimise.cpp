@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -85,7 +84,7 @@ void print_text(const DesignProblem& problem, const ParetoReport& front, std::os
 }
 
 /// The designs of the front as a study of their own, so that it can be listed, shown and drawn.
-std::string store_front(ResultStore& store, const DesignProblem& problem, const StudyRecord& study,
+std::string store_front(ResultStore store, const DesignProblem& problem, const StudyRecord& study,
                         const ParetoReport& front) {
   StudyRecord record = study;
   record.name += " front";
@@ -109,26 +108,21 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
   if (!arguments.out.empty()) chart_files(arguments.out);  // a wrong name is told before the work
   StudyRecord study{problem.name, {}, standalone_study(arguments.study)};
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-  ResultStore store(arguments.database);
   const StopSignal signal;
-  RecordedEvaluations evaluations(session.evaluate, store, study, &signal.requested());
+  StoredEvaluations evaluations(session.evaluate, arguments.database, study, &signal.requested());
 
   OptimiseOptions options{.jobs = arguments.jobs};
-  const std::size_t width = terminal_width(session.err);
+  StatusLine line(session.err);
   const std::string_view unit = unit_of(problem.goal.formula, problem.scenes.front().scene.indenter);
-  if (width > 0)
+  if (line)
     options.report = [&](const OptimiseProgress& progress) {
-      session.err << '\r' << count_in_words(progress.count)
-                  << (progress.best ? ", best " + readable(*progress.best, unit) : "") << "\x1b[K" << std::flush;
+      line.show(count_in_words(progress.count) + (progress.best ? ", best " + readable(*progress.best, unit) : ""));
     };
-  const auto clear_line = [&] {
-    if (width > 0) session.err << "\r\x1b[K" << std::flush;
-  };
 
   if (problem.pareto) {
     const ParetoReport front = pareto_front(problem, evaluations, options);
-    clear_line();
-    const std::string stored = store_front(store, problem, study, front);
+    line.clear();
+    const std::string stored = store_front(ResultStore(arguments.database), problem, study, front);
     if (arguments.json)
       session.out << text_of(json_of(problem, front), 2) << '\n';
     else
@@ -141,7 +135,7 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
     return;
   }
   const OptimiseReport report = optimise(problem, evaluations, options);
-  clear_line();
+  line.clear();
   if (arguments.json)
     session.out << text_of(json_of(problem, report), 2) << '\n';
   else
@@ -153,36 +147,26 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
 }  // namespace
 
 void add_optimise(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("optimise", "Find the best values of some inputs, under constraints, or a Pareto front");
-  const auto arguments = std::make_shared<OptimiseArguments>();
-  command->add_option("study", arguments->study, "study file with variables and minimise or maximise")
-      ->option_text("STUDY")
-      ->required();
-  command->add_option("--db", arguments->database, "database; created if it is missing")
-      ->option_text("FILE")
-      ->required();
+  const auto [command, arguments] = program.add<OptimiseArguments>(
+      "optimise", "Find the best values of some inputs, under constraints, or a Pareto front", session, run_optimise);
+  command->add_option("study STUDY", arguments.study, "study file with variables and minimise or maximise")->required();
+  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->required();
   command
-      ->add_option("--algorithm", arguments->algorithm,
+      ->add_option("--algorithm ALGORITHM", arguments.algorithm,
                    "bobyqa, cobyla, nelder_mead, subplex, direct_l, crs2, slsqp, mma, ccsaq or lbfgs")
-      ->option_text("ALGORITHM")
       ->one_of(ChoiceNames<Algorithm>::names);
-  command->add_option("--max-evaluations", arguments->evaluations, "most scenes that a search may ask for")
-      ->between(1, 100'000'000)
-      ->option_text("N");
-  command->add_option("--jobs", arguments->jobs, "threads; default: one for each core")
-      ->option_text("N")
-      ->between(1, 1024);
-  command->add_option("--out", arguments->out, "draw the course of the search, or the front, as PATH.svg and PATH.png")
-      ->option_text("PATH");
-  command->add_flag("--json", arguments->json, "print the outcome as one JSON object");
+  command->add_option("--max-evaluations N", arguments.evaluations, "most scenes that a search may ask for")
+      ->between(1, 100'000'000);
+  command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
+  command->add_option("--out PATH", arguments.out,
+                      "draw the course of the search, or the front, as PATH.svg and PATH.png");
+  command->add_flag("--json", arguments.json, "print the outcome as one JSON object");
   command->footer(
       "Every evaluation is stored and recalled: the same command repeats the run at no cost, or goes on where it was\n"
       "stopped. Status: optimum (to first order nothing near is better), unconfirmed, evaluation_limit, interrupted,\n"
       "no_feasible_design; exit status 0 for optimum, else 1. A multiplier tells by how many % the goal improves for\n"
       "1 % more room in a constraint; elasticities are d ln / d ln.\n"
       "Example: rollres optimise studies/examples/optimise_layer.json --db results.db");
-  command->callback([arguments, &session] { run_optimise(*arguments, session); });
 }
 
 }  // namespace rollres

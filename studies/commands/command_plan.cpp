@@ -1,5 +1,4 @@
 #include <limits>
-#include <memory>
 #include <ostream>
 
 #include "studies/program/command_line.hpp"
@@ -121,26 +120,22 @@ void plan(const PlanArguments& arguments, Session& session) {
 }  // namespace
 
 void add_plan(Command& program, Session& session) {
-  Command* command = program.add_subcommand("plan", "Print the points of a study without solving any");
-  const auto arguments = std::make_shared<PlanArguments>();
-  command->add_option("study", arguments->study, "study file")->option_text("STUDY")->required();
-  command->add_option("--db", arguments->database, "database: tells which points are stored there, and their status")
-      ->option_text("FILE");
-  command->add_option("--limit", arguments->limit, "print no more than this many points")
-      ->option_text("N")
-      ->between(0, most_points);
+  const auto [command, arguments] =
+      program.add<PlanArguments>("plan", "Print the points of a study without solving any", session, plan);
+  command->add_option("study STUDY", arguments.study, "study file")->required();
+  command->add_option("--db FILE", arguments.database,
+                      "database: tells which points are stored there, and their status");
+  command->add_option("--limit N", arguments.limit, "print no more than this many points")->between(0, most_points);
   CommandOption* const format =
       command
-          ->add_option("--format", arguments->format,
+          ->add_option("--format FORMAT", arguments.format,
                        "table, csv, json, jsonl (one object a line) or markdown: the points alone")
-          ->option_text("FORMAT")
           ->one_of(table_formats);
-  command->add_flag("--json", arguments->json, "print one JSON object: what the file asks for, and its points")
+  command->add_flag("--json", arguments.json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);
   command->footer(
       "Numbers are SI.\n"
       "Example: rollres plan studies/examples/speed_resistance.json --limit 10");
-  command->callback([arguments, &session] { plan(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <ostream>
 #include <type_traits>
 
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
-#include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -20,10 +20,8 @@ struct Row {
 };
 
 std::string range_text(const Quantity& quantity, std::span<const std::string_view> choices, bool list = false) {
-  std::string text;
-  for (const std::string_view name : choices) text += (text.empty() ? "" : ", ") + std::string(name);
-  if (!choices.empty()) return text;
-  text = quantity.range.rule();
+  if (!choices.empty()) return joined(choices);
+  std::string text = quantity.range.rule();
   constexpr std::string_view verb = "must be ";
   if (text.starts_with(verb)) text.erase(0, verb.size());
   return list ? "list, each " + text : text;
@@ -41,10 +39,8 @@ Row row_of(const Quantity& quantity) {
 
 std::string default_text(const InputKind& kind) {
   if (kind.optional) {
-    std::string text;
-    for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
-      text += (text.empty() ? "or " : ", ") + std::string(other);
-    return text;
+    const std::string others = joined(replaced_inputs(kind.quantity.key, 0.0));
+    return others.empty() ? "" : "or " + others;
   }
   const std::string needed_by = kind.needed_by();
   if (needed_by == "every scene") return "required";
@@ -63,12 +59,6 @@ std::vector<Row> input_rows() {
   return rows;
 }
 
-std::string listed(const std::vector<std::string_view>& keys) {
-  std::string text;
-  for (const std::string_view key : keys) text += (text.empty() ? "" : ", ") + std::string(key);
-  return text;
-}
-
 /// How inputs of further layers are named.
 struct FurtherLayers {
   std::vector<std::string_view> lists, keys;
@@ -76,7 +66,7 @@ struct FurtherLayers {
   std::string text() const {
     return "inputs of further layers: LIST[N].KEY, counted from 0, as in coating_layers[0].layer_thickness\n\n"
            "LIST  " +
-           listed(lists) + "\nKEY   " + listed(keys) + "\n";
+           joined(lists) + "\nKEY   " + joined(keys) + "\n";
   }
   Json json() const { return {{"form", "LIST[N].KEY"}, {"lists", lists}, {"keys", keys}}; }
 };
@@ -107,21 +97,18 @@ std::vector<Row> output_rows() {
   return rows;
 }
 
-std::string table(const std::vector<Row>& rows) {
-  const std::array columns{&Row::key, &Row::symbol, &Row::unit_2d, &Row::unit_3d, &Row::range, &Row::default_value};
-  std::vector<Row> all{{"key", "symbol", "cylinder", "sphere", "values", "default", "meaning"}};
-  all.insert(all.end(), rows.begin(), rows.end());
-  std::string text;
-  for (const Row& row : all) {
-    for (const auto column : columns) {
-      std::size_t widest = 0;
-      for (const Row& other : all) widest = std::max(widest, width(other.*column));
-      const bool empty = std::all_of(rows.begin(), rows.end(), [&](const Row& r) { return (r.*column).empty(); });
-      if (!empty) text += padded(row.*column, widest + 2);
-    }
-    text += row.meaning + '\n';
+void print_table(std::ostream& out, const std::vector<Row>& rows) {
+  const std::array columns{&Row::key,   &Row::symbol,        &Row::unit_2d, &Row::unit_3d,
+                           &Row::range, &Row::default_value, &Row::meaning};
+  constexpr std::array names{"key", "symbol", "cylinder", "sphere", "values", "default", "meaning"};
+  Table table;
+  table.rows.resize(rows.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return (row.*columns[i]).empty(); })) continue;
+    table.columns.emplace_back(names[i]);
+    for (std::size_t j = 0; j < rows.size(); ++j) table.rows[j].emplace_back(rows[j].*columns[i]);
   }
-  return text;
+  write_aligned(out, table, "");
 }
 
 Json json_rows(const std::vector<Row>& rows, bool inputs) {
@@ -135,27 +122,27 @@ Json json_rows(const std::vector<Row>& rows, bool inputs) {
   return list;
 }
 
+void quantities(bool json, Session& session) {
+  if (json) {
+    const Json object{{"inputs", json_rows(input_rows(), true)},
+                      {"further_layers", further_layers().json()},
+                      {"outputs", json_rows(output_rows(), false)}};
+    session.out << object.dump(2) << '\n';
+    return;
+  }
+  session.out << "inputs of a scene\n\n";
+  print_table(session.out, input_rows());
+  session.out << '\n' << further_layers().text() << "\noutputs of a solution\n\n";
+  print_table(session.out, output_rows());
+}
+
 }  // namespace
 
 void add_quantities(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("quantities", "List every key: symbol, unit, values, default and meaning");
-  const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "Print one JSON object");
+  const auto [command, json] =
+      program.add<bool>("quantities", "List every key: symbol, unit, values, default and meaning", session, quantities);
+  command->add_flag("--json", json, "Print one JSON object");
   command->footer("Example: rollres quantities --json");
-  command->callback([json, &session] {
-    if (*json) {
-      const Json object{{"inputs", json_rows(input_rows(), true)},
-                        {"further_layers", further_layers().json()},
-                        {"outputs", json_rows(output_rows(), false)}};
-      session.out << object.dump(2) << '\n';
-    } else {
-      session.out << "inputs of a scene\n\n"
-                  << table(input_rows()) << '\n'
-                  << further_layers().text() << "\noutputs of a solution\n\n"
-                  << table(output_rows());
-    }
-  });
 }
 
 }  // namespace rollres

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -8,17 +7,17 @@
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
-#include "studies/stored/read_filter.hpp"
-#include "studies/text/split.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
 
 struct QueryArguments {
-  std::string database, columns, sort, aggregates, by, sql, format = "table";
-  bool with_sql = false;
+  std::string database, columns, sort, aggregates, by, format = "table";
+  std::optional<std::string> sql;
   std::vector<std::string> filters;
   std::optional<std::int64_t> limit;
 };
@@ -74,7 +73,7 @@ void query(const QueryArguments& arguments, Session& session) {
   const bool grouped = !arguments.aggregates.empty() || !arguments.by.empty();
   const bool plain =
       arguments.filters.empty() && arguments.columns.empty() && arguments.sort.empty() && !arguments.limit && !grouped;
-  if (arguments.with_sql && !plain)
+  if (arguments.sql && !plain)
     throw std::invalid_argument("--sql: stands alone; write filters, columns, order and limit in SQL");
   if (grouped && !arguments.columns.empty())
     throw std::invalid_argument("--columns = " + arguments.columns + ": has no place beside --aggregate and --by");
@@ -82,7 +81,7 @@ void query(const QueryArguments& arguments, Session& session) {
   Database database = open_database(arguments.database, Access::read);
   database.stop_when(signal.requested());
   const Table table =
-      arguments.with_sql ? run_sql(database, arguments.sql) : (grouped ? groups : rows)(arguments, database);
+      arguments.sql ? run_sql(database, *arguments.sql) : (grouped ? groups : rows)(arguments, database);
   write_table(session.out, table, arguments.format);
   if (table.rows.empty()) {
     session.err << arguments.database << ": nothing matches\n";
@@ -93,34 +92,25 @@ void query(const QueryArguments& arguments, Session& session) {
 }  // namespace
 
 void add_query(Command& program, Session& session) {
-  Command* command = program.add_subcommand("query", "Find stored evaluations by any input or output");
-  const auto arguments = std::make_shared<QueryArguments>();
-  command
-      ->add_option("filters", arguments->filters,
-                   "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study or a "
-                   "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent")
-      ->option_text("FILTER");
-  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
-  command->add_option("--columns", arguments->columns, "columns to print, separated by commas")->option_text("KEY,...");
-  command->add_option("--sort", arguments->sort, "columns to sort by, separated by commas; --sort=-KEY: largest first")
-      ->option_text("KEY,...");
-  command->add_option("--limit", arguments->limit, "print no more than this many rows")->option_text("N");
-  command
-      ->add_option("--aggregate", arguments->aggregates,
-                   "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
-                   "(of a sample), sum or count and a column; sorted by as min_approach, count")
-      ->option_text("NUMBER,...");
-  command
-      ->add_option("--by", arguments->by, "columns, separated by commas: one row for each combination of their values")
-      ->option_text("KEY,...");
-  CommandOption* const sql =
-      command
-          ->add_option("--sql", arguments->sql,
-                       "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
-                       "resistance, evaluation, study, study_point, fields, provenance")
-          ->option_text("STATEMENT");
-  command->add_option("--format", arguments->format, "table, csv, json, jsonl (one object a line) or markdown")
-      ->option_text("FORMAT")
+  const auto [command, arguments] =
+      program.add<QueryArguments>("query", "Find stored evaluations by any input or output", session, query);
+  command->add_option("filters FILTER", arguments.filters,
+                      "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study or a "
+                      "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent");
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--columns KEY,...", arguments.columns, "columns to print, separated by commas");
+  command->add_option("--sort KEY,...", arguments.sort,
+                      "columns to sort by, separated by commas; --sort=-KEY: largest first");
+  command->add_option("--limit N", arguments.limit, "print no more than this many rows");
+  command->add_option("--aggregate NUMBER,...", arguments.aggregates,
+                      "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
+                      "(of a sample), sum or count and a column; sorted by as min_approach, count");
+  command->add_option("--by KEY,...", arguments.by,
+                      "columns, separated by commas: one row for each combination of their values");
+  command->add_option("--sql STATEMENT", arguments.sql,
+                      "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
+                      "resistance, evaluation, study, study_point, fields, provenance");
+  command->add_option("--format FORMAT", arguments.format, "table, csv, json, jsonl (one object a line) or markdown")
       ->one_of(table_formats);
   command->footer(
       "Exit status 1: nothing matches.\n"
@@ -128,10 +118,6 @@ void add_query(Command& program, Session& session) {
       "--sort=-rolling_resistance --limit 5\n"
       "          rollres query --db results.db study=tyres --aggregate 'max rolling_resistance, mean approach, count' "
       "--by load");
-  command->callback([arguments, sql, &session] {
-    arguments->with_sql = sql->given();
-    query(*arguments, session);
-  });
 }
 
 }  // namespace rollres

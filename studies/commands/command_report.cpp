@@ -1,10 +1,9 @@
-#include <memory>
 #include <ostream>
 
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/report/report.hpp"
-#include "studies/text/write_file.hpp"
+#include "studies/text/files.hpp"
 
 namespace rollres {
 
@@ -32,27 +31,20 @@ void report(const ReportArguments& arguments, Session& session) {
 }  // namespace
 
 void add_report(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("report", "Write a stored study as one HTML file with its charts, to read, send or print");
-  const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("--db", arguments->database, "database")->required()->option_text("FILE");
+  const auto [command, arguments] = program.add<ReportArguments>(
+      "report", "Write a stored study as one HTML file with its charts, to read, send or print", session, report);
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--study NAME", arguments.options.study,
+                      "study, or fit; may be left out if the database holds one study");
+  command->add_option("--out FILE", arguments.out, "HTML file; folders are made")->required();
   command
-      ->add_option("--study", arguments->options.study,
-                   "study, or fit; may be left out if the database holds one study")
-      ->option_text("NAME");
-  command->add_option("--out", arguments->out, "HTML file; folders are made")->required()->option_text("FILE");
-  command
-      ->add_option("--rows", arguments->rows, "most rows of the table of results; of a longer study every n-th point")
-      ->between(1, 100'000)
-      ->option_text("N");
-  command
-      ->add_option("--optimum", arguments->options.optimum,
-                   "optimisation in the same database, to be drawn into a map of the study")
-      ->option_text("NAME");
+      ->add_option("--rows N", arguments.rows, "most rows of the table of results; of a longer study every n-th point")
+      ->between(1, 100'000);
+  command->add_option("--optimum NAME", arguments.options.optimum,
+                      "optimisation in the same database, to be drawn into a map of the study");
   command->footer(
       "The file needs no network and runs no scripts; pictures are inside.\n"
       "Example: rollres report --db results.db --study speed_resistance --out report.html");
-  command->callback([arguments, &session] { report(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <ostream>
@@ -9,8 +8,8 @@
 #include "studies/optimise/design_scale.hpp"
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
-#include "studies/run/recorded_evaluations.hpp"
 #include "studies/run/stop_signal.hpp"
+#include "studies/run/stored_evaluations.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/sensitivity/global_sensitivity.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
@@ -140,15 +139,13 @@ GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction&
 void global_sensitivity(const SensitivityArguments& arguments, Session& session) {
   const DesignProblem problem = read_ranges(arguments.file, arguments.overrides, arguments.ranges, arguments.output);
   const StopSignal signal;
-  std::optional<ResultStore> store;
-  std::optional<RecordedEvaluations> evaluations;
+  std::optional<StoredEvaluations> evaluations;
   if (arguments.database.empty()) {
     evaluations.emplace(session.evaluate, &signal.requested());
   } else {
     StudyRecord study{problem.name + " " + arguments.indices, {}, standalone_study(arguments.file)};
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-    store.emplace(arguments.database);
-    evaluations.emplace(session.evaluate, *store, study, &signal.requested());
+    evaluations.emplace(session.evaluate, arguments.database, study, &signal.requested());
   }
   const CubeFunction function = [&](std::span<const double> place) {
     const auto evaluate = [&](const RollingScene& scene) { return (*evaluations)(scene); };
@@ -159,7 +156,8 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
     findings = arguments.indices == "sobol" ? sobol_findings(problem, function, arguments)
                                             : morris_findings(problem, function, arguments);
   } catch (const Interrupted&) {
-    session.err << "interrupted" << (store ? ": the same command goes on where it stopped\n" : "\n");
+    session.err << "interrupted"
+                << (!arguments.database.empty() ? ": the same command goes on where it stopped\n" : "\n");
     session.status = ExitStatus::no_answer;
     return;
   }
@@ -193,53 +191,45 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   draw(chart, arguments, session);
 }
 
+void run_sensitivity(const SensitivityArguments& arguments, Session& session) {
+  if (!arguments.out.empty()) chart_files(arguments.out);  // a wrong name is told before the work
+  arguments.indices.empty() ? local_sensitivity(arguments, session) : global_sensitivity(arguments, session);
+}
+
 }  // namespace
 
 void add_sensitivity(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("sensitivity", "Which inputs a result depends on: elasticities, or indices over ranges");
-  const auto arguments = std::make_shared<SensitivityArguments>();
-  command->add_option("file", arguments->file, "scene file; with --indices also a study file")
-      ->required()
-      ->option_text("SCENE|STUDY");
-  command->add_option("--output", arguments->output, "output, with --indices a formula; default rolling_resistance")
-      ->option_text("KEY");
+  const auto [command, arguments] = program.add<SensitivityArguments>(
+      "sensitivity", "Which inputs a result depends on: elasticities, or indices over ranges", session,
+      run_sensitivity);
+  command->add_option("file SCENE|STUDY", arguments.file, "scene file; with --indices also a study file")->required();
+  command->add_option("--output KEY", arguments.output, "output, with --indices a formula; default rolling_resistance");
   command
-      ->add_option("--set", arguments->overrides,
+      ->add_option("--set KEY=VALUE", arguments.overrides,
                    "replace an input of the scene, in SI or with a unit; may be repeated")
-      ->option_text("KEY=VALUE")
       ->one_value_each();
   auto* const indices =
-      command->add_option("--indices", arguments->indices, "sobol or morris: over ranges of the inputs")
-          ->option_text("INDICES")
+      command->add_option("--indices INDICES", arguments.indices, "sobol or morris: over ranges of the inputs")
           ->one_of({"sobol", "morris"});
   const auto with_indices = [&](CommandOption* option) { return option->needs(indices); };
-  with_indices(command->add_option("--range", arguments->ranges, "range of an input of a scene; may be repeated"))
-      ->option_text("KEY=FROM:TO[:logarithmic]")
+  with_indices(command->add_option("--range KEY=FROM:TO[:logarithmic]", arguments.ranges,
+                                   "range of an input of a scene; may be repeated"))
       ->one_value_each();
-  with_indices(command->add_option("--samples", arguments->samples,
+  with_indices(command->add_option("--samples N", arguments.samples,
                                    "rows (sobol, default 256; a power of two) or trajectories (morris, default 20)"))
-      ->between(2, 10'000'000)
-      ->option_text("N");
-  with_indices(command->add_option("--seed", arguments->seed, "of the sample; default 0"))->option_text("S");
-  with_indices(command->add_option("--db", arguments->database, "database; every evaluation is stored and recalled")
-                   ->option_text("FILE"));
-  command->add_option("--jobs", arguments->jobs, "threads; default: one for each core")
-      ->option_text("N")
-      ->between(1, 1024);
-  command->add_option("--out", arguments->out, "draw bars with their errors as PATH.svg and PATH.png")
-      ->option_text("PATH");
-  command->add_flag("--json", arguments->json, "print one JSON object");
+      ->between(2, 10'000'000);
+  with_indices(command->add_option("--seed S", arguments.seed, "of the sample; default 0"));
+  with_indices(
+      command->add_option("--db FILE", arguments.database, "database; every evaluation is stored and recalled"));
+  command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
+  command->add_option("--out PATH", arguments.out, "draw bars with their errors as PATH.svg and PATH.png");
+  command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
       "Without --indices: d ln output / d ln input for every input that is present and not zero, as rollres gradient\n"
       "finds them, the largest first. sobol: shares of the variance, rows * (inputs + 2) evaluations; morris: mean "
       "size\n"
       "and deviation of elementary effects, trajectories * (inputs + 1). Errors are half-widths of 95 % intervals.\n"
       "Example: rollres sensitivity studies/examples/paper_cylinder.json --set tolerance=1e-8 --out sensitivity");
-  command->callback([arguments, &session] {
-    if (!arguments->out.empty()) chart_files(arguments->out);  // a wrong name is told before the work
-    arguments->indices.empty() ? local_sensitivity(*arguments, session) : global_sensitivity(*arguments, session);
-  });
 }
 
 }  // namespace rollres

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <charconv>
-#include <memory>
 #include <ostream>
 
 #include "db/queries/query.hpp"
@@ -21,8 +20,9 @@ namespace rollres {
 namespace {
 
 struct ShowArguments {
-  std::string what, database, fields;
-  bool json = false, with_fields = false;
+  std::string what, database;
+  std::optional<std::string> fields;
+  bool json = false;
 };
 
 /// Outputs in the table of a study, beside its axes, where its file does not list them.
@@ -100,19 +100,19 @@ void show_evaluation(const ShowArguments& arguments, const StoredEvaluation& eva
 void export_fields(const ShowArguments& arguments, ResultStore& store, const StoredEvaluation& evaluation,
                    Session& session) {
   if (const auto fields = store.find_fields(evaluation.key))
-    return write_fields(arguments.fields, evaluation.scene, *fields);
+    return write_fields(*arguments.fields, evaluation.scene, *fields);
   session.err << arguments.database << ": evaluation " << evaluation.id
               << ": no fields are stored; rollres sweep STUDY --fields stores them\n";
   session.status = ExitStatus::no_answer;
 }
 
 void show(const ShowArguments& arguments, Session& session) {
-  if (arguments.with_fields && arguments.fields.empty())
+  if (arguments.fields && arguments.fields->empty())
     throw std::invalid_argument("--fields = \"\": must name a directory");
   ResultStore store(arguments.database, Access::read);
   if (const auto study = store.study(arguments.what)) {
-    if (arguments.with_fields)
-      throw std::invalid_argument("--fields = " + arguments.fields +
+    if (arguments.fields)
+      throw std::invalid_argument("--fields = " + *arguments.fields +
                                   ": needs the number of an evaluation, not a study");
     return show_study(arguments, store, *study, session);
   }
@@ -121,7 +121,7 @@ void show(const ShowArguments& arguments, Session& session) {
   if (std::from_chars(arguments.what.data(), end, id).ptr == end)
     if (const auto evaluation = store.find(id)) {
       show_evaluation(arguments, *evaluation, session);
-      if (arguments.with_fields) export_fields(arguments, store, *evaluation, session);
+      if (arguments.fields) export_fields(arguments, store, *evaluation, session);
       return;
     }
   const std::vector<std::string> all = store.study_names();
@@ -134,22 +134,14 @@ void show(const ShowArguments& arguments, Session& session) {
 }  // namespace
 
 void add_show(Command& program, Session& session) {
-  Command* command = program.add_subcommand("show", "Show the results of a study, or one evaluation in full");
-  const auto arguments = std::make_shared<ShowArguments>();
-  command->add_option("what", arguments->what, "name of a study, or number (id) of an evaluation")
-      ->option_text("NAME|ID")
-      ->required();
-  command->add_option("--db", arguments->database, "database")->option_text("FILE")->required();
-  command->add_flag("--json", arguments->json, "print one JSON object");
-  CommandOption* const fields =
-      command
-          ->add_option("--fields", arguments->fields, "write an evaluation's stored fields to DIR/fields.csv and .vti")
-          ->option_text("DIR");
+  const auto [command, arguments] =
+      program.add<ShowArguments>("show", "Show the results of a study, or one evaluation in full", session, show);
+  command->add_option("what NAME|ID", arguments.what, "name of a study, or number (id) of an evaluation")->required();
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_flag("--json", arguments.json, "print one JSON object");
+  command->add_option("--fields DIR", arguments.fields,
+                      "write an evaluation's stored fields to DIR/fields.csv and .vti");
   command->footer("Example: rollres show --db results.db 'speed and load'");
-  command->callback([arguments, fields, &session] {
-    arguments->with_fields = fields->given();
-    show(*arguments, session);
-  });
 }
 
 }  // namespace rollres

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <memory>
 #include <ostream>
 
 #include "studies/program/command_line.hpp"
@@ -9,7 +8,7 @@
 #include "studies/stored/standalone_study.hpp"
 #include "studies/stored/study_status.hpp"
 #include "studies/study/shards.hpp"
-#include "studies/text/write_file.hpp"
+#include "studies/text/files.hpp"
 
 namespace rollres {
 
@@ -57,34 +56,23 @@ void slurm(const SlurmArguments& arguments, Session& session) {
 }  // namespace
 
 void add_slurm(Command& program, Session& session) {
-  Command* command = program.add_subcommand("slurm", "Write the scripts that run a study as a Slurm job array");
-  const auto arguments = std::make_shared<SlurmArguments>();
-  command->add_option("study", arguments->study, "study file")->option_text("STUDY")->required();
-  command->add_option("--tasks", arguments->job.tasks, "number of shards, each a task of the array")
-      ->option_text("N")
+  const auto [command, arguments] =
+      program.add<SlurmArguments>("slurm", "Write the scripts that run a study as a Slurm job array", session, slurm);
+  command->add_option("study STUDY", arguments.study, "study file")->required();
+  command->add_option("--tasks N", arguments.job.tasks, "number of shards, each a task of the array")
       ->required()
       ->between(1, most_shards);
-  command->add_option("--db", arguments->database, "database that takes the results in the end")
-      ->option_text("FILE")
+  command->add_option("--db FILE", arguments.database, "database that takes the results in the end")->required();
+  command->add_option("--out DIR", arguments.folder, "folder, seen by all nodes, for scripts, shards and logs")
       ->required();
-  command->add_option("--out", arguments->folder, "folder, seen by all nodes, for scripts, shards and logs")
-      ->option_text("DIR")
-      ->required();
-  command->add_option("--throttle", arguments->job.throttle, "tasks that run at a time; default: no limit")
-      ->option_text("N")
+  command->add_option("--throttle N", arguments.job.throttle, "tasks that run at a time; default: no limit")
       ->between(1, most_shards);
-  command->add_option("--cores", arguments->job.cores, "cores for each task; default: 1")
-      ->option_text("N")
-      ->between(1, 1024);
-  command
-      ->add_option("--time", arguments->job.time,
-                   "time limit of a task, as sbatch takes it; a minute before it what is "
-                   "solved is brought back")
-      ->option_text("TIME");
-  command->add_option("--partition", arguments->job.partition, "partition, as sbatch takes it")
-      ->option_text("PARTITION");
-  command->add_option("--program", arguments->program, "rollres as the nodes see it; default: this one")
-      ->option_text("FILE");
+  command->add_option("--cores N", arguments.job.cores, "cores for each task; default: 1")->between(1, 1024);
+  command->add_option("--time TIME", arguments.job.time,
+                      "time limit of a task, as sbatch takes it; a minute before it what is "
+                      "solved is brought back");
+  command->add_option("--partition PARTITION", arguments.job.partition, "partition, as sbatch takes it");
+  command->add_option("--program FILE", arguments.program, "rollres as the nodes see it; default: this one");
   command->footer(
       "Writes array.sh, merge.sh and submit.sh. `sh DIR/submit.sh` submits the array and, after it, the merge; run "
       "again,\n"
@@ -94,7 +82,6 @@ void add_slurm(Command& program, Session& session) {
       "  parallel -j 8 rollres sweep STUDY --shard {}/16 --jobs 1 --db shard-{}.db ::: $(seq 16)\n"
       "  rollres merge shard-*.db --db results.db\n"
       "Example: rollres slurm STUDY --tasks 100 --throttle 20 --time 2:00:00 --db results.db --out jobs");
-  command->callback([arguments, &session] { slurm(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <ostream>
 #include <sstream>
 
@@ -9,10 +8,10 @@
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
-#include "studies/text/write_file.hpp"
 
 namespace rollres {
 
@@ -99,12 +98,11 @@ Table table_of(const std::vector<StabilityCount>& all) {
 }
 
 Json object_of(const StabilityCount& count) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   Json object{{"method", name_of(count.method)}, {"indenter", name_of(count.indenter)}, {"scenes", count.trials()}};
   for (std::size_t i = 0; i < count.of.size(); ++i) object[std::string(ChoiceNames<Outcome>::names[i])] = count.of[i];
-  object["median_seconds"] = number(count.median_seconds);
-  object["seconds_95"] = number(count.seconds_95);
-  object["longest_seconds"] = number(count.longest_seconds);
+  object["median_seconds"] = finite_or_null(count.median_seconds);
+  object["seconds_95"] = finite_or_null(count.seconds_95);
+  object["longest_seconds"] = finite_or_null(count.longest_seconds);
   return object;
 }
 
@@ -175,36 +173,29 @@ void stability(const StabilityArguments& arguments, Session& session) {
 }  // namespace
 
 void add_stability(Command& program, Session& session) {
-  Command* command = program.add_subcommand("stability", "Try the methods on random scenes: which fails where");
-  const auto arguments = std::make_shared<StabilityArguments>();
-  command->add_option("--out", arguments->out, "folder for the table, the maps and the scenes that failed")
-      ->required()
-      ->option_text("DIR");
-  command->add_option("--scenes", arguments->scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
-      ->between(1, 100'000'000)
-      ->option_text("N");
-  command->add_option("--seed", arguments->seed, "of the random scenes; default: 1")->option_text("S");
-  command->add_option("--methods", arguments->methods, "the methods to try, with commas between; default: all")
+  const auto [command, arguments] = program.add<StabilityArguments>(
+      "stability", "Try the methods on random scenes: which fails where", session, stability);
+  command->add_option("--out DIR", arguments.out, "folder for the table, the maps and the scenes that failed")
+      ->required();
+  command->add_option("--scenes N", arguments.scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
+      ->between(1, 100'000'000);
+  command->add_option("--seed S", arguments.seed, "of the random scenes; default: 1");
+  command
+      ->add_option("--methods METHOD,...", arguments.methods, "the methods to try, with commas between; default: all")
       ->delimiter(',')
-      ->one_value_each()
-      ->option_text("METHOD,...");
-  command->add_option("--indenter", arguments->indenter, "cylinder, sphere or both (the default)")
-      ->one_of({"cylinder", "sphere", "both"})
-      ->option_text("INDENTER");
-  command->add_option("--jobs", arguments->jobs, "processes; default: one for each core")
-      ->between(1, 1024)
-      ->option_text("N");
-  command->add_option("--time-limit", arguments->time_limit, "for one scene, in seconds; default: 600")
-      ->positive()
-      ->option_text("SECONDS");
-  command->add_flag("--json", arguments->json, "print the outcome as one JSON object");
+      ->one_value_each();
+  command->add_option("--indenter INDENTER", arguments.indenter, "cylinder, sphere or both (the default)")
+      ->one_of({"cylinder", "sphere", "both"});
+  command->add_option("--jobs N", arguments.jobs, "processes; default: one for each core")->between(1, 1024);
+  command->add_option("--time-limit SECONDS", arguments.time_limit, "for one scene, in seconds; default: 600")
+      ->positive();
+  command->add_flag("--json", arguments.json, "print the outcome as one JSON object");
   command->footer(
       "converged: every law of contact holds to 1e-8. refused: the drive needs more friction, confirmed by solving "
       "with "
       "2 % more and 2 % less than the method says it needs; unconfirmed: that is not so. wrong: says converged, and is "
       "not. Exit status 1 if any is wrong or crashed.\n"
       "Example: rollres stability --out stability --scenes 200 --methods newton,active_set");
-  command->callback([arguments, &session] { stability(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -105,26 +104,21 @@ void status(const StatusArguments& arguments, Session& session) {
 }  // namespace
 
 void add_status(Command& program, Session& session) {
-  Command* command = program.add_subcommand("status", "Tell what of a study is stored, and what is missing");
-  const auto arguments = std::make_shared<StatusArguments>();
-  command->add_option("study", arguments->study, "study file; left out: every study of the database")
-      ->option_text("STUDY");
-  command
-      ->add_option("--db", arguments->databases,
-                   "database; several are taken together; none: the whole study is missing")
-      ->option_text("FILE");
+  const auto [command, arguments] =
+      program.add<StatusArguments>("status", "Tell what of a study is stored, and what is missing", session, status);
+  command->add_option("study STUDY", arguments.study, "study file; left out: every study of the database");
+  command->add_option("--db FILE", arguments.databases,
+                      "database; several are taken together; none: the whole study is missing");
   CommandOption* const shards =
-      command->add_option("--shards", arguments->shards, "number of shards: tell which have something missing")
-          ->option_text("N")
+      command->add_option("--shards N", arguments.shards, "number of shards: tell which have something missing")
           ->between(1, most_shards);
   CommandOption* const array =
-      command->add_flag("--array", arguments->array, "print only these shards, as Slurm's --array takes them")
+      command->add_flag("--array", arguments.array, "print only these shards, as Slurm's --array takes them")
           ->needs(shards);
-  command->add_flag("--json", arguments->json, "print one JSON object")->excludes(array);
+  command->add_flag("--json", arguments.json, "print one JSON object")->excludes(array);
   command->footer(
       "Exit status 0: every point is answered, failed ones included; 1: something is missing.\n"
       "Example: rollres status STUDY --db shard-*.db --shards 16");
-  command->callback([arguments, &session] { status(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -1,4 +1,3 @@
-#include <memory>
 #include <optional>
 #include <ostream>
 
@@ -63,22 +62,12 @@ void sweep(const SweepArguments& arguments, Session& session) {
   if (!arguments.shard.empty()) options.shard = parse_shard(arguments.shard);
   options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, arguments.retry));
   options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;
-  const std::size_t width = terminal_width(session.err);
-  if (width > 0)
-    options.report = [&](const SweepProgress& progress) {
-      session.err << '\r' << progress_line(progress, width) << "\x1b[K" << std::flush;
-    };
-  auto clear_line = [&] {
-    if (width > 0) session.err << "\r\x1b[K" << std::flush;
-  };
   SweepReport report;
-  try {
+  {
+    StatusLine line(session.err);
+    if (line) options.report = [&](const SweepProgress& progress) { line.show(progress); };
     report = run_sweep(study, session.evaluate, arguments.database, options);
-  } catch (...) {
-    clear_line();
-    throw;
   }
-  clear_line();
   std::vector<Failure> failures;
   if (report.study.failed > 0) failures = ResultStore(arguments.database, Access::read).failures(study.name);
   if (arguments.json)
@@ -91,35 +80,27 @@ void sweep(const SweepArguments& arguments, Session& session) {
 }  // namespace
 
 void add_sweep(Command& program, Session& session) {
-  Command* command = program.add_subcommand("sweep", "Solve all points of a study and store each as it comes");
-  const auto arguments = std::make_shared<SweepArguments>();
-  command->add_option("study", arguments->study, "study file")->option_text("STUDY")->required();
-  command->add_option("--db", arguments->database, "database; created if it is missing")
-      ->option_text("FILE")
-      ->required();
-  command->add_option("--jobs", arguments->jobs, "threads; default: one for each core")
-      ->option_text("N")
-      ->between(1, 1024);
+  const auto [command, arguments] =
+      program.add<SweepArguments>("sweep", "Solve all points of a study and store each as it comes", session, sweep);
+  command->add_option("study STUDY", arguments.study, "study file")->required();
+  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->required();
+  command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
+  command->add_option("--shard I/N", arguments.shard,
+                      "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together");
   command
-      ->add_option("--shard", arguments->shard,
-                   "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together")
-      ->option_text("I/N");
-  command
-      ->add_option("--retry", arguments->retry,
+      ->add_option("--retry WHICH", arguments.retry,
                    "solve again what is stored: failed (every point without an answer), not_converged, or all; the new "
                    "answer takes the place of the old one")
-      ->option_text("WHICH")
       ->one_of({"failed", "not_converged", "all"});
-  command->add_flag("--fields", arguments->fields,
+  command->add_flag("--fields", arguments.fields,
                     "store the fields on the surface too, for show --fields; solves points again that have none");
-  command->add_flag("--json", arguments->json, "print the outcome as one JSON object");
+  command->add_flag("--json", arguments.json, "print the outcome as one JSON object");
   command->footer(
       "What is stored already is not solved again: a study that was stopped goes on with the same command.\n"
       "Example: rollres sweep studies/examples/speed_resistance.json --db results.db\n"
       "16 parts on 8 cores, by GNU parallel (for Slurm see rollres slurm):\n"
       "  parallel -j 8 rollres sweep STUDY --shard {}/16 --jobs 1 --db shard-{}.db ::: $(seq 16)\n"
       "  rollres merge shard-*.db --db results.db");
-  command->callback([arguments, &session] { sweep(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
-#include <memory>
 #include <ostream>
 #include <sstream>
 
@@ -81,7 +80,7 @@ struct VerifyArguments {
   std::string format = "table";
 };
 
-void verify(const VerifyArguments& arguments, Session& session) {
+void run_verify(const VerifyArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<VerificationRow> rows = verify(session.evaluate);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -108,18 +107,14 @@ void verify(const VerifyArguments& arguments, Session& session) {
 }  // namespace
 
 void add_verify(Command& program, Session& session) {
-  Command* const command =
-      program.add_subcommand("verify", "Solve what is known, and compare: the paper, closed forms, tables, energy");
-  const auto arguments = std::make_shared<VerifyArguments>();
-  command->add_flag("--summary", arguments->summary, "one line for each source");
-  command->add_option("--format", arguments->format, "table or markdown")
-      ->option_text("FORMAT")
-      ->one_of({"table", "markdown"});
-  command->add_flag("--json", arguments->json, "print one JSON object, with what each tolerance allows for");
+  const auto [command, arguments] = program.add<VerifyArguments>(
+      "verify", "Solve what is known, and compare: the paper, closed forms, tables, energy", session, run_verify);
+  command->add_flag("--summary", arguments.summary, "one line for each source");
+  command->add_option("--format FORMAT", arguments.format, "table or markdown")->one_of({"table", "markdown"});
+  command->add_flag("--json", arguments.json, "print one JSON object, with what each tolerance allows for");
   command->footer(
       "Differences are relative; where zero is expected, absolute. Exit status 1: a row fails.\n"
       "Example: rollres verify");
-  command->callback([arguments, &session] { verify(*arguments, session); });
 }
 
 }  // namespace rollres

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "studies/drawing/gnuplot.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/write_file.hpp"
 
 namespace rollres {
 

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <sstream>
 #include <utility>
 
+#include "studies/scene_io/cells.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/table_output.hpp"
 
 namespace rollres {
 
 namespace {
-
-using Line = std::vector<std::string>;
-
-Cell cell(double value) { return std::isnan(value) ? Cell() : Cell(value); }
-Cell cell(const std::string& text) { return text.empty() ? Cell() : Cell(text); }
-Cell cell(int count) { return static_cast<std::int64_t>(count); }
 
 std::string scientific(double value, int digits) {
   char text[32];
@@ -43,32 +40,14 @@ std::string error_in_words(const AccuracyPoint& point, const AccuracyReference& 
   return scientific(std::abs(point.error), 1);
 }
 
-/// Columns as wide as their longest entry; the first two lines of Markdown are its heading and its rule.
-std::string aligned(const std::vector<Line>& lines, bool markdown) {
-  std::vector<std::size_t> widths(lines.front().size(), 3);
-  for (const Line& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
-  std::string text;
-  for (const Line& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i)
-      text += (markdown ? (i == 0 ? "| " : " | ") : (i == 0 ? "" : "   ")) +
-              std::string(widths[i] - width(line[i]), ' ') + line[i];
-    text += markdown ? " |\n" : "\n";
-    if (!markdown || &line != &lines.front()) continue;
-    for (const std::size_t columns : widths) text += "|" + std::string(columns + 1, '-') + ":";
-    text += "|\n";
-  }
-  return text;
-}
-
 /// One row for each spacing, or each tolerance, that some of the methods were tried at.
 /// @param key which of the two   @param name of the first column   @param text of its entries
 std::string table_of(const AccuracyReport& report, const std::vector<Method>& methods, double AccuracyPoint::*key,
                      const std::string& name, const std::function<std::string(double)>& text, bool markdown) {
-  std::vector<Line> lines{{name, "nodes"}};
+  Table table{{name, "nodes"}, {}};
   for (const Method method : methods)
-    for (const std::string part : {": error", "s", "MB"})
-      lines.front().push_back(part.front() == ':' ? std::string(name_of(method)) + part : part);
+    for (const std::string& head : {std::string(name_of(method)) + ": error", std::string("s"), std::string("MB")})
+      table.columns.push_back(head);
   std::vector<double> values;
   for (const AccuracyPoint& point : report.points)
     if (std::isfinite(point.*key)) values.push_back(point.*key);
@@ -76,7 +55,7 @@ std::string table_of(const AccuracyReport& report, const std::vector<Method>& me
   values.erase(std::unique(values.begin(), values.end()), values.end());
   for (const double value : values) {
     int nodes = 0;
-    Line cells;
+    std::vector<Cell> cells;
     for (const Method method : methods) {
       const auto point = std::find_if(report.points.begin(), report.points.end(), [&](const AccuracyPoint& candidate) {
         return candidate.method == method && candidate.*key == value;
@@ -86,12 +65,16 @@ std::string table_of(const AccuracyReport& report, const std::vector<Method>& me
       constexpr double megabyte = 1e6;
       cells.push_back(error_in_words(*point, report.reference));
       cells.push_back(three_digits(point->seconds, "-"));
-      cells.push_back(std::isfinite(point->peak_memory) ? short_number(point->peak_memory / megabyte, 2) : "-");
+      cells.push_back(std::isfinite(point->peak_memory) ? short_number(point->peak_memory / megabyte, 2)
+                                                        : std::string("-"));
     }
-    cells.insert(cells.begin(), {text(value), nodes > 0 ? std::to_string(nodes) : "-"});
-    lines.push_back(std::move(cells));
+    cells.insert(cells.begin(), {text(value), nodes > 0 ? std::to_string(nodes) : std::string("-")});
+    table.rows.push_back(std::move(cells));
   }
-  return aligned(lines, markdown);
+  std::ostringstream out;
+  (markdown ? write_markdown(out, table) : write_aligned(out, table));
+  out << '\n';
+  return out.str();
 }
 
 std::string tables_text(const AccuracyReport& report, bool markdown) {
@@ -100,14 +83,12 @@ std::string tables_text(const AccuracyReport& report, bool markdown) {
   std::string tables;
   if (!gridded.empty())
     tables += table_of(
-                  report, gridded, &AccuracyPoint::spacing, "spacing",
-                  [](double spacing) { return readable(spacing, "m"); }, markdown) +
-              "\n";
+        report, gridded, &AccuracyPoint::spacing, "spacing", [](double spacing) { return readable(spacing, "m"); },
+        markdown);
   if (!gridless.empty())
     tables += table_of(
-                  report, gridless, &AccuracyPoint::tolerance, "tolerance",
-                  [](double tolerance) { return scientific(tolerance, 0); }, markdown) +
-              "\n";
+        report, gridless, &AccuracyPoint::tolerance, "tolerance",
+        [](double tolerance) { return scientific(tolerance, 0); }, markdown);
   return tables;
 }
 
@@ -189,26 +170,26 @@ Table accuracy_rows(const std::vector<AccuracyReport>& reports) {
       const RollingSolution& solution = point.solution;
       const AccuracyReference& reference = report.reference;
       const bool solved = point.repeats > 0;
-      table.rows.push_back({cell(report.name),
-                            cell(std::string(name_of(point.method))),
-                            cell(point.spacing),
-                            cell(point.tolerance),
-                            solved ? cell(solution.contact_nodes) : Cell(),
-                            cell(solution.rolling_resistance),
-                            cell(point.error),
-                            cell(point.seconds),
-                            cell(point.processor_seconds),
-                            cell(point.repeats),
-                            cell(point.peak_memory),
-                            solved ? cell(solution.iterations) : Cell(),
-                            cell(solution.law_violation),
-                            cell(std::string(name_of(point.status))),
-                            cell(point.reason),
-                            cell(reference.rolling_resistance),
-                            reference.found() ? cell(std::string(name_of(reference.method))) : Cell(),
-                            cell(reference.spacing),
-                            cell(reference.extrapolated ? 1 : 0),
-                            cell(reference.uncertainty)});
+      table.rows.push_back({cell_of(report.name),
+                            cell_of(point.method),
+                            cell_of(point.spacing),
+                            cell_of(point.tolerance),
+                            solved ? cell_of(solution.contact_nodes) : Cell(),
+                            cell_of(solution.rolling_resistance),
+                            cell_of(point.error),
+                            cell_of(point.seconds),
+                            cell_of(point.processor_seconds),
+                            cell_of(point.repeats),
+                            cell_of(point.peak_memory),
+                            solved ? cell_of(solution.iterations) : Cell(),
+                            cell_of(solution.law_violation),
+                            cell_of(point.status),
+                            cell_of(point.reason),
+                            cell_of(reference.rolling_resistance),
+                            reference.found() ? cell_of(reference.method) : Cell(),
+                            cell_of(reference.spacing),
+                            cell_of(reference.extrapolated ? 1 : 0),
+                            cell_of(reference.uncertainty)});
     }
   return table;
 }

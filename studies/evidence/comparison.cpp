@@ -11,7 +11,6 @@
 #include "db/file/digest.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
-#include "studies/stored/stored_study.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/strict_json.hpp"
 

@@ -5,6 +5,13 @@
 
 namespace rollres {
 
+double quantile(std::vector<double> values, double part) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const double place = std::ceil(part * static_cast<double>(values.size())) - 1;
+  return values[static_cast<std::size_t>(std::max(0.0, place))];
+}
+
 PowerLaw power_law(const std::vector<double>& x, const std::vector<double>& y, std::size_t fewest) {
   PowerLaw law;
   const std::size_t count = x.size();

@@ -1,12 +1,15 @@
 #pragma once
 
-/// Power laws through measured values, and what a finer grid will cost.
+/// Statistics of what was measured: quantiles, power laws, and what a finer grid will cost.
 
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace rollres {
+
+/// The smallest of the values that is not below a part of them, the median for 1/2; NaN of none.
+double quantile(std::vector<double> values, double part);
 
 /// y ~ x^slope.
 struct PowerLaw {

@@ -3,28 +3,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <type_traits>
 #include <utility>
 
 #include "core/numerics/recently_made.hpp"
+#include "studies/evidence/power_law.hpp"
 #include "studies/evidence/stability_scene.hpp"
-#include "studies/evidence/stability_trial.hpp"
 #include "studies/run/forked_work.hpp"
+#include "studies/scene_io/cells.hpp"
 
 namespace rollres {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// What a child process tells of one solution.
-struct JudgedNumbers {
-  Status status;
-  int contact_nodes;
-  double seconds, error_estimate, error, uncertainty;
-};
-static_assert(std::is_trivially_copyable_v<JudgedNumbers>);
 
 /// A scene in all ways to solve it.
 struct RandomScene {
@@ -71,24 +62,20 @@ RollingSolution reference_of(const RandomScene& random, double tolerance, const 
   return evaluate(scene);
 }
 
-std::string judged_bytes(const RandomScene& random, double reference_tolerance, const Evaluate& evaluate) {
-  std::string bytes;
+std::vector<JudgedNumbers> judged_ways(const RandomScene& random, double reference_tolerance,
+                                       const Evaluate& evaluate) {
   std::vector<JudgedNumbers> judged;
   for (const RollingScene& scene : random.ways) {
     forget_kernels();
-    JudgedNumbers numbers{Status::not_converged,   0,
-                          RollingSolution::absent, RollingSolution::absent,
-                          RollingSolution::absent, RollingSolution::absent};
+    JudgedNumbers& numbers = judged.emplace_back();
     const auto begin = Clock::now();
     const RollingSolution solution = evaluate(scene);
     numbers.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    numbers.status = solution.status;
     // A scene that its method leaves to another is not that method's.
-    if (solution.method != scene.method) numbers.status = Status::not_converged;
+    if (solution.method == scene.method) numbers.status = solution.status;
     numbers.contact_nodes = solution.contact_nodes;
     numbers.error_estimate = solution.error_estimate;
     numbers.error = solution.rolling_resistance;  // until there is a reference
-    judged.push_back(numbers);
   }
   const bool any = std::any_of(judged.begin(), judged.end(),
                                [](const JudgedNumbers& numbers) { return numbers.status == Status::converged; });
@@ -97,16 +84,8 @@ std::string judged_bytes(const RandomScene& random, double reference_tolerance, 
     const bool known = reference.status == Status::converged;
     numbers.error = known ? std::abs(numbers.error / reference.rolling_resistance - 1) : RollingSolution::absent;
     numbers.uncertainty = known ? reference.error_estimate : RollingSolution::absent;
-    bytes.append(reinterpret_cast<const char*>(&numbers), sizeof numbers);
   }
-  return bytes;
-}
-
-double quantile_of(std::vector<double> values, double part) {
-  if (values.empty()) return RollingSolution::absent;
-  std::sort(values.begin(), values.end());
-  const double place = std::ceil(part * static_cast<double>(values.size())) - 1;
-  return values[static_cast<std::size_t>(std::max(0.0, place))];
+  return judged;
 }
 
 double share_of(std::size_t part, std::size_t whole) {
@@ -140,55 +119,39 @@ RandomAccuracyCount count_of(const std::vector<const JudgedSolution*>& way) {
     ratios.push_back(one->error_estimate / largest);
   }
   count.covered = share_of(covered, count.judged);
-  count.median_ratio = quantile_of(ratios, 0.5);
+  count.median_ratio = quantile(ratios, 0.5);
   count.met = share_of(met, certain_to_tolerance);
-  count.median_seconds = quantile_of(seconds, 0.5);
-  count.seconds_95 = quantile_of(seconds, 0.95);
-  count.median_nodes = quantile_of(nodes, 0.5);
+  count.median_seconds = quantile(seconds, 0.5);
+  count.seconds_95 = quantile(seconds, 0.95);
+  count.median_nodes = quantile(nodes, 0.5);
   return count;
 }
-
-Cell number_cell(double value) { return std::isnan(value) ? Cell() : Cell(value); }
 
 }  // namespace
 
 RandomAccuracyReport measure_random_accuracy(const RandomAccuracyPlan& plan, const Evaluate& evaluate) {
-  const auto begin = Clock::now();
   std::vector<RandomScene> scenes;
   for (std::size_t i = 0; i < plan.cylinders; ++i) scenes.push_back(random_scene(plan, Indenter::cylinder, i));
   for (std::size_t i = 0; i < plan.spheres; ++i) scenes.push_back(random_scene(plan, Indenter::sphere, i));
   const double reference_tolerance = 0.2 * *std::min_element(plan.tolerances.begin(), plan.tolerances.end());
   std::vector<std::vector<JudgedSolution>> judged(scenes.size());
-  SweepProgress progress{.to_solve = scenes.size(), .left = scenes.size()};
-
   ForkedWork work{.pieces = scenes.size(), .jobs = plan.jobs, .time_limit = plan.time_limit};
   work.stop = plan.stop;
-  work.work = [&](std::size_t piece) { return judged_bytes(scenes[piece], reference_tolerance, evaluate); };
+  work.report = plan.report;
+  work.work = [&](std::size_t piece) {
+    Packer pack;
+    pack(judged_ways(scenes[piece], reference_tolerance, evaluate));
+    return pack.bytes;
+  };
   work.done = [&](const PieceEnd& end) {
     const RandomScene& random = scenes[end.piece];
-    for (std::size_t way = 0; way < random.ways.size(); ++way) {
-      JudgedSolution& one = judged[end.piece].emplace_back();
-      one.number = random.number;
-      one.scene = random.ways[way];
-      if (end.answer.size() < (way + 1) * sizeof(JudgedNumbers)) continue;  // its process ended before its time
-      JudgedNumbers numbers;
-      std::memcpy(&numbers, end.answer.data() + way * sizeof numbers, sizeof numbers);
-      one.status = numbers.status;
-      one.seconds = numbers.seconds;
-      one.contact_nodes = numbers.contact_nodes;
-      one.error_estimate = numbers.error_estimate;
-      one.error = numbers.error;
-      one.uncertainty = numbers.uncertainty;
-    }
-    ++progress.solved;
-    --progress.left;
-    if (end.answer.empty()) ++progress.failed;
+    std::vector<JudgedNumbers> numbers;
+    if (!end.answer.empty()) Unpacker{end.answer}(numbers);
+    numbers.resize(random.ways.size());  // where its process ended before its time
+    for (std::size_t way = 0; way < numbers.size(); ++way)
+      judged[end.piece].push_back({numbers[way], random.number, random.ways[way]});
+    return !end.answer.empty();
   };
-  if (plan.report)
-    work.tick = [&] {
-      progress.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-      plan.report(progress);
-    };
   run_forked(work);
 
   RandomAccuracyReport report;
@@ -221,14 +184,14 @@ Table random_accuracy_table(const std::vector<RandomAccuracyCount>& counts) {
               {}};
   for (const RandomAccuracyCount& count : counts) {
     std::vector<Cell>& row = table.rows.emplace_back();
-    row.emplace_back(std::string(name_of(count.indenter)));
-    row.emplace_back(std::string(name_of(count.method)));
-    row.push_back(number_cell(count.tolerance));
+    row.push_back(cell_of(count.indenter));
+    row.push_back(cell_of(count.method));
+    row.push_back(cell_of(count.tolerance));
     row.emplace_back(static_cast<std::int64_t>(count.converged));
     row.emplace_back(static_cast<std::int64_t>(count.judged));
     for (const double value :
          {count.covered, count.median_ratio, count.met, count.median_seconds, count.seconds_95, count.median_nodes})
-      row.push_back(number_cell(value));
+      row.push_back(cell_of(value));
   }
   return table;
 }
@@ -242,10 +205,10 @@ Table judged_table(const std::vector<JudgedSolution>& solutions) {
     std::vector<Cell>& row = table.rows.emplace_back();
     row.emplace_back(static_cast<std::int64_t>(one.number));
     for (Cell& cell : input_cells(one.scene)) row.push_back(std::move(cell));
-    row.emplace_back(std::string(name_of(one.status)));
-    row.push_back(number_cell(one.seconds));
-    row.emplace_back(static_cast<std::int64_t>(one.contact_nodes));
-    for (const double value : {one.error_estimate, one.error, one.uncertainty}) row.push_back(number_cell(value));
+    row.push_back(cell_of(one.status));
+    row.push_back(cell_of(one.seconds));
+    row.push_back(cell_of(one.contact_nodes));
+    for (const double value : {one.error_estimate, one.error, one.uncertainty}) row.push_back(cell_of(value));
   }
   return table;
 }

@@ -17,7 +17,7 @@
 
 #include "core/solve/rolling_contact.hpp"
 #include "db/queries/table.hpp"
-#include "studies/run/sweep.hpp"
+#include "studies/run/progress.hpp"
 
 namespace rollres {
 
@@ -31,16 +31,18 @@ struct RandomAccuracyPlan {
   std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second
 };
 
-/// One way to solve one scene.
-struct JudgedSolution {
-  std::size_t number = 0;  ///< of the scene
-  RollingScene scene;      ///< with its method, and its spacing or its tolerance
+/// What came of one way to solve one scene.
+struct JudgedNumbers {
   Status status = Status::not_converged;
   double seconds = RollingSolution::absent;
   int contact_nodes = 0;
   double error_estimate = RollingSolution::absent;  ///< as the solution says, relative
   double error = RollingSolution::absent;           ///< against the reference, relative; NaN: no reference
   double uncertainty = RollingSolution::absent;     ///< of the reference
+};
+struct JudgedSolution : JudgedNumbers {
+  std::size_t number = 0;  ///< of the scene
+  RollingScene scene;      ///< with its method, and its spacing or its tolerance
 };
 
 struct RandomAccuracyReport {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/material/material.hpp"
@@ -11,6 +12,7 @@
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/table_output.hpp"
 
 namespace rollres {
 
@@ -129,8 +131,6 @@ class ModelsBeside {
   std::vector<SimplerModel> models_;
 };
 
-std::string percent(double value) { return std::isfinite(value) ? short_number(100 * value, 2) + " %" : "-"; }
-
 }  // namespace
 
 std::vector<SimplerModel> simpler_models(const RollingScene& scene, const RollingSolution& solution,
@@ -140,28 +140,23 @@ std::vector<SimplerModel> simpler_models(const RollingScene& scene, const Rollin
 
 std::string simpler_models_text(const RollingScene& scene, const RollingSolution& solution,
                                 const std::vector<SimplerModel>& models) {
-  std::string_view unit = scene.indenter == Indenter::sphere ? "N" : "N/m";
+  const std::string_view unit = scene.indenter == Indenter::sphere ? "N" : "N/m";
   const double full = solution.rolling_resistance;
-  std::vector<std::vector<std::string>> rows{{"model", "R_r", "off by", "own error", "seconds", ""}};
-  rows.push_back(
-      {"this one", readable(full, unit), "", percent(solution.error_estimate), short_number(solution.seconds, 2), ""});
+  const std::string none;
+  Table table{{"model", "R_r", "off by", "own error", "seconds", ""}, {}};
+  table.rows.push_back({std::string("this one"), readable(full, unit), none, percent(solution.error_estimate, 2),
+                        short_number(solution.seconds, 2), none});
   for (const SimplerModel& model : models) {
     const double off = model.rolling_resistance / full - 1;
-    rows.push_back({model.name, readable(model.rolling_resistance, unit), percent(off),
-                    model.seconds > 0 ? percent(model.error_estimate) : "",
-                    model.seconds > 0 ? short_number(model.seconds, 2) : "closed form",
-                    scene.tolerance && std::abs(off) <= *scene.tolerance ? "within the tolerance" : ""});
+    const bool solved = model.seconds > 0, near = scene.tolerance && std::abs(off) <= *scene.tolerance;
+    table.rows.push_back({model.name, readable(model.rolling_resistance, unit), percent(off, 2),
+                          solved ? percent(model.error_estimate, 2) : none,
+                          solved ? short_number(model.seconds, 2) : std::string("closed form"),
+                          near ? std::string("within the tolerance") : none});
   }
-  std::string text = "simpler models\n";
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-  for (const auto& row : rows) {
-    std::string line = "  ";
-    for (std::size_t i = 0; i < row.size(); ++i) line += padded(row[i], widths[i] + 2);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-  }
-  return text;
+  std::ostringstream text("simpler models\n", std::ios::ate);
+  write_aligned(text, table, "", "  ");
+  return text.str();
 }
 
 }  // namespace rollres

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <string>
-#include <type_traits>
 #include <utility>
 
+#include "studies/evidence/power_law.hpp"
 #include "studies/evidence/stability_scene.hpp"
 #include "studies/run/forked_work.hpp"
 #include "studies/text/readable_number.hpp"
@@ -15,19 +13,6 @@
 namespace rollres {
 
 namespace {
-
-/// A verdict on its way between two processes of this program.
-std::string to_bytes(const Trial& trial) {
-  static_assert(std::is_trivially_copyable_v<TrialNumbers>);
-  std::string bytes(sizeof(TrialNumbers), '\0');
-  std::memcpy(bytes.data(), &trial.numbers, sizeof(TrialNumbers));
-  return bytes + trial.reason;
-}
-
-void from_bytes(const std::string& bytes, Trial& trial) {
-  std::memcpy(&trial.numbers, bytes.data(), sizeof(TrialNumbers));
-  trial.reason = bytes.substr(sizeof(TrialNumbers));
-}
 
 /// All trials of a plan, cylinders and spheres in even mixture, so that the time left can be told.
 std::vector<Trial> planned(const StabilityPlan& plan) {
@@ -49,13 +34,6 @@ std::vector<Trial> planned(const StabilityPlan& plan) {
   return trials;
 }
 
-/// The smallest of sorted numbers that is not below a part of them.
-double quantile(const std::vector<double>& sorted, double part) {
-  if (sorted.empty()) return RollingSolution::absent;
-  const double place = std::ceil(part * static_cast<double>(sorted.size())) - 1;
-  return sorted[static_cast<std::size_t>(std::max(0.0, place))];
-}
-
 }  // namespace
 
 StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluate) {
@@ -63,12 +41,17 @@ StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluat
   auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   std::vector<Trial> trials = planned(plan);
   std::vector<char> ended(trials.size(), 0);
-  SweepProgress progress{.to_solve = trials.size(), .left = trials.size()};
-
   ForkedWork work{.pieces = trials.size(), .jobs = plan.jobs, .time_limit = plan.time_limit};
   work.stop = plan.stop;
-  work.work = [&](std::size_t piece) { return to_bytes(judge(evaluate, trials[piece].scene, trials[piece].number)); };
-  work.done = [&](PieceEnd end) {
+  work.report = plan.report;
+  work.work = [&](std::size_t piece) {
+    const Trial trial = judge(evaluate, trials[piece].scene, trials[piece].number);
+    Packer pack;
+    pack(trial.numbers);
+    pack(trial.reason);
+    return pack.bytes;
+  };
+  work.done = [&](const PieceEnd& end) {
     Trial& trial = trials[end.piece];
     if (end.out_of_time) {
       trial.numbers.outcome = Outcome::not_converged;
@@ -77,19 +60,14 @@ StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluat
     } else if (!end.death.empty()) {
       trial.reason = end.death;
     } else {
-      from_bytes(end.answer, trial);
+      Unpacker unpack{end.answer};
+      unpack(trial.numbers);
+      unpack(trial.reason);
     }
     ended[end.piece] = 1;
-    ++progress.solved;
-    --progress.left;
-    if (is_failure(trial.numbers.outcome)) ++progress.failed;
     if (plan.on_trial) plan.on_trial(trial);
+    return !is_failure(trial.numbers.outcome);
   };
-  if (plan.report)
-    work.tick = [&] {
-      progress.seconds = seconds();
-      plan.report(progress);
-    };
   run_forked(work);
 
   StabilityReport report;
@@ -121,7 +99,6 @@ std::vector<StabilityCount> counts(const std::vector<Trial>& trials) {
         if (std::isfinite(trial.numbers.seconds)) times.push_back(trial.numbers.seconds);
       }
       if (count.trials() == 0) continue;
-      std::sort(times.begin(), times.end());
       count.median_seconds = quantile(times, 0.5);
       count.seconds_95 = quantile(times, 0.95);
       count.longest_seconds = quantile(times, 1);

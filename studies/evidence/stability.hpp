@@ -12,7 +12,7 @@
 
 #include "core/solve/rolling_contact.hpp"
 #include "studies/evidence/stability_trial.hpp"
-#include "studies/run/sweep.hpp"
+#include "studies/run/progress.hpp"
 
 namespace rollres {
 

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <exception>
 #include <optional>
-#include <sstream>
 #include <type_traits>
 
-#include "core/messages/number_list.hpp"
-#include "db/rows/layer_list.hpp"
+#include "core/messages/message_text.hpp"
+#include "studies/scene_io/cells.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/text/strict_json.hpp"
 
@@ -45,13 +44,6 @@ bool laws_held(const RollingSolution& solution) {
   return solution.status == Status::converged && solution.law_violation < largest_violation;
 }
 
-template <class... Parts>
-std::string text(const Parts&... parts) {
-  std::ostringstream line;
-  (line << ... << parts);
-  return line.str();
-}
-
 /// What speaks against a refusal; empty if it is confirmed.
 std::string objection(const Evaluate& evaluate, RollingScene scene, const RollingSolution& refused) {
   // Too little friction for the drive, or too much for the body.
@@ -62,20 +54,21 @@ std::string objection(const Evaluate& evaluate, RollingScene scene, const Rollin
   const std::string_view verb = too_little ? "needed" : "borne";
   if (!std::isfinite(limit)) return "it does not say which friction coefficient is needed or borne";
   if (too_little ? limit <= scene.friction_coefficient : limit >= scene.friction_coefficient)
-    return text("the friction coefficient ", verb, " is ", limit, " and it has ", scene.friction_coefficient);
+    return message_text<6>("the friction coefficient ", verb, " is ", limit, " and it has ",
+                           scene.friction_coefficient);
   const auto solved_with = [&](double part) {
     scene.friction_coefficient = part * limit;
     return evaluate(scene);
   };
   const RollingSolution inside = solved_with(1 + margin);
   if (inside.status != Status::converged)
-    return text("with ", more, " friction than ", verb, " (", scene.friction_coefficient, ") it is ",
-                name_of(inside.status), inside.reason.empty() ? "" : ": ", inside.reason);
+    return message_text<6>("with ", more, " friction than ", verb, " (", scene.friction_coefficient, ") it is ",
+                           name_of(inside.status), inside.reason.empty() ? "" : ": ", inside.reason);
   if (!laws_held(inside))
-    return text("with ", more, " friction than ", verb, " (", scene.friction_coefficient,
-                ") a law of contact is violated by ", inside.law_violation);
+    return message_text<6>("with ", more, " friction than ", verb, " (", scene.friction_coefficient,
+                           ") a law of contact is violated by ", inside.law_violation);
   if (solved_with(1 - margin).status == Status::converged)
-    return text("it converges with ", less, " friction than ", verb, " (", scene.friction_coefficient, ")");
+    return message_text<6>("it converges with ", less, " friction than ", verb, " (", scene.friction_coefficient, ")");
   return {};
 }
 
@@ -93,9 +86,9 @@ void judge_solution(const Evaluate& evaluate, const RollingSolution& solution, T
     case Status::converged: {
       const std::string_view missing = missing_number(trial.scene, solution);
       if (!missing.empty())
-        trial.reason = text("says converged, but ", missing, " is not finite");
+        trial.reason = message_text<6>("says converged, but ", missing, " is not finite");
       else if (!laws_held(solution))
-        trial.reason = text("says converged, but a law of contact is violated by ", solution.law_violation);
+        trial.reason = message_text<6>("says converged, but a law of contact is violated by ", solution.law_violation);
       numbers.outcome = missing.empty() && laws_held(solution) ? Outcome::converged : Outcome::wrong;
       break;
     }
@@ -130,29 +123,7 @@ Trial judge(const Evaluate& evaluate, const RollingScene& scene, std::size_t num
   return trial;
 }
 
-std::vector<Cell> input_cells(const RollingScene& scene) {
-  std::vector<Cell> cells;
-  visit_inputs(scene, [&](const Quantity&, const auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_enum_v<Value>)
-      cells.emplace_back(std::string(name_of(value)));
-    else if constexpr (std::is_same_v<Value, std::optional<double>>)
-      cells.push_back(value ? Cell(*value) : Cell());
-    else if constexpr (std::is_integral_v<Value>)
-      cells.emplace_back(static_cast<std::int64_t>(value));
-    else if constexpr (std::is_same_v<Value, std::vector<double>>)
-      cells.push_back(value.empty() ? Cell() : Cell(text_of_list(value)));
-    else if constexpr (std::is_same_v<Value, BondedLayers>)
-      cells.push_back(value.empty() ? Cell() : Cell(text_of_layers(value)));
-    else
-      cells.push_back(std::isnan(value) ? Cell() : Cell(value));
-  });
-  return cells;
-}
-
 Table trials_table(const std::vector<Trial>& trials) {
-  const auto number = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
-  const auto count = [](int value) { return Cell(static_cast<std::int64_t>(value)); };
   Table table{{"number"}, {}};
   for (const std::string_view key : input_keys()) table.columns.emplace_back(key);
   for (const char* name : {"outcome", "reason", "law_violation", "energy_residual", "friction_needed",
@@ -160,13 +131,13 @@ Table trials_table(const std::vector<Trial>& trials) {
     table.columns.emplace_back(name);
   for (const Trial& trial : trials) {
     std::vector<Cell>& row = table.rows.emplace_back();
-    row.emplace_back(static_cast<std::int64_t>(trial.number));
+    row.push_back(cell_of(trial.number));
     for (Cell& cell : input_cells(trial.scene)) row.push_back(std::move(cell));
     const TrialNumbers& n = trial.numbers;
     for (const Cell& cell :
-         {Cell(std::string(name_of(n.outcome))), trial.reason.empty() ? Cell() : Cell(trial.reason),
-          number(n.law_violation), number(n.energy_residual), number(n.friction_needed), number(n.rolling_resistance),
-          count(n.contact_nodes), count(n.slip_nodes), count(n.iterations), number(n.seconds)})
+         {cell_of(n.outcome), cell_of(trial.reason), cell_of(n.law_violation), cell_of(n.energy_residual),
+          cell_of(n.friction_needed), cell_of(n.rolling_resistance), cell_of(n.contact_nodes), cell_of(n.slip_nodes),
+          cell_of(n.iterations), cell_of(n.seconds)})
       row.push_back(cell);
   }
   return table;

@@ -54,9 +54,6 @@ struct Trial {
 /// Solves a scene, and where it is refused also with more and with less friction. Never throws.
 Trial judge(const Evaluate& evaluate, const RollingScene& scene, std::size_t number = 0) noexcept;
 
-/// The inputs of a scene, in the order of input_keys().
-std::vector<Cell> input_cells(const RollingScene& scene);
-
 /// Every input of each trial under its key, the outcome, and the numbers.
 Table trials_table(const std::vector<Trial>& trials);
 

@@ -6,7 +6,6 @@
 
 #include "core/reference/reference_rollers.hpp"
 #include "core/reference/reference_solutions.hpp"
-#include "studies/scene_io/paper_scenes.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/text/readable_number.hpp"
 

@@ -9,12 +9,13 @@
 #include "core/newton/surface_window.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/figures/figure.hpp"
+#include "studies/scene_io/cells.hpp"
 #include "studies/scene_io/fields_file.hpp"
-#include "studies/study/plan_table.hpp"
-#include "studies/text/file_name.hpp"
+#include "studies/stored/study_rows.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
-#include "studies/text/write_file.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -41,20 +42,13 @@ std::string unit_of_input(std::string_view key, const RollingScene& scene) {
   return unit;
 }
 
-std::string words_for(const Cell& cell, std::string_view unit) {
-  if (const auto* const name = std::get_if<std::string>(&cell)) return *name;
-  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
-  if (const auto* const number = std::get_if<double>(&cell)) return readable(*number, unit);
-  return "none";
-}
-
 /// Times of the values of an axis; names are counted in the order in which they come.
 class AxisTimes {
  public:
   double operator()(const Cell& cell) {
     if (const auto* const number = std::get_if<double>(&cell)) return *number;
     if (const auto* const count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
-    const std::string name = words_for(cell, "");
+    const std::string name = value_in_words(cell, "");
     const auto found = std::find(names_.begin(), names_.end(), name);
     const auto place = found - names_.begin();
     if (found == names_.end()) names_.push_back(name);
@@ -122,7 +116,8 @@ FieldCollections write_field_collections(ResultStore& store, const StudySummary&
     std::string others;
     for (const std::string& other : study.axes)
       if (other != written.axis)
-        others += "_" + other + "=" + words_for(input_of(answer->scene, other), unit_of_input(other, answer->scene));
+        others +=
+            "_" + other + "=" + value_in_words(input_of(answer->scene, other), unit_of_input(other, answer->scene));
     const double time =
         written.axis.empty() ? static_cast<double>(position) : times(input_of(answer->scene, written.axis));
     collections[others].push_back({time, file});

@@ -6,7 +6,6 @@
 #include "studies/file_schema/schema_parts.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/scene_entries.hpp"
-#include "studies/study/sampling.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
 
@@ -63,7 +62,7 @@ Json axes() {
   Json schema = inputs_and_layers(axis, no_list);
   Json together = schema;
   together["minProperties"] = 2;
-  schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}}, {"zip"});
+  schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}});
   schema["minProperties"] = 1;
   return schema;
 }
@@ -71,37 +70,12 @@ Json axes() {
 Json sample() {
   Json ranges = inputs_and_layers([](const InputKind&) { return reference(range_name); }, real_input);
   ranges["minProperties"] = 1;
-  return object_of(sample_keys,
-                   {{"method", names(ChoiceNames<SampleMethod>::names)},
-                    {"points", whole(1, most_points)},
-                    {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 0}}},
-                    {"ranges", ranges}},
-                   {"method", "points", "ranges"});
-}
-
-Json interval() {
-  return object_of(interval_keys,
-                   {{"from", input_number()},
-                    {"to", input_number()},
-                    {"points", whole(2, most_points)},
-                    {"spacing", names(spacing_names)}},
-                   {"from", "to", "points"});
-}
-
-Json range() {
-  return object_of(range_keys, {{"from", input_number()}, {"to", input_number()}, {"spacing", names(spacing_names)}},
-                   {"from", "to"});
+  return object_of(sample_keys, {{"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 0}}}, {"ranges", ranges}});
 }
 
 Json chart() {
-  const Json numbers = names(number_outputs()), varied = input_key(any_input);
-  return object_of(chart_keys,
-                   {{"name", name()},
-                    {"x", {{"anyOf", {varied, numbers}}}},
-                    {"y", {{"anyOf", {varied, numbers}}}},
-                    {"family", varied},
-                    {"map", numbers}},
-                   {});
+  const Json numbers = names(number_outputs()), varied = input_key(any_input), either{{"anyOf", {varied, numbers}}};
+  return object_of(chart_keys, {{"x", either}, {"y", either}, {"family", varied}, {"map", numbers}});
 }
 
 }  // namespace
@@ -122,25 +96,19 @@ std::string scene_schema() {
 
 std::string study_schema() {
   Json schema{{"$schema", draft}, {"title", "study of rollres"}};
-  schema.update(object_of(study_keys,
-                          {{"$schema", text()},
-                           {"study", name()},
-                           {"comment", text()},
-                           {"scene", scene_or_file()},
-                           {"set", inputs_and_layers(input_reference, any_input)},
-                           {"axes", axes()},
-                           {"sample", sample()},
-                           {"constraints", list_of(name())},
-                           {"compute", list_of(names(output_keys()))},
-                           {"fields", boolean(false)},
-                           {"chart", {{"allOf", {reference(chart_name)}}}},
-                           {"charts", list_of(reference(chart_name))}},
-                          {"study", "scene"}));
+  schema.update(object_of(study_keys, {{"scene", scene_or_file()},
+                                       {"set", inputs_and_layers(input_reference, any_input)},
+                                       {"axes", axes()},
+                                       {"sample", sample()},
+                                       {"constraints", list_of(name())},
+                                       {"compute", list_of(names(output_keys()))},
+                                       {"chart", {{"allOf", {reference(chart_name)}}}},
+                                       {"charts", list_of(reference(chart_name))}}));
   schema["anyOf"] = {{{"required", {"axes"}}}, {{"required", {"sample"}}}};
   schema["not"] = {{"required", {"chart", "charts"}}};
   Json& definitions = schema["definitions"] = input_definitions();
-  definitions[interval_name] = interval();
-  definitions[range_name] = range();
+  definitions[interval_name] = object_of(interval_keys);
+  definitions[range_name] = object_of(range_keys);
   definitions[chart_name] = chart();
   return printed(schema);
 }

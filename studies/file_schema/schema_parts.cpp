@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "studies/scene_io/layer_entries.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/scene_io/scene_entries.hpp"
 
 namespace rollres::json_schema {
 
@@ -108,27 +108,55 @@ Json input_key(bool (*accepts)(const InputKind&)) {
   return {{"anyOf", {names(own), {{"type", "string"}, {"pattern", layer_pattern("(" + of_layers + ")")}}}}};
 }
 
-Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& forms,
-               const std::vector<std::string_view>& required) {
-  if (forms.size() != keys.size()) throw std::logic_error("a schema has not as many forms as keys");
-  Json properties = Json::object();
-  for (const FileKey& key : keys) {
-    const auto form =
-        std::find_if(forms.begin(), forms.end(), [&](const auto& named) { return named.first == key.key; });
-    if (form == forms.end()) throw std::logic_error("a schema has no form for " + std::string(key.key));
-    Json& property = properties[std::string(key.key)] = form->second;
-    property["description"] = key.meaning;
+namespace {
+
+Json form_of(const KeyForm& form) {
+  switch (form.kind) {
+    case KeyForm::text:
+      return {{"type", "string"}};
+    case KeyForm::name:
+      return name();
+    case KeyForm::number:
+      return input_number();
+    case KeyForm::positive:
+      return {{"type", "number"}, {"exclusiveMinimum", 0}};
+    case KeyForm::boolean:
+      return {{"type", "boolean"}, {"default", false}};
+    case KeyForm::whole:
+      return whole(form.lowest, form.highest);
+    case KeyForm::one_of:
+      return names(form.names);
+    case KeyForm::own:
+      break;
   }
+  return {};
+}
+
+}  // namespace
+
+Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& own) {
+  Json properties = Json::object(), required = Json::array();
+  std::size_t taken = 0;
+  for (const FileKey& key : keys) {
+    Json form = form_of(key.form);
+    if (form.is_null()) {
+      const auto found =
+          std::find_if(own.begin(), own.end(), [&](const auto& named) { return named.first == key.key; });
+      if (found == own.end()) throw std::logic_error("a schema has no form for " + std::string(key.key));
+      form = found->second;
+      ++taken;
+    }
+    form["description"] = key.meaning;
+    properties[std::string(key.key)] = std::move(form);
+    if (key.needed) required.push_back(key.key);
+  }
+  if (taken != own.size()) throw std::logic_error("a schema has forms that belong to no key");
   Json schema{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   if (!required.empty()) schema["required"] = required;
   return schema;
 }
 
-Json text() { return {{"type", "string"}}; }
-
 Json name() { return {{"type", "string"}, {"minLength", 1}}; }
-
-Json boolean(bool by_default) { return {{"type", "boolean"}, {"default", by_default}}; }
 
 Json whole(int lowest, int highest) { return {{"type", "integer"}, {"minimum", lowest}, {"maximum", highest}}; }
 

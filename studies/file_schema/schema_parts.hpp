@@ -62,14 +62,11 @@ Json inputs_and_layers(ValueOf&& value_of, bool (*accepts)(const InputKind&)) {
   return object;
 }
 
-/// An object of a file: each of its keys with what it holds.
-/// @throws std::logic_error if a key has no form, or a form no key
-Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& forms,
-               const std::vector<std::string_view>& required);
+/// An object of a file, by its keys. @param own  what stands under keys that have no form
+/// @throws std::logic_error if one of these is missing, or not such a key
+Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& own = {});
 
-Json text();
 Json name();
-Json boolean(bool by_default);
 Json whole(int lowest, int highest);
 Json list_of(const Json& item);
 

@@ -10,6 +10,7 @@
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -38,16 +39,17 @@ std::string horizontal(const FitFile& file) {
 
 /// "P = 20 kN/m, R = 0.1 m", with the data set where there are several.
 std::string label_of(const FitFile& file, const MeasuredScene& row, const std::string& x) {
-  std::string label;
+  std::vector<std::string> parts;
+  if (std::any_of(file.scenes.begin(), file.scenes.end(),
+                  [&](const MeasuredScene& other) { return other.set != row.set; }))
+    parts.push_back(row.set);
   for (const std::string& key : file.varying) {
     if (key == x || !is_number(key)) continue;
     const Quantity& quantity = find_input(key)->quantity;
-    label += (label.empty() ? "" : ", ") + std::string(quantity.symbol.empty() ? quantity.key : quantity.symbol) +
-             " = " + readable(input_number(row.scene, key), quantity.unit_for(file.indenter()));
+    parts.push_back(std::string(quantity.symbol.empty() ? quantity.key : quantity.symbol) + " = " +
+                    readable(input_number(row.scene, key), quantity.unit_for(file.indenter())));
   }
-  const bool several = std::any_of(file.scenes.begin(), file.scenes.end(),
-                                   [&](const MeasuredScene& other) { return other.set != row.set; });
-  return several ? row.set + (label.empty() ? "" : ", " + label) : label;
+  return joined(parts);
 }
 
 }  // namespace

@@ -58,15 +58,9 @@ GivenParameter given_parameter(const std::string& key, const Json& value, const 
   take("start", given.start);
   take("lowest", given.lowest);
   take("highest", given.highest);
-  if (const auto scale = value.find("scale"); scale != value.end()) {
-    if (*scale != "logarithmic" && *scale != "linear")
-      refuse(given.place, "scale", *scale, "must be one of logarithmic, linear");
-    given.logarithmic = *scale == "logarithmic";
-  }
-  if (const auto fixed = value.find("fixed"); fixed != value.end()) {
-    if (!fixed->is_boolean()) refuse(given.place, "fixed", *fixed, "must be true or false");
-    given.fixed = fixed->get<bool>();
-  }
+  if (value.contains("scale"))
+    given.logarithmic = name_or_first(value, "scale", spacing_names, given.place) == "logarithmic";
+  given.fixed = is_true(value, "fixed", given.place);
   if (const auto set = value.find("data"); set != value.end()) {
     if (!set->is_string()) refuse(given.place, "data", *set, "must be the name of a data set");
     given.set = set->get<std::string>();
@@ -259,26 +253,10 @@ double number_of(const GivenParameter& given, const Json& value, const char* wha
 }
 
 void read_loss(FitFile& fit, const Json& object, const std::string& place) {
-  if (const auto loss = object.find("loss"); loss != object.end()) {
-    const std::string name = loss->is_string() ? loss->get<std::string>() : "";
-    const int found = find_name(ChoiceNames<Loss>::names, name);
-    if (found < 0) refuse(place, "loss", *loss, "must be one of none, huber, cauchy");
-    fit.loss = static_cast<Loss>(found);
-  }
-  fit.loss_scale = usual_loss_scale(fit.loss);
-  if (const auto scale = object.find("loss_scale"); scale != object.end()) {
-    if (!scale->is_number() || !(*scale > 0)) refuse(place, "loss_scale", *scale, "must be a number > 0");
-    fit.loss_scale = scale->get<double>();
-  }
-  if (const auto weights = object.find("weights"); weights != object.end()) {
-    if (*weights != "uniform" && *weights != "relative")
-      refuse(place, "weights", *weights, "must be one of uniform, relative");
-    fit.relative_weights = *weights == "relative";
-  }
-  if (const auto step = object.find("step"); step != object.end()) {
-    if (!step->is_number() || !(*step > 0 && *step <= 0.1)) refuse(place, "step", *step, "must be a number up to 0.1");
-    fit.step = step->get<double>();
-  }
+  fit.loss = choice_or_first<Loss>(object, "loss", place);
+  fit.loss_scale = positive_or(object, "loss_scale", usual_loss_scale(fit.loss), place);
+  fit.relative_weights = name_or_first(object, "weights", weight_names, place) == "relative";
+  if (object.contains("step")) fit.step = positive_or(object, "step", 0, place, 0.1);
 }
 
 /// The scene's entries with the starts of the parameters; what has no value yet gets one from which closed forms start.

@@ -1,18 +1,13 @@
 #include "studies/fit/fit_json.hpp"
 
-#include <cmath>
+#include "studies/scene_io/cells.hpp"
+#include "studies/text/table_json.hpp"
 
 namespace rollres {
 
 namespace {
 
-Json number(double value) {
-  if (std::isfinite(value)) return value;
-  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
-  return nullptr;
-}
-
-Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) { return json_of(cell_of(value)); }
 
 Json interval_json(const ConfidenceInterval& interval) {
   return {{"lowest", interval.low == IntervalEnd::open ? Json(nullptr) : number(interval.lowest)},
@@ -31,8 +26,8 @@ Json parameter_json(const FittedParameter& fitted, const FitContext& context) {
               {"linear_interval", interval_json(fitted.linear)},
               {"profile_interval", nullptr},
               {"start", number(fitted.parameter.start)},
-              {"lowest", bound(variable.lowest)},
-              {"highest", bound(variable.highest)},
+              {"lowest", finite_or_null(variable.lowest)},
+              {"highest", finite_or_null(variable.highest)},
               {"scale", variable.logarithmic ? "logarithmic" : "linear"},
               {"step", number(fitted.step)},
               {"slope_doubt", number(fitted.slope_doubt)},

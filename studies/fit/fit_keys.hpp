@@ -4,60 +4,70 @@
 
 #include <array>
 
+#include "fitting/descent/fit_problem.hpp"
+#include "fitting/fit/material_fit.hpp"
 #include "studies/study/study_keys.hpp"
 
 namespace rollres {
 
+inline constexpr std::array<std::string_view, 2> weight_names{"uniform", "relative"}, modulus_names{"shear", "young"};
+inline constexpr std::array<std::string_view, 3> shift_names{"none", "wlf", "arrhenius"};
+inline constexpr KeyForm fit_starts = whole_from(1, 1000), fit_seed = whole_from(0, 2'000'000'000);
+
 /// Of a fit of a scene.
 inline constexpr std::array fit_keys{
-    FileKey{"$schema", "schema of this file, for editors"},
-    FileKey{"fit", "name of the fit in the database"},
-    FileKey{"comment", "a text that the program ignores"},
+    FileKey{"$schema", "schema of this file, for editors", a_text},
+    FileKey{"fit", "name of the fit in the database", a_name, is_needed},
+    FileKey{"comment", "a text that the program ignores", a_text},
     FileKey{"scene",
-            "name of a scene file, relative to this file, or a scene; what is fitted or measured may be missing"},
+            "name of a scene file, relative to this file, or a scene; what is fitted or measured may be missing",
+            KeyForm{}, is_needed},
     FileKey{"set", "inputs that replace those of the scene"},
-    FileKey{"data", "name of a CSV file, a data set, or a list of these"},
-    FileKey{"parameters", "inputs to be fitted, each a start, an object, or a list of objects for several data sets"},
+    FileKey{"data", "name of a CSV file, a data set, or a list of these", KeyForm{}, is_needed},
+    FileKey{"parameters", "inputs to be fitted, each a start, an object, or a list of objects for several data sets",
+            KeyForm{}, is_needed},
     FileKey{"output", "what is measured; default rolling_resistance"},
-    FileKey{"weights", "without sigma: all residuals weigh the same, or the same relative to the measured values"},
-    FileKey{"loss", "none for least squares, or one that bears outliers"},
-    FileKey{"loss_scale", "the residual, in standard deviations, from which on the loss is robust"},
-    FileKey{"starts", "number of descents; default 1"},
-    FileKey{"seed", "of the other starts; default 1"},
+    FileKey{"weights", "without sigma: all residuals weigh the same, or the same relative to the measured values",
+            one_of(weight_names)},
+    FileKey{"loss", "none for least squares, or one that bears outliers", one_of(ChoiceNames<Loss>::names)},
+    FileKey{"loss_scale", "the residual, in standard deviations, from which on the loss is robust", a_positive},
+    FileKey{"starts", "number of descents; default 1", fit_starts},
+    FileKey{"seed", "of the other starts; default 1", fit_seed},
     FileKey{"step", "of the differences, scaled, in place of steps that suit the noise"},
 };
 
 inline constexpr std::array data_set_keys{
-    FileKey{"file", "name of a CSV file, relative to this file"},
-    FileKey{"name", "of the data set; default: the file's"},
+    FileKey{"file", "name of a CSV file, relative to this file", a_name, is_needed},
+    FileKey{"name", "of the data set; default: the file's", a_name},
     FileKey{"set", "inputs that replace those of the scene for these data"},
-    FileKey{"sigma", "standard deviation of all these data: \"2 %\", or with a unit"},
-    FileKey{"comment", "a text that the program ignores"},
+    FileKey{"sigma", "standard deviation of all these data: \"2 %\", or with a unit", a_number},
+    FileKey{"comment", "a text that the program ignores", a_text},
 };
 
 inline constexpr std::array fit_parameter_keys{
-    FileKey{"start", "where the fit starts; default: closed forms for a material, else the scene's value"},
-    FileKey{"lowest", "lower bound"},
-    FileKey{"highest", "upper bound"},
-    FileKey{"scale", "logarithmic (default for positive quantities) or linear"},
-    FileKey{"fixed", "whether it keeps its start"},
-    FileKey{"data", "the data set that it belongs to; left out: all"},
+    FileKey{"start", "where the fit starts; default: closed forms for a material, else the scene's value", a_number},
+    FileKey{"lowest", "lower bound", a_number},
+    FileKey{"highest", "upper bound", a_number},
+    FileKey{"scale", "logarithmic (default for positive quantities) or linear", one_of(spacing_names)},
+    FileKey{"fixed", "whether it keeps its start", yes_or_no},
+    FileKey{"data", "the data set that it belongs to; left out: all", a_name},
 };
 
 /// Of a fit of a material to storage and loss moduli.
 inline constexpr std::array material_fit_keys{
-    FileKey{"$schema", "schema of this file, for editors"},
-    FileKey{"fit", "name of the fit in the database"},
-    FileKey{"comment", "a text that the program ignores"},
-    FileKey{"material", "what is fitted to storage and loss moduli"},
-    FileKey{"data", "name of a CSV file, relative to this file"},
+    FileKey{"$schema", "schema of this file, for editors", a_text},
+    FileKey{"fit", "name of the fit in the database", a_name, is_needed},
+    FileKey{"comment", "a text that the program ignores", a_text},
+    FileKey{"material", "what is fitted to storage and loss moduli", one_of(ChoiceNames<MaterialForm>::names),
+            is_needed},
+    FileKey{"data", "name of a CSV file, relative to this file", a_name, is_needed},
     FileKey{"terms", "of a Prony series; auto: as many as the data ask for"},
-    FileKey{"shift", "how temperature shifts the frequencies"},
+    FileKey{"shift", "how temperature shifts the frequencies", one_of(shift_names)},
     FileKey{"reference_temperature", "where nothing is shifted: in K, or \"20 degC\" (the default)"},
     FileKey{"sigma", "relative standard deviation of all moduli: \"2 %\""},
-    FileKey{"modulus", "whether the table has moduli in shear (default) or Young's"},
-    FileKey{"starts", "number of descents; default 1"},
-    FileKey{"seed", "of the other starts; default 1"},
+    FileKey{"modulus", "whether the table has moduli in shear (default) or Young's", one_of(modulus_names)},
+    FileKey{"starts", "number of descents; default 1", fit_starts},
+    FileKey{"seed", "of the other starts; default 1", fit_seed},
 };
 
 }  // namespace rollres

@@ -7,6 +7,7 @@
 #include "studies/run/progress.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -15,8 +16,6 @@ namespace {
 std::string_view unit_of(const FittedParameter& fitted, const FitContext& context) {
   return fitted.parameter.variable.quantity.unit_for(context.indenter);
 }
-
-std::string percent(double part) { return std::isfinite(part) ? short_number(100 * part, 3) + " %" : "-"; }
 
 std::string interval_text(const ConfidenceInterval& interval, std::string_view unit) {
   if (std::isnan(interval.lowest) && std::isnan(interval.highest)) return "-";
@@ -78,10 +77,9 @@ void write_statistics(std::ostream& text, const FitReport& report, const FitCont
   line("condition", number(report.errors.condition) +
                         (report.weakest_direction.empty() ? "" : "; weakest: " + report.weakest_direction));
   line("noise of the model", number(report.noise) + " (relative)");
-  std::string steps;
-  for (const FittedParameter& fitted : report.parameters)
-    steps += (steps.empty() ? "" : ", ") + fitted.parameter.name + " " + number(fitted.step);
-  line("steps (scaled)", steps);
+  line("steps (scaled)", joined(report.parameters, ", ", [&](const FittedParameter& fitted) {
+         return fitted.parameter.name + " " + number(fitted.step);
+       }));
   line("descents", std::to_string(report.agreeing) + " of " + std::to_string(report.starts) +
                        " starts agree; the best took " + std::to_string(report.iterations) + " iterations");
   line("evaluations", std::to_string(report.evaluations) + ": " + std::to_string(context.solved) + " solved, " +

@@ -18,17 +18,6 @@ namespace {
 
 constexpr double ice_point = 273.15;  // [K]
 
-std::string choice(const Json& object, const char* key, std::span<const std::string_view> names,
-                   const std::string& place) {
-  const auto found = object.find(key);
-  if (found == object.end()) return std::string(names.front());
-  const std::string name = found->is_string() ? found->get<std::string>() : "";
-  if (find_name(names, name) >= 0) return name;
-  std::string rule = "must be one of";
-  for (const std::string_view known : names) rule += " " + std::string(known);
-  refuse(place, key, *found, unknown(rule, names, name));
-}
-
 /// [K]
 double kelvin(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row) {
   if (column.unit != "degC" && column.unit != "°C") return measured_number(table, column, row, "K");
@@ -91,16 +80,15 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   MaterialFile fit;
   fit.name = needed_name(object, "fit", place, "must be the name of the fit");
   fit.definition = object.dump(2);
-  const std::string form = choice(object, "material", ChoiceNames<MaterialForm>::names, place);
-  fit.options.form = static_cast<MaterialForm>(find_name(ChoiceNames<MaterialForm>::names, form));
+  fit.options.form = choice_or_first<MaterialForm>(object, "material", place);
   if (const auto terms = object.find("terms"); terms != object.end() && *terms != "auto")
     fit.options.terms = whole_number_or(object, "terms", 0, 1, 100, place);
-  constexpr std::string_view laws[] = {"none", "wlf", "arrhenius"}, moduli[] = {"shear", "young"};
-  fit.options.shift.law = static_cast<ShiftLaw>(find_name(laws, choice(object, "shift", laws, place)));
+  const std::string law = name_or_first(object, "shift", shift_names, place);
+  fit.options.shift.law = static_cast<ShiftLaw>(find_name(shift_names, law));
   fit.options.shift.reference = reference_temperature(object, place);
   fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
-  const double share = choice(object, "modulus", moduli, place) == "young" ? 1.0 / 3 : 1;
+  const double share = name_or_first(object, "modulus", modulus_names, place) == "young" ? 1.0 / 3 : 1;
   const double sigma = relative_sigma(object, place);
   fit.options.deviations_known = std::isfinite(sigma);
 

@@ -5,7 +5,7 @@
 
 namespace rollres {
 
-DesignEvaluator::DesignEvaluator(const DesignProblem& problem, RecordedEvaluations& evaluations, int jobs,
+DesignEvaluator::DesignEvaluator(const DesignProblem& problem, StoredEvaluations& evaluations, int jobs,
                                  std::function<void()> report)
     : problem_(problem), evaluations_(evaluations), jobs_(jobs), report_(std::move(report)) {}
 

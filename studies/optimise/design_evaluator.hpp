@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "studies/optimise/design.hpp"
-#include "studies/run/recorded_evaluations.hpp"
+#include "studies/run/stored_evaluations.hpp"
 
 namespace rollres {
 
@@ -19,7 +19,7 @@ class DesignEvaluator {
  public:
   /// @param jobs    threads for the scenes of a design and for the columns of a gradient; 0: one for each core
   /// @param report  called after each design, by one thread at a time
-  DesignEvaluator(const DesignProblem& problem, RecordedEvaluations& evaluations, int jobs = 0,
+  DesignEvaluator(const DesignProblem& problem, StoredEvaluations& evaluations, int jobs = 0,
                   std::function<void()> report = {});
 
   const DesignProblem& problem() const { return problem_; }
@@ -37,7 +37,7 @@ class DesignEvaluator {
 
  private:
   const DesignProblem& problem_;
-  RecordedEvaluations& evaluations_;
+  StoredEvaluations& evaluations_;
   int jobs_;
   std::function<void()> report_;
   mutable std::mutex mutex_, reporting_;

@@ -46,10 +46,8 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
   };
   const double from = number("from"), to = number("to");
   if (!(from < to)) refuse(place, "to", object["to"], "must be larger than \"from\"");
-  bool logarithmic = from > 0;
-  if (object.contains("scale"))
-    logarithmic =
-        needed_name(object, "scale", spacing_names, place, "must be one of linear, logarithmic") == "logarithmic";
+  const bool logarithmic =
+      object.contains("scale") ? name_or_first(object, "scale", spacing_names, place) == "logarithmic" : from > 0;
   if (logarithmic && from <= 0) refuse(place, "from", object["from"], "scale logarithmic: must be > 0");
 
   double start = logarithmic ? std::sqrt(from) * std::sqrt(to) : from + 0.5 * (to - from);
@@ -91,11 +89,7 @@ std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntr
     if (!item.is_object()) refuse(place, "scenes", item, "must be a list of objects with set and weight");
     refuse_unknown_keys(item, duty_keys, item_place);
     DutyScene duty;
-    if (item.contains("weight")) {
-      const Json& weight = item["weight"];
-      if (!weight.is_number() || !(weight > 0.0)) refuse(item_place, "weight", weight, "must be a number > 0");
-      duty.weight = weight.get<double>();
-    }
+    duty.weight = positive_or(item, "weight", duty.weight, item_place);
     const auto own = overridden(base, duty_entries(item, file["variables"], item_place));
     duty.scene = scene_from(overridden(own, starts), item_place);
     scenes.push_back(std::move(duty));
@@ -140,8 +134,7 @@ DesignStop stop_of(const Json& file, const std::string& place) {
   if (!object) return stop;
   const std::string own = place + ": stop";
   refuse_unknown_keys(*object, stop_keys, own);
-  if (const auto found = object->find("evaluations"); found != object->end())
-    stop.evaluations = whole_number(*found, "evaluations", 1, most_points, own);
+  stop.evaluations = whole_number_or(*object, "evaluations", stop.evaluations, 1, most_points, own);
   if (const auto found = object->find("tolerance"); found != object->end()) {
     if (!found->is_number() || !(*found >= 1e-8 && *found <= 0.1))
       refuse(own, "tolerance", *found, "must be a number from 1e-8 to 0.1");
@@ -159,20 +152,10 @@ std::optional<ParetoWish> pareto_of(const Json& file, const std::string& place) 
                                                         "points", 2, most_points, own)};
 }
 
-template <class Choice>
-Choice choice_of(const Json& file, const std::string& key, const std::string& place) {
-  const auto& names = ChoiceNames<Choice>::names;
-  std::string rule = "must be one of";
-  for (std::size_t i = 0; i < names.size(); ++i) rule += (i == 0 ? " " : ", ") + std::string(names[i]);
-  return static_cast<Choice>(find_name(names, needed_name(file, key, names, place, rule)));
-}
-
 DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
   const std::string place = path.string();
   refuse_unknown_keys(file, design_keys, place);
-  for (const std::string_view key : ignored_keys)
-    if (const auto found = file.find(key); found != file.end() && !found->is_string())
-      refuse(place, key, *found, "must be a text");
+  refuse_ignored_other_than_texts(file, place);
 
   const std::string variables_place = place + ": variables";
   const std::string rule = "must be an object with at least one input";
@@ -197,13 +180,10 @@ DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
     throw std::invalid_argument(variables_place + ": " + error.what());
   }
   problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
-  if (file.contains("over_scenes")) problem.over_scenes = choice_of<OverScenes>(file, "over_scenes", place);
+  problem.over_scenes = choice_or_first<OverScenes>(file, "over_scenes", place);
   problem.constraints = constraints_of(file, problem.scenes.front().scene.indenter, place);
-  if (file.contains("algorithm")) problem.algorithm = choice_of<Algorithm>(file, "algorithm", place);
-  if (const auto found = file.find("global"); found != file.end()) {
-    if (!found->is_boolean()) refuse(place, "global", *found, "must be true or false");
-    problem.global = found->get<bool>();
-  }
+  if (file.contains("algorithm")) problem.algorithm = choice_or_first<Algorithm>(file, "algorithm", place);
+  problem.global = is_true(file, "global", place);
   if (problem.algorithm && problem.variables.size() < traits(*problem.algorithm).fewest_variables)
     refuse(place, "algorithm", file["algorithm"], "needs at least two variables");
   problem.stop = stop_of(file, place);

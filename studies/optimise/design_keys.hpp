@@ -4,50 +4,55 @@
 
 #include <array>
 
+#include "studies/optimise/design.hpp"
 #include "studies/study/study_keys.hpp"
 
 namespace rollres {
 
 inline constexpr std::array design_keys{
-    FileKey{"$schema", "schema of this file, for editors"},
-    FileKey{"study", "name of the study in the database"},
-    FileKey{"comment", "a text that the program ignores"},
-    FileKey{"scene", "name of a scene file, relative to this file, or a scene; the variables may be missing in it"},
+    FileKey{"$schema", "schema of this file, for editors", a_text},
+    FileKey{"study", "name of the study in the database", a_name, is_needed},
+    FileKey{"comment", "a text that the program ignores", a_text},
+    FileKey{"scene", "name of a scene file, relative to this file, or a scene; the variables may be missing in it",
+            KeyForm{}, is_needed},
     FileKey{"set", "inputs that replace those of the scene"},
-    FileKey{"variables", "inputs to be chosen, each between two bounds"},
-    FileKey{"minimise", "formula of inputs and outputs to be made small"},
-    FileKey{"maximise", "formula of inputs and outputs to be made large"},
+    FileKey{"variables", "inputs to be chosen, each between two bounds", KeyForm{}, is_needed},
+    FileKey{"minimise", "formula of inputs and outputs to be made small", a_name},
+    FileKey{"maximise", "formula of inputs and outputs to be made large", a_name},
     FileKey{"scenes", "duty cycle: inputs and weight of each scene"},
-    FileKey{"over_scenes", "how the weighted values of the scenes become one"},
+    FileKey{"over_scenes", "how the weighted values of the scenes become one", one_of(ChoiceNames<OverScenes>::names)},
     FileKey{"constraints", "conditions of inputs and outputs that hold in every scene"},
-    FileKey{"algorithm", "algorithm of the search; left out: chosen from the problem"},
-    FileKey{"global", "whether to look for the best of several optima"},
+    FileKey{"algorithm", "algorithm of the search; left out: chosen from the problem",
+            one_of(ChoiceNames<Algorithm>::names)},
+    FileKey{"global", "whether to look for the best of several optima", yes_or_no},
     FileKey{"stop", "when the search ends"},
     FileKey{"pareto", "a second goal, for a front between the two"},
 };
 
 inline constexpr std::array variable_keys{
-    FileKey{"from", "lowest value"},
-    FileKey{"to", "highest value"},
-    FileKey{"scale", "linear or logarithmic; default: logarithmic where both bounds are positive"},
-    FileKey{"start", "where the search starts; default: the scene's value, else the middle"},
+    FileKey{"from", "lowest value", a_number, is_needed},
+    FileKey{"to", "highest value", a_number, is_needed},
+    FileKey{"scale", "linear or logarithmic; default: logarithmic where both bounds are positive",
+            one_of(spacing_names)},
+    FileKey{"start", "where the search starts; default: the scene's value, else the middle", a_number},
 };
 
 inline constexpr std::array duty_keys{
     FileKey{"set", "inputs that replace those of the scene"},
-    FileKey{"weight", "of this scene's value; default 1"},
+    FileKey{"weight", "of this scene's value; default 1", a_positive},
 };
 
 inline constexpr std::array stop_keys{
     FileKey{"evaluations",
-            "most scenes that the searches may ask for, recalled ones included; slopes once begun are finished"},
+            "most scenes that the searches may ask for, recalled ones included; slopes once begun are finished",
+            whole_from(1, most_points)},
     FileKey{"tolerance", "of each variable, as a fraction of its range; default 1e-4"},
 };
 
 inline constexpr std::array pareto_keys{
-    FileKey{"minimise", "formula of inputs and outputs to be made small"},
-    FileKey{"maximise", "formula of inputs and outputs to be made large"},
-    FileKey{"points", "designs on the front, both ends included"},
+    FileKey{"minimise", "formula of inputs and outputs to be made small", a_name},
+    FileKey{"maximise", "formula of inputs and outputs to be made large", a_name},
+    FileKey{"points", "designs on the front, both ends included", whole_from(2, most_points), is_needed},
 };
 
 }  // namespace rollres

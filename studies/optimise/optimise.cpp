@@ -31,7 +31,7 @@ double excess(const DesignScale& scale, const Design& design) {
 
 class Optimisation {
  public:
-  Optimisation(const DesignProblem& problem, RecordedEvaluations& evaluations, const OptimiseOptions& options)
+  Optimisation(const DesignProblem& problem, StoredEvaluations& evaluations, const OptimiseOptions& options)
       : problem_(problem), evaluator_(problem, evaluations, options.jobs, [this, &options] {
           if (!options.report) return;
           const auto best = evaluator_.best();
@@ -161,8 +161,7 @@ std::size_t evaluation_limit(const DesignProblem& problem) {
   return for_each * (problem.variables.size() + 1) * problem.scenes.size();
 }
 
-OptimiseReport optimise(const DesignProblem& problem, RecordedEvaluations& evaluations,
-                        const OptimiseOptions& options) {
+OptimiseReport optimise(const DesignProblem& problem, StoredEvaluations& evaluations, const OptimiseOptions& options) {
   OptimiseReport report = Optimisation(problem, evaluations, options).run();
   evaluations.flush();
   return report;

@@ -68,7 +68,7 @@ Algorithm default_algorithm(const DesignProblem& problem);
 std::size_t evaluation_limit(const DesignProblem& problem);
 
 /// @throws std::runtime_error if the store fails
-OptimiseReport optimise(const DesignProblem& problem, RecordedEvaluations& evaluations,
+OptimiseReport optimise(const DesignProblem& problem, StoredEvaluations& evaluations,
                         const OptimiseOptions& options = {});
 
 }  // namespace rollres

@@ -5,6 +5,7 @@
 
 #include "studies/text/readable_number.hpp"
 #include "studies/text/scaled_unit.hpp"
+#include "studies/text/table_json.hpp"
 
 namespace rollres {
 
@@ -13,7 +14,6 @@ namespace {
 Indenter indenter_of(const DesignProblem& problem) { return problem.scenes.front().scene.indenter; }
 
 Cell rough(double value) { return std::isfinite(value) ? Cell(short_number(value, 3)) : Cell(); }
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// "0.71 +- 0.002"
 Cell with_error(double value, double error) {
@@ -34,11 +34,11 @@ Json json_of(const DesignProblem& problem, const Design& design) {
   for (std::size_t i = 0; i < design.point.size(); ++i)
     variables[std::string(problem.variables[i].quantity.key)] = design.point[i];
   Json object{{"variables", variables},
-              {"value", number(design.value)},
+              {"value", finite_or_null(design.value)},
               {"feasible", design.feasible()},
               {"reason", design.reason},
               {"keys", design.keys}};
-  if (problem.pareto) object["second"] = number(design.second);
+  if (problem.pareto) object["second"] = finite_or_null(design.second);
   return object;
 }
 
@@ -49,8 +49,8 @@ Json json_of(const EvaluationCount& count) {
 Json elasticities_json(const DesignProblem& problem, const Elasticities& elasticities) {
   Json object = Json::object();
   for (std::size_t i = 0; i < elasticities.of.size(); ++i)
-    object[std::string(problem.variables[i].quantity.key)] = {{"elasticity", number(elasticities.of[i])},
-                                                              {"error", number(elasticities.errors[i])}};
+    object[std::string(problem.variables[i].quantity.key)] = {{"elasticity", finite_or_null(elasticities.of[i])},
+                                                              {"error", finite_or_null(elasticities.errors[i])}};
   return object;
 }
 
@@ -143,7 +143,7 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
               {"status", name_of(report.status)},
               {"reason", report.reason},
               {problem.goal.maximise ? "maximise" : "minimise", problem.goal.formula.text()},
-              {"value", number(report.value())},
+              {"value", finite_or_null(report.value())},
               {"unit", unit_of(problem.goal.formula, indenter_of(problem))},
               {"best", report.best ? json_of(problem, *report.best) : Json(nullptr)},
               {"nearest", report.nearest ? json_of(problem, *report.nearest) : Json(nullptr)},
@@ -162,29 +162,30 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
   const auto& optimum = report.optimum;
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Variable& variable = problem.variables[i];
-    object["variables"].push_back({{"key", variable.quantity.key},
-                                   {"unit", variable.quantity.unit_for(indenter_of(problem))},
-                                   {"from", variable.lowest},
-                                   {"to", variable.highest},
-                                   {"scale", variable.logarithmic ? "logarithmic" : "linear"},
-                                   {"start", problem.start[i]},
-                                   {"value", report.best ? Json(report.best->point[i]) : Json(nullptr)},
-                                   {"bound", optimum ? Json(name_of(optimum->bounds[i])) : Json(nullptr)},
-                                   {"elasticity", optimum ? number(optimum->goal.of[i]) : Json(nullptr)},
-                                   {"elasticity_error", optimum ? number(optimum->goal.errors[i]) : Json(nullptr)}});
+    object["variables"].push_back(
+        {{"key", variable.quantity.key},
+         {"unit", variable.quantity.unit_for(indenter_of(problem))},
+         {"from", variable.lowest},
+         {"to", variable.highest},
+         {"scale", variable.logarithmic ? "logarithmic" : "linear"},
+         {"start", problem.start[i]},
+         {"value", report.best ? Json(report.best->point[i]) : Json(nullptr)},
+         {"bound", optimum ? Json(name_of(optimum->bounds[i])) : Json(nullptr)},
+         {"elasticity", optimum ? finite_or_null(optimum->goal.of[i]) : Json(nullptr)},
+         {"elasticity_error", optimum ? finite_or_null(optimum->goal.errors[i]) : Json(nullptr)}});
   }
   const std::optional<Design>& shown = report.best ? report.best : report.nearest;
   for (std::size_t j = 0; shown && j < shown->constraints.size(); ++j) {
     const ConstraintSides& sides = shown->constraints[j];
     Json constraint{{"constraint", constraint_name(problem, j)},
-                    {"left", number(sides.left)},
-                    {"right", number(sides.right)},
+                    {"left", finite_or_null(sides.left)},
+                    {"right", finite_or_null(sides.right)},
                     {"holds", sides.holds}};
     if (optimum) {
       const ConstraintState& state = optimum->constraints[j];
-      constraint["slack"] = number(state.slack);
+      constraint["slack"] = finite_or_null(state.slack);
       constraint["active"] = state.active;
-      constraint["multiplier"] = number(state.multiplier);
+      constraint["multiplier"] = finite_or_null(state.multiplier);
       constraint["elasticities"] = elasticities_json(problem, state.elasticities);
     }
     object["constraints"].push_back(std::move(constraint));
@@ -201,7 +202,7 @@ Json json_of(const DesignProblem& problem, const ParetoReport& front) {
       {"complete", front.complete()}, {"interrupted", front.interrupted}, {"evaluations", json_of(front.count)},
       {"front", Json::array()}};
   for (const ParetoPoint& point : front.points)
-    object["front"].push_back({{"limit", number(point.limit)},
+    object["front"].push_back({{"limit", finite_or_null(point.limit)},
                                {"status", name_of(point.report.status)},
                                {"reason", point.report.reason},
                                {"dominated", point.dominated},

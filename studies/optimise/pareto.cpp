@@ -44,7 +44,7 @@ bool ParetoReport::complete() const {
   });
 }
 
-ParetoReport pareto_front(const DesignProblem& problem, RecordedEvaluations& evaluations,
+ParetoReport pareto_front(const DesignProblem& problem, StoredEvaluations& evaluations,
                           const OptimiseOptions& options) {
   ParetoReport front;
   const auto solve = [&](const DesignProblem& one, double limit) -> const ParetoPoint& {

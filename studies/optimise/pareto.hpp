@@ -27,7 +27,7 @@ struct ParetoReport {
 /// Bounds lie evenly, in the logarithm where both ends are positive; each search starts from the design before it.
 /// @param problem  has a wish for a front
 /// @throws std::runtime_error if the store fails
-ParetoReport pareto_front(const DesignProblem& problem, RecordedEvaluations& evaluations,
+ParetoReport pareto_front(const DesignProblem& problem, StoredEvaluations& evaluations,
                           const OptimiseOptions& options = {});
 
 }  // namespace rollres

@@ -26,7 +26,7 @@ OptionWords words_of(const CLI::Option& option) {
 
 }  // namespace
 
-CommandOption::CommandOption(CLI::Option& option) : option_(&option), value_(option.get_type_name()) {}
+CommandOption::CommandOption(CLI::Option& option, std::string value) : option_(&option), value_(std::move(value)) {}
 
 CommandOption* CommandOption::required() { return option_->required(), this; }
 CommandOption* CommandOption::between(int lowest, int highest) {
@@ -42,16 +42,11 @@ CommandOption* CommandOption::one_of(std::span<const std::string_view> names) {
 CommandOption* CommandOption::one_of(std::initializer_list<std::string_view> names) {
   return one_of(std::span<const std::string_view>(names.begin(), names.size()));
 }
-CommandOption* CommandOption::option_text(const std::string& word) {
-  value_ = word;
-  return option_->type_name(word), this;
-}
 CommandOption* CommandOption::delimiter(char letter) { return option_->delimiter(letter), this; }
 CommandOption* CommandOption::one_value_each() { return option_->allow_extra_args(false), this; }
 CommandOption* CommandOption::expected(int fewest, int most) { return option_->expected(fewest, most), this; }
 CommandOption* CommandOption::excludes(const CommandOption* other) { return option_->excludes(other->option_), this; }
 CommandOption* CommandOption::needs(const CommandOption* other) { return option_->needs(other->option_), this; }
-bool CommandOption::given() const { return option_->count() > 0; }
 
 OptionWords CommandOption::words() const {
   OptionWords words = words_of(*option_);
@@ -78,7 +73,10 @@ Command* Command::add_subcommand(const std::string& name, const std::string& mea
 
 template <class T>
 CommandOption* Command::add_option(const std::string& name, T& value, const std::string& meaning) {
-  options_.push_back(std::make_unique<CommandOption>(*app_->add_option(name, value, meaning)));
+  const std::size_t blank = name.find(' ');
+  const std::string word = name.substr(blank + 1);
+  CLI::Option* const option = app_->add_option(name.substr(0, blank), value, meaning)->type_name(word);
+  options_.push_back(std::make_unique<CommandOption>(*option, word));
   return options_.back().get();
 }
 
@@ -89,13 +87,14 @@ template CommandOption* Command::add_option(const std::string&, std::filesystem:
 template CommandOption* Command::add_option(const std::string&, int&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::uint64_t&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, double&, const std::string&);
+template CommandOption* Command::add_option(const std::string&, std::optional<std::string>&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::optional<int>&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::optional<std::int64_t>&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::optional<std::uint64_t>&, const std::string&);
 template CommandOption* Command::add_option(const std::string&, std::optional<double>&, const std::string&);
 
 CommandOption* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
-  options_.push_back(std::make_unique<CommandOption>(*app_->add_flag(name, value, meaning)));
+  options_.push_back(std::make_unique<CommandOption>(*app_->add_flag(name, value, meaning), ""));
   return options_.back().get();
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -18,6 +19,8 @@ class Option;
 }  // namespace CLI
 
 namespace rollres {
+
+struct Session;
 
 /// An option or a positional word, as a manual page or a shell's completion tells it.
 struct OptionWords {
@@ -40,7 +43,8 @@ struct CommandWords {
 /// An option or a positional word of a command. Its functions return the option, so that they can be chained.
 class CommandOption {
  public:
-  explicit CommandOption(CLI::Option& option);
+  /// @param value the word that the help text shows for the value; empty for a flag
+  CommandOption(CLI::Option& option, std::string value);
 
   CommandOption* required();
   /// What the value must be; the help text and the refusal name it. Both ends of `between` are included.
@@ -49,9 +53,6 @@ class CommandOption {
   CommandOption* not_negative();
   CommandOption* one_of(std::span<const std::string_view> names);
   CommandOption* one_of(std::initializer_list<std::string_view> names);
-  /// The word that the help text shows for the value. Completion goes by it: after DIR it offers folders, after KEY the
-  /// keys of scenes and solutions; completion.cpp has the list.
-  CommandOption* option_text(const std::string& word);
   /// Takes a list apart at this letter.
   CommandOption* delimiter(char letter);
   /// Takes one value each time it is given, no more.
@@ -59,9 +60,6 @@ class CommandOption {
   CommandOption* expected(int fewest, int most);
   CommandOption* excludes(const CommandOption* other);
   CommandOption* needs(const CommandOption* other);
-
-  /// Whether the command line names it; to be asked in the command's callback.
-  bool given() const;
 
   OptionWords words() const;
 
@@ -82,7 +80,18 @@ class Command {
 
   Command* add_subcommand(const std::string& name, const std::string& meaning);
 
-  /// @param name "--name", or "name" for a positional word
+  /// A command whose words are read into `Arguments`, the second of the pair; then `act(arguments, session)` is called.
+  template <class Arguments, class Act>
+  std::pair<Command*, Arguments&> add(const std::string& name, const std::string& meaning, Session& session, Act act) {
+    const auto arguments = std::make_shared<Arguments>();
+    Command* const command = add_subcommand(name, meaning);
+    command->callback([arguments, act, &session] { act(*arguments, session); });
+    return {command, *arguments};
+  }
+
+  /// @param name "--name VALUE", or "name VALUE" for a positional word. VALUE is the word that the help text shows for
+  ///             the value; completion goes by it: for DIR it offers folders, for KEY the keys of scenes and solutions
+  ///             (completion.cpp has the list)
   /// @param value takes what is given, as its type demands; must outlive the parsing. command_line.cpp lists the types.
   template <class T>
   CommandOption* add_option(const std::string& name, T& value, const std::string& meaning);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "studies/program/command_line.hpp"
+#include "studies/program/completion.hpp"
 
 #ifndef ROLLRES_VERSION
 #define ROLLRES_VERSION "0.1.0"
@@ -58,6 +59,11 @@ int run_program(std::vector<std::string> words, Session session) {
         "Example: rollres solve studies/examples/paper_cylinder.json\n"
         "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
     for (const AddCommand add : commands) add(program, session);
+    if (!words.empty() && words.front() == "complete") {
+      words.erase(words.begin());
+      session.out << completions(program.words(), words);
+      return ExitStatus::answered;
+    }
     refuse_unknown_command(program, words);
     program.parse(std::move(words), session.out, session.err);
     session.out.flush();

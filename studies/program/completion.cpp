@@ -1,78 +1,219 @@
 #include "studies/program/completion.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstdlib>
+#include <map>
+#include <span>
+#include <string_view>
 
 #include "core/scene/solution.hpp"
+#include "db/rows/result_store.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 
 namespace rollres {
 
 namespace {
 
-/// Words for a value of which something is known; all others are numbers and the like.
-constexpr std::array<std::pair<std::string_view, WordKind>, 14> known_words{{
-    {"KEY", WordKind::key},
-    {"KEY,...", WordKind::key},
-    {"KEY=VALUE", WordKind::assignment},
-    {"KEY=FROM:TO[:logarithmic]", WordKind::assignment},
-    {"FILTER", WordKind::filter},
-    {"NAME", WordKind::stored},
-    {"NAME|ID", WordKind::stored},
-    {"DIR", WordKind::folder},
-    {"FILE", WordKind::file},
-    {"PATH", WordKind::file},
-    {"SCENE", WordKind::file},
-    {"STUDY", WordKind::file},
-    {"SCENE|STUDY", WordKind::file},
-    {"FIT", WordKind::file},
-}};
-
-}  // namespace
-
-WordKind word_kind(const OptionWords& option) {
-  if (!option.choices.empty()) return WordKind::choice;
-  const auto known = std::find_if(known_words.begin(), known_words.end(),
-                                  [&](const auto& entry) { return entry.first == option.value; });
-  return known == known_words.end() ? WordKind::anything : known->second;
+constexpr const char* bash_script = R"sh(# Completion of rollres for bash, written by `rollres completion bash`.
+_rollres() {
+  local i word kind= words=()
+  for ((i = 1; i <= COMP_CWORD; i++)); do  # bash takes KEY=VALUE and --option=value apart at the sign
+    if [[ ${#words[@]} -gt 0 && (${COMP_WORDS[i]} == = || ${COMP_WORDS[i - 1]} == =) ]]; then
+      words[-1]+=${COMP_WORDS[i]}
+    else
+      words+=("${COMP_WORDS[i]}")
+    fi
+  done
+  local before=${words[-1]%"${words[-1]##*=}"}
+  COMPREPLY=()
+  while IFS=$'\t' read -r word _; do
+    [[ -n $kind ]] || { kind=$word; continue; }
+    printf -v word %q "${word#"$before"}"
+    COMPREPLY+=("${word//\\,/,}")
+  done < <("${COMP_WORDS[0]}" complete "${words[@]}" 2>/dev/null)
+  [[ $kind != open ]] || compopt -o nospace
+  [[ $kind != folders ]] || compopt -o dirnames
+  [[ $kind == files ]] || compopt +o default +o bashdefault
 }
+complete -o bashdefault -o default -F _rollres rollres
+)sh";
 
-std::string one_line_of(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
-  return line;
+constexpr const char* zsh_script = R"sh(#compdef rollres
+# Completion of rollres for zsh, written by `rollres completion zsh`.
+_rollres() {
+  local -a lines=("${(@f)$(rollres complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)}")
+  local -a found=("${(@)${(@)lines[2,-1]//:/\\:}/$'\t'/:}")
+  case $lines[1] in
+    open) _describe rollres found -S '' ;;
+    words) _describe rollres found ;;
+    *)
+      [[ $PREFIX != --*=* ]] || compset -P '*='
+      if [[ $lines[1] == folders ]]; then _files -/; else _files; fi ;;
+  esac
 }
+_rollres "$@"
+)sh";
 
-std::string words_of_inputs() {
+constexpr const char* fish_script = R"sh(# Completion of rollres for fish, written by `rollres completion fish`.
+function __rollres_complete
+    set -l lines (rollres complete (commandline -opc)[2..] (commandline -ct) 2>/dev/null)
+    set -l option (string match -r -- '^--[^=]*=' (commandline -ct))
+    set -l rest (string replace -r -- '^--[^=]*=' '' (commandline -ct))
+    switch $lines[1]
+        case files
+            printf "$option%s\n" (__fish_complete_path $rest)
+        case folders
+            printf "$option%s\n" (__fish_complete_directories $rest)
+        case '*'
+            printf '%s\n' $lines[2..]
+    end
+end
+complete -c rollres -f -a '(__rollres_complete)'
+)sh";
+
+struct Completion {
+  std::string kind = "words";
+  std::vector<std::string> words = {}, meanings = {};
+
+  void add(std::string word, std::string meaning = "") {
+    words.push_back(std::move(word));
+    meanings.push_back(std::move(meaning));
+  }
+};
+
+std::vector<std::string> keys_of_inputs() {
   const auto keys = input_keys();
-  return one_line_of({keys.begin(), keys.end()});
+  return {keys.begin(), keys.end()};
 }
 
-std::string words_of_all_keys() {
-  const auto inputs = input_keys();
-  std::vector<std::string> keys(inputs.begin(), inputs.end());
+std::vector<std::string> all_keys() {
+  std::vector<std::string> keys = keys_of_inputs();
   const RollingSolution solution;
   visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
     if (std::find(keys.begin(), keys.end(), quantity.key) == keys.end()) keys.emplace_back(quantity.key);
   });
-  return one_line_of(keys);
+  return keys;
 }
 
-std::string filled(std::string text, const std::vector<std::pair<std::string, std::string>>& parts) {
-  for (const auto& [name, part] : parts) {
-    const std::string mark = "@" + name + "@";
-    for (std::size_t place = text.find(mark); place != std::string::npos; place = text.find(mark, place + part.size()))
-      text.replace(place, mark.size(), part);
+/// Several of these, with commas between.
+Completion list_of(const std::vector<std::string>& keys, const std::string& begun) {
+  Completion completion{.kind = "open"};
+  const std::string before = begun.substr(0, begun.rfind(',') + 1);
+  for (const std::string& key : keys) completion.add(before + key);
+  return completion;
+}
+
+/// KEY=VALUE with one of these; values are known of inputs that take one of some names.
+Completion assignments(const std::vector<std::string>& keys, const std::string& begun) {
+  Completion completion;
+  if (const std::size_t sign = begun.find('='); sign != std::string::npos) {
+    if (const InputKind* const input = find_input(begun.substr(0, sign)))
+      for (const std::string_view name : input->choices) completion.add(begun.substr(0, sign + 1) + std::string(name));
+    return completion;
   }
+  completion.kind = "open";
+  for (const std::string& key : keys) completion.add(key + "=");
+  return completion;
+}
+
+/// Studies of the database that --db names among these words.
+Completion stored_studies(std::span<const std::string> words) {
+  Completion completion;
+  std::string file;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i].starts_with("--db="))
+      file = words[i].substr(5);
+    else if (words[i] == "--db" && i + 1 < words.size())
+      file = words[i + 1];
+  if (const char* const home = std::getenv("HOME"); home && file.starts_with("~/")) file.replace(0, 1, home);
+  if (file.empty()) return completion;
+  for (const std::string& study : ResultStore(file, Access::read).study_names()) completion.add(study);
+  return completion;
+}
+
+/// What may be the value of an option or a positional word: told by its choices, else by the word for its value; of all
+/// other words nothing is known.
+Completion values(const OptionWords& option, std::span<const std::string> words, const std::string& begun) {
+  static const std::map<std::string, std::string, std::less<>> kinds{
+      {"KEY", "key"},       {"KEY,...", "key"},
+      {"FILTER", "filter"}, {"KEY=VALUE", "assignment"},
+      {"NAME", "stored"},   {"KEY=FROM:TO[:logarithmic]", "assignment"},
+      {"FILE", "files"},    {"NAME|ID", "stored"},
+      {"PATH", "files"},    {"SCENE", "files"},
+      {"STUDY", "files"},   {"SCENE|STUDY", "files"},
+      {"FIT", "files"},     {"DIR", "folders"}};
+  Completion completion;
+  for (const std::string& choice : option.choices) completion.add(choice);
+  const auto kind = kinds.find(option.value);
+  if (!option.choices.empty() || kind == kinds.end()) return completion;
+  if (kind->second == "key") return list_of(all_keys(), begun);
+  if (kind->second == "filter") return assignments(all_keys(), begun);
+  if (kind->second == "assignment") return assignments(keys_of_inputs(), begun);
+  if (kind->second == "stored") return stored_studies(words);
+  return {.kind = kind->second};
+}
+
+Completion names_of(const CommandWords& command) {
+  Completion completion;
+  for (const OptionWords& option : command.options)
+    if (!option.positional)
+      for (const std::string& name : option.names) completion.add(name, option.meaning);
+  return completion;
+}
+
+const OptionWords* find_option(const CommandWords& command, const std::string& name) {
+  for (const OptionWords& option : command.options)
+    if (!option.positional && std::find(option.names.begin(), option.names.end(), name) != option.names.end())
+      return &option;
+  return nullptr;
+}
+
+Completion words_of(const CommandWords& command, std::span<const std::string> words) {
+  const std::string& begun = words.back();
+  if (const std::size_t sign = begun.find('='); begun.starts_with("--") && sign != std::string::npos) {
+    const OptionWords* const option = find_option(command, begun.substr(0, sign));
+    if (option == nullptr) return {};
+    Completion completion = values(*option, words, begun.substr(sign + 1));
+    for (std::string& word : completion.words) word.insert(0, begun, 0, sign + 1);
+    return completion;
+  }
+  const OptionWords* const option = words.size() > 1 ? find_option(command, words[words.size() - 2]) : nullptr;
+  if (option != nullptr && !option->value.empty()) return values(*option, words, begun);
+  if (begun.starts_with('-')) return names_of(command);
+  for (const OptionWords& positional : command.options)
+    if (positional.positional) return values(positional, words, begun);
+  return {};
+}
+
+Completion words_of_program(const CommandWords& program, const std::string& begun) {
+  if (begun.starts_with('-')) return names_of(program);
+  Completion completion;
+  for (const CommandWords& command : program.commands) completion.add(command.name, command.meaning);
+  return completion;
+}
+
+}  // namespace
+
+std::string completions(const CommandWords& program, const std::vector<std::string>& words) {
+  if (words.empty()) return "words\n";
+  const auto named =
+      std::find_if(words.begin(), words.end() - 1, [](const auto& word) { return !word.starts_with('-'); });
+  const auto command = std::find_if(program.commands.begin(), program.commands.end(),
+                                    [&](const CommandWords& one) { return one.name == *named; });
+  Completion completion;
+  if (named == words.end() - 1)
+    completion = words_of_program(program, words.back());
+  else if (command != program.commands.end())
+    completion = words_of(*command, std::span(words).subspan(static_cast<std::size_t>(named - words.begin()) + 1));
+  std::string text = completion.kind + "\n";
+  for (std::size_t i = 0; i < completion.words.size(); ++i)
+    if (completion.words[i].starts_with(words.back()))
+      text += completion.words[i] + (completion.meanings[i].empty() ? "" : "\t" + completion.meanings[i]) + "\n";
   return text;
 }
 
-std::vector<NamedInput> named_inputs() {
-  std::vector<NamedInput> inputs;
-  for (const InputKind& kind : input_kinds())
-    if (!kind.choices.empty())
-      inputs.push_back({std::string(kind.quantity.key), {kind.choices.begin(), kind.choices.end()}});
-  return inputs;
+std::string completion_script(const std::string& shell) {
+  return shell == "bash" ? bash_script : shell == "zsh" ? zsh_script : fish_script;
 }
 
 }  // namespace rollres

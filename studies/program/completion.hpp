@@ -1,55 +1,23 @@
 #pragma once
 
-/// What a shell reads to complete the words of the command line: commands, options, the values of options, keys of
-/// scenes and solutions, studies of a database, file names. All is taken from what the commands declare.
+/// Completion of a command line by bash, zsh and fish: commands, options and their values, keys of scenes and
+/// solutions, studies of a database, file names. The program itself tells what may follow, of what its commands declare
+/// (`rollres complete WORD...`, which no help text names); a shell reads a script of a few lines that asks it.
 
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "studies/program/command_line.hpp"
 
 namespace rollres {
 
-/// What may stand at a place of the command line.
-enum class WordKind {
-  anything,    ///< nothing can be offered
-  choice,      ///< one of OptionWords::choices
-  key,         ///< keys of scenes and solutions, with commas between
-  assignment,  ///< KEY=VALUE, an input of a scene
-  filter,      ///< KEY=VALUE, an input or an output
-  stored,      ///< name of a study in the database that --db names
-  folder,
-  file,
-};
+/// What may stand in place of the last of these words, which may be empty; the program's own name is left out. The
+/// first line is the kind: `words`; `open`, words that go on without a blank; `files` or `folders`, which the shell
+/// knows itself. Each further line is a word that begins as the last one does, for some with a tabulator and its
+/// meaning.
+std::string completions(const CommandWords& program, const std::vector<std::string>& words);
 
-/// Told by the choices, else by the word for the value; `anything` for a flag.
-WordKind word_kind(const OptionWords& option);
-
-/// Keys of all inputs of a scene, with blanks between.
-std::string words_of_inputs();
-/// Keys of all inputs and outputs, likewise.
-std::string words_of_all_keys();
-/// The command that lists what `stored` stands for, one to a line below a heading; the database is yet to follow.
-inline constexpr std::string_view list_stored = "query --format csv --sql 'SELECT name FROM study' --db";
-
-/// Words with blanks between.
-std::string one_line_of(const std::vector<std::string>& words);
-
-/// The text with each @NAME@ replaced by what `parts` has for NAME.
-std::string filled(std::string text, const std::vector<std::pair<std::string, std::string>>& parts);
-
-/// An input that takes one of some names.
-struct NamedInput {
-  std::string key;
-  std::vector<std::string> names;
-};
-std::vector<NamedInput> named_inputs();
-
-/// The script of a shell that completes `program`.
-std::string bash_completion(const CommandWords& program);
-std::string zsh_completion(const CommandWords& program);
-std::string fish_completion(const CommandWords& program);
+/// The script of a shell: "bash", "zsh" or "fish".
+std::string completion_script(const std::string& shell);
 
 }  // namespace rollres

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -82,20 +83,13 @@ std::string synopsis(const std::string& program, const CommandWords& command) {
 }
 
 std::string option_entry(const OptionWords& option) {
-  std::string head;
-  if (!option.positional)
-    for (const std::string& name : option.names) head += (head.empty() ? "" : ", ") + bold(name);
+  std::string head = option.positional ? "" : joined(option.names, ", ", bold);
   if (!option.value.empty()) head += (head.empty() ? "" : " ") + slanted(option.value);
   std::string text = plain(option.meaning);
   // Most meanings name the choices in words that say more.
   bool told = true;
   for (const std::string& choice : option.choices) told &= option.meaning.find(choice) != std::string::npos;
-  if (!told) {
-    text += " (";
-    for (const std::string& choice : option.choices)
-      text += (&choice == &option.choices.front() ? "" : ", ") + plain(choice);
-    text += ")";
-  }
+  if (!told) text += " (" + joined(option.choices, ", ", plain) + ")";
   return entry(head, text);
 }
 
@@ -110,10 +104,8 @@ std::string inputs() {
     std::string head = bold(quantity.key);
     if (!quantity.symbol.empty()) head += " " + slanted(quantity.symbol);
     if (!point.empty() && point != "1") head += " [" + plain(line) + (line == point ? "" : " or " + plain(point)) + "]";
-    std::string words = plain(quantity.meaning);
-    for (const std::string_view choice : kind.choices)
-      words += (choice == kind.choices.front() ? ": " : ", ") + bold(choice);
-    text += entry(head, words);
+    text +=
+        entry(head, plain(quantity.meaning) + (kind.choices.empty() ? "" : ": ") + joined(kind.choices, ", ", bold));
   }
   return text;
 }

@@ -15,17 +15,14 @@ namespace rollres {
 /// an interruption.
 template <class Plan, class Run>
 auto watched_run(Plan& plan, Session& session, const Run& run) {
-  const std::size_t width = terminal_width(session.err);
-  if (width > 0)
-    plan.report = [&session, width](const SweepProgress& progress) {
-      session.err << '\r' << progress_line(progress, width) << "\x1b[K" << std::flush;
-    };
+  StatusLine line(session.err);
+  if (line) plan.report = [&](const SweepProgress& progress) { line.show(progress); };
   const StopSignal signal;
   plan.stop = &signal.requested();
   session.out.flush();  // a child process inherits what is not written yet
   auto report = run();
   plan.stop = nullptr;
-  if (width > 0) session.err << "\r\x1b[K" << std::flush;
+  plan.report = {};
   return report;
 }
 

@@ -5,7 +5,7 @@
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
-#include "studies/stored/stored_study.hpp"
+#include "studies/stored/study_rows.hpp"
 
 namespace rollres {
 

@@ -13,8 +13,6 @@ using html::TableRow;
 
 std::string number(double value) { return std::isfinite(value) ? short_number(value, 4) : "-"; }
 
-std::string percent(double share) { return std::isfinite(share) ? short_number(100 * share, 3) + " %" : "-"; }
-
 std::string interval(double lowest, double highest, const std::string& unit) {
   if (std::isnan(lowest) && std::isnan(highest)) return "-";
   return (std::isnan(lowest) ? "open" : readable(lowest, unit)) + " to " +

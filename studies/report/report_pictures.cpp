@@ -9,8 +9,8 @@
 #include "studies/charts/study_map.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/scratch_folder.hpp"
 
 namespace rollres {
 

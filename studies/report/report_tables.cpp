@@ -7,9 +7,9 @@
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
-#include "studies/stored/study_provenance.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/shell_word.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -32,11 +32,9 @@ std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityCol
 
 /// "speed = 50 mm/s, load = 20 kN/m"
 std::string place_of(const ReportSource& source, std::size_t row) {
-  std::string place;
-  for (const QuantityColumn* const axis : source.varied())
-    place += (place.empty() ? "" : ", ") + in_words(std::string(axis->quantity.key)) + " = " +
-             shown_cell(source.rows, row, *axis);
-  return place;
+  return joined(source.varied(), ", ", [&](const QuantityColumn* axis) {
+    return in_words(axis->quantity.key) + " = " + shown_cell(source.rows, row, *axis);
+  });
 }
 
 std::string to_the_second(const std::string& time) {
@@ -167,11 +165,8 @@ std::string scene_section(const ReportSource& source) {
     };
     if (values.size() > 1) {
       constexpr std::size_t few = 8;
-      std::string list;
-      if (values.size() <= few)
-        for (const Cell& value : values) list += (list.empty() ? "" : ", ") + shown(value);
-      else
-        list = shown(*values.begin()) + " to " + shown(*values.rbegin());
+      const std::string list = values.size() <= few ? joined(values, ", ", shown)
+                                                    : shown(*values.begin()) + " to " + shown(*values.rbegin());
       const bool axis = std::find(varied.begin(), varied.end(), &column) != varied.end();
       axes.push_back({{key, symbol, list, std::to_string(values.size()), axis ? meaning : meaning + " (follows)"}});
       continue;

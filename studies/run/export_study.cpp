@@ -6,13 +6,11 @@
 #include "core/scene/scene_input.hpp"
 #include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
-#include "studies/stored/stored_study.hpp"
-#include "studies/stored/study_provenance.hpp"
 #include "studies/stored/study_rows.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
-#include "studies/text/write_file.hpp"
 
 namespace rollres {
 

@@ -179,7 +179,9 @@ void run_forked(const ForkedWork& work) {
                                            : std::max<std::size_t>(1, std::thread::hardware_concurrency());
   std::size_t next = 0;
   std::vector<Child> children;  // each has a piece in hand
-  auto last_tick = Clock::now();
+  const auto begin = Clock::now();
+  auto last_report = begin;
+  SweepProgress progress{.to_solve = work.pieces, .left = work.pieces};
   while (!(work.stop && *work.stop)) {
     while (next < work.pieces && children.size() < wanted) {
       children.emplace_back(work.work);
@@ -202,11 +204,14 @@ void run_forked(const ForkedWork& work) {
         child.give(next++);
       else
         children.erase(children.begin() + static_cast<std::ptrdiff_t>(i));
-      work.done(std::move(end));
+      if (!work.done(end)) ++progress.failed;
+      ++progress.solved;
+      --progress.left;
     }
-    if (work.tick && Clock::now() - last_tick > std::chrono::milliseconds(100)) {
-      last_tick = Clock::now();
-      work.tick();
+    if (work.report && Clock::now() - last_report > std::chrono::milliseconds(100)) {
+      last_report = Clock::now();
+      progress.seconds = std::chrono::duration<double>(last_report - begin).count();
+      work.report(progress);
     }
   }
 }

@@ -4,9 +4,13 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
+
+#include "studies/run/progress.hpp"
 
 namespace rollres {
 
@@ -24,10 +28,45 @@ struct ForkedWork {
   int jobs = 0;                                                 ///< processes at a time; 0: one for each core
   double time_limit = std::numeric_limits<double>::infinity();  ///< for one piece [s]
   std::function<std::string(std::size_t)> work = {};            ///< called in a child process
-  std::function<void(PieceEnd)> done = {};                      ///< called in this process, in the order of the ends
-  std::function<void()> tick = {};                              ///< called in this process ten times a second
+  /// Called in this process, in the order of the ends; whether it went well.
+  std::function<bool(const PieceEnd&)> done = {};
+  std::function<void(const SweepProgress&)> report = {};  ///< called in this process ten times a second
   const std::atomic<bool>* stop =
       nullptr;  ///< set from outside: end the children at once; what they had in hand is lost
+};
+
+/// Values as bytes, for a process that runs the same program: what can be copied bit by bit, and lists and texts of it.
+struct Packer {
+  std::string bytes = {};
+
+  template <class Value>
+  void operator()(const Value& value) {
+    if constexpr (std::is_trivially_copyable_v<Value>) {
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    } else {
+      (*this)(value.size());
+      for (const auto& part : value) (*this)(part);
+    }
+  }
+};
+
+/// Reads them, in the order in which they were packed.
+struct Unpacker {
+  const std::string& bytes;
+  std::size_t at = 0;
+
+  template <class Value>
+  void operator()(Value& value) {
+    if constexpr (std::is_trivially_copyable_v<Value>) {
+      std::memcpy(&value, bytes.data() + at, sizeof value);
+      at += sizeof value;
+    } else {
+      std::size_t size = 0;
+      (*this)(size);
+      value.resize(size);
+      for (auto& part : value) (*this)(part);
+    }
+  }
 };
 
 /// Hands out pieces 0, 1, ... until all are done. The calling process must have no other threads.

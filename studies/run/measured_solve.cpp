@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <ctime>
 #include <new>
-#include <type_traits>
 
 #include "studies/run/forked_work.hpp"
 
@@ -23,39 +21,6 @@ double processor_time() {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
-
-/// Values as bytes, for a process that runs the same program.
-struct Packer {
-  std::string bytes;
-
-  template <class Value>
-  void operator()(const Value& value) {
-    if constexpr (std::is_trivially_copyable_v<Value>) {
-      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-    } else {
-      (*this)(value.size());
-      for (const auto& part : value) (*this)(part);
-    }
-  }
-};
-
-struct Unpacker {
-  const std::string& bytes;
-  std::size_t at = 0;
-
-  template <class Value>
-  void operator()(Value& value) {
-    if constexpr (std::is_trivially_copyable_v<Value>) {
-      std::memcpy(&value, bytes.data() + at, sizeof value);
-      at += sizeof value;
-    } else {
-      std::size_t size = 0;
-      (*this)(size);
-      value.resize(size);
-      for (auto& part : value) (*this)(part);
-    }
-  }
-};
 
 /// Everything of a measurement that the child knows.
 template <class Measured, class Visitor>
@@ -119,6 +84,7 @@ Measurement measured_solve(const Evaluate& evaluate, const RollingScene& scene, 
       measured.failure = end.death;
     else
       visit_measurement(measured, Unpacker{end.answer});
+    return measured.failure.empty();
   };
   run_forked(work);
   return measured;

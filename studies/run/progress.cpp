@@ -19,6 +19,13 @@ std::string formatted(const char* pattern, Values... values) {
   return text;
 }
 
+/// Columns of the terminal behind `stream`, or 0 if it is none.
+std::size_t terminal_width(const std::ostream& stream) {
+  if (&stream != &std::cerr || !isatty(STDERR_FILENO)) return 0;
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
 }  // namespace
 
 std::string duration_in_words(double seconds) {
@@ -47,10 +54,10 @@ std::string progress_line(const SweepProgress& progress, std::size_t width) {
   return "[" + std::string(full, '#') + std::string(length - 3 - full, '-') + "] " + words;
 }
 
-std::size_t terminal_width(const std::ostream& stream) {
-  if (&stream != &std::cerr || !isatty(STDERR_FILENO)) return 0;
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+StatusLine::StatusLine(std::ostream& stream) : stream_(stream), width_(terminal_width(stream)) {}
+
+void StatusLine::show(const std::string& text) {
+  if (width_ > 0) stream_ << '\r' << text.substr(0, width_ - 1) << "\x1b[K" << std::flush;
 }
 
 }  // namespace rollres

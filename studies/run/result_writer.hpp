@@ -1,6 +1,6 @@
 #pragma once
 
-/// The one thread that writes: takes answers from the threads that solve and stores each group in one transaction.
+/// The one thread that writes: takes answers from the threads that solve, and stores them in groups.
 
 #include <chrono>
 #include <condition_variable>
@@ -16,29 +16,29 @@ namespace rollres {
 
 class ResultWriter {
  public:
+  using Save = std::function<void(const std::vector<Evaluation>&)>;
+
   /// Stores answers as soon as they come, but leaves at least `grouping` between two transactions.
-  /// @param met_another  called when an answer was stored by another process meanwhile
-  /// @param failed       called once if the store fails; nothing is stored afterwards
-  /// @param existing     what becomes of answers that are stored already
-  ResultWriter(ResultStore& store, std::chrono::milliseconds grouping, std::function<void()> met_another,
-               std::function<void(std::exception_ptr)> failed, Existing existing = Existing::kept);
+  /// @param save  stores a group in one transaction; if it throws, nothing is stored afterwards
+  explicit ResultWriter(Save save, std::chrono::milliseconds grouping = std::chrono::milliseconds(50));
   /// Stores what is left.
   ~ResultWriter();
 
+  /// @throws what `save` threw, here and below
   void add(Evaluation evaluation);
+  /// Waits until all that was added is stored.
+  void flush();
 
  private:
   void run();
 
-  ResultStore& store_;
+  Save save_;
   std::chrono::milliseconds grouping_;
-  std::function<void()> met_another_;
-  std::function<void(std::exception_ptr)> failed_;
-  Existing existing_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Evaluation> waiting_;
-  bool ending_ = false;
+  std::exception_ptr failure_;
+  bool saving_ = false, hurried_ = false, ending_ = false;
   std::thread thread_;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "studies/text/shell_word.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 

@@ -172,9 +172,13 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   const std::size_t to_solve = list.open();
   if (options.ready) options.ready();
   {
+    const Existing existing = options.retry == Retry::nothing ? Existing::kept : Existing::replaced;
     ResultWriter writer(
-        store, options.grouping, [&] { list.move_away(); }, [&](std::exception_ptr error) { run.fail(error); },
-        options.retry == Retry::nothing ? Existing::kept : Existing::replaced);
+        [&](const std::vector<Evaluation>& answers) {
+          // Those that are there already were stored by another process meanwhile.
+          if (store.save(answers, existing) < answers.size()) list.move_away();
+        },
+        options.grouping);
     std::vector<std::jthread> threads;
     try {
       const std::size_t jobs = jobs_for(options.jobs, to_solve);
@@ -191,6 +195,8 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
           options.report({to_solve, run.solved, run.failed, list.open(), seconds(), run.asked_to_stop()});
         lock.lock();
       }
+      threads.clear();
+      writer.flush();
     } catch (...) {
       run.fail(std::current_exception());
     }

@@ -17,6 +17,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/run/evaluate.hpp"
+#include "studies/run/progress.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/study/study.hpp"
 
@@ -33,15 +34,6 @@ enum class Retry {
 template <>
 struct ChoiceNames<Retry> {
   static constexpr std::array<std::string_view, 4> names{"nothing", "not_converged", "failed", "all"};
-};
-
-struct SweepProgress {
-  std::size_t to_solve = 0;  ///< points without an answer at the start, or with one that is asked for again
-  std::size_t solved = 0;    ///< by this process
-  std::size_t failed = 0;    ///< of these, without an answer
-  std::size_t left = 0;      ///< neither stored, nor being solved by this process
-  double seconds = 0;        ///< since the start
-  bool stopping = false;
 };
 
 struct SweepOptions {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/newton/surface_window.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/write_file.hpp"
 
 namespace rollres {
 

@@ -13,6 +13,7 @@
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/units.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -50,12 +51,6 @@ bool is_number_of_layer(std::string_view key) {
 
 /// What names consist of: those of further layers' inputs have brackets and a dot.
 constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[].";
-
-std::string trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return std::string(text);
-}
 
 /// The right side as a formula in SI: "2 MPa" becomes 2000000 if the left side is a pressure.
 std::string in_si(const std::string& right, const Formula& left, Indenter indenter) {
@@ -166,11 +161,13 @@ struct Condition::Sides {
     const std::size_t sign = text.find_first_of("<>");
     if (sign == std::string::npos || text.find_first_of("<>", sign + 1) != std::string::npos ||
         text.find_first_of("=!") < sign)
-      throw std::invalid_argument(trimmed(text) + ": must be two formulas with one of <= < >= > between them");
+      throw std::invalid_argument(std::string(trimmed(text)) +
+                                  ": must be two formulas with one of <= < >= > between them");
     const bool or_equal = sign + 1 < text.size() && text[sign + 1] == '=';
     const Formula left(text.substr(0, sign), names);
-    const std::string right = trimmed(std::string_view(text).substr(sign + (or_equal ? 2 : 1)));
-    return {trimmed(text), left, Formula(in_si(right, left, indenter), names), text[sign] == '<', !or_equal};
+    const std::string right(trimmed(std::string_view(text).substr(sign + (or_equal ? 2 : 1))));
+    return {std::string(trimmed(text)), left, Formula(in_si(right, left, indenter), names), text[sign] == '<',
+            !or_equal};
   }
 };
 

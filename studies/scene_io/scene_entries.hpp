@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/scene/bonded_layer.hpp"
 #include "core/scene/scene.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/strict_json.hpp"
@@ -58,5 +59,10 @@ RollingScene scene_from(const std::vector<SceneEntry>& entries, const std::strin
 
 /// The same before the rules of `check`: nothing that is needed is missing, but what must go together may not.
 RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const std::string& place);
+
+/// The layers of an entry "lower_layers" or "coating_layers": a list of objects whose keys are those of a scene's own
+/// layer.
+/// @throws std::invalid_argument naming place, layer and key, value and rule
+BondedLayers layers_of(const SceneEntry& entry);
 
 }  // namespace rollres

@@ -23,4 +23,14 @@ RollingScene parse_scene(std::string_view json, const std::string& place, const 
   return scene_with(parse_object(json, place), {}, place, overrides);
 }
 
+namespace {
+
+constexpr PaperScene scenes[] = {
+#include "paper_scenes.inc"
+};
+
+}  // namespace
+
+std::span<const PaperScene> paper_scenes() { return scenes; }
+
 }  // namespace rollres

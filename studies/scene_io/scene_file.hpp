@@ -6,6 +6,7 @@
 /// ignored. Nothing else is accepted: every refusal is one line that names file, key, value and rule.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +24,14 @@ RollingScene read_scene(const std::filesystem::path& file, const std::vector<std
 /// The same for a text; `place` stands for the file in messages.
 RollingScene parse_scene(std::string_view json, const std::string& place,
                          const std::vector<std::string>& overrides = {});
+
+/// One of the paper's two scenes (Zehil and Gavin 2013, sections 5.1 and 5.2), kept inside the program: the files
+/// paper_cylinder.json and paper_sphere.json of studies/examples.
+struct PaperScene {
+  std::string_view name;  ///< "paper_cylinder"
+  std::string_view json;  ///< the file's text
+};
+
+std::span<const PaperScene> paper_scenes();
 
 }  // namespace rollres

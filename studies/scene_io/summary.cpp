@@ -4,30 +4,27 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <type_traits>
 #include <vector>
 
 #include "core/scene/scene_input.hpp"
 #include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
 
-struct Line {
-  std::string key, symbol, value;
-};
-
 /// Short lists in full, of longer ones the ends.
 std::string list_text(const std::vector<double>& values, std::string_view unit) {
   constexpr std::size_t most = 6;
-  std::string text;
   if (values.size() > most)
     return std::to_string(values.size()) + " values, " + readable(values.front(), unit) + " ... " +
            readable(values.back(), unit);
-  for (const double value : values) text += (text.empty() ? "" : ", ") + readable(value, unit);
-  return text;
+  return joined(values, ", ", [&](double value) { return readable(value, unit); });
 }
 
 template <class Value>
@@ -56,18 +53,6 @@ std::map<std::string_view, std::string> usual_layer() {
   return texts;
 }
 
-std::string aligned(const std::vector<Line>& lines) {
-  std::size_t keys = 0, symbols = 0;
-  for (const Line& line : lines) {
-    keys = std::max(keys, width(line.key));
-    symbols = std::max(symbols, width(line.symbol));
-  }
-  std::string text;
-  for (const Line& line : lines)
-    text += "  " + padded(line.key, keys + 2) + padded(line.symbol, symbols + 2) + line.value + '\n';
-  return text;
-}
-
 std::string headline(const RollingSolution& solution) {
   switch (solution.status) {
     case Status::converged:
@@ -88,23 +73,26 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   for (const std::string& warning : solution.warnings) text += "warning  " + warning + '\n';
   if (!solution.model.empty()) text += "model    " + solution.model + '\n';
 
-  std::vector<Line> inputs, outputs;
+  const std::vector<std::string> nameless(3);
+  Table inputs{nameless, {}}, outputs{nameless, {}};
+  const auto add = [](Table& table, const Quantity& quantity, std::string_view symbol, const std::string& value) {
+    if (!value.empty()) table.rows.push_back({std::string(quantity.key), std::string(symbol), value});
+  };
   const std::map<std::string_view, std::string> usual = usual_layer();
   visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
     const std::string shown = value_text(value, quantity.unit_for(scene.indenter));
     const std::optional<LayerKey> layered = layer_key(quantity.key);
-    if (!layered || shown != usual.at(layered->input))
-      inputs.push_back({std::string(quantity.key), std::string(symbol_beside_name(quantity)), shown});
+    if (!layered || shown != usual.at(layered->input)) add(inputs, quantity, symbol_beside_name(quantity), shown);
   });
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_arithmetic_v<Value>)
-      outputs.push_back({std::string(quantity.key), std::string(quantity.symbol),
-                         value_text(value, quantity.unit_for(scene.indenter))});
+      add(outputs, quantity, quantity.symbol, value_text(value, quantity.unit_for(scene.indenter)));
   });
-  for (auto* const lines : {&inputs, &outputs})
-    std::erase_if(*lines, [](const Line& line) { return line.value.empty(); });
-  return text + "\nscene\n" + aligned(inputs) + "\nsolution\n" + aligned(outputs);
+  std::ostringstream tables;
+  write_aligned(tables << "\nscene\n", inputs, "", "  ");
+  write_aligned(tables << "\nsolution\n", outputs, "", "  ");
+  return text + tables.str();
 }
 
 std::string explanation(const RollingScene& scene, const RollingSolution& solution) {

@@ -127,11 +127,10 @@ Table table_of(const GradientReport& report) {
 }
 
 Json json_of(const GradientReport& report) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   const ObjectiveValue& centre = report.gradient.centre;
   Json object{{"output", report.objective.output.key},
               {"unit", report.output_unit()},
-              {"value", number(centre.value)},
+              {"value", finite_or_null(centre.value)},
               {"status", name_of(centre.status)},
               {"reason", centre.reason},
               {"evaluations", report.evaluations()},
@@ -148,19 +147,19 @@ Json json_of(const GradientReport& report) {
     object["inputs"].push_back({{"key", variable.quantity.key},
                                 {"unit", variable.quantity.unit_for(report.indenter())},
                                 {"value", input.value},
-                                {"lowest", number(variable.lowest)},
-                                {"highest", number(variable.highest)},
+                                {"lowest", finite_or_null(variable.lowest)},
+                                {"highest", finite_or_null(variable.highest)},
                                 {"scale", variable.logarithmic ? "logarithmic" : "linear"},
-                                {"derivative", number(gradient.derivative)},
+                                {"derivative", finite_or_null(gradient.derivative)},
                                 {"derivative_unit", report.derivative_unit(variable)},
-                                {"error", number(gradient.error())},
-                                {"truncation_error", number(gradient.truncation_error)},
-                                {"noise_error", number(gradient.noise_error)},
-                                {"elasticity", number(gradient.elasticity)},
-                                {"elasticity_error", number(input.elasticity_error())},
-                                {"noise", number(input.calibration.noise)},
-                                {"relative_noise", number(input.relative_noise())},
-                                {"step", number(gradient.step)},
+                                {"error", finite_or_null(gradient.error())},
+                                {"truncation_error", finite_or_null(gradient.truncation_error)},
+                                {"noise_error", finite_or_null(gradient.noise_error)},
+                                {"elasticity", finite_or_null(gradient.elasticity)},
+                                {"elasticity_error", finite_or_null(input.elasticity_error())},
+                                {"noise", finite_or_null(input.calibration.noise)},
+                                {"relative_noise", finite_or_null(input.relative_noise())},
+                                {"step", finite_or_null(gradient.step)},
                                 {"scheme", name_of(gradient.scheme)},
                                 {"evaluations", input.evaluations()},
                                 {"failures", failures}});

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
+#include "db/queries/query.hpp"
 #include "db/rows/layer_list.hpp"
+#include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/units.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -153,6 +158,61 @@ std::string common_inputs(const StudyRows& rows) {
              value_in_words(column->quantity, *values.begin(), unit_in(rows, *column));
   }
   return lines;
+}
+
+StudySummary stored_study(ResultStore& store, const std::string& name) {
+  if (!name.empty())
+    if (auto study = store.study(name)) return std::move(*study);
+  const std::string& file = store.database().name();
+  const std::vector<std::string> all = store.study_names();
+  if (all.empty()) throw std::invalid_argument(file + ": holds no study");
+  if (name.empty() && all.size() == 1) return store.study(all.front()).value();
+  const std::vector<std::string_view> names(all.begin(), all.end());
+  if (!name.empty())
+    throw std::invalid_argument(file + ": study = " + name + ": " + unknown("unknown study", names, name));
+  throw std::invalid_argument(file + ": holds several studies, choose one with --study: " + joined(all));
+}
+
+Filter read_filter(const std::string& text) {
+  Filter filter = parse_filter(text);
+  const QuantityColumn* column = find_quantity_column(filter.column);
+  if (!column || column->type != "REAL" || filter.value.empty() || filter.value == "infinite" ||
+      plain_number(filter.value))
+    return filter;
+  const Quantity& quantity = column->quantity;
+  double value = 0;
+  try {
+    try {
+      value = is_temperature(quantity) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
+    } catch (const std::invalid_argument&) {
+      if (quantity.unit_2d.empty()) throw;
+      value = si_value(filter.value, quantity.unit_2d);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(filter.column + " = " + filter.value + ": " + error.what());
+  }
+  filter.value = text_of(InputValue(value));
+  return filter;
+}
+
+std::vector<ComputedShare> computed_shares(ResultStore& store, const std::string& study) {
+  const Table results = run_query(store.database(), {.filters = {{"study", Comparison::equal, study}},
+                                                     .columns = {"id", "provenance", "created", "seconds"}});
+  std::map<std::int64_t, ComputedShare> shares;
+  for (const std::vector<Cell>& row : results.rows) {
+    ComputedShare& share = shares[std::get<std::int64_t>(row[1])];
+    const std::string& time = std::get<std::string>(row[2]);
+    if (share.points++ == 0) {
+      share.program = store.find(std::get<std::int64_t>(row[0])).value().provenance;
+      share.first = share.last = time;
+    }
+    share.first = std::min(share.first, time);
+    share.last = std::max(share.last, time);
+    if (const auto* const seconds = std::get_if<double>(&row[3])) share.seconds += *seconds;
+  }
+  std::vector<ComputedShare> list;
+  for (auto& [ignored, share] : shares) list.push_back(std::move(share));
+  return list;
 }
 
 }  // namespace rollres

@@ -1,7 +1,8 @@
 #pragma once
 
-/// The stored rows of a study, read by column, and how a column is shown: words, units, scales.
+/// A stored study: its rows, read by column; how a column is shown (words, units, scales); and what computed them.
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -90,5 +91,28 @@ ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale);
 
 /// What all rows have in common, line by line: "radius = 20 mm".
 std::string common_inputs(const StudyRows& rows);
+
+/// The study that a command means: the one of this name or, with no name, the only one.
+/// @throws std::invalid_argument naming the file: it holds no study, several (with their names), or none of that name
+///         (with the nearest one)
+/// @throws std::runtime_error naming the file if the database fails
+StudySummary stored_study(ResultStore& store, const std::string& name);
+
+/// Reads a filter as people write it, "load>=20 kN/m": as parse_filter (db/queries/query.hpp), but a value with a unit
+/// becomes a number in SI.
+/// @throws std::invalid_argument as parse_filter, or naming the value whose unit does not fit the column
+Filter read_filter(const std::string& text);
+
+/// A program on a machine, and what of a study it computed.
+struct ComputedShare {
+  Provenance program;
+  std::int64_t points = 0;
+  double seconds = 0;       ///< of its solutions, together
+  std::string first, last;  ///< when it stored its first and its last result, UTC
+};
+
+/// In the order in which the database came to know them.
+/// @throws std::runtime_error naming the file if the database fails
+std::vector<ComputedShare> computed_shares(ResultStore& store, const std::string& study);
 
 }  // namespace rollres

@@ -1,32 +1,10 @@
 #include "studies/study/plan_table.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <type_traits>
 
-#include "core/messages/number_list.hpp"
-#include "core/scene/scene_input.hpp"
-#include "db/rows/layer_list.hpp"
+#include "studies/scene_io/cells.hpp"
 
 namespace rollres {
-
-namespace {
-
-Cell cell_of(double value) { return value; }
-Cell cell_of(int value) { return std::int64_t{value}; }
-Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
-Cell cell_of(const std::vector<double>& list) { return list.empty() ? Cell() : Cell(text_of_list(list)); }
-Cell cell_of(const BondedLayers& layers) { return layers.empty() ? Cell() : Cell(text_of_layers(layers)); }
-template <class Choice>
-requires std::is_enum_v<Choice> Cell cell_of(Choice choice) { return std::string(name_of(choice)); }
-
-}  // namespace
-
-Cell input_of(const RollingScene& scene, std::string_view key) {
-  Cell cell;
-  visit_input(scene, key, [&](const Quantity&, const auto& value) { cell = cell_of(value); });
-  return cell;
-}
 
 std::vector<Cell> stored_status(ResultStore& store, const StudyPlan& plan) {
   std::vector<Cell> status;

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <string_view>
 #include <vector>
 
 #include "db/queries/table.hpp"
@@ -12,9 +11,6 @@
 #include "studies/study/study.hpp"
 
 namespace rollres {
-
-/// An input of a scene as a cell; absent if it is not given.
-Cell input_of(const RollingScene& scene, std::string_view key);
 
 /// How many points of a study a database has.
 struct StoredPoints {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "studies/study/base_scene.hpp"
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
@@ -11,18 +10,6 @@
 namespace rollres {
 
 namespace {
-
-void refuse_what_is_no_text(const Json& object, const std::string& key, const std::string& place) {
-  if (const auto found = object.find(key); found != object.end() && !found->is_string())
-    refuse(place, key, *found, "must be a text");
-}
-
-bool wants_fields(const Json& object, const std::string& place) {
-  const auto found = object.find("fields");
-  if (found == object.end()) return false;
-  if (!found->is_boolean()) refuse(place, "fields", *found, "must be true or false");
-  return found->get<bool>();
-}
 
 void refuse_set_axes(const std::vector<SceneEntry>& set, const std::vector<GivenAxis>& axes) {
   for (const SceneEntry& entry : set)
@@ -46,7 +33,7 @@ Study read_study(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
   refuse_unknown_keys(object, study_keys, place);
-  for (const std::string_view key : ignored_keys) refuse_what_is_no_text(object, std::string(key), place);
+  refuse_ignored_other_than_texts(object, place);
 
   Study study;
   study.name = needed_name(object, "study", place, "must be the name of the study");
@@ -58,7 +45,7 @@ Study read_study(const std::filesystem::path& file) {
   study.axes = axes_of(given, study.base.indenter);
   study.constraints = study_constraints(object, indenters_of(study), place);
   study.compute = study_outputs(object, place);
-  study.fields = wants_fields(object, place);
+  study.fields = is_true(object, "fields", place);
   study.charts = study_charts(object, study.axes, place);
   return study;
 }

@@ -13,11 +13,6 @@ namespace rollres {
 
 namespace {
 
-bool is_logarithmic(const Json& object, const std::string& place) {
-  return object.contains("spacing") &&
-         needed_name(object, "spacing", spacing_names, place, "must be one of linear, logarithmic") == "logarithmic";
-}
-
 int number_of_points(const Json& object, int least, const std::string& place, const std::string& rule) {
   return whole_number(needed(object, "points", place, rule), "points", least, most_points, place);
 }
@@ -28,7 +23,7 @@ GivenAxis between(const std::string& key, const Json& object, const std::string&
   if (axis.choice()) refuse(place, key, object, "must be a list of names");
   for (const char* const end : {"from", "to"})
     axis.values.push_back({key, needed(object, end, place, rule), place + ": " + end});
-  axis.logarithmic = is_logarithmic(object, place);
+  axis.logarithmic = name_or_first(object, "spacing", spacing_names, place) == "logarithmic";
   return axis;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "studies/text/strict_json.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -59,9 +60,7 @@ const StudyChart& StudyDefinition::chart(const std::string& name, const std::str
   const std::vector<std::string> names = chart_names();
   for (std::size_t i = 0; i < charts.size(); ++i)
     if (name.empty() || name == names[i] || name == std::to_string(i + 1)) return charts[i];
-  std::string list;
-  for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-  throw std::invalid_argument(place + ": chart = " + name + ": must be one of " + list);
+  throw std::invalid_argument(place + ": chart = " + name + ": must be one of " + joined(names));
 }
 
 StudyDefinition definition_in(const std::string& text, const std::string& place) {

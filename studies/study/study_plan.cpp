@@ -3,11 +3,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/numerics/parallel.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study.hpp"
 #include "studies/study/study_axes.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -53,11 +55,11 @@ class CombinationScenes {
 
   /// "speed = 1, load = 2": the values of the combination that was asked for last.
   std::string values() const {
-    std::string text;
+    std::vector<std::string> texts;
     for (std::size_t group = 0; group < groups_.size(); ++group)
       for (const std::size_t axis : groups_[group])
-        text += (text.empty() ? "" : ", ") + axes_[axis].key + " = " + text_of(value_of(axes_[axis], at_[group]));
-    return text;
+        texts.push_back(axes_[axis].key + " = " + text_of(value_of(axes_[axis], at_[group])));
+    return joined(texts);
   }
 
  private:
@@ -122,9 +124,13 @@ void StudyPlan::for_each(const std::function<void(std::size_t, const RollingScen
 }
 
 std::vector<std::string> StudyPlan::keys() const {
-  std::vector<std::string> keys;
-  keys.reserve(size());
-  for_each([&](std::size_t, const RollingScene& scene) { keys.push_back(evaluation_key(scene)); });
+  constexpr std::size_t together = 4096;
+  std::vector<std::string> keys(size());
+  for_each_piece((size() + together - 1) / together, 0, [&](std::size_t piece) {
+    CombinationScenes scenes(base_, axes_);
+    for (std::size_t point = piece * together; point < std::min(size(), (piece + 1) * together); ++point)
+      keys[point] = evaluation_key(scenes(combinations_[point]));
+  });
   return keys;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
-/// The scene of a file that varies one: its "scene" and "set". For sources only: it needs nlohmann_json.
+/// The scene of a file that varies one. For sources only: it needs nlohmann_json.
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "studies/scene_io/scene_entries.hpp"
+#include "studies/study/study_axes.hpp"
 
 namespace rollres {
 
@@ -18,5 +19,13 @@ std::vector<SceneEntry> scene_entries_of(const Json& object, const std::filesyst
 
 /// The entries of "set", inputs that replace others; none if there is no such key.
 std::vector<SceneEntry> set_entries(const Json& object, const std::string& place);
+
+/// The scene at the first values of the axes, whose rules are not checked yet, with the inputs that only other choices
+/// (of a drive) use. Units and what a scene needs are checked for every combination of the choices.
+/// @param entries  of the file's "scene" and "set"
+/// @param place    named in messages
+/// @throws std::invalid_argument naming what is missing or wrong
+RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vector<GivenAxis>& axes,
+                        const std::string& place);
 
 }  // namespace rollres

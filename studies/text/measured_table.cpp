@@ -8,16 +8,11 @@
 #include <system_error>
 
 #include "studies/text/units.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 [[noreturn]] void fail(const std::string& place, const std::string& rule) {
   throw std::invalid_argument(place + ": " + rule);
@@ -57,7 +52,9 @@ MeasuredColumn column_of(const std::string& name, const std::string& place) {
     return {name, "", {}};
   }
   if (name.back() != ']') fail(place, "\"" + name + "\": must be a name with its unit in brackets: \"speed [m/s]\"");
-  MeasuredColumn column{trimmed(name.substr(0, open)), trimmed(name.substr(open + 1, name.size() - open - 2)), {}};
+  MeasuredColumn column{std::string(trimmed(name.substr(0, open))),
+                        std::string(trimmed(name.substr(open + 1, name.size() - open - 2))),
+                        {}};
   if (column.name.empty()) fail(place, "\"" + name + "\": a column has no name");
   return column;
 }
@@ -108,7 +105,7 @@ MeasuredTable read_measured_table(const std::filesystem::path& file) {
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     const std::string place = line_place(table.file, ++number);
-    const std::string content = trimmed(line);
+    const std::string content(trimmed(line));
     if (content.empty() || content.front() == '#') continue;
     if (table.columns.empty()) {
       separator = separator_of(content);

@@ -27,6 +27,10 @@ std::string short_number(double value, int digits) {
   return {text.data(), written.ptr};
 }
 
+std::string percent(double part, int digits) {
+  return std::isfinite(part) ? short_number(100 * part, digits) + " %" : "-";
+}
+
 std::string readable(double value, std::string_view unit) {
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";

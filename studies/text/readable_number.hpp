@@ -15,6 +15,9 @@ std::string readable(double value, std::string_view unit);
 /// A number rounded to `digits` significant digits, without trailing zeros and, at everyday sizes, without an exponent.
 std::string short_number(double value, int digits = 6);
 
+/// 100 times the number, with its sign: "12.3 %"; "-" if it is not finite.
+std::string percent(double part, int digits = 3);
+
 /// A number as short as it can be read back without loss.
 std::string shortest(double value);
 

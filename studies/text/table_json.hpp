@@ -12,6 +12,9 @@ namespace rollres {
 /// null for what is absent, "infinite" for an infinite number.
 Json json_of(const Cell& cell);
 
+/// null for what is not finite.
+Json finite_or_null(double value);
+
 /// An array with one object for each row.
 Json json_of(const Table& table);
 

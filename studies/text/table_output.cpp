@@ -18,7 +18,7 @@ std::string six_digits(double value) {
   return text;
 }
 
-std::string in_words(const Cell& cell) {
+std::string in_words(const Cell& cell, std::string_view absent) {
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
   if (const auto* number = std::get_if<double>(&cell)) return std::isinf(*number) ? "infinite" : six_digits(*number);
   if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) {
@@ -26,7 +26,7 @@ std::string in_words(const Cell& cell) {
     std::replace(line.begin(), line.end(), '\n', ';');
     return line;
   }
-  return "-";
+  return std::string(absent);
 }
 
 std::string csv_cell(const Cell& cell) {
@@ -53,6 +53,8 @@ Json json_of(const Cell& cell) {
   return std::get<std::string>(cell);
 }
 
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 Json json_of(const Table& table) {
   Json rows = Json::array();
   for (const auto& row : table.rows) {
@@ -74,10 +76,11 @@ struct WordedTable {
   std::vector<std::size_t> widths;
   std::vector<bool> left;
 
-  explicit WordedTable(const Table& table) : lines{table.columns}, widths(table.columns.size(), 0) {
+  explicit WordedTable(const Table& table, std::string_view absent = "-")
+      : lines{table.columns}, widths(table.columns.size(), 0) {
     for (const auto& row : table.rows) {
       lines.emplace_back();
-      for (const Cell& cell : row) lines.back().push_back(in_words(cell));
+      for (const Cell& cell : row) lines.back().push_back(in_words(cell, absent));
     }
     for (const auto& line : lines)
       for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
@@ -94,13 +97,13 @@ struct WordedTable {
 
 }  // namespace
 
-void write_aligned(std::ostream& out, const Table& table) {
-  const WordedTable worded(table);
+void write_aligned(std::ostream& out, const Table& table, std::string_view absent, std::string_view indent) {
+  const WordedTable worded(table, absent);
   for (const auto& line : worded.lines) {
-    std::string text;
+    std::string text(indent);
     for (std::size_t i = 0; i < line.size(); ++i) text += (i > 0 ? "  " : "") + worded.padded(line, i);
     text.erase(text.find_last_not_of(' ') + 1);
-    out << text << '\n';
+    if (!text.empty()) out << text << '\n';
   }
 }
 

@@ -11,8 +11,9 @@
 
 namespace rollres {
 
-/// Aligned columns under their names, six digits; "-" where something is absent.
-void write_aligned(std::ostream& out, const Table& table);
+/// Aligned columns under their names, if they have some, six digits.
+/// @param absent stands where a cell holds nothing   @param indent before each line
+void write_aligned(std::ostream& out, const Table& table, std::string_view absent = "-", std::string_view indent = "");
 
 /// The same as a table of Markdown.
 void write_markdown(std::ostream& out, const Table& table);

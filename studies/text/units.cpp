@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "studies/text/words.hpp"
+
 namespace rollres {
 
 namespace {
@@ -42,12 +44,6 @@ ut_system* unit_system() {
   return system.get();
 }
 
-std::string_view trim(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// A number at the start of a text and what follows it; `number` is NaN if the text does not start with one.
 struct Leading {
   double number = std::nan("");
@@ -55,7 +51,7 @@ struct Leading {
 };
 
 Leading leading_number(std::string_view text) {
-  text = trim(text);
+  text = trimmed(text);
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   const char* const end = text.data() + text.size();
   Leading found;
@@ -63,7 +59,7 @@ Leading leading_number(std::string_view text) {
   if (error != std::errc{} || !std::isfinite(found.number))
     found.number = std::nan("");
   else
-    found.rest = trim({stop, static_cast<std::size_t>(end - stop)});
+    found.rest = trimmed({stop, static_cast<std::size_t>(end - stop)});
   return found;
 }
 

@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "studies/scene_io/paper_scenes.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "tests/catch.hpp"

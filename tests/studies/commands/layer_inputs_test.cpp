@@ -8,6 +8,7 @@
 #include "db/rows/result_store.hpp"
 #include "studies/charts/study_chart.hpp"
 #include "studies/sensitivity/sensitivity.hpp"
+#include "studies/scene_io/cells.hpp"
 #include "studies/study/plan_table.hpp"
 #include "studies/text/key_words.hpp"
 #include "studies/text/strict_json.hpp"

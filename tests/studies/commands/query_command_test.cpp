@@ -1,7 +1,7 @@
 
 #include "db/rows/result_store.hpp"
 #include "studies/scene_io/fields_file.hpp"
-#include "studies/stored/read_filter.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"

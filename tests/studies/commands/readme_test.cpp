@@ -2,8 +2,8 @@
 #include <regex>
 #include <set>
 
-#include "studies/text/shell_word.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/words.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"

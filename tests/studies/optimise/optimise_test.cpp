@@ -21,7 +21,7 @@ std::vector<Algorithm> all_algorithms() {
 }
 
 OptimiseReport run(const DesignProblem& problem, const Evaluate& evaluate = Bowl::solve) {
-  RecordedEvaluations evaluations(evaluate);
+  StoredEvaluations evaluations(evaluate);
   return optimise(problem, evaluations, {.jobs = 1});
 }
 
@@ -124,7 +124,8 @@ TEST_CASE(
         if (traits(algorithm).global) problem.stop.evaluations = 300;
         const TemporaryDirectory folder;
         ResultStore store(folder / "results.db");
-        RecordedEvaluations evaluations(evaluate, store, {"bowl", {"layer_thickness", "static_shear_modulus"}, "{}"});
+        StoredEvaluations evaluations(evaluate, folder / "results.db",
+                                      {"bowl", {"layer_thickness", "static_shear_modulus"}, "{}"});
         const OptimiseReport report = optimise(problem, evaluations, {.jobs = 1});
         if (!report.best) {
           CHECK(report.status == DesignStatus::no_feasible_design);
@@ -154,13 +155,12 @@ TEST_CASE("an interrupted search goes on from the store to the same design and s
   for (int start = 0; start == 0 || last.status == DesignStatus::interrupted; ++start) {
     std::atomic<bool> stop = false;
     int here = 0;
-    ResultStore store(folder / "results.db");
-    RecordedEvaluations evaluations(
+    StoredEvaluations evaluations(
         [&](const RollingScene& scene) {
           stop = ++here == 9;
           return Bowl::solve(scene);
         },
-        store, study, &stop);
+        folder / "results.db", study, &stop);
     last = optimise(problem, evaluations, {.jobs = 1});
     solved += last.count.solved;
     if (last.status == DesignStatus::interrupted) CHECK(last.count.solved == 9);
@@ -173,10 +173,10 @@ TEST_CASE("an interrupted search goes on from the store to the same design and s
   ResultStore store(folder / "results.db");
   CHECK(store.points("bowl").size() == solved);
   CHECK(store.study("bowl")->answered == static_cast<std::int64_t>(solved));
-  RecordedEvaluations again(Bowl::solve, store, study);
+  StoredEvaluations again(Bowl::solve, folder / "results.db", study);
   CHECK(optimise(problem, again, {.jobs = 1}).best->point == undisturbed.best->point);
   CHECK(again.count().solved == 0);
-  RecordedEvaluations other(Bowl::solve, store, {"bowl", {}, "{ }"});
+  StoredEvaluations other(Bowl::solve, folder / "results.db", {"bowl", {}, "{ }"});
   CHECK(store.points("bowl").empty());  // another definition begins anew
 }
 
@@ -235,7 +235,7 @@ TEST_CASE("a front between two goals is that of the closed form, none of its des
   // On the front grad ln R = -lambda grad ln p: x + y = s is best at dx = 0.6 s' / 2.2, dy = 1.6 s' / 2.2.
   DesignProblem problem = bowl_problem();
   problem.pareto = {{Formula("peak_pressure", FormulaNames::inputs_and_outputs), true}, 5};
-  RecordedEvaluations evaluations(Bowl::solve);
+  StoredEvaluations evaluations(Bowl::solve);
   const ParetoReport front = pareto_front(problem, evaluations, {.jobs = 1});
   REQUIRE(front.points.size() == 5);
   CHECK(front.complete());

@@ -1,9 +1,11 @@
 #include "studies/program/completion.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 
-#include "studies/text/shell_word.hpp"
+#include "db/rows/result_store.hpp"
+#include "studies/text/words.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
@@ -22,57 +24,85 @@ std::string script_of(const std::string& shell) {
   return run.out;
 }
 
-/// What bash offers after these words, as it cuts the line into words itself.
-std::string offered_by_bash(const std::string& words) {
-  const TemporaryDirectory directory;
-  directory.write("script", script_of("bash") +
-                                "compopt() { :; }\n"
-                                "rollres() { printf 'name\\nbelt\\nwheel 2\\n'; }\n"  // the studies of any database
-                                "COMP_WORDS=(" +
-                                words +
-                                ") COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
-                                "_rollres\nprintf '%s;' \"${COMPREPLY[@]}\"\n");
-  return run_shell("bash " + shell_word((directory / "script").string())).out;
+/// What may follow these words, with the kind before it.
+std::string offered(std::vector<std::string> words) {
+  words.insert(words.begin(), "complete");
+  std::string text = run_rollres(words, closed_form).out;
+  std::replace(text.begin(), text.end(), '\n', ';');
+  return text;
 }
 
 }  // namespace
 
-TEST_CASE("bash completes commands, options, choices, keys and stored studies", "[studies][completion]") {
-  CHECK(offered_by_bash("rollres so") == "solve;");
-  CHECK_THAT(offered_by_bash("rollres solve --"), Contains("--set;") && Contains("--json;"));
-  CHECK(offered_by_bash("rollres solve scene.json --set spe") == "speed=;");
-  CHECK(offered_by_bash("rollres solve scene.json --set drive = t") == "top_force;torque;");
-  CHECK(offered_by_bash("rollres solve scene.json --set = drive =") == "top_force;torque;free;rotation;");
-  CHECK(offered_by_bash("rollres query --format js") == "json;jsonl;");
-  CHECK(offered_by_bash("rollres query --columns speed,viscous") == "speed,viscous_loss;");
-  CHECK(offered_by_bash("rollres query sta") == "static_shear_modulus=;static_young_modulus=;status=;");
-  CHECK(offered_by_bash("rollres schema fi") == "fit;");
-  CHECK(offered_by_bash("rollres chart --db results.db --study w") == "wheel\\ 2;");
-  CHECK(offered_by_bash("rollres sweep stu") == ";");  // files, by readline itself
-  CHECK(offered_by_bash("rollres sweep --jobs ''") == ";");
+TEST_CASE("commands, options, choices, keys and stored studies are completed", "[studies][completion]") {
+  CHECK(offered({"so"}) == "words;solve\tSolve one scene and print its rolling resistance;");
+  CHECK_THAT(offered({"--"}), Contains("--help\t") && Contains("--version\t"));
+  CHECK_THAT(offered({"solve", "--"}), Contains("--set\t") && Contains("--json\t"));
+  CHECK(offered({"solve", "scene.json", "--set", "spe"}) == "open;speed=;");
+  CHECK(offered({"solve", "scene.json", "--set", "drive=t"}) == "words;drive=top_force;drive=torque;");
+  CHECK(offered({"solve", "--set=drive=t"}) == "words;--set=drive=top_force;--set=drive=torque;");
+  CHECK(offered({"query", "--format", "js"}) == "words;json;jsonl;");
+  CHECK(offered({"query", "--columns", "speed,viscous"}) == "open;speed,viscous_loss;");
+  CHECK(offered({"query", "sta"}) == "open;static_shear_modulus=;static_young_modulus=;status=;");
+  CHECK(offered({"schema", "fi"}) == "words;fit;");
+  CHECK(offered({"sweep", "stu"}) == "files;");
+  CHECK(offered({"figures", "--out", ""}) == "folders;");
+  CHECK(offered({"sweep", "--jobs", ""}) == "words;");
+  CHECK(offered({"no_command", ""}) == "words;");
+  const TemporaryDirectory directory;
+  const std::string file = (directory / "results.db").string();
+  for (const char* const name : {"belt", "wheel 2"}) ResultStore(file).start_study({name, {}, ""}, {});
+  CHECK(offered({"chart", "--db", file, "--study", "w"}) == "words;wheel 2;");
+  CHECK(offered({"chart", "--study", "w"}) == "words;");
 }
 
-TEST_CASE("fish completes the same, and zsh can read what it is given", "[studies][completion]") {
+TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][completion]") {
   const TemporaryDirectory directory;
+  std::filesystem::create_symlink(ROLLRES_PROGRAM, directory / "rollres");
+  const std::string path = "PATH=" + directory.path.string() + ":$PATH HOME=" + directory.path.string() + " ";
+  ResultStore(directory / "results.db").start_study({"wheel 2", {}, ""}, {});
+  const std::string file = (directory / "results.db").string();
+  const auto bash = [&](const std::string& words) {  // as it cuts the line into words
+    directory.write("script", script_of("bash") + "compopt() { :; }\nCOMP_WORDS=(" + words +
+                                  ") COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
+                                  "_rollres\nprintf '%s;' \"${COMPREPLY[@]}\"\n");
+    return run_shell(path + "bash " + shell_word((directory / "script").string())).out;
+  };
+  CHECK(bash("rollres so") == "solve;");
+  CHECK(bash("rollres solve scene.json --set spe") == "speed=;");
+  CHECK(bash("rollres solve scene.json --set drive = t") == "top_force;torque;");
+  CHECK(bash("rollres solve scene.json --set = drive =") == "top_force;torque;free;rotation;");
+  CHECK(bash("rollres query --columns speed,viscous") == "speed,viscous_loss;");
+  CHECK(bash("rollres chart --db " + file + " --study w") == "wheel\\ 2;");
+  CHECK(bash("rollres sweep stu") == ";");  // files, by readline itself
   if (installed("fish")) {
-    const auto offered = [&](const std::string& line) {
+    const auto fish = [&](const std::string& line) {
       directory.write("script", script_of("fish") + "complete -C \"" + line + "\" | cut -f 1 | paste -s -d ';'\n");
-      return run_shell("HOME=" + directory.path.string() + " fish --no-config " + (directory / "script").string()).out;
+      return run_shell(path + "fish --no-config " + (directory / "script").string()).out;
     };
-    CHECK(offered("rollres so") == "solve\n");
-    CHECK(offered("rollres solve scene.json --set spe") == "speed=\n");
-    CHECK(offered("rollres solve scene.json --set drive=t") == "drive=top_force;drive=torque\n");
-    CHECK(offered("rollres query --format js") == "json;jsonl\n");
-    CHECK(offered("rollres query --columns speed,viscous") == "speed,viscous_loss\n");
-    CHECK(offered("rollres schema fi") == "fit\n");
+    CHECK(fish("rollres so") == "solve\n");
+    CHECK_THAT(fish("rollres solve --"), Contains("--json;") && Contains("--set"));
+    CHECK(fish("rollres solve scene.json --set spe") == "speed=\n");
+    CHECK(fish("rollres solve scene.json --set drive=t") == "drive=top_force;drive=torque\n");
+    CHECK(fish("rollres query --columns speed,viscous") == "speed,viscous_loss\n");
+    CHECK(fish("rollres chart --db " + file + " --study w") == "wheel 2\n");
+    CHECK(fish("rollres sweep " + directory.path.string() + "/scr") == directory.path.string() + "/script\n");
   } else {
     WARN("fish is not installed");
   }
   if (installed("zsh")) {
-    const std::string script = directory.write("_rollres", script_of("zsh")).string();
-    const ShellRun run = run_shell("zsh -f -n " + script);
-    INFO(run.out);
-    CHECK(run.status == 0);
+    // In a terminal of its own: what the line becomes when Tab is pressed.
+    directory.write("_rollres", script_of("zsh"));
+    directory.write("setup", "fpath=(" + directory.path.string() + " $fpath)\n" +
+                                 "autoload -U compinit; compinit -u -D; setopt no_beep; print LOADED\n");
+    directory.write("script", "zmodload zsh/zpty\nzpty shell zsh -f -i\nzpty -w shell '. " + directory.path.string() +
+                                  "/setup'\n"
+                                  "zpty -r shell text '*LOADED*'\n"
+                                  "zpty -w -n shell $'rollres solve scene.json --set spe\\t'\n"
+                                  "zpty -r shell text '*speed=*' && print found\n"
+                                  "zpty -d shell\n");
+    CHECK_THAT(run_shell(path + "TERM=dumb timeout 60 zsh -f " + (directory / "script").string()).out,
+               Contains("found"));
   } else {
     WARN("zsh is not installed");
   }

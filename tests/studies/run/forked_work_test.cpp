@@ -24,6 +24,7 @@ TEST_CASE("work in child processes is answered piece by piece, whatever the numb
     work.done = [&](PieceEnd end) {
       CHECK(end.death.empty());
       answers[end.piece] = end.answer;
+      return true;
     };
     run_forked(work);
     REQUIRE(answers.size() == 20);
@@ -43,7 +44,10 @@ TEST_CASE("a piece of work that ends its process, throws or hangs costs itself a
       for (;;) pause();
     return std::string("well");
   };
-  work.done = [&](PieceEnd end) { ends[end.piece] = end; };
+  work.done = [&](const PieceEnd& end) {
+    ends[end.piece] = end;
+    return end.death.empty();
+  };
   run_forked(work);
 
   REQUIRE(ends.size() == 8);
@@ -68,8 +72,9 @@ TEST_CASE("work in child processes stops when it is asked to", "[studies][forked
       for (;;) pause();
     return std::string();
   };
-  work.done = [&](PieceEnd) {
+  work.done = [&](const PieceEnd&) {
     if (++answered == 10) stop = true;
+    return true;
   };
   run_forked(work);
   CHECK(answered >= 10);

@@ -3,7 +3,7 @@
 #include "db/rows/result_store.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/slurm_scripts.hpp"
-#include "studies/text/shell_word.hpp"
+#include "studies/text/words.hpp"
 #include "tests/catch.hpp"
 #include "tests/studies/one_node_slurm.hpp"
 #include "tests/studies/program.hpp"

@@ -10,7 +10,7 @@
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/study/study.hpp"
 #include "studies/text/measured_table.hpp"
-#include "studies/text/scratch_folder.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"

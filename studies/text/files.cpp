@@ -1,8 +1,9 @@
-#include "studies/text/write_file.hpp"
+#include "studies/text/files.hpp"
 
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -47,6 +48,24 @@ void make_directory(const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory, error);
   if (!error && !std::filesystem::is_directory(directory)) error = std::make_error_code(std::errc::not_a_directory);
   if (error) fail(directory, "cannot be made a directory", error.message());
+}
+
+ScratchFolder::ScratchFolder() {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+  if (error) {
+    const char* const given = std::getenv("TMPDIR");
+    throw std::runtime_error("TMPDIR = " + std::string(given ? given : "") + ": " + error.message());
+  }
+  std::string name = (parent / "rollres_XXXXXX").string();
+  if (!::mkdtemp(name.data()))
+    throw std::runtime_error(name + ": cannot be made a directory: " + std::generic_category().message(errno));
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace rollres

@@ -1,0 +1,121 @@
+#include "studies/run/stored_evaluations.hpp"
+
+#include <utility>
+
+#include "studies/run/evaluate.hpp"
+
+namespace rollres {
+
+/// Where answers are kept: one thread writes, the others read, each through a connection of its own.
+struct StoredEvaluations::Store {
+  explicit Store(const std::filesystem::path& database) : writing(database), reading(database, Access::read) {}
+
+  void start(const StudyRecord& record) {
+    study = record.name;
+    std::vector<std::string> known;
+    if (writing.definition(study) == record.definition) known = writing.points(study);
+    writing.start_study(record, known);
+    points.insert(known.begin(), known.end());
+  }
+
+  void add_point(const std::string& key) {
+    const std::lock_guard lock(mutex);
+    if (!study.empty() && points.insert(key).second) new_points.push_back(key);
+  }
+
+  void add_new_points() {
+    std::vector<std::string> keys;
+    {
+      const std::lock_guard lock(mutex);
+      keys.swap(new_points);
+    }
+    if (!keys.empty()) writing.add_points(study, keys);
+  }
+
+  void save(const std::vector<Evaluation>& answers) {
+    const std::lock_guard lock(writing_mutex);
+    if (!answers.empty()) writing.save(answers);
+    add_new_points();
+  }
+
+  void flush() {
+    writer.flush();
+    save({});  // points that were recalled, behind the last that was solved
+  }
+
+  ResultStore writing, reading;
+  std::mutex writing_mutex, mutex;  // of `writing`; of `reading` and all below
+  std::string study;
+  std::unordered_set<std::string> points;  // of the study
+  std::vector<std::string> new_points;     // to become such
+  ResultWriter writer{[this](const std::vector<Evaluation>& answers) { save(answers); }};
+};
+
+StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::atomic<bool>* stop)
+    : evaluate_(std::move(evaluate)), stop_(stop) {}
+
+StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database)
+    : evaluate_(std::move(evaluate)), store_(std::make_unique<Store>(database)) {}
+
+StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, const StudyRecord& study,
+                                     const std::atomic<bool>* stop)
+    : evaluate_(std::move(evaluate)), stop_(stop), store_(std::make_unique<Store>(database)) {
+  store_->start(study);
+}
+
+StoredEvaluations::~StoredEvaluations() {
+  try {
+    flush();
+  } catch (...) {  // a destructor that ends the program would lose more
+  }
+}
+
+std::optional<RollingSolution> StoredEvaluations::stored(const std::string& key) {
+  if (!store_) return std::nullopt;
+  const std::lock_guard lock(store_->mutex);
+  return store_->reading.solution(key);
+}
+
+RollingSolution StoredEvaluations::operator()(const RollingScene& scene) {
+  const std::string key = evaluation_key(scene);
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    const auto [place, fresh] = answers_.try_emplace(key);
+    if (fresh) break;
+    if (place->second) return *place->second;
+    answered_.wait(lock);
+  }
+  lock.unlock();
+  std::optional<RollingSolution> answer;
+  bool recalled = false;
+  try {
+    answer = stored(key);
+    recalled = answer.has_value();
+    if (!recalled && stop_ && stop_->load()) throw Interrupted();
+    if (!recalled) answer = evaluate_safely(evaluate_, scene);
+    if (store_) store_->add_point(key);
+    if (store_ && !recalled) store_->writer.add({key, scene, *answer});
+  } catch (...) {
+    lock.lock();
+    answers_.erase(key);
+    answered_.notify_all();
+    throw;
+  }
+  lock.lock();
+  ++(recalled ? count_.recalled : count_.solved);
+  if (answer->status != Status::converged) ++count_.failed;
+  answers_[key] = answer;
+  answered_.notify_all();
+  return *answer;
+}
+
+void StoredEvaluations::flush() {
+  if (store_) store_->flush();
+}
+
+EvaluationCount StoredEvaluations::count() const {
+  const std::lock_guard lock(mutex_);
+  return count_;
+}
+
+}  // namespace rollres

@@ -1,0 +1,84 @@
+#pragma once
+
+/// Solving through the store by several threads, and perhaps several processes, with an account of what was asked for.
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "core/solve/rolling_contact.hpp"
+#include "db/rows/result_store.hpp"
+#include "studies/run/result_writer.hpp"
+
+namespace rollres {
+
+/// Scenes that were asked for, each counted once however often it was.
+struct EvaluationCount {
+  std::size_t solved = 0;    ///< anew
+  std::size_t recalled = 0;  ///< from the store
+  std::size_t failed = 0;    ///< of both: without a converged answer
+
+  std::size_t all() const { return solved + recalled; }
+  EvaluationCount operator-(const EvaluationCount& earlier) const {
+    return {solved - earlier.solved, recalled - earlier.recalled, failed - earlier.failed};
+  }
+};
+
+/// Thrown out of an evaluation by the wish to stop.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Recalls a scene's stored answer, or solves and saves it, without its fields. A repeated question is answered from
+/// memory; threads that ask the same at the same time wait for one solution of it, so that a second run recalls exactly
+/// what the first one saw. A thread of its own stores answers as they come, those that come faster than twenty times a
+/// second in groups.
+class StoredEvaluations {
+ public:
+  /// Evaluates without a store. @param stop set from outside: throws Interrupted in place of the next solution
+  explicit StoredEvaluations(Evaluate evaluate, const std::atomic<bool>* stop = nullptr);
+  StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database);
+  /// Makes every scene a point of the study, too. Starts it; it keeps its points if it was defined by the same text
+  /// before.
+  StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, const StudyRecord& study,
+                    const std::atomic<bool>* stop = nullptr);
+
+  StoredEvaluations(const StoredEvaluations&) = delete;
+  StoredEvaluations& operator=(const StoredEvaluations&) = delete;
+  /// Stores what is left; where that fails, it is lost: call `flush` before.
+  ~StoredEvaluations();
+
+  /// An exception of `evaluate` becomes an answer that is not converged.
+  /// @throws std::runtime_error if the store failed
+  RollingSolution operator()(const RollingScene& scene);
+
+  /// Waits until everything is stored. @throws std::runtime_error if the store failed
+  void flush();
+
+  EvaluationCount count() const;
+
+ private:
+  struct Store;
+
+  std::optional<RollingSolution> stored(const std::string& key);
+
+  Evaluate evaluate_;
+  const std::atomic<bool>* stop_ = nullptr;
+  mutable std::mutex mutex_;
+  std::condition_variable answered_;
+  std::unordered_map<std::string, std::optional<RollingSolution>> answers_;  // empty while a thread looks for it
+  EvaluationCount count_;
+  std::unique_ptr<Store> store_;
+};
+
+}  // namespace rollres

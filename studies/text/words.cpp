@@ -1,0 +1,43 @@
+#include "studies/text/words.hpp"
+
+#include <algorithm>
+
+namespace rollres {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= text.size() && !text.empty();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.emplace_back(trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::string shell_word(std::string_view text) {
+  std::string word = "'";
+  for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return word + "'";
+}
+
+std::string file_name(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char letter) {
+        return letter <= 0x20 || letter == 0x7f ||
+               std::string_view("/\\:*?\"<>|").find(static_cast<char>(letter)) != std::string_view::npos;
+      },
+      '_');
+  if (name == "." || name == "..") name = "_";
+  constexpr std::size_t longest = 120;  // file systems take 255 bytes, suffix included
+  if (name.size() > longest) name.resize(longest);
+  return name;
+}
+
+}  // namespace rollres

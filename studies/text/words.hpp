@@ -1,0 +1,35 @@
+#pragma once
+
+/// Words taken out of texts and put together to such.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rollres {
+
+/// The text without blanks, tabulators and carriage returns at its ends.
+std::string_view trimmed(std::string_view text);
+
+/// The words of "speed, load", without the blanks around them; nothing for an empty text.
+std::vector<std::string> split_at_commas(std::string_view text);
+
+/// One text of all: "speed, load". @param text_of what of each is told
+template <class List, class TextOf>
+std::string joined(const List& list, std::string_view between, TextOf&& text_of) {
+  std::string text;
+  for (const auto& one : list) (text += text.empty() ? "" : between) += text_of(one);
+  return text;
+}
+template <class List>
+std::string joined(const List& list, std::string_view between = ", ") {
+  return joined(list, between, [](const auto& one) { return std::string_view(one); });
+}
+
+/// A text as one word of the shell.
+std::string shell_word(std::string_view text);
+
+/// A name that file systems take: blanks, "/" and the like become "_".
+std::string file_name(std::string name);
+
+}  // namespace rollres
