@@ -10,6 +10,7 @@
 /// What is absent (NaN) is NULL; so is the end of an interval that is open.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,15 +20,17 @@
 namespace rollres {
 
 struct FitParameterRecord {
+  static constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
   std::string name, unit;
   bool fixed = false;
-  double value, standard_error, relative_error;
-  double linear_lowest, linear_highest;
-  double profile_lowest, profile_highest;
-  std::string profile_low, profile_high;  ///< "closed", "limit" or "open"; empty without a profile
-  double start, lowest, highest;
-  double step;
-  std::string flag;
+  double value = absent, standard_error = absent, relative_error = absent;
+  double linear_lowest = absent, linear_highest = absent;
+  double profile_lowest = absent, profile_highest = absent;
+  std::string profile_low = {}, profile_high = {};  ///< "closed", "limit" or "open"; empty without a profile
+  double start = absent, lowest = absent, highest = absent;
+  double step = absent;
+  std::string flag = {};
 };
 
 struct FitDataRecord {

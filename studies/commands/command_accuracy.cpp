@@ -53,19 +53,6 @@ std::vector<NamedScene> named_scenes(const std::vector<std::string>& files) {
   return scenes;
 }
 
-std::vector<Method> methods_named(const std::vector<std::string>& names) {
-  std::vector<Method> methods;
-  for (const std::string& name : names) {
-    const int found = find_name(ChoiceNames<Method>::names, name);
-    if (found < 0)
-      throw std::invalid_argument("--methods = \"" + name +
-                                  "\": " + unknown("unknown method", ChoiceNames<Method>::names, name));
-    if (std::find(methods.begin(), methods.end(), static_cast<Method>(found)) == methods.end())
-      methods.push_back(static_cast<Method>(found));
-  }
-  return methods;
-}
-
 Json object_of(const AccuracyReport& report) {
   const AccuracyReference& reference = report.reference;
   Json object{{"scene", report.name},

@@ -17,8 +17,8 @@
 #include "studies/run/stored_evaluations.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/files.hpp"
-#include "studies/text/refusing_at.hpp"
 #include "studies/text/table_json.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 

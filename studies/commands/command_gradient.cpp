@@ -4,8 +4,8 @@
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
-#include "studies/text/refusing_at.hpp"
 #include "studies/text/table_json.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 

@@ -8,7 +8,7 @@
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
-#include "studies/stored/standalone_study.hpp"
+#include "studies/study/study_scene.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"

@@ -14,13 +14,13 @@
 #include "studies/sensitivity/global_sensitivity.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
 #include "studies/sensitivity/sensitivity.hpp"
-#include "studies/stored/standalone_study.hpp"
+#include "studies/study/study_scene.hpp"
 #include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/refusing_at.hpp"
 #include "studies/text/scaled_unit.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 

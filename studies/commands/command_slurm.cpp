@@ -5,9 +5,9 @@
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/slurm_scripts.hpp"
-#include "studies/stored/standalone_study.hpp"
 #include "studies/stored/study_status.hpp"
 #include "studies/study/shards.hpp"
+#include "studies/study/study_scene.hpp"
 #include "studies/text/files.hpp"
 
 namespace rollres {

@@ -3,6 +3,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "studies/evidence/accuracy.hpp"
 #include "studies/evidence/stability.hpp"
 #include "studies/evidence/stability_map.hpp"
 #include "studies/program/command_line.hpp"
@@ -32,21 +33,13 @@ struct StabilityArguments {
   bool json = false;
 };
 
+/// In the order of the list; all without a name.
 std::vector<Method> methods_to_try(const std::vector<std::string>& names) {
-  std::vector<Method> methods;
-  constexpr auto& known = ChoiceNames<Method>::names;
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (names.empty() ? static_cast<Method>(i) != Method::automatic
-                      : std::find(names.begin(), names.end(), known[i]) != names.end())
-      methods.push_back(static_cast<Method>(i));
-  for (const std::string& name : names)
-    if (find_name(known, name) < 0) {
-      const std::string nearest = nearest_name(known, name);
-      std::string rule = nearest.empty() ? "" : "; did you mean " + nearest + "?";
-      if (rule.empty())
-        for (const std::string_view one : known) rule += (rule.empty() ? "; known are " : ", ") + std::string(one);
-      throw std::invalid_argument("--methods = " + name + ": unknown method" + rule);
-    }
+  std::vector<Method> methods = methods_named(names);
+  if (names.empty())
+    for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
+      if (static_cast<Method>(i) != Method::automatic) methods.push_back(static_cast<Method>(i));
+  std::sort(methods.begin(), methods.end());
   return methods;
 }
 

@@ -6,7 +6,7 @@
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/sweep.hpp"
-#include "studies/stored/standalone_study.hpp"
+#include "studies/study/study_scene.hpp"
 #include "studies/text/table_json.hpp"
 
 namespace rollres {

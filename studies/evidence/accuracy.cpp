@@ -10,6 +10,7 @@
 #include "studies/evidence/power_law.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/strict_json.hpp"
 
 namespace rollres {
 
@@ -127,6 +128,19 @@ AccuracyTrend trend_of(Method method, const std::vector<AccuracyPoint>& points, 
 }
 
 }  // namespace
+
+std::vector<Method> methods_named(const std::vector<std::string>& names) {
+  std::vector<Method> methods;
+  for (const std::string& name : names) {
+    const int found = find_name(ChoiceNames<Method>::names, name);
+    if (found < 0)
+      throw std::invalid_argument("--methods = \"" + name +
+                                  "\": " + unknown("unknown method", ChoiceNames<Method>::names, name));
+    if (std::find(methods.begin(), methods.end(), static_cast<Method>(found)) == methods.end())
+      methods.push_back(static_cast<Method>(found));
+  }
+  return methods;
+}
 
 RollingScene with_grid(RollingScene scene, Method method, double spacing) {
   scene.method = method;

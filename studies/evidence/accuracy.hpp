@@ -75,6 +75,9 @@ struct AccuracyReport {
   std::vector<AccuracyTrend> trends;
 };
 
+/// Methods by their names, each once. @throws std::invalid_argument "--methods = ..." naming the nearest known one
+std::vector<Method> methods_named(const std::vector<std::string>& names);
+
 /// Spacings from 8 to about 500 nodes along a cylinder's contact, to about 130 along a sphere's, each 1/sqrt(2) of the
 /// last; the scene's own spacing is among them if it has one and it lies in the range.
 std::vector<double> usual_spacings(const RollingScene& scene);

@@ -16,6 +16,7 @@
 #include "studies/text/measured_table.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/units.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -282,11 +283,7 @@ FitFile read_fit(const std::filesystem::path& file) {
   fit.source = place;
   fit.definition = object.dump(2);
   if (object.contains("output")) fit.output = needed_text(object, "output", place, "must be the key of an output");
-  try {
-    real_output(fit.output);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(place + ": output: " + error.what());
-  }
+  refusing_at(place + ": output", [&] { return real_output(fit.output); });
   read_loss(fit, object, place);
   fit.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
@@ -333,16 +330,14 @@ FitFile read_fit(const std::filesystem::path& file) {
 }
 
 FitProblem problem_of(const FitFile& file, const Evaluate& evaluate, int jobs) {
-  try {
-    FitProblem problem = resistance_problem(file.scenes, with_closed_form_starts(file.scenes, file.inputs, file.output),
-                                            evaluate, {.output = file.output, .jobs = jobs, .step = file.step});
-    problem.deviations_known = file.deviations_known;
-    problem.loss = file.loss;
-    problem.loss_scale = file.loss_scale;
-    return problem;
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(file.source + ": parameters: " + error.what());
-  }
+  FitProblem problem = refusing_at(file.source + ": parameters", [&] {
+    return resistance_problem(file.scenes, with_closed_form_starts(file.scenes, file.inputs, file.output), evaluate,
+                              {.output = file.output, .jobs = jobs, .step = file.step});
+  });
+  problem.deviations_known = file.deviations_known;
+  problem.loss = file.loss;
+  problem.loss_scale = file.loss_scale;
+  return problem;
 }
 
 }  // namespace rollres

@@ -161,22 +161,31 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
   record.noise = report.noise;
   record.seconds = context.seconds;
   record.deviations_known = report.deviations_known;
-  const double absent = RollingSolution::absent;
   for (const FittedParameter& fitted : report.parameters) {
+    const Variable& variable = fitted.parameter.variable;
+    FitParameterRecord& row =
+        record.parameters.emplace_back(FitParameterRecord{.name = fitted.parameter.name,
+                                                          .unit = std::string(unit_of(fitted, context)),
+                                                          .value = fitted.value,
+                                                          .standard_error = fitted.standard_error,
+                                                          .relative_error = fitted.relative_error,
+                                                          .linear_lowest = fitted.linear.lowest,
+                                                          .linear_highest = fitted.linear.highest,
+                                                          .start = fitted.parameter.start,
+                                                          .lowest = variable.lowest,
+                                                          .highest = variable.highest,
+                                                          .step = fitted.step,
+                                                          .flag = fitted.flag});
     const ConfidenceInterval& profile = fitted.profile.interval;
-    const bool profiled = !fitted.profile.points.empty();
-    record.parameters.push_back({fitted.parameter.name, std::string(unit_of(fitted, context)), false, fitted.value,
-                                 fitted.standard_error, fitted.relative_error, fitted.linear.lowest,
-                                 fitted.linear.highest, profile.low == IntervalEnd::open ? absent : profile.lowest,
-                                 profile.high == IntervalEnd::open ? absent : profile.highest,
-                                 profiled ? std::string(name_of(profile.low)) : "",
-                                 profiled ? std::string(name_of(profile.high)) : "", fitted.parameter.start,
-                                 fitted.parameter.variable.lowest, fitted.parameter.variable.highest, fitted.step,
-                                 fitted.flag});
+    if (profile.low != IntervalEnd::open) row.profile_lowest = profile.lowest;
+    if (profile.high != IntervalEnd::open) row.profile_highest = profile.highest;
+    if (fitted.profile.points.empty()) continue;
+    row.profile_low = name_of(profile.low);
+    row.profile_high = name_of(profile.high);
   }
   for (const FitContext::Fixed& fixed : context.fixed)
-    record.parameters.push_back({fixed.name, fixed.unit, true, fixed.value, absent, absent, absent, absent, absent,
-                                 absent, "", "", absent, absent, absent, absent, "fixed"});
+    record.parameters.push_back(
+        {.name = fixed.name, .unit = fixed.unit, .fixed = true, .value = fixed.value, .flag = "fixed"});
   record.correlations = correlations_of(report);
   for (const FittedValue& value : report.values)
     record.data.push_back({value.measured.place, value.measured.value, value.measured.deviation, value.predicted,

@@ -8,6 +8,7 @@
 #include "studies/optimise/design_keys.hpp"
 #include "studies/optimise/design_search.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -104,11 +105,9 @@ Goal goal_of(const Json& object, const std::string& place) {
     throw std::invalid_argument(place + ": minimise: there must be a formula under minimise or maximise, and not both");
   const std::string key = least ? "minimise" : "maximise";
   const std::string text = needed_text(object, key, place, "must be a formula of inputs and outputs");
-  try {
-    return {Formula(text, FormulaNames::inputs_and_outputs), greatest};
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(place + ": " + key + ": " + error.what());
-  }
+  return refusing_at(place + ": " + key, [&] {
+    return Goal{Formula(text, FormulaNames::inputs_and_outputs), greatest};
+  });
 }
 
 std::vector<Condition> constraints_of(const Json& file, Indenter indenter, const std::string& place) {
@@ -119,11 +118,8 @@ std::vector<Condition> constraints_of(const Json& file, Indenter indenter, const
   if (!found->is_array()) refuse(place, "constraints", *found, rule);
   for (const Json& item : *found) {
     if (!item.is_string()) refuse(place, "constraints", item, rule);
-    try {
-      conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, indenter);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(place + ": constraints: " + error.what());
-    }
+    refusing_at(place + ": constraints",
+                [&] { conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, indenter); });
   }
   return conditions;
 }
@@ -174,11 +170,9 @@ DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
                         .goal = goal_of(file, place)};
   std::vector<InputChoice> choices;
   for (const GivenVariable& variable : variables) choices.push_back(variable.choice);
-  try {
+  refusing_at(variables_place, [&] {
     for (const DutyScene& duty : problem.scenes) problem.variables = variables_of(duty.scene, choices);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(variables_place + ": " + error.what());
-  }
+  });
   problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
   problem.over_scenes = choice_or_first<OverScenes>(file, "over_scenes", place);
   problem.constraints = constraints_of(file, problem.scenes.front().scene.indenter, place);

@@ -1,6 +1,7 @@
 #include "studies/optimise/design_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <nlopt.hpp>
@@ -10,30 +11,26 @@ namespace rollres {
 
 namespace {
 
-nlopt::algorithm nlopt_name(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::bobyqa:
-      return nlopt::LN_BOBYQA;
-    case Algorithm::cobyla:
-      return nlopt::LN_COBYLA;
-    case Algorithm::nelder_mead:
-      return nlopt::LN_NELDERMEAD;
-    case Algorithm::subplex:
-      return nlopt::LN_SBPLX;
-    case Algorithm::direct_l:
-      return nlopt::GN_DIRECT_L;
-    case Algorithm::crs2:
-      return nlopt::GN_CRS2_LM;
-    case Algorithm::slsqp:
-      return nlopt::LD_SLSQP;
-    case Algorithm::mma:
-      return nlopt::LD_MMA;
-    case Algorithm::ccsaq:
-      return nlopt::LD_CCSAQ;
-    case Algorithm::lbfgs:
-      return nlopt::LD_LBFGS;
-  }
-  return nlopt::LN_COBYLA;
+/// An algorithm of NLopt, and what is known of it.
+struct KnownAlgorithm {
+  nlopt::algorithm of_nlopt;
+  AlgorithmTraits traits = {};
+};
+constexpr AlgorithmTraits smooth_with_constraints{.slopes = true, .own_constraints = true};
+
+const KnownAlgorithm& known(Algorithm algorithm) {
+  static constexpr std::array<KnownAlgorithm, ChoiceNames<Algorithm>::names.size()> all{
+      {{nlopt::LN_BOBYQA, {.fewest_variables = 2}},
+       {nlopt::LN_COBYLA, {.own_constraints = true}},
+       {nlopt::LN_NELDERMEAD},
+       {nlopt::LN_SBPLX},
+       {nlopt::GN_DIRECT_L, {.global = true}},
+       {nlopt::GN_CRS2_LM, {.global = true}},
+       {nlopt::LD_SLSQP, smooth_with_constraints},
+       {nlopt::LD_MMA, smooth_with_constraints},
+       {nlopt::LD_CCSAQ, smooth_with_constraints},
+       {nlopt::LD_LBFGS, {.slopes = true}}}};
+  return all[static_cast<std::size_t>(algorithm)];
 }
 
 struct LimitReached {};
@@ -137,27 +134,7 @@ double excess_of(const std::vector<double>& place, std::vector<double>& slope, v
 
 }  // namespace
 
-AlgorithmTraits traits(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::bobyqa:
-      return {.fewest_variables = 2};
-    case Algorithm::cobyla:
-      return {.own_constraints = true};
-    case Algorithm::nelder_mead:
-    case Algorithm::subplex:
-      return {};
-    case Algorithm::direct_l:
-    case Algorithm::crs2:
-      return {.global = true};
-    case Algorithm::slsqp:
-    case Algorithm::mma:
-    case Algorithm::ccsaq:
-      return {.slopes = true, .own_constraints = true};
-    case Algorithm::lbfgs:
-      return {.slopes = true};
-  }
-  return {};
-}
+AlgorithmTraits traits(Algorithm algorithm) { return known(algorithm).traits; }
 
 SearchEnd search(DesignEvaluator& evaluator, const DesignScale& scale, const Design& start,
                  const SearchOptions& options, const DesignSlopes* slopes) {
@@ -182,8 +159,8 @@ SearchEnd search(DesignEvaluator& evaluator, const DesignScale& scale, const Des
   };
   constexpr unsigned long seed = 1;  // crs2 draws at random, but the same every time
   nlopt::srand(seed);
-  nlopt::opt nlopt_search = prepared(lagrangian ? nlopt::AUGLAG : nlopt_name(options.algorithm));
-  if (lagrangian) nlopt_search.set_local_optimizer(prepared(nlopt_name(options.algorithm)));
+  nlopt::opt nlopt_search = prepared(lagrangian ? nlopt::AUGLAG : known(options.algorithm).of_nlopt);
+  if (lagrangian) nlopt_search.set_local_optimizer(prepared(known(options.algorithm).of_nlopt));
   nlopt_search.set_min_objective(value_of, &run);
   std::vector<ConstraintOf> each(constraints);
   for (std::size_t j = 0; j < constraints; ++j) {

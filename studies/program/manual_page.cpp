@@ -11,32 +11,9 @@ namespace {
 
 /// A text that stands for itself: no escapes of groff in it, no quotes and dashes made prettier.
 std::string plain(std::string_view text) {
-  std::string out;
-  for (const char letter : text) switch (letter) {
-      case '\\':
-        out += "\\e";
-        break;
-      case '-':
-        out += "\\-";
-        break;
-      case '\'':
-        out += "\\(aq";
-        break;
-      case '"':
-        out += "\\(dq";
-        break;
-      case '`':
-        out += "\\(ga";
-        break;
-      case '^':
-        out += "\\(ha";
-        break;
-      case '~':
-        out += "\\(ti";
-        break;
-      default:
-        out += letter;
-    }
+  const std::string out = replaced(
+      text,
+      {{'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'"', "\\(dq"}, {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"}});
   return out.starts_with('.') ? "\\&" + out : out;
 }
 

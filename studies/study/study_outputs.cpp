@@ -7,6 +7,7 @@
 #include "core/scene/solution.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/text/units.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -72,12 +73,10 @@ std::vector<Condition> study_constraints(const Json& study, std::span<const Inde
                                          const std::string& place) {
   std::vector<Condition> conditions;
   for (const std::string& text : texts(study, "constraints", place, "must be a list of conditions between inputs"))
-    try {
+    refusing_at(place + ": constraints", [&] {
       for (const Indenter indenter : indenters) Condition(text, FormulaNames::inputs, indenter);
       conditions.emplace_back(text, FormulaNames::inputs, indenters.front());
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(place + ": constraints: " + error.what());
-    }
+    });
   return conditions;
 }
 

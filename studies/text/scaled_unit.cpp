@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "studies/text/words.hpp"
+
 namespace rollres {
 
 namespace {
@@ -65,19 +67,6 @@ ScaledUnit scaled_unit_logarithmic(std::string_view unit, double smallest, doubl
   return with_prefix(unit, std::clamp(static_cast<int>(std::lround(centre)), known->lowest, known->highest));
 }
 
-std::string typeset_unit(std::string_view unit) {
-  std::string text;
-  for (const char letter : unit) {
-    if (letter == '2')
-      text += "²";
-    else if (letter == '3')
-      text += "³";
-    else if (letter == '.')
-      text += "·";
-    else
-      text += letter;
-  }
-  return text;
-}
+std::string typeset_unit(std::string_view unit) { return replaced(unit, {{'2', "²"}, {'3', "³"}, {'.', "·"}}); }
 
 }  // namespace rollres

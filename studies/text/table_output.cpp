@@ -7,6 +7,7 @@
 
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -36,9 +37,7 @@ std::string csv_cell(const Cell& cell) {
     return std::isinf(*number) ? (*number > 0 ? "inf" : "-inf") : shortest(*number);
   const std::string& text = std::get<std::string>(cell);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + '"';
+  return '"' + replaced(text, {{'"', "\"\""}}) + '"';
 }
 
 }  // namespace
@@ -111,9 +110,7 @@ void write_markdown(std::ostream& out, const Table& table) {
   Table escaped = table;
   for (auto& row : escaped.rows)
     for (Cell& cell : row)
-      if (auto* const text = std::get_if<std::string>(&cell))
-        for (std::size_t bar = text->find('|'); bar != std::string::npos; bar = text->find('|', bar + 2))
-          text->insert(bar, "\\");
+      if (auto* const text = std::get_if<std::string>(&cell)) *text = replaced(*text, {{'|', "\\|"}});
   const WordedTable worded(escaped);
   const auto write_line = [&](const std::vector<std::string>& line) {
     for (std::size_t i = 0; i < line.size(); ++i) out << "| " << worded.padded(line, i) << ' ';

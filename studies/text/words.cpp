@@ -20,11 +20,16 @@ std::vector<std::string> split_at_commas(std::string_view text) {
   return words;
 }
 
-std::string shell_word(std::string_view text) {
-  std::string word = "'";
-  for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return word + "'";
+std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by) {
+  std::string out;
+  for (const char letter : text) {
+    const auto found = std::find_if(by.begin(), by.end(), [&](const auto& one) { return one.first == letter; });
+    out += found == by.end() ? std::string_view(&letter, 1) : found->second;
+  }
+  return out;
 }
+
+std::string shell_word(std::string_view text) { return "'" + replaced(text, {{'\'', "'\\''"}}) + "'"; }
 
 std::string file_name(std::string name) {
   std::replace_if(

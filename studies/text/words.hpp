@@ -1,9 +1,12 @@
 #pragma once
 
-/// Words taken out of texts and put together to such.
+/// Words taken out of texts and put together to such, for files, shells and refusals.
 
+#include <initializer_list>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rollres {
@@ -26,10 +29,23 @@ std::string joined(const List& list, std::string_view between = ", ") {
   return joined(list, between, [](const auto& one) { return std::string_view(one); });
 }
 
+/// The text with some letters replaced by others. @param by  each of these letters with what stands for it
+std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by);
+
 /// A text as one word of the shell.
 std::string shell_word(std::string_view text);
 
 /// A name that file systems take: blanks, "/" and the like become "_".
 std::string file_name(std::string name);
+
+/// Does `function`, and puts the place (a file, an option) in front of its refusal.
+template <class Function>
+auto refusing_at(const std::string& place, Function function) {
+  try {
+    return function();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(place + ": " + error.what());
+  }
+}
 
 }  // namespace rollres

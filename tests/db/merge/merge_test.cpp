@@ -9,6 +9,8 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers copied_table and readable_source, too.
+
 using namespace rollres;
 
 namespace {

@@ -10,6 +10,8 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers select, filter, group_query, sql_query and sql_functions, too.
+
 using namespace rollres;
 
 namespace {

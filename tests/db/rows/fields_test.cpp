@@ -10,6 +10,8 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers fields_table, too.
+
 using namespace rollres;
 
 namespace {

@@ -10,6 +10,8 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers evaluation_key, evaluation_row and digest, too.
+
 using namespace rollres;
 
 namespace {

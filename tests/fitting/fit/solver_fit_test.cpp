@@ -7,6 +7,8 @@
 #include "tests/fitting/measured_hunter.hpp"
 #include "tests/plain_scene.hpp"
 
+// Covers secant_slopes, too.
+
 using namespace rollres;
 
 namespace {

@@ -8,6 +8,8 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers study_definition, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

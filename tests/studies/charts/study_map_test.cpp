@@ -10,6 +10,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers map_chart and figure_data, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

@@ -11,6 +11,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers field_collection, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

@@ -11,6 +11,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers report_fit, fit_design, fit_file, material_file, fit_summary, fit_json, fit_chart and fit_curves, too.
+
 using namespace rollres;
 using nlohmann::json;
 
@@ -81,6 +83,12 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   CHECK(stored->parameters[0].value == time["value"].get<double>());
   CHECK(stored->data_digest == answer["data_digest"]);
   CHECK(stored->correlations.size() == answer["correlations"].size());
+
+  const std::string page = (files.directory / "fit.html").string();
+  REQUIRE(run_rollres({"report", "--db", files.database(), "--study", "half space", "--out", page}, quick_resistance)
+              .status == 0);
+  CHECK_THAT(file_text(page), Catch::Contains("95 % profile") && Catch::Contains("creep_time") &&
+                                  Catch::Contains("degrees of freedom") && Catch::Contains("residuals of the fit"));
 
   const ProgramRun text = files.run(FitFiles::definition());
   CHECK_THAT(text.out, Catch::StartsWith("half space: USABLE") && Catch::Contains("95 % profile") &&

@@ -7,6 +7,8 @@
 #include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 
+// Covers gradient_report, too.
+
 using namespace rollres;
 using nlohmann::json;
 

@@ -7,6 +7,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers optimise_report, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 using nlohmann::json;

@@ -6,6 +6,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers study_outputs and cells, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 namespace {

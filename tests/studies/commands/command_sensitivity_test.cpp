@@ -7,6 +7,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers bar_chart, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 using nlohmann::json;

@@ -12,6 +12,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers command_line, command_solve and command_quantities, too.
+
 using namespace rollres;
 using nlohmann::json;
 

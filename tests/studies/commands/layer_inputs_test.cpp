@@ -7,8 +7,8 @@
 #include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/charts/study_chart.hpp"
-#include "studies/sensitivity/sensitivity.hpp"
 #include "studies/scene_io/cells.hpp"
+#include "studies/sensitivity/sensitivity.hpp"
 #include "studies/study/plan_table.hpp"
 #include "studies/text/key_words.hpp"
 #include "studies/text/strict_json.hpp"
@@ -17,6 +17,8 @@
 #include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
+
+// Covers command_material, material_chart, layer_column and layer_list, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;

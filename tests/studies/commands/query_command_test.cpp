@@ -8,6 +8,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers command_query, too.
+
 using namespace rollres;
 namespace {
 

@@ -11,6 +11,8 @@
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers main and, as far as the processor of this machine has all it asks for, processor_check, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

@@ -6,6 +6,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers command_sweep, command_list and command_show, too.
+
 using namespace rollres;
 namespace {
 

@@ -12,6 +12,8 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers chart_frame, chart_script and chart_layout, too.
+
 using namespace rollres;
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;

@@ -12,6 +12,8 @@
 #include "tests/source_directory.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers power_law and accuracy_reference, too.
+
 using namespace rollres;
 
 namespace {
@@ -308,7 +310,7 @@ TEST_CASE("a cylinder's errors are measured against the spectral method, which h
     CHECK(point.error == Approx(0.1 * point.tolerance).margin(2e-12));
   }
   CHECK(by_tolerance == 9);
-  CHECK(accuracy_text(report, false).find("tolerance   nodes   spectral: error") != std::string::npos);
+  CHECK(accuracy_text(report, false).find("tolerance  nodes  spectral: error") != std::string::npos);
   CHECK(accuracy_chart(report).curves.size() == 4);
 }
 

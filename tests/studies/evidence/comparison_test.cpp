@@ -9,6 +9,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers command_compare, too.
+
 using namespace rollres;
 
 namespace {

@@ -17,6 +17,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers stability_trial and command_stability, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -288,7 +290,7 @@ TEST_CASE("rollres stability refuses a method it does not know, and a folder it 
   const ProgramRun unknown =
       run_rollres({"stability", "--out", folder.path.string(), "--methods", "newton,activeset"}, flawless);
   CHECK(unknown.status == ExitStatus::wrong_input);
-  CHECK_THAT(unknown.err, Contains("--methods = activeset: unknown method; did you mean active_set?"));
+  CHECK_THAT(unknown.err, Contains("--methods = \"activeset\": unknown method; did you mean active_set?"));
   const std::string file = folder.write("file", "").string();
   const ProgramRun blocked = run_rollres({"stability", "--out", file + "/x", "--scenes", "1"}, flawless);
   CHECK(blocked.status == ExitStatus::failure);

@@ -8,6 +8,8 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 
+// Covers command_verify, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

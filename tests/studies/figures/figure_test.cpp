@@ -8,6 +8,8 @@
 #include "tests/core/paper_scenes.hpp"
 #include "tests/studies/figure_blocks.hpp"
 
+// Covers figure_contours, figure_arrows, figure_lines, figure_map, figure_zones and figure_relief, too.
+
 using namespace rollres;
 
 namespace {

@@ -12,6 +12,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers problem_schema, schema_parts and command_schema, too.
+
 using namespace rollres;
 
 namespace {

@@ -13,6 +13,8 @@
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers manual_page and command_completion, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

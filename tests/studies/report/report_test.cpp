@@ -12,6 +12,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers html, report_tables, report_model, report_optimum, report_pictures and command_report, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

@@ -9,6 +9,8 @@
 
 // result_writer and evaluate, too.
 
+// Covers result_writer, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

@@ -17,6 +17,8 @@
 #include "tests/studies/stored_rows.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers point_states, too.
+
 using namespace rollres;
 
 namespace {

@@ -12,6 +12,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers master_curve_file, too.
+
 using namespace rollres;
 using Catch::Matchers::Contains;
 

@@ -9,6 +9,8 @@
 #include "tests/catch.hpp"
 #include "tests/source_directory.hpp"
 
+// Covers scene_entries, too.
+
 using namespace rollres;
 
 namespace {

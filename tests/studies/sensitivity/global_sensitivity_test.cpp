@@ -5,6 +5,8 @@
 
 #include "tests/catch.hpp"
 
+// Covers morris_effects and sobol_indices, too.
+
 using namespace rollres;
 
 namespace {

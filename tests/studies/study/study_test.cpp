@@ -7,6 +7,8 @@
 #include "tests/source_directory.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers study_scene, too.
+
 using namespace rollres;
 
 namespace {

@@ -9,14 +9,16 @@
 #include "studies/drawing/chart.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/study/study.hpp"
-#include "studies/text/measured_table.hpp"
 #include "studies/text/files.hpp"
+#include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+
+// Covers strict_json, files and measured_table, too.
 
 using namespace rollres;
 using Catch::Contains;
