@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 
 #include "studies/evidence/accuracy_table.hpp"
@@ -98,9 +97,7 @@ void random_accuracy(const AccuracyArguments& arguments, Session& session) {
   const RandomAccuracyReport report =
       watched_run(plan, session, [&] { return measure_random_accuracy(plan, session.evaluate); });
   const std::filesystem::path file = std::filesystem::path(arguments.out) / "random_accuracy.csv";
-  std::ostringstream csv;
-  write_csv(csv, judged_table(report.solutions));
-  write_file(file, csv.str());
+  write_file(file, csv_of(judged_table(report.solutions)));
   const Table table = random_accuracy_table(counts_of(report.solutions));
   if (arguments.json) {
     session.out << text_of(Json{{"seed", plan.seed},
@@ -148,9 +145,7 @@ void accuracy(const AccuracyArguments& arguments, Session& session) {
   warn_of_busy_machine(reports, session.err);
 
   std::vector<std::filesystem::path> written{std::filesystem::path(arguments.out) / "accuracy.csv"};
-  std::ostringstream csv;
-  write_csv(csv, accuracy_rows(reports));
-  write_file(written.front(), csv.str());
+  write_file(written.front(), csv_of(accuracy_rows(reports)));
   for (const AccuracyReport& report : reports) {
     const ChartRequest request = accuracy_chart(report);
     if (request.curves.empty()) {

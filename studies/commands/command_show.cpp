@@ -81,11 +81,7 @@ void show_evaluation(const ShowArguments& arguments, const StoredEvaluation& eva
   const Provenance& program = evaluation.provenance;
   if (arguments.json) {
     Json object{{"id", evaluation.id}, {"created", evaluation.created}, {"studies", evaluation.studies}};
-    object["provenance"] = {{"version", program.version},
-                            {"git_hash", program.git_hash},
-                            {"solver", program.solver},
-                            {"compiler", program.compiler},
-                            {"machine", program.machine}};
+    object["provenance"] = json_of(program);
     object.update(Json::parse(solution_json(evaluation.scene, evaluation.solution)));
     session.out << text_of(object, 2) << '\n';
     return;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
-#include <sstream>
 
 #include "studies/evidence/accuracy.hpp"
 #include "studies/evidence/stability.hpp"
@@ -129,9 +128,7 @@ void stability(const StabilityArguments& arguments, Session& session) {
   const StabilityReport report = watched_run(plan, session, [&] { return run_stability(plan, session.evaluate); });
 
   const fs::path rows = folder / "stability.csv";
-  std::ostringstream csv;
-  write_csv(csv, trials_table(report.trials));
-  write_file(rows, csv.str());
+  write_file(rows, csv_of(trials_table(report.trials)));
   const std::vector<StabilityCount> all = counts(report.trials);
   std::vector<fs::path> files = draw_maps(report, folder);
   files.insert(files.begin(), rows);

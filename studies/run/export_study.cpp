@@ -1,6 +1,5 @@
 #include "studies/run/export_study.hpp"
 
-#include <sstream>
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
@@ -36,15 +35,10 @@ Json provenance_of(ResultStore& store, const StudySummary& study) {
               {"failed", study.failed},
               {"programs", Json::array()},
               {"exported_by", {{"version", this_program().version}, {"git_hash", this_program().git_hash}}}};
-  for (const ComputedShare& made : computed_shares(store, study.name))
-    object["programs"].push_back({{"version", made.program.version},
-                                  {"git_hash", made.program.git_hash},
-                                  {"solver", made.program.solver},
-                                  {"compiler", made.program.compiler},
-                                  {"machine", made.program.machine},
-                                  {"points", made.points},
-                                  {"first_result", made.first},
-                                  {"last_result", made.last}});
+  for (const ComputedShare& made : computed_shares(store, study.name)) {
+    Json& program = object["programs"].emplace_back(json_of(made.program));
+    program.update({{"points", made.points}, {"first_result", made.first}, {"last_result", made.last}});
+  }
   return object;
 }
 
@@ -71,9 +65,7 @@ std::string export_study(const std::filesystem::path& database, const std::strin
 
   extract_study(database, name, own);
   ResultStore exported(own, Access::read);
-  std::ostringstream csv;
-  write_csv(csv, results_of(exported, name));
-  write_file(folder / "results.csv", csv.str());
+  write_file(folder / "results.csv", csv_of(results_of(exported, name)));
   write_file(folder / "provenance.json", text_of(provenance_of(exported, exported.study(name).value()), 2) + "\n");
   const std::string definition = exported.definition(name).value_or("");
   write_file(folder / "study.json", definition);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ostream>
+#include <sstream>
 
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -61,6 +62,14 @@ Json json_of(const Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = json_of(row[i]);
   }
   return rows;
+}
+
+Json json_of(const Provenance& program) {
+  return {{"version", program.version},
+          {"git_hash", program.git_hash},
+          {"solver", program.solver},
+          {"compiler", program.compiler},
+          {"machine", program.machine}};
 }
 
 std::string text_of(const Json& json, int indent) {
@@ -134,6 +143,12 @@ void write_csv(std::ostream& out, const Table& table) {
   };
   write_line(table.columns, [](const std::string& name) { return name; });
   for (const auto& row : table.rows) write_line(row, csv_cell);
+}
+
+std::string csv_of(const Table& table) {
+  std::ostringstream text;
+  write_csv(text, table);
+  return text.str();
 }
 
 void write_json(std::ostream& out, const Table& table) {

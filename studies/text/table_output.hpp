@@ -21,6 +21,9 @@ void write_markdown(std::ostream& out, const Table& table);
 /// RFC 4180 with a line of names; all digits; empty where something is absent, "inf" for an infinite number.
 void write_csv(std::ostream& out, const Table& table);
 
+/// The same as a text.
+std::string csv_of(const Table& table);
+
 /// An array with one object for each row; all digits; null where something is absent, "infinite" for an infinite
 /// number.
 void write_json(std::ostream& out, const Table& table);
