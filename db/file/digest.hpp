@@ -1,5 +1,7 @@
 #pragma once
 
+/// Short texts that stand for long ones, and numbers as keys write them.
+
 #include <string>
 #include <string_view>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Functions of SQL that SQLite lacks.
+
 #include "db/file/sqlite.hpp"
 
 namespace rollres {

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Databases of older schemas, read as if they were of this one.
+
 #include <filesystem>
 #include <optional>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+/// A table as a plain value: what questions to a database answer, and what is printed of them.
+
 #include <cstdint>
 #include <string>
 #include <variant>

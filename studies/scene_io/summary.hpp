@@ -1,5 +1,7 @@
 #pragma once
 
+/// A scene with its solution as text for people, and what was decided on the way to it.
+
 #include <string>
 
 #include "core/scene/scene.hpp"
