@@ -72,8 +72,6 @@ GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width) {
   const double half_width = expected_half_width(scene), widest = widest_window(scene);
   GridSeries series;
   series.coarsest = coarsenings(cells_on_half_width);
-  // Observed order: 1.6.
-  series.share_left = 0.4;
   series.first = [=, indenter = scene.indenter](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
     return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));
