@@ -119,7 +119,7 @@ double expected_change(double last, double before, double missing) {
 
 double GridError::estimate(double resistance, double change) const {
   const double viscous = std::min(1.0, std::abs(slow_loss / resistance));
-  return 1.2 * (1 - slow_share * viscous) * change + 0.3 * (1 - slow_share) * unresolved + slow_share * slow_error;
+  return 1.25 * (1 - slow_share * viscous) * change + 0.3 * (1 - slow_share) * unresolved + slow_share * slow_error;
 }
 
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone) {
@@ -150,8 +150,8 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
                         (1 + over * over) / (1 + cells * (3 + 4 * cells));
   }
   if (composite || second >= largest_second || scene.adhesion_threshold > 0) return error;
-  // Measured against exact solutions: the slopes at the edges are known to a twentieth (less over a thin layer), and change
-  // with the memory; the rest is what friction adds at steep edges.
+  // Measured against exact solutions: the slopes at the edges are known to a twentieth (less over a thin layer), and
+  // change with the memory; the rest is what friction adds at steep edges.
   const double softening = 1 - creep.instantaneous / moments.rest;
   const double edges = std::clamp(0.2 * sums.half_length / scene.layer_thickness, 0.05, 2.0);
   const double slope = scene.friction_coefficient > 0 ? sums.half_length / scene.radius : 0;
@@ -191,8 +191,7 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, const Contac
   const double viscous = solution.viscous_loss / scene.speed;
   add_resistance(scene, error.slow_share * (loss - viscous + powers.losses() - powers.resistance()), solution);
   solution.viscous_loss += error.slow_share * (loss - viscous) * scene.speed;
-  solution.energy_residual = (1 - error.slow_share) * powers.missing() /
-                             powers.scale(solution.rolling_resistance);
+  solution.energy_residual = (1 - error.slow_share) * powers.missing() / powers.scale(solution.rolling_resistance);
   if (error.slow_share > 0.01)
     solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +
                       message_text(error.slow_share) +

@@ -9,7 +9,7 @@ namespace rollres {
 
 namespace {
 
-constexpr double coarsest_cells_on_half_width = 4;
+constexpr double coarsest_cells_on_half_width = 3;
 
 int coarsenings(double cells_on_half_width) {
   int count = 0;

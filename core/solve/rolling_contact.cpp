@@ -247,7 +247,8 @@ std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
                         solution.error_estimate);
   // What the edges of the contact take between nodes (core/newton/README.md, (N15)); on random scenes a third of this.
   const double cells = on_grid(solution.method) ? 0.5 * length / solution.spacing : INFINITY;
-  const double balanced = std::max({0.01, solution.error_estimate, lever / std::abs(resistance) / std::pow(cells, 1.5)});
+  const double balanced =
+      std::max({0.01, solution.error_estimate, lever / std::abs(resistance) / std::pow(cells, 1.5)});
   if (solution.energy_residual > balanced)
     return message_text("the power balance misses ", solution.energy_residual, " of it, more than ", balanced);
   return {};

@@ -187,15 +187,15 @@ class SpectralContact {
           overload_direction_ = assessed.overload_direction;
         }
         if (assessed.wrong_zone > plainly_wrong) return false;
-        if (error <= reachable) {
-          if (violation < largest_violation) {
-            const double relative = cautious(error, violation, scene_.drive);
-            assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
-            assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
-            scale_ = scale;
-            best_ = std::move(assessed);
-            return true;
-          }
+        if (error <= reachable && violation < largest_violation) {
+          const double relative = cautious(error, violation, scene_.drive);
+          assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
+          assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
+          scale_ = scale;
+          best_ = std::move(assessed);
+          return true;
+        }
+        if (error <= tolerance_) {
           if (done && !lawful) return false;
           done = true;
           residual =
