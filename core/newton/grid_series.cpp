@@ -9,12 +9,14 @@ namespace rollres {
 
 namespace {
 
-constexpr double coarsest_cells_on_half_width = 3;
+constexpr double coarsest_cells_on_half_width = 4, coarsest_of_two = 3;  // two grids tell an error
 
 int coarsenings(double cells_on_half_width) {
   int count = 0;
   constexpr int most = 40;  // an overflowing estimate of the contact tells nothing
-  while (count < most && std::ldexp(cells_on_half_width, -count - 1) >= coarsest_cells_on_half_width) ++count;
+  while (count < most &&
+         std::ldexp(cells_on_half_width, -count - 1) >= (count == 0 ? coarsest_of_two : coarsest_cells_on_half_width))
+    ++count;
   return count;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The nested grids of a solution: from a grid with three to six cells on the half-width of the contact, doubling their number,
+/// The nested grids of a solution: from a grid with four to eight cells on the half-width of the contact, doubling their number,
 /// to the one asked for.
 
 #include <functional>

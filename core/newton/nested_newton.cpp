@@ -91,7 +91,6 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
     };
     attempt(solve_cold);
-    if (problem.friction && effort != Effort::refinement) attempt(solve_from_sliding);
     if (problem.friction && (effort == Effort::all || (effort == Effort::start && !problem.rotation_given())))
       attempt(solve_by_rotation);
     if (problem.friction && effort == Effort::all && !level.outcome.converged &&
