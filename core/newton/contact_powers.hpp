@@ -21,6 +21,8 @@ struct ContactPowers {
   double share = 0;       ///< of the losses in `resistance`, 0 to 1, smooth in all inputs
 
   double losses() const { return layer + friction + unbalanced; }
+  /// By which the balance misses: Delta of (N15).
+  double missing() const { return std::abs(resultants - losses()); }
   /// R_r: by the resultants, or by the losses where the resultants cancel.
   double resistance() const { return resultants + share * (losses() - resultants); }
   /// What errors of a rolling resistance are measured by: an elastic layer resists with nothing.

@@ -50,7 +50,6 @@ double edge_slopes(const Vector& pressure, Eigen::Index first, Eigen::Index last
 
 /// Integrals over the contact that the estimates are made of.
 struct ContactIntegrals {
-  double edges = 0;        // Delta of (N15)
   double edge_slopes = 0;  // int sum |d(p^2)/dx| cos(alpha) dy, of W (N18), (N19)
   double roughness = 0;    // int int (dp/dx)^2 dx dy (N21)
   double half_length = 0;  // [m]
@@ -58,8 +57,8 @@ struct ContactIntegrals {
   double curved = 0;       // the same times the body's curvature, P/R of (N17) [N/m]
 };
 
-ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
-                                   const Vector& gap) {
+ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& pressure,
+                                   const std::vector<Zone>& zone) {
   ContactIntegrals sums;
   const SurfaceGrid& grid = problem.grid;
   const double spacing = grid.spacing_x;
@@ -78,8 +77,6 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
       const double force = width * spacing * pressure(i);
       sums.pressure += force;
       sums.curved += force * problem.shape.resisting_curvature(grid.x(static_cast<int>(i - start)), grid.y(row));
-      if (i == start || i == end) continue;
-      sums.edges += 0.5 * width * pressure(i) * (std::max(gap(i + 1), 0.0) - std::max(gap(i - 1), 0.0));
     }
     if (first < 0) continue;
     rows.push_back({grid.y(row), 0.5 * static_cast<double>(last - first + 1) * spacing,
@@ -113,23 +110,24 @@ void warn_of_memory(const GridError& error, RollingSolution& solution) {
 
 }  // namespace
 
-double GridError::estimate(double resistance, double last_change) const {
-  // Calibrated on random scenes (`rollres accuracy --random`): a sphere's contact has more edge.
-  const double own = std::abs(edges), change = lateral ? last_change : 0.5 * last_change;
-  const double changed = (lateral ? 1.5 : 1.2) * (std::isnan(last_change) ? 2 * own : own + change);
-  const double viscous = std::min(1.0, std::abs(slow_loss / resistance));
-  return (1 - slow_share * viscous) * changed + (1 - slow_share) * unresolved + slow_share * slow_error;
+double expected_change(double last, double before) { return std::fmax(last, 0.2 * before); }
+
+double expected_change(double last, double before, double missing) {
+  if (std::isnan(last)) return 5 * missing;
+  return std::isnan(before) ? std::max(2 * last, 0.5 * missing) : expected_change(last, before);
 }
 
-GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
-                     const Vector& gap) {
+double GridError::estimate(double resistance, double change) const {
+  const double viscous = std::min(1.0, std::abs(slow_loss / resistance));
+  return 1.25 * (1 - slow_share * viscous) * change + 0.3 * (1 - slow_share) * unresolved + slow_share * slow_error;
+}
+
+GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone) {
   const RollingScene& scene = problem.scene;
   const CreepSpectrum creep = creep_spectrum(scene);
   const CreepMoments moments = creep_moments(creep);
-  const ContactIntegrals sums = contact_integrals(problem, pressure, zone, gap);
+  const ContactIntegrals sums = contact_integrals(problem, pressure, zone);
   GridError error;
-  error.lateral = problem.lateral;
-  error.edges = sums.edges;
   for (const CreepSpectrum::Term& term : creep.terms)
     if (term.compliance > 0) error.memory_length = std::max(error.memory_length, scene.speed * term.time);
   if (moments.first == 0) return error;
@@ -152,13 +150,13 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
                         (1 + over * over) / (1 + cells * (3 + 4 * cells));
   }
   if (composite || second >= largest_second || scene.adhesion_threshold > 0) return error;
-  // Measured against exact solutions: the slopes at the edges are known to a tenth (less over a thin layer), and change
-  // with the memory; the rest is what friction adds at steep edges.
+  // Measured against exact solutions: the slopes at the edges are known to a twentieth (less over a thin layer), and
+  // change with the memory; the rest is what friction adds at steep edges.
   const double softening = 1 - creep.instantaneous / moments.rest;
-  const double edges = std::clamp(0.1 * sums.half_length / scene.layer_thickness, 0.1, 2.0);
+  const double edges = std::clamp(0.2 * sums.half_length / scene.layer_thickness, 0.05, 2.0);
   const double slope = scene.friction_coefficient > 0 ? sums.half_length / scene.radius : 0;
   error.slow_error =
-      limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.2 * slope * slope);
+      limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.1 * slope * slope);
   const double square = error.unresolved * error.unresolved;
   // None where the grid resolves the memories well: the edges' slopes jump with the nodes, which a smooth answer must
   // not.
@@ -193,8 +191,7 @@ void take_slow_rolling(const RollingScene& scene, GridError& error, const Contac
   const double viscous = solution.viscous_loss / scene.speed;
   add_resistance(scene, error.slow_share * (loss - viscous + powers.losses() - powers.resistance()), solution);
   solution.viscous_loss += error.slow_share * (loss - viscous) * scene.speed;
-  solution.energy_residual = (1 - error.slow_share) * std::abs(powers.resultants - powers.losses()) /
-                             powers.scale(solution.rolling_resistance);
+  solution.energy_residual = (1 - error.slow_share) * powers.missing() / powers.scale(solution.rolling_resistance);
   if (error.slow_share > 0.01)
     solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +
                       message_text(error.slow_share) +

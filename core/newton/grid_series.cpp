@@ -9,12 +9,14 @@ namespace rollres {
 
 namespace {
 
-constexpr double coarsest_cells_on_half_width = 4;
+constexpr double coarsest_cells_on_half_width = 4, coarsest_of_two = 3;  // two grids tell an error
 
 int coarsenings(double cells_on_half_width) {
   int count = 0;
   constexpr int most = 40;  // an overflowing estimate of the contact tells nothing
-  while (count < most && std::ldexp(cells_on_half_width, -count - 1) >= coarsest_cells_on_half_width) ++count;
+  while (count < most &&
+         std::ldexp(cells_on_half_width, -count - 1) >= (count == 0 ? coarsest_of_two : coarsest_cells_on_half_width))
+    ++count;
   return count;
 }
 
@@ -72,8 +74,6 @@ GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width) {
   const double half_width = expected_half_width(scene), widest = widest_window(scene);
   GridSeries series;
   series.coarsest = coarsenings(cells_on_half_width);
-  // Observed order: 1.6.
-  series.share_left = 0.4;
   series.first = [=, indenter = scene.indenter](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
     return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The nested grids of a solution: from a grid with four cells on the half-width of the contact, doubling their number,
+/// The nested grids of a solution: from a grid with four to eight cells on the half-width of the contact, doubling their number,
 /// to the one asked for.
 
 #include <functional>
@@ -12,9 +12,6 @@ namespace rollres {
 /// Grids numbered by how often they are coarsened: 0 is the one asked for, -1 the next finer one.
 struct GridSeries {
   int coarsest = 0;
-  /// What the last halving of the spacing changed in the rolling resistance, times this, estimates the error that is
-  /// left.
-  double share_left = 1;
   /// Whether, on the finest grid, the slow ways that need no good start are taken as well.
   bool last_resort = true;
   /// Where nothing is known but the scene.

@@ -153,7 +153,7 @@ class Assessment {
     if (powers_.share > 0.01)
       s_.model += "; rolling resistance from the losses, share " + message_text(powers_.share) +
                   ", as the resultants are a small difference";
-    s_.energy_residual = std::abs(powers_.resultants - powers_.losses()) / powers_.scale();
+    s_.energy_residual = powers_.missing() / powers_.scale();
   }
 
   void keep_fields() {

@@ -55,7 +55,7 @@ void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double bor
 void measure(ContactLevel& level) {
   const NewtonOutcome& outcome = level.outcome;
   level.powers = contact_powers(*level.problem, outcome.moved, outcome.unknowns, outcome.zone);
-  level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone, outcome.gap);
+  level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone);
 }
 
 /// The smallest grid that holds two of the same spacing: a window may grow, but never moves away from what it held.
@@ -91,7 +91,6 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       if (outcome.converged || outcome.reached_border || level.outcome.zone.empty()) level.outcome = std::move(outcome);
     };
     attempt(solve_cold);
-    if (problem.friction && effort != Effort::refinement) attempt(solve_from_sliding);
     if (problem.friction && (effort == Effort::all || (effort == Effort::start && !problem.rotation_given())))
       attempt(solve_by_rotation);
     if (problem.friction && effort == Effort::all && !level.outcome.converged &&
@@ -107,9 +106,9 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
 
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
-  const double before = 0.5 * std::abs(coarsest_resistance - coarser_resistance);
   constexpr double rounding = 1e-11;
-  return error.estimate(resistance, share_left * (before > last ? before : last)) + rounding * finest.powers.halves;
+  return error.estimate(resistance, expected_change(last, change_before, finest.powers.missing())) +
+         rounding * finest.powers.halves;
 }
 
 double NestedOutcome::error_estimate() const {
@@ -119,7 +118,6 @@ double NestedOutcome::error_estimate() const {
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer) {
   NestedOutcome nested;
-  nested.share_left = grids.share_left;
   int coarsening = grids.coarsest, last = 0;
   const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
   bool sliding_checked = !drive_may_fail;
@@ -169,8 +167,9 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     // A finer grid for a tolerance's sake that has no solution leaves the one that was found.
     if (nested.status == Status::converged && !next.outcome.converged) return nested;
     nested.status = Status::not_converged;
-    nested.coarsest_resistance = nested.coarser_resistance;
-    nested.coarser_resistance = solved ? level.powers.resistance() : RollingSolution::absent;
+    const double resistance = solved ? level.powers.resistance() : RollingSolution::absent;
+    nested.change_before = expected_change(std::abs(nested.coarser_resistance - resistance), nested.change_before);
+    nested.coarser_resistance = resistance;
     nested.finest = std::move(next);
   }
   if (drive_may_fail && !nested.finest.outcome.reached_border) {

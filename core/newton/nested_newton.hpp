@@ -11,15 +11,13 @@ namespace rollres {
 
 struct NestedOutcome {
   ContactLevel finest;
-  /// Rolling resistance at twice and at four times the finest spacing; NaN if there was no such level.
-  double coarser_resistance = RollingSolution::absent, coarsest_resistance = RollingSolution::absent;
-  /// Estimated error of a rolling resistance [N] (core/newton/README.md, (N22)), by the change at the last halving
-  /// of the spacing, or half the change before if that is larger (the edges of the contact move by whole cells, so that
-  /// one change alone may be small by chance), times the series' share.
+  /// Rolling resistance at twice the finest spacing, and what was expected to change there; NaN if there was no such
+  /// level.
+  double coarser_resistance = RollingSolution::absent, change_before = RollingSolution::absent;
+  /// Estimated error of a rolling resistance [N] (core/newton/README.md, (N22)).
   double error_estimate(const GridError& error, double resistance) const;
   /// The same of what the finest grid itself says, relative.
   double error_estimate() const;
-  double share_left = 1;  // of the series
   Status status = Status::not_converged;
   std::string reason;
   double friction_needed = RollingSolution::absent;  // with no_steady_state: too little friction for the drive,

@@ -34,33 +34,6 @@ NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& leve
   return newton_contact(problem, *level.table, *level.influence, start, sticking);
 }
 
-NewtonOutcome solve_from_sliding(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
-                                 const NewtonOptions& options) {
-  ContactUnknowns start =
-      frictionless_start(problem, level, guess, problem.scene.rotation_ratio.value_or(0.0), options);
-  const NaturalMaps maps = natural_maps(problem, *level.influence, start, loaded_nodes(start));
-  const double given = start.rotation_ratio;
-  // Bounds of friction along the slip that the pressure makes at a rotation.
-  const auto slide = [&](double ratio) {
-    start.rotation_ratio = ratio;
-    for (Eigen::Index i = 0; i < problem.grid.size(); ++i) {
-      const double slip_x = maps.slip_x(i) - (ratio - given) * problem.turning(i);
-      const double slip_y = problem.lateral && !problem.on_axis(i) ? maps.slip_y(i) : 0;
-      const double per_slip = problem.law.bound(start.pressure(i)) / std::max(std::hypot(slip_x, slip_y), 1e-300);
-      start.shear_x(i) = per_slip * slip_x;
-      if (problem.lateral) start.shear_y(i) = per_slip * slip_y;
-    }
-    return problem.drive_surplus(start.pressure, start.shear_x);
-  };
-  if (problem.rotation_given()) {
-    slide(given);
-  } else {
-    double low = 0.5, high = 2;  // the surplus grows with the rotation
-    for (int step = 0; step < 60; ++step) (slide(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
-  }
-  return newton_contact(problem, *level.table, *level.influence, start, options);
-}
-
 namespace {
 
 double surplus(const ContactProblem& problem, const NewtonOutcome& at) {

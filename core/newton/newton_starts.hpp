@@ -13,10 +13,6 @@ using NewtonStart = NewtonOutcome(const ContactProblem& problem, const ContactLe
 /// Frictionless solution first, then with all contact nodes sticking.
 NewtonStart solve_cold;
 
-/// Frictionless solution first, then with all contact nodes sliding, at the rotation given or at that whose sliding
-/// meets the drive. For friction so small that hardly any node sticks.
-NewtonStart solve_from_sliding;
-
 /// Follows the path of solutions over the rotation (rotation_path.hpp) in steps, until it passes the rotation given or
 /// the drive's row changes its sign. For scenes that slide almost everywhere, where the coupled iteration alone wanders
 /// among sets without a sticking node.

@@ -22,7 +22,7 @@ constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
 constexpr double smallest_tolerance = 1e-13;  // that rounding allows
 constexpr double largest_violation = 5e-9;    // of any law
-constexpr double rounded_tail = 1e-13;        // last coefficients, relative to the largest
+constexpr double rounded_tail = 1e-12;        // last coefficients, relative to the largest
 constexpr double wrong_pattern = 1e-7;        // violation of an inequality that no order mends
 constexpr double plainly_wrong = 0.01;        // the same, seen at once
 constexpr int most_stays = 3;                 // checks of all laws that find no smaller violation
@@ -165,6 +165,7 @@ class SpectralContact {
       const double lever = state->load * edges.contact.half_length() / scene_.radius;
       const double scale = std::max(std::abs(resistance), 1e-6 * lever);
       const double change = std::abs(resistance - before) / scale;
+      const double reachable = std::max(tolerance_, smallest_tolerance * lever / scale);
       double error =
           change * std::min(1.0, tail / tail_before) + (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
       // With all coefficients there, repeated changes tell better what residuals at the limit of rounding do.
@@ -175,7 +176,7 @@ class SpectralContact {
       change_before = change;
       tail_before = tail;
       last_ = std::move(state);
-      if (error <= tolerance_ || (!checked && error < 1e-4)) {
+      if (error <= reachable || (!checked && error < 1e-4)) {
         checked = true;
         work_ += work_of_check(problem_, pattern, order, edges.contact.half_length());
         AssessedSpectral assessed = assess(problem_, *last_);
@@ -186,15 +187,15 @@ class SpectralContact {
           overload_direction_ = assessed.overload_direction;
         }
         if (assessed.wrong_zone > plainly_wrong) return false;
+        if (error <= reachable && violation < largest_violation) {
+          const double relative = cautious(error, violation, scene_.drive);
+          assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
+          assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
+          scale_ = scale;
+          best_ = std::move(assessed);
+          return true;
+        }
         if (error <= tolerance_) {
-          if (violation < largest_violation) {
-            const double relative = cautious(error, violation, scene_.drive);
-            assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
-            assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
-            scale_ = scale;
-            best_ = std::move(assessed);
-            return true;
-          }
           if (done && !lawful) return false;
           done = true;
           residual =

@@ -15,6 +15,9 @@ namespace {
 constexpr double shortest_memory = 1e-9;
 /// What memories that count as elastic may lose, relative to all; where a tolerance allows it, a part of that.
 constexpr double negligible_loss = 1e-7, part_of_tolerance = 0.1;
+/// Full solutions of fractional solids, coated and not, show losses by short memories of up to so many times the
+/// estimate.
+constexpr double caution = 6;
 
 struct TidySpectrum {
   CreepSpectrum creep;
@@ -25,13 +28,14 @@ struct TidySpectrum {
 /// modulus many times the rubbery one they leave boundary layers that no number of coefficients resolves.
 TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible) {
   std::sort(creep.terms.begin(), creep.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
-  // To first order in its time a term loses compliance * time, and none more than compliance * half_time.
+  // To first order in a short time a term loses compliance * time; a long one loses as little.
   double all = 0, short_loss = 0;
-  for (const CreepSpectrum::Term& term : creep.terms) all += term.compliance * std::min(term.time, half_time);
+  for (const CreepSpectrum::Term& term : creep.terms)
+    all += term.compliance * term.time / (1 + std::pow(term.time / half_time, 2));
   TidySpectrum tidy{.creep = {.instantaneous = creep.instantaneous, .terms = {}}};
   std::vector<CreepSpectrum::Term>& terms = tidy.creep.terms;
   for (const CreepSpectrum::Term& term : creep.terms) {
-    short_loss += term.compliance * term.time;
+    short_loss += caution * term.compliance * term.time;
     if (term.time < shortest_memory * half_time || short_loss <= negligible * all) {
       tidy.creep.instantaneous += term.compliance;
       tidy.left_out = std::min(short_loss / all, negligible);

@@ -13,7 +13,8 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int most_steps = 40;
-constexpr double nearly_done = 1e-10;
+constexpr double nearly_done = 1e-10;       // residual at which a step that fails is rounding's
+constexpr double nearly_done_fresh = 1e-9;  // the same with slopes taken here
 
 /// Centre and logarithm of the half-length; roots of the parts of the contact that each zone takes but for the stick
 /// next to the leading edge, which takes the rest: the residuals are smooth in them even as a zone shrinks.
@@ -72,14 +73,14 @@ double largest(const SpectralState& state) {
 /// Zones that have shrunk away.
 bool vanished(const VectorXd& place) {
   if (place.size() == 2) return false;
-  return place.tail(place.size() - 2).minCoeff() < 1e-8 || stick_part(place) < 1e-5;
+  return place.tail(place.size() - 2).minCoeff() < 1e-8 || stick_part(place) < 1e-8;
 }
 
 }  // namespace
 
 SpectralState EdgeSearch::evaluate(const VectorXd& place, const SpectralOrders& orders) {
   ++evaluations_;
-  if (!place.allFinite() || std::abs(place(1)) > 20 || (pattern_.sticks() > 0 && !(stick_part(place) > 1e-7))) {
+  if (!place.allFinite() || std::abs(place(1)) > 20 || (pattern_.sticks() > 0 && !(stick_part(place) > 1e-9))) {
     SpectralState nowhere;
     nowhere.residuals.setConstant(place.size(), NAN);
     return nowhere;
@@ -119,7 +120,7 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
     SpectralState next = evaluate(place + move, orders);
     const double next_residual = largest(next);
     if (!(next_residual < 0.5 * residual)) {
-      if (residual < nearly_done) {  // as near as rounding lets it come
+      if (residual < (fresh ? nearly_done_fresh : nearly_done)) {  // as near as rounding lets it come
         if (next_residual < residual) state = std::move(next);
         return state;
       }
@@ -145,7 +146,7 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
     state = std::move(next);
     residual = next_residual;
   }
-  if (!(residual <= std::max(tolerance, nearly_done))) return {};
+  if (!(residual <= std::max(tolerance, nearly_done_fresh))) return {};
   return state;
 }
 

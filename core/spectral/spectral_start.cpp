@@ -111,10 +111,18 @@ std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double sp
   start.edges.contact = {trailing, leading};
   start.pattern.shear = true;
   if (runs.front().zone == Zone::stick) start.pattern.slips.push_back(0);
+  // Slip turns round over a stick whose length is in proportion to the friction, perhaps much less than a cell.
+  const double turn = 5 * scene.friction_coefficient * (leading - trailing);
+  const auto add_stick = [&](double from, double to) {
+    const double centre = 0.5 * (from + to),
+                 half = 0.5 * (to - from < 1.5 * spacing ? std::min(to - from, turn) : to - from);
+    start.edges.sticks.push_back({centre - half, centre + half});
+  };
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (i > 0 && runs[i].zone == runs[i - 1].zone) return {};  // slip turns round within a single node
+    if (i > 0 && runs[i].zone == runs[i - 1].zone)
+      add_stick(runs[i].from - 0.5 * spacing, runs[i].from + 0.5 * spacing);
     if (runs[i].zone == Zone::stick)
-      start.edges.sticks.push_back({runs[i].from, runs[i].to});
+      add_stick(runs[i].from, runs[i].to);
     else
       start.pattern.slips.push_back(runs[i].direction);
   }

@@ -105,6 +105,29 @@ RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t 
       scene.rotation_ratio = dice.signed_log_uniform(2, 100);
       break;
   }
+  const auto second_layer = [&](double thickness) {
+    BondedLayer layer;
+    layer.poisson_ratio = dice.choice(2) == 0 ? 0.5 : 0.3;
+    layer.static_shear_modulus = dice.log_uniform(0.3, 30) * *scene.static_shear_modulus;
+    layer.stiffening = dice.log_uniform(0.01, 100);
+    layer.creep_time = dice.log_uniform(0.01, 100) * scene.creep_time;
+    layer.layer_thickness = rounded(thickness);
+    return layer;
+  };
+  switch (dice.choice(6)) {  // half of the scenes have one incompressible layer
+    case 0:
+      scene.poisson_ratio = rounded(dice.uniform(0, 0.49));
+      break;
+    case 1:
+      scene.lower_layers = {second_layer(dice.log_uniform(0.3, 3) * scene.layer_thickness)};
+      break;
+    case 2:
+      scene.coating_layers = {second_layer(dice.log_uniform(0.03, 0.3) * scene.radius)};
+      break;
+    default:
+      return scene;
+  }
+  scene.spacing = rounded(2 * estimate_contact(scene).half_width / nodes);
   return scene;
 }
 

@@ -8,7 +8,8 @@
 /// 60 nodes along a cylinder's contact and 12 to 24 along a sphere's, as estimated with the modulus at the frequency V
 /// / half-width. Each sixth of the scenes has another drive: top force, torque (uniform, up to 1.2 μ P R either way),
 /// free rolling, rotation about rolling (R Ω/V = 1 ± 1e-6 to 0.3), a locked body (0), full sliding (2 to 100 either
-/// way). Numbers have four digits, so that the last bit of a machine's logarithm does not matter.
+/// way). A sixth has a compressible layer (ν up to 0.49), a sixth a second layer below the first, a sixth a coating.
+/// Numbers have four digits, so that the last bit of a machine's logarithm does not matter.
 
 #include <cstddef>
 #include <cstdint>

@@ -16,11 +16,14 @@ std::complex<double> modulus(const RelaxationSpectrum& spectrum, double omega) {
 }  // namespace
 
 TEST_CASE("a relaxation spectrum is the inverse of the creep spectrum at any frequency", "[core][relaxation]") {
-  const CreepSpectrum spectra[] = {
+  std::vector<CreepSpectrum> spectra = {
       {1e-7, {{3e-7, 0.25}}},
       {1e-8, {{1e-10, 1e-6}, {5e-8, 1e-3}, {2e-7, 0.2}, {1e-9, 0.21}, {7e-7, 1e4}}},
       {2e-7, {{1e-12, 1}, {1e-6, 1.001}, {1e-12, 1e8}}},
   };
+  // Two times as near to each other as those of a layer and of its coating may come.
+  for (double apart = 0.5; apart > 1e-6; apart *= 0.83)
+    spectra.push_back({3e-9, {{1.7e-8, 0.09578565 * (1 - apart)}, {2e-9, 0.09578565}}});
   for (const CreepSpectrum& creep : spectra) {
     const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
     REQUIRE(relaxation.terms.size() == creep.terms.size());
