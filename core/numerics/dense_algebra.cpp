@@ -4,9 +4,14 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
-void SquareSystem::factorise(const Eigen::MatrixXd& matrix) { decomposition_.compute(matrix); }
+void SquareSystem::factorise(const Eigen::MatrixXd& matrix) {
+  require_factorisation(static_cast<double>(matrix.rows()), "a factorisation");
+  decomposition_.compute(matrix);
+}
 
 Eigen::MatrixXd SquareSystem::solve(const Eigen::MatrixXd& right_sides) const {
   return decomposition_.solve(right_sides);

@@ -350,7 +350,7 @@ RollingSolution solve_freely(RollingScene scene) {
 RollingSolution solve(const RollingScene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   const SolutionLimits limits(scene.memory_limit.value_or(usual_memory_limit()),
-                              scene.time_limit.value_or(std::numeric_limits<double>::infinity()));
+                              scene.time_limit.value_or(usual_time_limit));
   RollingSolution solution;
   const auto refused = [&](const std::string& reason) {
     solution.method = resolved_method(scene);
