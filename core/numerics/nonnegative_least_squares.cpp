@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/numerics/dense_algebra.hpp"
-#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -27,7 +26,6 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
     free.push_back(steepest);
     const Eigen::VectorXd before = x;
     while (!free.empty()) {
-      require_time();
       const Eigen::VectorXd wanted = least_squares(a(Eigen::all, free), b);
       double part = 1;  // of the way from x to what is wanted, so far as nothing turns negative
       for (std::size_t k = 0; k < free.size(); ++k)
