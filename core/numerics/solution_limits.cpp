@@ -1,5 +1,6 @@
 #include "core/numerics/solution_limits.hpp"
 
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -31,8 +32,10 @@ double seconds_since_last_count() {
 }  // namespace
 
 double usual_memory_limit() {
-  return std::min(4e9,
-                  0.25 * static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)));
+  const double machine = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  rlimit process{};
+  const bool limited = ::getrlimit(RLIMIT_AS, &process) == 0 && process.rlim_cur != RLIM_INFINITY;
+  return std::min({4e9, 0.25 * machine, limited ? 0.5 * static_cast<double>(process.rlim_cur) : machine});
 }
 
 SolutionLimits::SolutionLimits(double bytes, double seconds) : bytes_(bytes), seconds_(seconds), before_(limits) {

@@ -18,7 +18,8 @@ struct BeyondLimits : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Limits of a scene that gives none: a quarter of the machine's memory, 4 GB at most [bytes]; processor time [s].
+/// Limits of a scene that gives none: a quarter of the machine's memory, at most 4 GB and half of what the process may
+/// have [bytes]; processor time [s].
 double usual_memory_limit();
 inline constexpr double usual_time_limit = 60;
 

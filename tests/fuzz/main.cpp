@@ -182,7 +182,7 @@ void solve_scenes(std::size_t count, std::uint64_t seed, double time_limit, doub
   const double time_allowed = time_limit > 0 ? time_limit : 60, memory_allowed = memory_limit > 0 ? memory_limit : 4e9;
   double longest = 0, largest = 0;
   std::map<std::string, int> ends;
-  ForkedWork work{.pieces = count, .time_limit = 10 * time_allowed + 60};
+  ForkedWork work{.pieces = count, .time_limit = 20 * time_allowed + 120};
   work.work = [&](std::size_t piece) {
     const RollingScene scene = scene_of(piece);
     forget_kernels();

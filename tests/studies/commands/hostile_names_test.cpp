@@ -10,6 +10,7 @@
 #include "db/rows/result_store.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
@@ -142,6 +143,18 @@ TEST_CASE("what a file holds is printed with its control characters escaped", "[
   CHECK(selected.status == 0);
   CHECK_THAT(selected.out, Contains("\\x1b[2J\\x9b"));
 }
+
+#ifndef __SANITIZE_ADDRESS__  // which takes all addresses
+TEST_CASE("a program that gets too little memory says so", "[studies][hostile]") {
+  for (const int megabytes : {60, 80, 100, 120, 150, 200}) {
+    const ShellRun run =
+        run_shell("ulimit -v " + std::to_string(1000 * megabytes) + "; exec " ROLLRES_PROGRAM " solve " +
+                  example("paper_sphere.json") + " --set 'spacing=0.04 mm'");
+    INFO(megabytes << " MB: " << run.out);
+    CHECK((run.status == 0 || run.status == 1 || run.status == 3 || run.status == 127));  // 127: not even loaded
+  }
+}
+#endif
 
 TEST_CASE("a database that is deleted during a sweep ends it with status 3 and what is lost", "[studies][hostile]") {
   const TemporaryDirectory folder;
