@@ -31,9 +31,7 @@ std::streamsize PrintableStream::xsputn(const char* text, std::streamsize count)
   std::string shown;
   for (std::size_t i = 0; i < whole.size(); ++i) {
     const auto code = static_cast<unsigned char>(whole[i]);
-    const auto next = i + 1 < whole.size() ? static_cast<unsigned char>(whole[i + 1]) : 0;
-    const bool control =
-        (code < 0x20 && code != '\n' && code != '\t') || code == 0x7f || (code == 0xc2 && next >= 0x80 && next < 0xa0);
+    const bool control = is_control(whole.substr(i)) && code != '\n' && code != '\t';
     if (!control || (redrawn_ && (code == '\r' || whole.substr(i, 3) == "\x1b[K"))) {
       shown += whole[i];
       continue;

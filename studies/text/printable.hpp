@@ -4,12 +4,18 @@
 
 #include <ostream>
 #include <streambuf>
+#include <string_view>
 
 namespace rollres {
 
-/// While it lives, what is written to a stream has its control characters as \xNN: all of ASCII's but line breaks and
-/// tabs, and those that UTF-8 writes as C2 80 to C2 9F. A carriage return and "\x1b[K", which redraw a line of
-/// progress, pass if `redrawn`.
+/// Whether a text begins with a control character: one of ASCII's, or of those that UTF-8 writes as C2 80 to C2 9F.
+inline bool is_control(std::string_view text) {
+  const auto code = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0; };
+  return !text.empty() && (code(0) < 0x20 || code(0) == 0x7f || (code(0) == 0xc2 && code(1) >= 0x80 && code(1) < 0xa0));
+}
+
+/// While it lives, what is written to a stream has its control characters but line breaks and tabs as \xNN. A carriage
+/// return and "\x1b[K", which redraw a line of progress, pass if `redrawn`.
 class PrintableStream : std::streambuf {
  public:
   PrintableStream(std::ostream& stream, bool redrawn);

@@ -49,7 +49,7 @@ const std::vector<std::string> hostile_names{"'",
                                              "/etc/passwd",
                                              "...",
                                              "con: aux",
-                                             " blank ",
+                                             "two  blanks",
                                              "#",
                                              "!x",
                                              "DROP TABLE study;--",
@@ -57,11 +57,11 @@ const std::vector<std::string> hostile_names{"'",
                                              "null",
                                              "1",
                                              "é漢字🛞",
-                                             "\xc2\x9b"
-                                             "2J",
+                                             "[2J",
                                              std::string(300, 'x'),
                                              "a\u202eb"};
-const std::vector<std::string> refused_names{".", "..", "", std::string("a\0b", 3), "\x1b[2J", "a\nb", "a\tb", "\x7f"};
+const std::vector<std::string> refused_names{
+    ".", "..", "", std::string("a\0b", 3), "\x1b[2J", "a\nb", "a\tb", "\x7f", " a", "a ", "\xc2\x9b"};
 
 bool is_printable(const std::string& text) {
   return std::none_of(text.begin(), text.end(),
