@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 QuadratureRule gauss_legendre(int order) {

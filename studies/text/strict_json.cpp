@@ -1,6 +1,5 @@
 #include "studies/text/strict_json.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <functional>

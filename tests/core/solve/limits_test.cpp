@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/numerics/bracketed_root.hpp"
-#include "core/numerics/quadrature.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/threads.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"
