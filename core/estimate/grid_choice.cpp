@@ -36,7 +36,8 @@ double default_spacing(const RollingScene& scene) {
 }
 
 void require_nodes(double columns, double rows, double spacing) {
-  constexpr double bytes_per_node = 3e3;  // coefficients, transforms and Krylov vectors, as measured
+  // Coefficients, transforms and Krylov vectors, as measured.
+  const double bytes_per_node = rows > 1 ? 3e3 : 5e3;
   require_memory(bytes_per_node * columns * rows,
                  message_text("the contact needs ", columns * rows, " nodes of ", spacing, " m"));
 }

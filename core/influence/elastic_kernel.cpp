@@ -60,6 +60,7 @@ ElasticKernel::ElasticKernel(Indenter indenter, const Layer& layer, double cell_
 }
 
 Coefficients ElasticKernel::operator()(double x, double y) const {
+  require_time();
   return indenter_ == Indenter::sphere ? sphere(x, y) : cylinder(x);
 }
 

@@ -33,6 +33,7 @@ InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed,
   const auto values = [&](int row) -> const auto& { return values_[static_cast<std::size_t>(row)]; };
   for (int row = 0; row <= table.reach_y(); ++row) rules_.add(table, row, material.instantaneous, values(row));
   for (const CreepSpectrum::Term& term : material.terms) {
+    require_time();
     const PassageQuadrature::Weights weights = rules_.weights(speed * term.time);
     for (int row = 0; row <= table.reach_y(); ++row) rules_.add(table, row, term.compliance, weights, values(row));
   }

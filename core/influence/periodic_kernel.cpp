@@ -25,6 +25,7 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   const int columns = std::max(checked_count(period / cell_x, "cells of the period"), 2 * reach_x + 1);
   const int rows = sphere ? std::max(checked_count(period / cell_y, "cells of the period"), 2 * reach_y + 1) : 1;
   require_memory(60.0 * columns * rows, message_text("the period needs ", columns, " x ", rows, " cells"));
+  require_time(1e-6 * columns * rows);  // transforms of a length that is a prime number
   const double step_x = 2 * M_PI / (columns * cell_x), step_y = sphere ? 2 * M_PI / (rows * cell_y) : 0;
   const int half = columns / 2 + 1, terms_y = sphere ? terms : 0;
 
@@ -67,6 +68,7 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   for (int component = 0; component < components; ++component) {
     const std::size_t c =
         sphere ? static_cast<std::size_t>(component) : line_components[static_cast<std::size_t>(component)];
+    require_time();
     inverse_plane(columns, rows, spectra[c], field);
     for (int row = 0; row <= reach_y; ++row)
       for (int column = -reach_x; column <= reach_x; ++column)

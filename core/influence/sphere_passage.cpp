@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/influence/passage_quadrature.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/numerics/wavenumber_rule.hpp"
 
@@ -44,6 +46,10 @@ std::vector<double> bessel_functions(double z, int count) {
   return values;
 }
 
+std::string layers_response(int terms) {
+  return message_text("the layers' response with ", terms, " retardation times under a sphere");
+}
+
 /// Transforms of the corrections' harmonics at distances from r0 to r1 over the length (K13).
 class HankelTransform {
  public:
@@ -52,6 +58,7 @@ class HankelTransform {
         terms_(directions.terms()),
         rule_(directions.lowest_wavenumber() * length, directions.highest_wavenumber() * length, r0, r1,
               2 * directions.harmonics()) {
+    require_memory(48.0 * harmonics_ * terms_ * static_cast<double>(rule_.nodes.size()), layers_response(terms_));
     for (const double k : rule_.nodes) values_.push_back(directions.correction(k / length));
   }
 
@@ -144,6 +151,10 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
   const bool rigid = std::isfinite(medium.back().thickness);
   const double length = directions.finest_length();
   const std::vector<double> borders = distance_panels(farthest_panel(directions, deep, length, finite, rigid));
+  constexpr double copies = 3;
+  require_memory(
+      copies * 48.0 * harmonics_ * directions.terms() * static_cast<double>(borders.size()) * (panel_degree + 1),
+      layers_response(directions.terms()));
   std::vector<std::vector<Harmonics>> samples;  // in the order in which a table asks for them
   for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
     const double from = borders[panel], to = borders[panel + 1];

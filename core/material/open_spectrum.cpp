@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/material/relative_rows.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -61,7 +62,7 @@ OpenSpectrum open_missed_terms(const RelativeRows& rows, const PronySeries& seri
   constexpr double least_deviation = 2e-5;  // of the rows
   const double shortest = std::pow(10, -decades_open) / rows.highest();
   const double decades = rows.decades() + 2 * decades_open;
-  const int count = static_cast<int>(std::ceil(decades * per_decade));
+  const int count = checked_count(std::ceil(decades * per_decade), "retardation times");
   OpenSpectrum open;
   for (int j = 0; j <= count; ++j) open.times.push_back(shortest * std::pow(10, decades * j / count));
   const auto row_count = static_cast<double>(rows.rows()), terms = static_cast<double>(series.terms.size());

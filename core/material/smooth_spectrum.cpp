@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -18,7 +20,7 @@ class EvenSpectrum {
     constexpr double per_decade = 3;  // ripples of the moduli below 1e-5
     constexpr double beyond = 1.5;    // decades, of the table at either end
     const double decades = rows.decades() + 2 * beyond;
-    const int count = static_cast<int>(std::ceil(decades * per_decade));
+    const int count = checked_count(std::ceil(decades * per_decade), "retardation times");
     const double step = decades / count;
     for (int j = 0; j <= count; ++j) times_.push_back(std::pow(10.0, -beyond + step * j) / rows.highest());
     responses_ = rows.responses(times_);

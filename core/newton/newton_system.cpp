@@ -168,8 +168,8 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
   const double area = grid.cell_area();
   const double per_normal = 1 / influence_.self_normal();
   const double per_slip = 1 / (influence_.self_slip() * grid.spacing_x);
-  require_memory(16.0 * static_cast<double>(size) * static_cast<double>(size),
-                 message_text("a factorisation for ", n, " nodes"));
+  require_factorisation(static_cast<double>(size),
+                        message_text("a factorisation for ", n, " nodes of ", grid.spacing_x, " m"));
   Eigen::MatrixXd matrix(size, size);
   ScaledResponse<double> response{Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
 
@@ -179,6 +179,7 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
     const double strength = component == 0 ? -area : area;  // pressure pushes down
     const double parity = component == 2 ? -1 : 1;          // of the mirror image at y < 0
     for (Eigen::Index j = 0; j < n; ++j) {
+      require_time();
       const Eigen::Index source = laws_.contact[static_cast<std::size_t>(j)];
       const int source_column = static_cast<int>(source % grid.columns);
       const int source_row = static_cast<int>(source / grid.columns);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 /// x in [low, high] with function(x) = 0, until a step changes it by less than `tolerance`, relatively; function(low)
@@ -22,6 +24,7 @@ double bracketed_root(Function function, double low, double high, double toleran
   double best = low, last_width = std::abs(high - low);
   int kept = 0;  // side whose end the last step kept: -1 low, 1 high
   for (int step = 1; step <= 400; ++step) {
+    require_time();
     double x = (low * f_high - high * f_low) / (f_high - f_low);
     const double middle = low + (high - low) / 2;
     if (step % 3 == 0) {

@@ -92,8 +92,10 @@ class ChebyshevTable {
     double narrowest = borders_.back() - borders_.front();
     for (std::size_t i = 0; i + 1 < borders_.size(); ++i)
       narrowest = std::min(narrowest, borders_[i + 1] - borders_[i]);
-    per_bin_ = 1 / narrowest;
-    const auto bins = checked_count(std::ceil((borders_.back() - borders_.front()) * per_bin_), "panels of a table");
+    constexpr double most_bins = 1e4;
+    const double range = borders_.back() - borders_.front();
+    per_bin_ = std::min(1 / narrowest, most_bins / range);
+    const int bins = checked_count(std::ceil(range * per_bin_), "panels of a table");
     for (int bin = 0, panel = 0; bin <= bins; ++bin) {
       const double start = borders_.front() + bin / per_bin_;
       while (panel + 2 < static_cast<int>(borders_.size()) && borders_[static_cast<std::size_t>(panel) + 1] <= start)
@@ -133,7 +135,7 @@ class ChebyshevTable {
   std::vector<double> borders_;
   int degree_;
   std::vector<Values> coefficients_;
-  double per_bin_;                // bins as wide as the narrowest panel
+  double per_bin_;                // bins as wide as the narrowest panel, or wider
   std::vector<int> first_panel_;  // that a bin touches
 };
 

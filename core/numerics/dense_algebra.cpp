@@ -4,9 +4,14 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
-void SquareSystem::factorise(const Eigen::MatrixXd& matrix) { decomposition_.compute(matrix); }
+void SquareSystem::factorise(const Eigen::MatrixXd& matrix) {
+  require_factorisation(static_cast<double>(matrix.rows()), "a factorisation");
+  decomposition_.compute(matrix);
+}
 
 Eigen::MatrixXd SquareSystem::solve(const Eigen::MatrixXd& right_sides) const {
   return decomposition_.solve(right_sides);
@@ -22,6 +27,9 @@ Eigen::MatrixXd SquareSystem::inverse() const {
 }
 
 SingularValues::SingularValues(const Eigen::MatrixXd& a) {
+  const auto rows = static_cast<double>(a.rows()), columns = static_cast<double>(a.cols());
+  constexpr double operations_per_second = 1e10;
+  require_time(4 * rows * columns * std::min(rows, columns) / operations_per_second);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
   u = svd.matrixU();
   v = svd.matrixV();
@@ -36,6 +44,7 @@ Eigen::VectorXd SingularValues::least_squares(const Eigen::VectorXd& b) const {
 }
 
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  require_time();
   return a.colPivHouseholderQr().solve(b);
 }
 

@@ -33,7 +33,10 @@ KrylovResult<Real> gmres(const Apply& apply, const Precondition& precondition,
   Real norm = b.norm();
   while (norm > target && norm > 0 && result.iterations < most_iterations) {
     static thread_local Matrix basis;  // kept: large blocks are costly to get afresh for every system
-    if (basis.rows() != b.size() || basis.cols() < restart + 1) basis.resize(b.size(), restart + 1);
+    if (basis.rows() != b.size() || basis.cols() < restart + 1) {
+      basis.resize(0, 0);  // empty, should there be no memory: Eigen frees it before it asks for more
+      basis.resize(b.size(), restart + 1);
+    }
     Matrix hessenberg = Matrix::Zero(restart + 1, restart);
     VectorR cosine(restart), sine(restart), g = VectorR::Zero(restart + 1);
     basis.col(0) = residual / norm;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -22,7 +24,7 @@ double hankel_sum(int order, double x, bool alternating) {
 
 /// Order from which a recursion downwards forgets its start before it comes to `count`: I_n(x) e^{-x} ~ e^{-n^2/2x}.
 int far_order(double x, int count) {
-  return static_cast<int>(std::sqrt(static_cast<double>(count) * count + 80 * x)) + 30;
+  return checked_count(std::sqrt(static_cast<double>(count) * count + 80 * x), "terms of a recursion") + 30;
 }
 
 /// Upwards the recursions below multiply errors by e^{n^2/2x} or so.

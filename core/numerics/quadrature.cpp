@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 QuadratureRule gauss_legendre(int order) {
@@ -10,6 +12,7 @@ QuadratureRule gauss_legendre(int order) {
   for (int i = 0; i < order; ++i) {
     double x = -std::cos(M_PI * (i + 0.75) / (order + 0.5)), slope = 1;
     for (int iteration = 0; iteration < 100; ++iteration) {
+      require_time();
       double p0 = 1, p1 = x;
       for (int k = 2; k <= order; ++k) {
         const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;

@@ -1,11 +1,13 @@
 #pragma once
 
-/// What one solution may take of memory and of time.
+/// What one solution may take of memory and of processor time.
 ///
-/// `solve` sets the limits for the thread it runs on. Whatever grows with a scene's numbers asks them before it begins
-/// (`require_memory`), its iterations as they go on (`require_time`), and numbers of cells, panels and terms are made
-/// by `checked_count`. Beyond a limit, BeyondLimits says what to change; `solve` answers not_converged with its words.
+/// `solve` sets the limits for the thread it runs on, and threads that help it (threads.hpp) take them over. Whatever
+/// grows with a scene's numbers asks them before it begins (`require_memory`), its iterations as they go on
+/// (`require_time`), and numbers of cells, panels and terms are made by `checked_count`. Beyond a limit, BeyondLimits
+/// says what to change; `solve` answers not_converged with its words.
 
+#include <atomic>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -16,27 +18,52 @@ struct BeyondLimits : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A quarter of the machine's memory [bytes].
+/// Limits of a scene that gives none: a quarter of the machine's memory, at most 4 GB and half of what the process may
+/// have [bytes]; processor time [s].
 double usual_memory_limit();
+inline constexpr double usual_time_limit = 60;
 
 /// Limits for this thread while it lives; those before it come back afterwards.
 class SolutionLimits {
  public:
-  /// @param seconds of wall time from now on
+  /// @param seconds of processor time from now on, of this thread and of those that help it
   explicit SolutionLimits(double bytes, double seconds = std::numeric_limits<double>::infinity());
   ~SolutionLimits();
   SolutionLimits(const SolutionLimits&) = delete;
   SolutionLimits& operator=(const SolutionLimits&) = delete;
 
  private:
-  double bytes_before_, end_before_, seconds_before_;
+  friend class LimitsOfAnother;
+  friend void require_time(double more);
+  friend void require_memory(double bytes, std::string_view what);
+
+  double bytes_, seconds_;
+  std::atomic<double> used_ = 0;  // [s], up to when each thread last asked
+  SolutionLimits* before_;
 };
 
-/// @throws BeyondLimits if the thread's time is over
-void require_time();
+/// The limits of the calling thread, null if none; and their hold on a thread that helps, while it lives.
+SolutionLimits* limits_of_this_thread();
+class LimitsOfAnother {
+ public:
+  explicit LimitsOfAnother(SolutionLimits* limits);
+  ~LimitsOfAnother();
+  LimitsOfAnother(const LimitsOfAnother&) = delete;
+  LimitsOfAnother& operator=(const LimitsOfAnother&) = delete;
+
+ private:
+  SolutionLimits* before_;
+};
+
+/// May be called every microsecond.
+/// @param more seconds that are certain to follow   @throws BeyondLimits if the solution's time is over, or too short
+void require_time(double more = 0);
 
 /// @param bytes that `what` needs   @throws BeyondLimits "what: ..." if that is more than the limit or no number
 void require_memory(double bytes, std::string_view what);
+
+/// Both, for the factorisation of a full matrix.
+void require_factorisation(double unknowns, std::string_view what);
 
 /// The whole number nearest to a count that was computed in doubles.
 /// @throws BeyondLimits "what: ..." if that is no number or its size above 1e9

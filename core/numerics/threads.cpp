@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -28,8 +30,10 @@ void share_out(int count, int threads, const std::function<void(int index, int s
     return;
   }
   tbb::task_arena arena(threads);
+  SolutionLimits* const limits = limits_of_this_thread();
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<int>(0, count), [&](const tbb::blocked_range<int>& range) {
+      const LimitsOfAnother shared(limits);
       const int slot = tbb::this_task_arena::current_thread_index();
       for (int index = range.begin(); index < range.end(); ++index) work(index, slot);
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/numerics/quadrature.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -19,7 +20,7 @@ WavenumberRule::WavenumberRule(double lowest, double highest, double r0, double 
   double from = 0;
   for (double to = lowest; from < end; from = to, to *= 1.6) {
     to = std::min(to, end);
-    const QuadratureRule gauss = gauss_legendre(10 + static_cast<int>(0.5 * (to - from) * r1));
+    const QuadratureRule gauss = gauss_legendre(10 + checked_count(0.5 * (to - from) * r1, "nodes of a transform"));
     for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
       const double k = from + (to - from) * gauss.nodes[q];
       nodes.push_back(k);

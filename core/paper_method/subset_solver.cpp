@@ -17,12 +17,13 @@ void SubsetSolver::factorise(const std::vector<int>& set) {
   bordered_.clear();
   const auto n = static_cast<Eigen::Index>(base_.size());
   for (Eigen::Index k = 0; k < n; ++k) place_[base_[k]] = static_cast<int>(k);
-  require_time();
-  require_memory(24.0 * static_cast<double>(n) * static_cast<double>(n),
-                 message_text("a factorisation for ", n, " nodes (give a larger spacing)"));
+  require_factorisation(static_cast<double>(n),
+                        message_text("a factorisation for ", n, " nodes (give a larger spacing)"));
   Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index j = 0; j < n; ++j)
+  for (Eigen::Index j = 0; j < n; ++j) {
+    require_time();
     for (Eigen::Index i = 0; i < n; ++i) matrix(i, j) = element_(base_[i], base_[j]);
+  }
   decomposition_.factorise(matrix);
   ++decompositions_;
   columns_.resize(n, 0);

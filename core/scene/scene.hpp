@@ -100,12 +100,12 @@ struct RollingScene : MaterialInputs {
   std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"
   std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
   Kinematics kinematics = Kinematics::consistent;
-  double adhesion_threshold = 0;         // [Pa]
-  std::optional<double> spacing;         // a [m]; this or
-  std::optional<double> tolerance;       // [1]; neither: 1e-8 (spectral) or the program's own grid
+  double adhesion_threshold = 0;    // [Pa]
+  std::optional<double> spacing;    // a [m]; this or
+  std::optional<double> tolerance;  // [1]; neither: 1e-8 (spectral) or the program's own grid
   Method method = Method::automatic;
-  std::optional<double> time_limit;                 // [s]; a longer solution ends with a reason
-  std::optional<double> memory_limit;               // [byte]; absent: a quarter of the machine's
+  std::optional<double> time_limit;                 // of processor time [s]; absent: 60 s
+  std::optional<double> memory_limit;               // [byte]; absent: a quarter of the machine's, 4 GB at most
   std::optional<double> period;                     // L [m]; absent: a single passage
   int series_terms = 2000;                          // [1], with period: wavenumbers kept in each direction
   SlipStencil slip_stencil = SlipStencil::forward;  // active_set
@@ -141,8 +141,9 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.driving_torque);
   visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed, with drive \"rotation\"; 0: locked"},
           scene.rotation_ratio);
-  visitor(Q{"kinematics", "", "", "how resultants and slip are counted; consistent: power balances; printed: the paper's"},
-          scene.kinematics);
+  visitor(
+      Q{"kinematics", "", "", "how resultants and slip are counted; consistent: power balances; printed: the paper's"},
+      scene.kinematics);
   visitor(Q{"adhesion_threshold", "", "Pa", "largest tension that a node bears before it lets go", not_negative},
           scene.adhesion_threshold);
   visitor(Q{"spacing", "a", "m", "distance between nodes", positive}, scene.spacing);
@@ -154,10 +155,12 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.tolerance);
   visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"},
           scene.method);
-  visitor(Q{"time_limit", "", "s", "a solution that needs longer ends with its best answer or a reason", positive},
+  visitor(Q{"time_limit", "", "s",
+            "of processor time, after which a solution ends with its best answer or a reason; absent: 60 s", positive},
           scene.time_limit);
   visitor(Q{"memory_limit", "", "byte",
-            "a solution that needs more memory ends with a reason; absent: a quarter of the machine's", positive},
+            "a solution that needs more memory ends with a reason; absent: a quarter of the machine's, 4 GB at most",
+            positive},
           scene.memory_limit);
   visitor(Q{"period", "L", "m", "distance of a periodic train of bodies; absent: a single passage", positive},
           scene.period);

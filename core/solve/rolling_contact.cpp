@@ -229,6 +229,7 @@ RollingSolution solve_by_method(const RollingScene& scene) {
 std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
   if (!(solution.law_violation <= trusted_violation))
     return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);
+  if (!(solution.rolling_resistance_error >= 0)) return "the error of the rolling resistance cannot be estimated";
   const double length = solution.leading_edge - solution.trailing_edge;
   if (on_grid(solution.method) && !(length >= 1.5 * solution.spacing))
     return message_text("the contact has only ", solution.contact_nodes, " nodes: take a spacing below ",
@@ -351,7 +352,7 @@ RollingSolution solve_freely(RollingScene scene) {
 RollingSolution solve(const RollingScene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   const SolutionLimits limits(scene.memory_limit.value_or(usual_memory_limit()),
-                              scene.time_limit.value_or(std::numeric_limits<double>::infinity()));
+                              scene.time_limit.value_or(usual_time_limit));
   RollingSolution solution;
   const auto refused = [&](const std::string& reason) {
     solution.method = resolved_method(scene);

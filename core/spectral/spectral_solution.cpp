@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/newton/surface_window.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/scene/friction_law.hpp"
 #include "core/spectral/surface_panels.hpp"
 
@@ -192,8 +193,8 @@ class SpectralAssessment {
     grid.rows = 1;
     const double behind = state_.edges.contact.from - spectral_field_margin * half_;
     const double ahead = std::min(state_.edges.contact.to + spectral_field_margin * half_, panels_.front().to);
-    grid.first_column = static_cast<int>(std::ceil(behind / grid.spacing_x));
-    grid.columns = static_cast<int>(std::floor(ahead / grid.spacing_x)) - grid.first_column + 1;
+    grid.first_column = checked_count(std::ceil(behind / grid.spacing_x), "nodes of the fields");
+    grid.columns = checked_count(std::floor(ahead / grid.spacing_x), "nodes of the fields") - grid.first_column + 1;
     const auto columns = static_cast<std::size_t>(grid.columns);
     for (std::vector<double>* values : {&fields.u, &fields.w, &fields.pressure, &fields.shear_x, &fields.slip_x})
       values->assign(columns, 0);

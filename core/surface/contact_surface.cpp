@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -201,6 +203,7 @@ SteadySurface::Moduli SteadySurface::moduli(double along) const {
 }
 
 SurfaceCompliance SteadySurface::operator()(const Moduli& moduli, double along, double across) const {
+  require_time();
   double k = std::hypot(along, across);
   if (!composite_) {
     const LayerSymbols c = layer_symbols(k, layer_);

@@ -6,6 +6,7 @@
 
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/quadrature.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/numerics/wavenumber_rule.hpp"
 
 namespace rollres {
@@ -38,7 +39,7 @@ FourierTable::WaveRule FourierTable::wave_rule(double from, double to) const {
   double start = 0;
   for (double stop = std::min(lowest_, 0.5); start < end; start = stop, stop = std::min(2 * stop, stop + 1)) {
     const double width = std::min(stop, end) - start;
-    const QuadratureRule& gauss = gauss_rule(11 + static_cast<int>(0.3 * width * to));
+    const QuadratureRule& gauss = gauss_rule(11 + checked_count(0.3 * width * to, "nodes of a transform"));
     for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
       nodes.push_back(start + width * gauss.nodes[q]);
       weights.push_back(width * gauss.weights[q] * fade(nodes.back()));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/solution_limits.hpp"
+
 namespace rollres {
 
 namespace {
@@ -80,6 +82,7 @@ Matrix2 inverse(const Matrix2& m) {
 
 SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<const complex> moduli, double wavenumber,
                                      double wave_speed) {
+  require_time();
   Below below;
   for (std::size_t i = medium.size(); i-- > 0;) {
     const MediumLayer& layer = medium[i];
@@ -122,6 +125,7 @@ double finite_thickness(const LayeredMedium& medium) {
 
 std::vector<complex> moduli_at(const LayeredMedium& medium, double omega) {
   std::vector<complex> moduli;
+  require_time();
   for (const MediumLayer& layer : medium) moduli.push_back(1.0 / layer.material(omega));
   return moduli;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/material/relaxation.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
@@ -89,7 +90,8 @@ std::vector<double> retardation_times(const TimeRange& range, double per_decade)
 std::vector<double> frequencies_for(const std::vector<double>& times, double offset) {
   std::vector<double> frequencies;
   const double from = std::log(1 / times.back()), to = std::log(1 / times[1]);
-  const double step = std::min(0.25, (to - from) / (3 * static_cast<double>(times.size())) + 1e-9);
+  constexpr double least = 0.1;  // of the range; times that coincide need no more frequencies than one
+  const double step = std::min(0.25, std::max(to - from, least) / (3 * static_cast<double>(times.size())) + 1e-9);
   for (double at = from - 3.5 + offset * step; at < to + 3.5; at += step) frequencies.push_back(std::exp(at));
   return frequencies;
 }
@@ -134,6 +136,8 @@ void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, const 
 
   // Errors count relative to the most compliant layer at each frequency.
   const auto rows = static_cast<Index>(moduli.size()), columns = static_cast<Index>(times.size());
+  require_memory(6 * 16.0 * static_cast<double>(rows) * static_cast<double>(columns),
+                 message_text("the layers' response with ", columns, " retardation times"));
   Eigen::MatrixXd system(2 * rows, columns);
   Eigen::VectorXd weights(rows);
   for (Index i = 0; i < rows; ++i) {

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <type_traits>
 
+#include "core/material/material_scale.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/surface/contact_surface.hpp"
 
@@ -59,7 +60,7 @@ std::optional<Range> plausible(std::string_view unit) {
                                        {"m/s", {.lowest = 1e-20, .highest = 1e9}},
                                        {"Pa", {.lowest = 1e-12, .highest = 1e18}},
                                        {"s", {.lowest = 1e-40, .highest = 1e40}},
-                                       {"K", {.lowest = 1e-9, .highest = 1e9}},
+                                       {"K", {.lowest = 1e-9, .highest = 1e5}},
                                        {"kg/m3", {.lowest = 1e-12, .highest = 1e9}},
                                        {"N", {.lowest = 1e-25, .highest = 1e20}},
                                        {"1", {.lowest = 0, .highest = 1e15}}}};
@@ -86,6 +87,22 @@ void check_range(const std::string& owner, const Quantity& quantity, const Value
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
     for (std::size_t i = 0; i < value.size(); ++i) check_number(value[i], message_text("[", i, "]"));
   }
+}
+
+/// @param owner  as above
+void check_shift(const std::string& owner, const MaterialInputs& layer, BrokenRules& broken) {
+  constexpr Range sensible{.lowest = 1e-30, .highest = 1e30};
+  if (const double shift = time_shift(layer); !sensible.contains(shift))
+    broken.add(owner + "temperature", *layer.temperature,
+               message_text("multiplies all times by ", shift, ", which ", sensible.rule()));
+}
+
+void check_shifts(const RollingScene& scene, BrokenRules& broken) {
+  check_shift("", scene, broken);
+  for (std::size_t i = 0; i < scene.lower_layers.size(); ++i)
+    check_shift(message_text("lower_layers[", i, "]."), scene.lower_layers[i], broken);
+  for (std::size_t i = 0; i < scene.coating_layers.size(); ++i)
+    check_shift(message_text("coating_layers[", i, "]."), scene.coating_layers[i], broken);
 }
 
 void check_further_layers(const std::string& list, const BondedLayers& layers, BrokenRules& broken) {
@@ -167,6 +184,7 @@ std::vector<std::string> check(const RollingScene& scene) {
   for (std::string& line : check_material(scene)) broken.lines.push_back(std::move(line));
   check_further_layers("lower_layers", scene.lower_layers, broken);
   check_further_layers("coating_layers", scene.coating_layers, broken);
+  if (broken.lines.empty()) check_shifts(scene, broken);
   const bool in_range = broken.lines.empty();
   check_thicknesses(scene, broken);
   check_alternatives(scene, broken);

@@ -79,6 +79,8 @@ std::string plain(std::string_view text) {
   std::string escaped;
   for (const char letter : text) {
     if (std::string_view("^_@&~{}\\").find(letter) != std::string_view::npos) escaped += '\\';
+    // XML takes these three letters for an end, and gnuplot's SVG has them as they are.
+    if (letter == '>' && escaped.ends_with("]]")) escaped += "\u200b";
     escaped += letter;
   }
   return escaped;

@@ -28,6 +28,7 @@ std::vector<Trial> planned(const StabilityPlan& plan) {
       if (method == Method::spectral && next_is_sphere) continue;
       Trial& added = trials.emplace_back(trial);
       added.scene.method = method;
+      added.scene.time_limit = plan.time_limit;
       if (!on_grid(method)) added.scene.spacing.reset();
     }
   }

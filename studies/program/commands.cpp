@@ -7,6 +7,7 @@
 
 #include "studies/program/command_line.hpp"
 #include "studies/program/completion.hpp"
+#include "studies/text/printable.hpp"
 
 #ifndef ROLLRES_VERSION
 #define ROLLRES_VERSION "0.1.0"
@@ -26,15 +27,12 @@ constexpr AddCommand commands[] = {
     add_stability, add_verify,  add_schema,   add_quantities, add_manual,      add_completion,
 };
 
-/// A message as one line: what is not printable becomes a space.
-std::string one_line(std::string text) {
+/// A message as one line.
+int complain(Session& session, std::string message, int status) {
   std::replace_if(
-      text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }, ' ');
-  return text;
-}
-
-int complain(Session& session, const std::string& message, int status) {
-  session.err << "rollres: " << one_line(message) << std::endl;
+      message.begin(), message.end(), [](char letter) { return letter == '\n' || letter == '\r' || letter == '\t'; },
+      ' ');
+  session.err << "rollres: " << message << std::endl;
   return status;
 }
 
@@ -52,6 +50,7 @@ void refuse_unknown_command(const Command& program, const std::vector<std::strin
 }  // namespace
 
 int run_program(std::vector<std::string> words, Session session) {
+  const PrintableStream printable_out(session.out, false), printable_err(session.err, true);
   try {
     Command program("rollres", "Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.",
                     "rollres " ROLLRES_VERSION);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "studies/text/printable.hpp"
+
 namespace rollres::html {
 
 namespace {
@@ -106,8 +108,7 @@ std::string text(std::string_view plain) {
       escaped += "&quot;";
     else if (first == '\'')
       escaped += "&#39;";
-    else if (length == 1 && (static_cast<unsigned char>(first) < 0x20 || first == 0x7f) && first != '\n' &&
-             first != '\t')
+    else if (is_control(plain.substr(0, length)) && first != '\n' && first != '\t')
       escaped += ' ';
     else
       escaped += plain.substr(0, length);

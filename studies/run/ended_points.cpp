@@ -43,6 +43,7 @@ FatalSignalNotes::FatalSignalNotes(const std::filesystem::path& database) {
   std::memcpy(notes_file.data(), file.c_str(), file.size() + 1);
   struct sigaction action {};
   action.sa_handler = note_and_end;
+  action.sa_flags = SA_ONSTACK;
   for (std::size_t i = 0; i < fatal_signals.size(); ++i) ::sigaction(fatal_signals[i], &action, &handlers_before[i]);
 }
 
@@ -52,7 +53,13 @@ FatalSignalNotes::~FatalSignalNotes() {
   notes_file[0] = '\0';
 }
 
-PointInWork::PointInWork(const std::string& key) { point_in_work = &key; }
+PointInWork::PointInWork(const std::string& key) {
+  // The handler needs one where the thread's own stack has overflown.
+  thread_local std::array<char, 16384> spare;
+  const stack_t stack{.ss_sp = spare.data(), .ss_flags = 0, .ss_size = spare.size()};
+  ::sigaltstack(&stack, nullptr);
+  point_in_work = &key;
+}
 PointInWork::~PointInWork() { point_in_work = nullptr; }
 
 std::vector<EndedPoint> ended_points(const std::filesystem::path& database) {

@@ -46,7 +46,8 @@ double peak_memory() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-Measurement measured_here(const Evaluate& evaluate, const RollingScene& scene) {
+Measurement measured_here(const Evaluate& evaluate, RollingScene scene, double seconds_limit) {
+  if (!scene.time_limit) scene.time_limit = std::min(seconds_limit, 1e9);
   keep_to_one_core();
   Measurement measured;
   const double memory_before = peak_memory(), processor_begin = processor_time();
@@ -73,7 +74,7 @@ Measurement measured_solve(const Evaluate& evaluate, const RollingScene& scene, 
   ForkedWork work{.pieces = 1, .jobs = 1, .time_limit = seconds_limit};
   work.work = [&](std::size_t) {
     Packer packer;
-    visit_measurement(measured_here(evaluate, scene), packer);
+    visit_measurement(measured_here(evaluate, scene, seconds_limit), packer);
     return packer.bytes;
   };
   work.done = [&](const PieceEnd& end) {

@@ -1,6 +1,5 @@
 #include "studies/text/strict_json.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <functional>
@@ -8,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 #include <vector>
+
+#include "studies/text/printable.hpp"
 
 namespace rollres {
 
@@ -128,9 +129,11 @@ std::string needed_text(const Json& object, const std::string& key, const std::s
 
 std::string needed_name(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
   std::string name = needed_text(object, key, place, rule);
-  const bool printable =
-      std::none_of(name.begin(), name.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; });
-  if (!printable) refuse(place, key, object.at(key), "must have no control characters");
+  for (std::size_t at = 0; at < name.size(); ++at)
+    if (is_control(std::string_view(name).substr(at)))
+      refuse(place, key, object.at(key), "must have no control characters");
+  if (name.front() == ' ' || name.back() == ' ')
+    refuse(place, key, object.at(key), "must not begin or end with a blank");
   if (name == "." || name == "..") refuse(place, key, object.at(key), "must not be . or ..");
   return name;
 }

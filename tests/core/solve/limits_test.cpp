@@ -1,8 +1,14 @@
 #include "core/numerics/solution_limits.hpp"
 
+#include <time.h>
+
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "core/numerics/bracketed_root.hpp"
+#include "core/numerics/chebyshev.hpp"
+#include "core/numerics/threads.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
@@ -100,4 +106,70 @@ TEST_CASE("a contact on one node is no answer", "[core][limits]") {
   const RollingSolution solution = solve(scene);
   CHECK(solution.status == Status::not_converged);
   CHECK_THAT(solution.reason, Contains("nodes") || Contains("power"));
+}
+
+TEST_CASE("a limit of time is one of processor time, of all threads that a solution takes", "[core][limits]") {
+  const auto work = [](double seconds) {  // of this thread
+    timespec time{};
+    const auto now = [&] {
+      ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+      return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    };
+    for (const double end = now() + seconds; now() < end;) continue;
+  };
+  const SolutionLimits limits(1e9, 0.5);
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  CHECK_NOTHROW(require_time());
+  CHECK_THROWS_AS(require_time(0.6), BeyondLimits);
+  share_out(2, 2, [&](int, int) { work(0.3); });
+  CHECK_THROWS_WITH(require_time(), Contains("time_limit of 0.5 s of processor time"));
+}
+
+TEST_CASE("a factorisation is refused before it begins", "[core][limits]") {
+  const SolutionLimits limits(4e9, 60.0);
+  CHECK_NOTHROW(require_factorisation(5e3, "a factorisation"));
+  CHECK_THROWS_WITH(require_factorisation(3e4, "a factorisation for 30000 nodes"),
+                    Contains("30000 nodes: about 14.4 GB"));
+  CHECK_THROWS_AS(require_factorisation(NAN, "a factorisation"), BeyondLimits);
+}
+
+TEST_CASE("a table of panels of very different widths stays small", "[core][limits]") {
+  const std::vector<double> borders{0, 1e-9, 2e-9, 1e-3, 1};
+  const ChebyshevTable<1> table(borders, 15, [](double x) { return Eigen::Array<double, 1, 1>(std::exp(x)); });
+  for (const double x : {0.0, 0.5e-9, 1.5e-9, 1e-6, 0.5e-3, 2e-3, 0.7, 1.0})
+    CHECK(table(x)(0) == Approx(std::exp(x)).epsilon(1e-13));
+}
+
+TEST_CASE("a temperature that shifts times beyond all measure is refused, in every layer", "[core][limits]") {
+  RollingScene scene = paper_cylinder();
+  scene.activation_energy = 1e9;
+  scene.reference_temperature = 100;
+  scene.temperature = 300;
+  scene.lower_layers.push_back({});
+  static_cast<MaterialInputs&>(scene.lower_layers[0]) = scene;
+  scene.lower_layers[0].layer_thickness = 1;
+  const std::vector<std::string> broken = check(scene);
+  REQUIRE(broken.size() == 2);
+  CHECK_THAT(broken[0], Contains("temperature = 300: multiplies all times by 0, which must be from 1e-30 to 1e+30"));
+  CHECK_THAT(broken[1], Contains("lower_layers[0].temperature"));
+}
+
+TEST_CASE("layers of two coinciding retardation times, and of very different thickness, need little time and memory",
+          "[core][limits]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    RollingScene scene = indenter == Indenter::sphere ? paper_sphere() : paper_cylinder();
+    scene.spacing.reset();
+    scene.stiffening = 1e-5;
+    scene.layer_thickness = 1e-6;
+    scene.lower_layers.push_back({});
+    static_cast<MaterialInputs&>(scene.lower_layers[0]) = scene;
+    scene.lower_layers[0].layer_thickness = 0.8;
+    scene.lower_layers[0].static_shear_modulus = 1e9;
+    scene.load = 0.04;
+    scene.time_limit = 5;
+    const RollingSolution solution = solve(scene);
+    INFO(solution.reason);
+    CHECK((solution.status == Status::converged || !solution.reason.empty()));
+    CHECK(solution.reason.find("time_limit") == std::string::npos);
+  }
 }

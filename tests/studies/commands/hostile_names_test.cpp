@@ -1,0 +1,173 @@
+/// Names of studies that mean something to a shell, gnuplot, HTML, SVG, SQL, a terminal or a file system, from the file
+/// to every command that prints them.
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "db/rows/result_store.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/shell.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+using Catch::Contains;
+
+namespace {
+
+const std::vector<std::string> hostile_names{"'",
+                                             "''",
+                                             "a'b''c",
+                                             "\"",
+                                             "\\",
+                                             "\\\\n",
+                                             "`touch hacked`",
+                                             "$(touch hacked)",
+                                             "${HOME}",
+                                             "; touch hacked",
+                                             "a|touch hacked",
+                                             "&",
+                                             "<script>alert(1)</script>",
+                                             "a]]>b",
+                                             "<!--",
+                                             "-->",
+                                             "&amp;",
+                                             "%s%n",
+                                             "%d.db",
+                                             "@x ^y _z {w}",
+                                             "~",
+                                             "--help",
+                                             "-",
+                                             "*",
+                                             "?",
+                                             "a/b/../../c",
+                                             "/etc/passwd",
+                                             "...",
+                                             "con: aux",
+                                             "two  blanks",
+                                             "#",
+                                             "!x",
+                                             "DROP TABLE study;--",
+                                             "' OR ''='",
+                                             "null",
+                                             "1",
+                                             "é漢字🛞",
+                                             "[2J",
+                                             std::string(300, 'x'),
+                                             "a\u202eb"};
+const std::vector<std::string> refused_names{
+    ".", "..", "", std::string("a\0b", 3), "\x1b[2J", "a\nb", "a\tb", "\x7f", " a", "a ", "\xc2\x9b"};
+
+bool is_printable(const std::string& text) {
+  return std::none_of(text.begin(), text.end(),
+                      [](unsigned char letter) {
+                        return (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7f;
+                      }) &&
+         text.find("\xc2\x9b") == std::string::npos;
+}
+
+/// What no SVG may have between its tags.
+bool is_escaped(const std::string& svg) {
+  for (std::size_t at = svg.find('&'); at != std::string::npos; at = svg.find('&', at + 1))
+    if (svg.find(';', at) > at + 8) return false;
+  std::size_t sections = 0;
+  for (std::size_t at = svg.find("<![CDATA["); at != std::string::npos; at = svg.find("<![CDATA[", at + 1)) ++sections;
+  for (std::size_t at = svg.find("]]>"); at != std::string::npos; at = svg.find("]]>", at + 1)) --sections;
+  return sections == 0 && svg.find("<script>alert") == std::string::npos && svg.find("<!-- ") == svg.find("<!--");
+}
+
+}  // namespace
+
+TEST_CASE("forty hostile names pass every command, and no control character is printed", "[studies][hostile]") {
+  REQUIRE(hostile_names.size() == 40);
+  for (const std::string& name : hostile_names) {
+    INFO(name);
+    const TemporaryDirectory folder;
+    nlohmann::json study = nlohmann::json::parse(R"({"scene": {"indenter": "cylinder", "radius": 0.1,
+      "layer_thickness": 0.01, "static_shear_modulus": 1e6, "stiffening": 2, "creep_time": 0.1,
+      "friction_coefficient": 0.3, "speed": 1, "load": 1e4}, "axes": {"speed": [1, 2, 3]}})");
+    study["study"] = name;
+    const std::string file = folder.write("study.json", study.dump()).string(), database = (folder / "a.db").string();
+    const auto runs = [&](std::vector<std::string> words) {
+      const ProgramRun run = run_rollres(words, closed_form);
+      INFO(words.front() << ": " << run.out << run.err);
+      CHECK(run.status == 0);
+      CHECK((is_printable(run.out) && is_printable(run.err)));
+    };
+    runs({"sweep", file, "--db", database});
+    runs({"status", "--db", database});
+    runs({"list", "--db", database});
+    runs({"show", "--db", database, "--", name});
+    runs({"query", "--db", database, "study=" + name});
+    runs({"chart", "--db", database, "--study=" + name, "--out", (folder / "chart").string()});
+    CHECK(is_escaped(file_text(folder / "chart.svg")));
+    runs({"report", "--db", database, "--study=" + name, "--out", (folder / "report.html").string()});
+    const std::string page = file_text(folder / "report.html");
+    CHECK(page.find("<script>alert") == std::string::npos);
+    CHECK(page.find("\xc2\x9b") == std::string::npos);
+    runs({"export", "--db", database, "--study=" + name, "--out", (folder / "exported").string()});
+    runs({"slurm", file, "--tasks", "2", "--db", database, "--out", (folder / "slurm").string()});
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path))
+      if (entry.path().extension() == ".sh") CHECK(run_shell("sh -n '" + entry.path().string() + "'").status == 0);
+    CHECK(!std::filesystem::exists("hacked"));
+  }
+}
+
+TEST_CASE("names with control characters are refused, and shown escaped", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  for (const std::string& name : refused_names) {
+    nlohmann::json study{{"study", name}, {"scene", "none.json"}, {"axes", {{"speed", {1}}}}};
+    const std::string file = folder.write("study.json", study.dump()).string();
+    const ProgramRun run = run_rollres({"sweep", file, "--db", (folder / "a.db").string()}, closed_form);
+    CHECK(run.status == 2);
+    CHECK_THAT(run.err, Contains("study"));
+    CHECK(is_printable(run.err));
+  }
+}
+
+TEST_CASE("what a file holds is printed with its control characters escaped", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  const ProgramRun missing = run_rollres({"solve", "\x1b[2J\r\x7f.json"}, closed_form);
+  CHECK_THAT(missing.err, Contains("\\x1b[2J"));
+  CHECK(is_printable(missing.err));
+  const std::string database = (folder / "a.db").string();
+  CHECK(run_rollres({"query", "--db", database, "--sql", "SELECT 1"}, closed_form).status == 3);
+  { ResultStore store(database); }
+  const ProgramRun selected =
+      run_rollres({"query", "--db", database, "--sql", "SELECT char(27) || '[2J' || char(155) AS a"}, closed_form);
+  CHECK(selected.status == 0);
+  CHECK_THAT(selected.out, Contains("\\x1b[2J\\x9b"));
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which takes all addresses
+TEST_CASE("a program that gets too little memory says so", "[studies][hostile]") {
+  for (const int megabytes : {60, 80, 100, 120, 150, 200}) {
+    const ShellRun run =
+        run_shell("ulimit -v " + std::to_string(1000 * megabytes) + "; exec " ROLLRES_PROGRAM " solve " +
+                  example("paper_sphere.json") + " --set 'spacing=0.04 mm'");
+    INFO(megabytes << " MB: " << run.out);
+    CHECK((run.status == 0 || run.status == 1 || run.status == 3 || run.status == 127));  // 127: not even loaded
+  }
+}
+#endif
+
+TEST_CASE("a database that is deleted during a sweep ends it with status 3 and what is lost", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  const std::string database = (folder / "a.db").string();
+  const auto study = folder.write("study.json", R"({"study": "s", "scene": {"indenter": "cylinder", "radius": 0.1,
+      "layer_thickness": 0.01, "static_shear_modulus": 1e6, "stiffening": 2, "creep_time": 0.1,
+      "friction_coefficient": 0.3, "speed": 1, "load": 1e4}, "axes": {"speed": {"from": 1, "to": 2, "points": 40}}})");
+  const auto deleting = [&](const RollingScene& scene) {
+    if (scene.speed > 1.5) std::filesystem::remove(database);
+    return closed_form(scene);
+  };
+  const ProgramRun run = run_rollres({"sweep", study.string(), "--db", database, "--jobs", "1"}, deleting);
+  CHECK(run.status == 3);
+  CHECK_THAT(run.err, Contains("a.db: was deleted or replaced") && Contains("lost"));
+  CHECK(run.out.find("40 of 40") == std::string::npos);
+}
