@@ -15,8 +15,7 @@ namespace {
 constexpr double shortest_memory = 1e-9;
 /// What memories that count as elastic may lose, relative to all; where a tolerance allows it, a part of that.
 constexpr double negligible_loss = 1e-7, part_of_tolerance = 0.1;
-/// Full solutions of fractional solids, coated and not, show losses by short memories of up to so many times the
-/// estimate.
+/// Losses by short memories in full solutions, over their estimate, at most.
 constexpr double caution = 6;
 
 struct TidySpectrum {

@@ -13,8 +13,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int most_steps = 40;
-constexpr double nearly_done = 1e-10;       // residual at which a step that fails is rounding's
-constexpr double nearly_done_fresh = 1e-9;  // the same with slopes taken here
+constexpr double nearly_done = 1e-10, nearly_done_fresh = 1e-9;  // where a step fails by rounding; with fresh slopes
 
 /// Centre and logarithm of the half-length; roots of the parts of the contact that each zone takes but for the stick
 /// next to the leading edge, which takes the rest: the residuals are smooth in them even as a zone shrinks.

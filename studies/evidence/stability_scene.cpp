@@ -80,7 +80,6 @@ RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t 
   scene.friction_coefficient = dice.log_uniform(0.005, 2);
   scene.load = rounded(load_for(scene, dice.log_uniform(scene.radius / 100, scene.radius / 3)));
   const double nodes = dice.log_uniform(sphere ? 12 : 20, sphere ? 24 : 60);
-  scene.spacing = rounded(2 * estimate_contact(scene).half_width / nodes);
   switch (dice.choice(6)) {
     case 0:
       scene.drive = Drive::top_force;
@@ -124,8 +123,6 @@ RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t 
     case 2:
       scene.coating_layers = {second_layer(dice.log_uniform(0.03, 0.3) * scene.radius)};
       break;
-    default:
-      return scene;
   }
   scene.spacing = rounded(2 * estimate_contact(scene).half_width / nodes);
   return scene;
