@@ -153,6 +153,7 @@ std::size_t read_all(std::size_t pieces, const CaseOf& case_of, const More& more
       complain(what, std::string(sample.target->name) + "-" + std::to_string(end.piece), sample.bytes);
     }
     if (!more()) stop = true;
+    return what.empty();
   };
   run_forked(work);
   return done;
@@ -227,6 +228,7 @@ void solve_scenes(std::size_t count, std::uint64_t seed, double time_limit, doub
     if (!wrong.empty())
       complain(wrong, "scene-" + std::to_string(seed) + "-" + std::to_string(end.piece) + ".json",
                scene_json(scene_of(end.piece)));
+    return wrong.empty();
   };
   run_forked(work);
   std::cout << count << " scenes:";
