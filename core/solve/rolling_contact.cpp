@@ -225,6 +225,20 @@ RollingSolution solve_by_method(const RollingScene& scene) {
   return solution;
 }
 
+/// Load times the longer half of the contact over the radius [N]: what a resistance is small or large against.
+double lever_of_load(const RollingScene& scene, const RollingSolution& solution) {
+  return solution.load * std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
+}
+
+/// What an elastic layer resists with is rounding and the grid's, of the lever of the load.
+bool resists(const RollingScene& scene, const RollingSolution& solution) {
+  constexpr double negligible = 1e-3;
+  return std::abs(solution.rolling_resistance) >= negligible * lever_of_load(scene, solution);
+}
+
+/// What a power balance may miss whatever the error stated.
+constexpr double trusted_balance = 0.01;
+
 /// Why an answer that its method calls converged is none; empty if it is one.
 std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
   if (!(solution.law_violation <= trusted_violation))
@@ -234,12 +248,8 @@ std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
   if (on_grid(solution.method) && !(length >= 1.5 * solution.spacing))
     return message_text("the contact has only ", solution.contact_nodes, " nodes: take a spacing below ",
                         std::min(solution.spacing, length + solution.spacing) / 8, " m");
-  // What an elastic layer resists with is rounding and the grid's, of the lever of the load.
-  const double lever =
-      solution.load * std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
-  constexpr double negligible = 1e-3;
-  const double resistance = solution.rolling_resistance;
-  if (std::abs(resistance) < negligible * lever) return {};
+  if (!resists(scene, solution)) return {};
+  const double resistance = solution.rolling_resistance, lever = lever_of_load(scene, solution);
   // Printed kinematics leave a power of this order in the balance of a driven body.
   const double reach = scene.kinematics == Kinematics::printed ? lever / solution.load : 0;
   const double unbalanced = std::abs(solution.driving_torque) / scene.radius * reach * reach;
@@ -249,7 +259,7 @@ std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
   // What the edges of the contact take between nodes (core/newton/README.md, (N15)); on random scenes a third of this.
   const double cells = on_grid(solution.method) ? 0.5 * length / solution.spacing : INFINITY;
   const double balanced =
-      std::max({0.01, solution.error_estimate, lever / std::abs(resistance) / std::pow(cells, 1.5)});
+      std::max({trusted_balance, solution.error_estimate, lever / std::abs(resistance) / std::pow(cells, 1.5)});
   if (solution.energy_residual > balanced)
     return message_text("the power balance misses ", solution.energy_residual, " of it, more than ", balanced);
   return {};
@@ -285,6 +295,11 @@ RollingSolution solve_in_flow(const RollingScene& given) {
     solution.reason = why;
   }
   if (solution.status == Status::converged) {
+    if (solution.energy_residual > trusted_balance && resists(model, solution)) {
+      const double missed = solution.energy_residual * std::abs(solution.rolling_resistance);
+      solution.error_estimate = std::max(solution.error_estimate, solution.energy_residual);
+      solution.rolling_resistance_error = std::max(solution.rolling_resistance_error, missed);
+    }
     const std::string note = std::move(solution.model);
     solution.model = model_of(choice.scene, solution) + note;
     for (const std::string& decision : choice.decisions) solution.model += "; " + decision;

@@ -79,7 +79,7 @@ bool check_answer(const RollingScene& scene, const RollingSolution& s) {
   CHECK(s.status == Status::converged);
   CHECK(s.law_violation < 1e-8);
   CHECK(s.load == Approx(*scene.load).epsilon(1e-8));
-  // What the edges take between nodes falls like the 3/2 power of the spacing.
+  // What the edges take between nodes falls like the 3/2 power of the spacing (`solve` puts it into the estimate).
   const double length = s.leading_edge - s.trailing_edge;
   const double lever = *scene.load * std::max(std::abs(s.leading_edge), std::abs(s.trailing_edge)) / scene.radius;
   const double edges = lever / std::abs(s.rolling_resistance) * std::pow(2 * s.spacing / length, 1.5);

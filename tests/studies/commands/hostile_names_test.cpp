@@ -1,5 +1,5 @@
 /// Names of studies that mean something to a shell, gnuplot, HTML, SVG, SQL, a terminal or a file system, from the file
-/// to every command that prints them.
+/// to every command that prints them. Covers printable, too.
 
 #include <nlohmann/json.hpp>
 
