@@ -25,7 +25,7 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   const int columns = std::max(checked_count(period / cell_x, "cells of the period"), 2 * reach_x + 1);
   const int rows = sphere ? std::max(checked_count(period / cell_y, "cells of the period"), 2 * reach_y + 1) : 1;
   require_memory(60.0 * columns * rows, message_text("the period needs ", columns, " x ", rows, " cells"));
-  require_time(1e-6 * columns * rows);  // transforms of a length that is a prime number
+  require_time(2.5e-6 * columns * rows);  // transforms of a length that is a prime number
   const double step_x = 2 * M_PI / (columns * cell_x), step_y = sphere ? 2 * M_PI / (rows * cell_y) : 0;
   const int half = columns / 2 + 1, terms_y = sphere ? terms : 0;
 

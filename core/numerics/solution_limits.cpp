@@ -74,8 +74,12 @@ void require_time(double more) {
   if (now < asked_at + seldom && more < seldom) return;
   asked_at = now;
   const double seconds = seconds_since_last_count();
-  if ((limits->used_ += seconds) + more > limits->seconds_)
+  const double used = limits->used_ += seconds;
+  if (used > limits->seconds_)
     throw BeyondLimits(message_text("not solved within the time_limit of ", limits->seconds_, " s of processor time"));
+  if (used + more > limits->seconds_)
+    throw BeyondLimits(message_text("needs about ", used + more, " s of processor time, more than the time_limit of ",
+                                    limits->seconds_, " s"));
 }
 
 void require_memory(double bytes, std::string_view what) {
