@@ -8,6 +8,8 @@ function(run)
   set(status "${status}" PARENT_SCOPE)
 endfunction()
 
+# Letters beyond ASCII in the folder's name need a locale that knows them.
+set(ENV{LC_ALL} C.UTF-8)
 file(REMOVE_RECURSE ${FOLDER})
 run(${bin}/cpack --config ${BUILD}/CPackConfig.cmake -B ${FOLDER})
 file(GLOB package ${FOLDER}/*.deb)
