@@ -4,15 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <stdexcept>
 
-#include "db/rows/schema.hpp"
-#include "studies/stored/study_rows.hpp"
-#include "studies/study/study_definition.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/scaled_unit.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -28,7 +24,10 @@ struct Choice {
   const QuantityColumn* y = nullptr;
   const QuantityColumn* along = nullptr;        // joins the points of a curve: x, or an axis if x is none
   std::vector<const QuantityColumn*> families;  // their values tell the curves apart
+
+  bool is_resistance() const { return y->name == "rolling_resistance" || y->name == "rolling_resistance_coefficient"; }
 };
+
 /// Whether the columns tell the value of another one in every row.
 bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vector<const QuantityColumn*>& from) {
   std::map<std::vector<Cell>, Cell> values;
@@ -40,22 +39,28 @@ bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vec
   return true;
 }
 
-Choice choose(const StudySummary& study, const StudyRows& rows, const StudyDefinition& definition,
-              const StudyChart& hints, const StudyChartOptions& options) {
+/// The columns that the options ask for, or the chart of the file; x and `along` are null where neither does.
+Choice wished(const StudySummary& study, const StudyChart& hints, const StudyChartOptions& options) {
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };
   Choice choice;
   if (options.shares && !options.y.empty())
     throw std::invalid_argument("y = " + options.y + ": with shares it is the rolling resistance");
   const std::string y = options.shares ? "" : first_of(options.y, hints.y);
-  choice.y = &number_column(y.empty() ? "rolling_resistance" : y, study, "y");
+  choice.y = &number_column(first_of(y, "rolling_resistance"), study, "y");
   if (const std::string x = first_of(options.x, hints.x); !x.empty()) choice.x = &number_column(x, study, "x");
-  if (!options.family.empty()) choice.families.push_back(&column_of(options.family, study, "family"));
-  if (choice.x && !choice.families.empty() && choice.families.front() == choice.x)
+  const std::string family = first_of(options.family, hints.family);
+  if (family.empty()) return choice;
+  const QuantityColumn& column = column_of(family, study, "family");
+  if (&column != choice.x)
+    choice.families.push_back(&column);
+  else if (!options.family.empty())
     throw std::invalid_argument("family = " + options.family + ": must differ from x");
-  if (options.family.empty() && !hints.family.empty())
-    if (const QuantityColumn& family = column_of(hints.family, study, "family"); &family != choice.x)
-      choice.families.push_back(&family);
+  return choice;
+}
 
+Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
+  const auto& [file, study, definition, rows] = shown;
+  Choice choice = wished(study, hints, options);
   const auto taken = [&](const QuantityColumn* column) {
     return std::find(choice.families.begin(), choice.families.end(), column) != choice.families.end();
   };
@@ -86,6 +91,18 @@ Choice choose(const StudySummary& study, const StudyRows& rows, const StudyDefin
     if (!scattered && (mates.empty() || !follows(rows, *axis, mates))) choice.families.push_back(axis);
   }
   return choice;
+}
+
+struct ChartScales {
+  ColumnScale x, y;
+};
+
+ChartScales scales_of(const ShownStudy& shown, const Choice& choice, const StudyChartOptions& options) {
+  if (options.shares && options.y_scale == AxisScale::logarithmic)
+    throw std::invalid_argument("y-scale = logarithmic: shares that are stacked need a linear one");
+  const bool spaced = shown.definition.logarithmic.contains(key_of(*choice.x));
+  return {scale_of(shown.rows, *choice.x, options.x_scale, spaced, "x-scale"),
+          scale_of(shown.rows, *choice.y, options.shares ? AxisScale::linear : options.y_scale, false, "y-scale")};
 }
 
 /// Half as wide as the estimated error, which is relative.
@@ -119,6 +136,60 @@ void stack_shares(ChartRequest& request, const std::string& place) {
   }
 }
 
+/// The points of the curves: by the values of the families, then by that of the column along them.
+using Curves = std::map<std::vector<Cell>, std::map<Cell, ChartPoint>>;
+
+Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScales& scales, bool shares) {
+  const StudyRows& rows = shown.rows;
+  Curves curves;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::vector<Cell> values;
+    for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
+    ChartPoint& point = curves[values][rows.cell(row, *choice.along)];
+    point = {rows.number(row, *choice.x) / scales.x.unit.factor, rows.number(row, *choice.y) / scales.y.unit.factor,
+             rows.converged(row)};
+    if (shares)
+      add_shares(point, rows, row, scales.y.unit.factor);
+    else if (choice.is_resistance() && point.converged)
+      add_band(point, rows.number(row, "error_estimate"));
+  }
+  if (curves.size() > most_curves)
+    throw std::invalid_argument(shown.study.name + ": would need " + std::to_string(curves.size()) +
+                                " curves; show at most " + std::to_string(most_curves) +
+                                " by fixing an axis with --where, as in --where " + choice.families.back()->name +
+                                "=VALUE");
+  return curves;
+}
+
+/// The values of its families: "20 kN/m"; where there are several, "P = 20 kN/m, V = 1 m/s".
+std::string label_of(const std::vector<Cell>& values, const Choice& choice, const StudyRows& rows) {
+  std::string label;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const QuantityColumn& family = *choice.families[i];
+    const std::string_view symbol = family.quantity.symbol;
+    label += i == 0 ? "" : ", ";
+    if (values.size() > 1 && family.type != "TEXT")
+      label += (symbol.empty() ? in_words(family.name) : std::string(symbol)) + " = ";
+    label += value_in_words(family.quantity, values[i], unit_in(rows, family));
+  }
+  return label;
+}
+
+/// The curves, each with a point at every place of the column along them; where it has none the line is broken.
+std::vector<ChartCurve> labelled(const Curves& curves, const Choice& choice, const StudyRows& rows) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::set<Cell> places = rows.values(*choice.along);
+  std::vector<ChartCurve> all;
+  for (const auto& [values, points] : curves) {
+    ChartCurve& curve = all.emplace_back(ChartCurve{label_of(values, choice, rows), {}});
+    for (const Cell& place : places) {
+      const auto found = points.find(place);
+      curve.points.push_back(found != points.end() ? found->second : ChartPoint{none, none, true});
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> stored_charts(ResultStore& store, const std::string& study) {
@@ -130,77 +201,49 @@ StudyChart chart_of_file(ResultStore& store, const std::string& wanted, const st
   return definition_of(store, study).chart(chart, store.database().name() + ": " + study);
 }
 
+ShownStudy::ShownStudy(ResultStore& store, const StudyChartOptions& options)
+    : file(store.database().name()),
+      study(stored_study(store, options.study)),
+      definition(definition_of(store, study.name)),
+      rows(store, study.name, options.filters) {}
+
+std::size_t ShownStudy::unanswered() const {
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < rows.size(); ++row) count += rows.converged(row) ? 0 : 1;
+  return count;
+}
+
+std::string ShownStudy::comment() const {
+  return "study " + study.name + " in " + file + ": " + std::to_string(rows.size()) + " points, " +
+         std::to_string(unanswered()) + " without an answer" + common_inputs(rows);
+}
+
 StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
-  const StudySummary study = stored_study(store, options.study);
-  const std::string& file = store.database().name();
-  const StudyDefinition definition = definition_of(store, study.name);
-  const StudyRows rows(store, study.name, options.filters);
+  const ShownStudy shown(store, options);
+  const auto& [file, study, definition, rows] = shown;
   const StudyChart& hints = definition.chart(options.chart, file + ": " + study.name);
-  const auto [x, y, along, families] =
-      choose(study, rows, definition, hints.map.empty() ? hints : StudyChart(), options);
-  const ColumnScale x_scale =
-      scale_of(rows, *x, options.x_scale, definition.logarithmic.contains(key_of(*x)), "x-scale");
-  if (options.shares && options.y_scale == AxisScale::logarithmic)
-    throw std::invalid_argument("y-scale = logarithmic: shares that are stacked need a linear one");
-  const ColumnScale y_scale =
-      scale_of(rows, *y, options.shares ? AxisScale::linear : options.y_scale, false, "y-scale");
+  const Choice choice = choose(shown, hints.map.empty() ? hints : StudyChart(), options);
+  const ChartScales scales = scales_of(shown, choice, options);
+  const Curves curves = curves_of(shown, choice, scales, options.shares);
 
-  StoredChart chart;
-  chart.study = study.name;
-  chart.points = rows.size();
+  StoredChart chart{.study = study.name, .points = rows.size(), .unanswered = shown.unanswered()};
   if (options.filters.empty()) chart.missing = study.points - study.answered;
-  const bool resistance = y->name == "rolling_resistance" || y->name == "rolling_resistance_coefficient";
-  std::map<std::vector<Cell>, std::map<Cell, ChartPoint>> curves;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    std::vector<Cell> values;
-    for (const QuantityColumn* const family : families) values.push_back(rows.cell(row, *family));
-    const bool converged = rows.converged(row);
-    if (!converged) ++chart.unanswered;
-    ChartPoint& point = curves[values][rows.cell(row, *along)];
-    point = {rows.number(row, *x) / x_scale.unit.factor, rows.number(row, *y) / y_scale.unit.factor, converged};
-    if (options.shares)
-      add_shares(point, rows, row, y_scale.unit.factor);
-    else if (resistance && converged)
-      add_band(point, rows.number(row, "error_estimate"));
-  }
-  if (curves.size() > most_curves)
-    throw std::invalid_argument(study.name + ": would need " + std::to_string(curves.size()) +
-                                " curves; show at most " + std::to_string(most_curves) +
-                                " by fixing an axis with --where, as in --where " + families.back()->name + "=VALUE");
-
   ChartRequest& request = chart.request;
   request.title = study.name;
-  request.comment = "study " + study.name + " in " + file + ": " + std::to_string(chart.points) + " points, " +
-                    std::to_string(chart.unanswered) + " without an answer" + common_inputs(rows);
-  request.x = scaled_axis(*x, x_scale);
-  request.y = scaled_axis(*y, y_scale);
-  request.lines = definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*along));
+  request.comment = shown.comment();
+  request.x = scaled_axis(*choice.x, scales.x);
+  request.y = scaled_axis(*choice.y, scales.y);
+  request.lines = definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*choice.along));
   if (!request.lines) request.x.margin = 0.03;  // no mark is cut by the frame
-  if (families.size() == 1) {
-    request.family = described(*families.front());
-    request.family.symbol = families.front()->quantity.symbol;  // stands alone in the legend
+  if (choice.families.size() == 1) {
+    request.family = described(*choice.families.front());
+    request.family.symbol = choice.families.front()->quantity.symbol;  // stands alone in the legend
   }
-
-  const std::set<Cell> places = rows.values(*along);
-  for (const auto& [values, points] : curves) {
-    ChartCurve curve;
-    for (std::size_t i = 0; i < families.size(); ++i) {
-      const std::string& key = families[i]->name;
-      const std::string_view symbol = families[i]->quantity.symbol;
-      const bool named = families.size() > 1 && families[i]->type != "TEXT";
-      curve.label += i == 0 ? "" : ", ";
-      if (named) curve.label += (symbol.empty() ? in_words(key) : std::string(symbol)) + " = ";
-      curve.label += value_in_words(families[i]->quantity, values[i], unit_in(rows, *families[i]));
-    }
-    for (const Cell& place : places) {
-      const auto found = points.find(place);
-      constexpr double none = std::numeric_limits<double>::quiet_NaN();
-      curve.points.push_back(found != points.end() ? found->second : ChartPoint{none, none, true});
-    }
-    request.curves.push_back(curve);
-  }
-  if (options.shares) stack_shares(request, study.name);
-  if (!options.shares && resistance) request.areas = "estimated error";
+  request.curves = labelled(curves, choice, rows);
+  if (options.shares)
+    stack_shares(request, study.name);
+  else if (choice.is_resistance())
+    request.areas = "estimated error";
   return chart;
 }
 

@@ -1,22 +1,17 @@
 #pragma once
 
-/// The chart of a stored study: any number against any number, one curve for each value of its other axes.
+/// The charts of a stored study: any number against any number, one curve for each value of its other axes; and its
+/// map, one output over two of its axes.
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "db/queries/query.hpp"
-#include "db/rows/result_store.hpp"
-#include "studies/drawing/chart.hpp"
+#include "studies/drawing/map_chart.hpp"
 #include "studies/stored/study_rows.hpp"
-#include "studies/study/study.hpp"
+#include "studies/study/study_definition.hpp"
 
 namespace rollres {
 
 /// What to show; what is empty is taken from a chart of the study file, else: x is the first of the axes with the most
 /// values, y the rolling resistance, and the family all other axes that have more than one value and do not follow from
-/// x because they vary together with it.
+/// x because they vary together with it. The axes of a map are the two with the most values.
 struct StudyChartOptions {
   std::string study = {};  ///< may be left out if the database holds one study
   std::string chart = {};  ///< name or number of a chart of the study file; empty: the first
@@ -24,19 +19,37 @@ struct StudyChartOptions {
   bool shares = false;  ///< what of the rolling resistance is lost in the layer and what to friction, stacked
   std::vector<Filter> filters = {};  ///< rows to show
   AxisScale x_scale = AxisScale::automatic, y_scale = AxisScale::automatic;
+  std::string map = {};  ///< output of a map; empty: the rolling resistance
+  AxisScale map_scale = AxisScale::automatic;
+  std::string optimum = {};  ///< an optimisation in the same database whose designs and optimum are drawn into the map
 };
 
-/// A stored study as a chart.
-struct StoredChart {
+/// A stored study as a chart or a map.
+template <class Request>
+struct StoredPicture {
   std::string study;
-  ChartRequest request;
+  Request request = {};
   std::size_t points = 0;      ///< rows shown
   std::size_t unanswered = 0;  ///< of these, not converged
   std::int64_t missing = 0;    ///< points of the study that are not computed yet
 };
+using StoredChart = StoredPicture<ChartRequest>;
+using StoredMap = StoredPicture<MapRequest>;
 
 /// Curves of more values than this cannot be told apart any more.
 inline constexpr std::size_t most_curves = 24;
+
+/// A study as it is read for a picture.
+struct ShownStudy {
+  std::string file;  ///< of the database
+  StudySummary study;
+  StudyDefinition definition;
+  StudyRows rows;
+
+  ShownStudy(ResultStore& store, const StudyChartOptions& options);
+  std::size_t unanswered() const;  ///< rows that have not converged
+  std::string comment() const;     ///< for the head of a data file
+};
 
 /// Names of the charts in the study's file, or their numbers; one where the file has none.
 /// @param study  may be empty if the database holds one study
@@ -53,5 +66,11 @@ StudyChart chart_of_file(ResultStore& store, const std::string& study, const std
 ///         row is left
 /// @throws std::runtime_error naming the file if the database fails
 StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options);
+
+/// Reads the map of a study.
+/// @throws std::invalid_argument naming what is unknown, what cannot be drawn (fewer than two values along an axis,
+///         several points at one place: a further axis must be fixed by a filter), or that no row is left
+/// @throws std::runtime_error naming the file if the database fails
+StoredMap stored_map(ResultStore& store, const StudyChartOptions& options);
 
 }  // namespace rollres

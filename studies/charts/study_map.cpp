@@ -1,4 +1,4 @@
-#include "studies/charts/study_map.hpp"
+#include "studies/charts/study_chart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,6 @@
 #include <stdexcept>
 
 #include "studies/optimise/stored_optimum.hpp"
-#include "studies/stored/study_rows.hpp"
-#include "studies/study/study_definition.hpp"
 
 namespace rollres {
 
@@ -28,7 +26,7 @@ struct MapAxes {
   const QuantityColumn *x = nullptr, *y = nullptr;
 };
 
-MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const StudyMapOptions& options) {
+MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const StudyChartOptions& options) {
   MapAxes axes;
   if (!options.x.empty()) axes.x = &number_column(options.x, study, "x");
   if (!options.y.empty()) axes.y = &number_column(options.y, study, "y");
@@ -46,12 +44,10 @@ MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const Stud
 
 /// Values of a column in rising order.
 std::vector<double> places(const StudyRows& rows, const QuantityColumn& column) {
-  std::vector<double> values;
+  std::set<double> values;
   for (std::size_t row = 0; row < rows.size(); ++row)
-    if (const double value = rows.number(row, column); std::isfinite(value)) values.push_back(value);
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
+    if (const double value = rows.number(row, column); std::isfinite(value)) values.insert(value);
+  return {values.begin(), values.end()};
 }
 
 MapNode state_of(const StudyRows& rows, std::size_t row, double value) {
@@ -80,29 +76,24 @@ void add_optimum(MapRequest& request, ResultStore& store, const std::string& nam
 
 }  // namespace
 
-StoredMap stored_map(ResultStore& store, const StudyMapOptions& options) {
-  const StudySummary study = stored_study(store, options.study);
-  const std::string& file = store.database().name();
-  const StudyDefinition definition = definition_in(store.definition(study.name).value_or(""), file + ": " + study.name);
-  const StudyRows rows(store, study.name, options.filters);
+StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
+  const ShownStudy shown(store, options);
+  const auto& [file, study, definition, rows] = shown;
   const MapAxes axes = choose_axes(study, rows, options);
-  const QuantityColumn& value = number_column(options.value, study, "map");
+  const QuantityColumn& value = number_column(options.map.empty() ? "rolling_resistance" : options.map, study, "map");
   const auto scale = [&](const QuantityColumn& column, AxisScale wish, const char* option) {
-    return scale_of(rows, column, wish, definition.logarithmic.contains(key_of(column)), option);
+    return scale_of(shown.rows, column, wish, shown.definition.logarithmic.contains(key_of(column)), option);
   };
   const ColumnScale x = scale(*axes.x, options.x_scale, "x-scale"), y = scale(*axes.y, options.y_scale, "y-scale"),
-                    v = scale_of(rows, value, options.value_scale, false, "map-scale");
+                    v = scale_of(rows, value, options.map_scale, false, "map-scale");
 
-  StoredMap map{study.name,
-                {.title = study.name,
-                 .x = scaled_axis(*axes.x, x),
-                 .y = scaled_axis(*axes.y, y),
-                 .value = scaled_axis(value, v),
-                 .field = {},
-                 .nodes = {}},
-                rows.size(),
-                0};
+  StoredMap map{.study = study.name, .points = rows.size(), .unanswered = shown.unanswered()};
   MapRequest& request = map.request;
+  request.title = study.name;
+  request.comment = shown.comment();
+  request.x = scaled_axis(*axes.x, x);
+  request.y = scaled_axis(*axes.y, y);
+  request.value = scaled_axis(value, v);
   PlaneField& field = request.field;
   field.x = places(rows, *axes.x);
   field.y = places(rows, *axes.y);
@@ -114,7 +105,6 @@ StoredMap stored_map(ResultStore& store, const StudyMapOptions& options) {
   field.values.assign(size, std::numeric_limits<double>::quiet_NaN());
   request.nodes.assign(size, MapNode::not_computed);
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    if (!rows.converged(row)) ++map.unanswered;
     const double at_x = rows.number(row, *axes.x), at_y = rows.number(row, *axes.y);
     if (!std::isfinite(at_x) || !std::isfinite(at_y)) continue;
     const auto column = std::lower_bound(field.x.begin(), field.x.end(), at_x) - field.x.begin();
@@ -131,8 +121,6 @@ StoredMap stored_map(ResultStore& store, const StudyMapOptions& options) {
   }
   for (double& place : field.x) place /= x.unit.factor;
   for (double& place : field.y) place /= y.unit.factor;
-  request.comment = "study " + study.name + " in " + file + ": " + std::to_string(map.points) + " points, " +
-                    std::to_string(map.unanswered) + " without an answer" + common_inputs(rows);
   if (!options.optimum.empty()) add_optimum(request, store, options.optimum, axes, x.unit, y.unit);
   return map;
 }

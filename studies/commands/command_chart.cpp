@@ -1,12 +1,9 @@
-#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
 #include "studies/charts/study_chart.hpp"
-#include "studies/charts/study_map.hpp"
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
-#include "studies/stored/study_rows.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 
@@ -18,7 +15,6 @@ struct ChartArguments {
   std::string database, out;
   std::vector<std::string> filters;
   std::string x_scale = "auto", y_scale = "auto", map_scale = "auto";
-  std::string map, optimum;
   StudyChartOptions options;
 };
 
@@ -26,16 +22,21 @@ AxisScale scale_named(const std::string& name) {
   return static_cast<AxisScale>(find_name(ChoiceNames<AxisScale>::names, name));
 }
 
-/// Beside the database: the study's name, and what is shown if that was asked for.
-std::filesystem::path usual_name(const ChartArguments& arguments, const std::string& study) {
+/// The wished name; without one beside the database: the study's name, and what is shown if that was asked for.
+std::filesystem::path name_of_files(const ChartArguments& arguments, const std::string& study) {
+  if (!arguments.out.empty()) return arguments.out;
+  const StudyChartOptions& options = arguments.options;
   std::string name = study;
-  if (arguments.options.shares) name += "_shares";
-  if (!arguments.map.empty()) name += "_map_" + arguments.map;
-  for (const std::string& word :
-       {arguments.options.chart, arguments.options.y, arguments.options.x, arguments.options.family})
+  if (options.shares) name += "_shares";
+  if (!options.map.empty()) name += "_map_" + options.map;
+  for (const std::string& word : {options.chart, options.y, options.x, options.family})
     if (!word.empty()) name += "_" + word;
   for (const std::string& filter : arguments.filters) name += "_" + filter;
   return std::filesystem::path(arguments.database).parent_path() / (file_name(name) + ".svg");
+}
+
+std::string with_unit(double value, const ChartAxis& axis) {
+  return short_number(value, 5) + (axis.unit.empty() ? "" : " " + axis.unit);
 }
 
 void print_peaks(std::ostream& out, const ChartRequest& request) {
@@ -43,9 +44,6 @@ void print_peaks(std::ostream& out, const ChartRequest& request) {
   for (const ChartCurve& curve : request.curves)
     if (const auto place = peak(curve)) {
       const ChartPoint& top = curve.points[*place];
-      const auto with_unit = [](double value, const ChartAxis& axis) {
-        return short_number(value, 5) + (axis.unit.empty() ? "" : " " + axis.unit);
-      };
       out << "peak";
       if (!curve.label.empty())
         out << " of " << (request.family.name.empty() ? "" : request.family.name + " ") << curve.label;
@@ -53,81 +51,66 @@ void print_peaks(std::ostream& out, const ChartRequest& request) {
     }
 }
 
-void print_files(std::ostream& out, const ChartFiles& files) {
-  for (const auto& file : {files.svg, files.png, files.script, files.data}) out << file.string() << '\n';
+void print_peaks(std::ostream& out, const MapRequest& request) {
+  const auto named = [](double value, const ChartAxis& axis) { return axis.name + " " + with_unit(value, axis); };
+  const PlaneField& field = request.field;
+  if (const auto place = map_peak(request))
+    out << "peak: " << named(field.values[*place], request.value) << " at "
+        << named(field.x[*place % field.x.size()], request.x) << ", "
+        << named(field.y[*place / field.x.size()], request.y) << '\n';
+  if (request.optimum)
+    out << request.optimum_meaning << ": at " << named(request.optimum->x, request.x) << ", "
+        << named(request.optimum->y, request.y) << '\n';
 }
 
-void print_unanswered(std::ostream& err, std::size_t unanswered, std::size_t points) {
-  if (unanswered > 0) err << unanswered << " of " << points << " points have no answer; the chart marks them\n";
+/// What came of a chart or a map.
+template <class Picture>
+void print(const Picture& picture, const ChartFiles& files, Session& session) {
+  if (picture.unanswered > 0)
+    session.err << picture.unanswered << " of " << picture.points << " points have no answer; the chart marks them\n";
+  if (picture.missing > 0) session.err << picture.missing << " points of the study are not computed yet\n";
+  print_peaks(session.out, picture.request);
+  for (const auto& file : {files.svg, files.png, files.script, files.data}) session.out << file.string() << '\n';
 }
 
 void draw_map(const ChartArguments& arguments, ResultStore& store, Session& session) {
-  const StudyChartOptions& chart = arguments.options;
-  for (const auto& [option, word] : {std::pair("--chart", chart.chart), std::pair("--family", chart.family)})
+  const StudyChartOptions& options = arguments.options;
+  for (const auto& [option, word] : {std::pair("--chart", options.chart), std::pair("--family", options.family)})
     if (!word.empty())
       throw std::invalid_argument(std::string(option) + " = " + word + ": is for curves, not for a map");
-  if (chart.shares) throw std::invalid_argument("--shares: is for curves, not for a map");
-  StudyMapOptions options{
-      .study = chart.study, .value = arguments.map, .x = chart.x, .y = chart.y, .optimum = arguments.optimum};
-  for (const std::string& text : arguments.filters) options.filters.push_back(read_filter(text));
-  options.x_scale = scale_named(arguments.x_scale);
-  options.y_scale = scale_named(arguments.y_scale);
-  options.value_scale = scale_named(arguments.map_scale);
+  if (options.shares) throw std::invalid_argument("--shares: is for curves, not for a map");
   const StoredMap map = stored_map(store, options);
-  const ChartFiles files = draw_map(
-      map.request, arguments.out.empty() ? usual_name(arguments, map.study) : std::filesystem::path(arguments.out));
-  print_unanswered(session.err, map.unanswered, map.points);
-  const MapRequest& request = map.request;
-  const auto with_unit = [](double value, const ChartAxis& axis) {
-    return axis.name + " " + short_number(value, 5) + (axis.unit.empty() ? "" : " " + axis.unit);
-  };
-  if (const auto place = map_peak(request))
-    session.out << "peak: " << with_unit(request.field.values[*place], request.value) << " at "
-                << with_unit(request.field.x[*place % request.field.x.size()], request.x) << ", "
-                << with_unit(request.field.y[*place / request.field.x.size()], request.y) << '\n';
-  if (request.optimum)
-    session.out << request.optimum_meaning << ": at " << with_unit(request.optimum->x, request.x) << ", "
-                << with_unit(request.optimum->y, request.y) << '\n';
-  print_files(session.out, files);
+  print(map, draw_map(map.request, name_of_files(arguments, map.study)), session);
 }
 
-/// A chart of the study's file that is a map; false if it is none, or other axes are wished for.
-bool draw_map_of_file(const ChartArguments& arguments, ResultStore& store, Session& session) {
-  const StudyChartOptions& options = arguments.options;
-  const StudyChart chart = chart_of_file(store, options.study, options.chart);
-  if (chart.map.empty() || options.shares || !(options.x + options.y + options.family).empty()) return false;
-  ChartArguments map = arguments;
-  if (map.out.empty()) map.out = usual_name(arguments, stored_study(store, options.study).name).string();
-  map.map = chart.map;
-  map.options.x = chart.x;
-  map.options.y = chart.y;
-  map.options.chart.clear();
-  draw_map(map, store, session);
-  return true;
-}
-
-void draw(const ChartArguments& arguments, ResultStore& store, Session& session) {
-  if (draw_map_of_file(arguments, store, session)) return;
-  StudyChartOptions options = arguments.options;
-  for (const std::string& text : arguments.filters) options.filters.push_back(read_filter(text));
-  options.x_scale = scale_named(arguments.x_scale);
-  options.y_scale = scale_named(arguments.y_scale);
-  const StoredChart chart = stored_chart(store, options);
-  const ChartFiles files = draw_chart(
-      chart.request, arguments.out.empty() ? usual_name(arguments, chart.study) : std::filesystem::path(arguments.out));
-  print_unanswered(session.err, chart.unanswered, chart.points);
-  if (chart.missing > 0) session.err << chart.missing << " points of the study are not computed yet\n";
-  print_peaks(session.out, chart.request);
-  print_files(session.out, files);
+/// One chart of the study. One of its file may be a map, unless other axes are wished for.
+void draw(ChartArguments arguments, ResultStore& store, Session& session) {
+  StudyChartOptions& options = arguments.options;
+  const StudyChart in_file = chart_of_file(store, options.study, options.chart);
+  if (in_file.map.empty() || options.shares || !(options.x + options.y + options.family).empty()) {
+    const StoredChart chart = stored_chart(store, options);
+    return print(chart, draw_chart(chart.request, name_of_files(arguments, chart.study)), session);
+  }
+  arguments.out = name_of_files(arguments, stored_study(store, options.study).name).string();
+  options.map = in_file.map;
+  options.x = in_file.x;
+  options.y = in_file.y;
+  options.chart.clear();
+  draw_map(arguments, store, session);
 }
 
 /// One chart of the study, or all of them; with --out, the name of each of several ends with that of the chart.
-void chart(const ChartArguments& arguments, Session& session) {
+void chart(ChartArguments arguments, Session& session) {
+  StudyChartOptions& options = arguments.options;
+  for (const std::string& text : arguments.filters) options.filters.push_back(read_filter(text));
+  options.x_scale = scale_named(arguments.x_scale);
+  options.y_scale = scale_named(arguments.y_scale);
+  options.map_scale = scale_named(arguments.map_scale);
   ResultStore store(arguments.database, Access::read);
-  if (!arguments.map.empty()) return draw_map(arguments, store, session);
-  if (!arguments.optimum.empty()) throw std::invalid_argument("--optimum = " + arguments.optimum + ": needs --map");
-  if (arguments.options.chart != "all") return draw(arguments, store, session);
-  for (const std::string& name : stored_charts(store, arguments.options.study)) {
+  if (!options.map.empty()) return draw_map(arguments, store, session);
+  if (!options.optimum.empty()) throw std::invalid_argument("--optimum = " + options.optimum + ": needs --map");
+  if (options.chart != "all") return draw(arguments, store, session);
+  for (const std::string& name : stored_charts(store, options.study)) {
     ChartArguments one = arguments;
     one.options.chart = name;
     if (!one.out.empty()) {
@@ -155,8 +138,8 @@ void add_chart(Command& program, Session& session) {
   command->add_option("--family KEY", options.family, "axis with one curve for each value; left out: the other axes");
   command->add_flag("--shares", options.shares,
                     "what of the rolling resistance is lost in the layer and what to friction, stacked");
-  command->add_option("--map KEY", arguments.map, "contour map of this output over the axes --x and --y");
-  command->add_option("--optimum NAME", arguments.optimum,
+  command->add_option("--map KEY", options.map, "contour map of this output over the axes --x and --y");
+  command->add_option("--optimum NAME", options.optimum,
                       "with --map: draw the designs and the optimum of this optimisation");
   command
       ->add_option("--where FILTER", arguments.filters, "show only points with KEY=VALUE, as in query; may be repeated")

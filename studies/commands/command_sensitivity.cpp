@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "studies/drawing/bar_chart.hpp"
-#include "studies/optimise/design_scale.hpp"
+#include "studies/optimise/design.hpp"
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"

@@ -120,7 +120,7 @@ void stability(const StabilityArguments& arguments, Session& session) {
 
   std::vector<std::string> failed_files;
   plan.on_trial = [&](const Trial& trial) {
-    if (!is_failure(trial.numbers.outcome)) return;
+    if (!is_failure(trial.outcome)) return;
     make_directory(failed);
     failed_files.push_back((failed / failed_scene_name(trial)).string());
     write_file(failed_files.back(), failed_scene_json(trial));

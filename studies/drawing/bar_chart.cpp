@@ -53,30 +53,24 @@ Span span_of(const BarChart& chart) {
   return span;
 }
 
-/// 1, 2 or 5 times a power of ten, for three to six numbers: bars leave their axis little room.
-double tick_step(const Span& span) {
-  const double length = span.highest - span.lowest, power = std::pow(10.0, std::floor(std::log10(length / 3)));
-  for (const int step : {5, 2})
-    if (length / (step * power) >= 2.9) return step * power;
-  return power;
-}
-
 std::string script_of(const BarChart& chart, const ChartFiles& files) {
   std::ostringstream script;
   const Span heights{0.4, static_cast<double>(chart.bars.size()) + 0.6};
-  write_axes(script, files, chart.axis, span_of(chart), {}, heights);
+  const Span span = span_of(chart);
+  write_axes(script, files, chart.axis, span, {}, heights);
   script << "set yrange [" << number(heights.highest) << ":" << number(heights.lowest) << "]\nset ytics (";
+  std::size_t longest = 0;
   for (std::size_t i = 0; i < chart.bars.size(); ++i) {
     const Bar& bar = chart.bars[i];
     const std::string markup =
         gnuplot::plain(bar.name) + (bar.symbol.empty() ? "" : "  " + gnuplot::symbol(bar.symbol));
     script << (i == 0 ? "" : ", ") << gnuplot::quoted(markup) << " " << i + 1;
+    longest = std::max(longest, width(bar.name) + 2 + width(bar.symbol));
   }
-  std::size_t longest = 0;
-  for (const Bar& bar : chart.bars) longest = std::max(longest, width(bar.name) + 2 + width(bar.symbol));
   constexpr double letter = 8.6 / 560;  // as a fraction of the picture's width
+  constexpr double few_ticks = 2.9;     // bars leave their axis little room
   script << ")\nset lmargin at screen " << short_number(std::min(0.5, 0.05 + letter * static_cast<double>(longest)), 3)
-         << "\nset xtics " << short_number(tick_step(span_of(chart)))
+         << "\nset xtics " << short_number(even_step(span.highest - span.lowest, few_ticks))
          << "\nunset ylabel\nset grid noytics\nset arrow from 0, graph 0 to 0, graph 1 nohead lw 1.2 lc rgb "
             "'#444444' front\nset style fill solid 0.85 noborder\n\n";
   const double half = 0.33 / static_cast<double>(series_of(chart));
@@ -88,8 +82,7 @@ std::string script_of(const BarChart& chart, const ChartFiles& files) {
     plots.push_back(index + "(0.5*$2):1:(0):2:($1-" + number(half) + "):($1+" + number(half) + ") with boxxyerror" +
                     colour + " notitle");
     plots.push_back(index + "2:1:3 with xerrorbars pt -1 lw 1.5 lc rgb '#222222' notitle");
-    if (!chart.series.empty())
-      legend.push_back({"boxes" + colour, gnuplot::plain(chart.series[s]) + kept_blanks, width(chart.series[s])});
+    if (!chart.series.empty()) legend.push_back(LegendEntry::plain("boxes" + colour, chart.series[s]));
   }
   write_pictures(script, files, chart.title, plots, legend);
   return script.str();

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ostream>
 
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -55,9 +55,8 @@ void write_axis(std::ostream& script, char name, const Span& span) {
   const std::vector<double> numbers = ticks(span);
   script << "set format " << name << (plain_numbers || !numbers.empty() ? " '%g'\n" : " '10^{%L}'\n");
   if (numbers.empty()) return;
-  script << "set " << name << "tics (";
-  for (std::size_t i = 0; i < numbers.size(); ++i) script << (i == 0 ? "" : ", ") << short_number(numbers[i]);
-  script << ")\n";
+  script << "set " << name << "tics (" << joined(numbers, ", ", [](double tick) { return short_number(tick); })
+         << ")\n";
 }
 
 /// Where the entries of a legend stand: row by row, as many side by side as the picture holds.
@@ -96,6 +95,10 @@ std::string_view curve_colour(std::size_t curve) {
   return colours[curve % colours.size()];
 }
 
+LegendEntry LegendEntry::plain(std::string sample, std::string_view text) {
+  return {std::move(sample), gnuplot::plain(text) + kept_blanks, width(text)};
+}
+
 void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
                 const ChartAxis& y, const Span& y_span) {
   script << "# Draws the pictures anew when run in this folder with gnuplot.\n"
@@ -124,8 +127,7 @@ void write_pictures(std::ostream& script, const ChartFiles& files, const std::st
   for (std::size_t i = 0; i < entries.size(); ++i)
     plots.push_back("keyentry with " + entries[i].sample + " title " + gnuplot::quoted(entries[i].markup) + " at " +
                     short_number(grid.x(i) / picture_width, 4) + "," + short_number(1 - grid.y(i) / height, 4));
-  std::string plot = shape.surface ? "splot " : "plot ";
-  for (std::size_t i = 0; i < plots.size(); ++i) plot += (i == 0 ? "" : ", \\\n     ") + plots[i];
+  const std::string plot = (shape.surface ? "splot " : "plot ") + joined(plots, ", \\\n     ");
 
   script << "\nset terminal svg size " << picture_width << "," << height
          << " dynamic enhanced background rgb 'white' font 'sans-serif," << font_size << "'\n"
@@ -135,6 +137,41 @@ void write_pictures(std::ostream& script, const ChartFiles& files, const std::st
          << " enhanced background rgb 'white' font 'sans-serif," << font_size
          << "' fontscale 1.5 linewidth 2 pointscale 3.2\n"
          << "set output " << here(files.png) << "\nreplot\nunset output\n";
+}
+
+std::vector<DataRow> closed(const ContourLoop& loop) {
+  std::vector<DataRow> rows;
+  for (const auto& [x, y] : loop.points) rows.push_back({x, y});
+  rows.push_back(rows.front());
+  return rows;
+}
+
+PictureBuilder::PictureBuilder(std::string_view title, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
+                               const ChartAxis& y, const Span& y_span)
+    : files_(files), data_("# " + std::string(title) + '\n') {
+  write_axes(script_, files, x, x_span, y, y_span);
+}
+
+std::string PictureBuilder::add(std::string_view name, std::string_view columns, const std::vector<DataRow>& rows) {
+  if (blocks_ > 0) data_ += "\n\n";
+  data_ += "# " + std::string(name) + ": " + std::string(columns) + '\n';
+  for (const DataRow& row : rows) data_ += joined(row, " ", [](double value) { return short_number(value, 8); }) + '\n';
+  return "data index " + std::to_string(blocks_++);
+}
+
+std::string PictureBuilder::add(std::string_view name, std::string_view columns,
+                                const std::vector<ContourLoop>& loops) {
+  std::vector<DataRow> rows;
+  for (const ContourLoop& loop : loops) {
+    if (!rows.empty()) rows.emplace_back();
+    for (DataRow& row : closed(loop)) rows.push_back(std::move(row));
+  }
+  return add(name, columns, rows);
+}
+
+PictureText PictureBuilder::finished(const std::string& title, const PictureShape& shape) {
+  write_pictures(script_, files_, title, plots_, legend_, shape);
+  return {script_.str(), data_};
 }
 
 }  // namespace rollres

@@ -1,16 +1,12 @@
 #pragma once
 
 /// What every picture of this program has around its plots, as lines of its gnuplot script: axes and grid, and above
-/// them a title and a legend that stands clear of the points; drawn as SVG and PNG.
+/// them a title and a legend that stands clear of the points; drawn as SVG and PNG. And a picture in the making.
 
-#include <cstddef>
-#include <iosfwd>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <sstream>
 
-#include "studies/drawing/chart.hpp"
 #include "studies/drawing/chart_layout.hpp"
+#include "studies/drawing/contour_loops.hpp"
 
 namespace rollres {
 
@@ -25,6 +21,8 @@ struct LegendEntry {
   std::string sample;   ///< how it looks: "points pt 7 lc rgb 'red'"
   std::string markup;   ///< what it says, in gnuplot's markup
   std::size_t letters;  ///< of what it says
+
+  static LegendEntry plain(std::string sample, std::string_view text);
 };
 
 /// The head of a script: the data file (as `data`), axes with labels and numbers, grid.
@@ -43,5 +41,45 @@ struct PictureShape {
 void write_pictures(std::ostream& script, const ChartFiles& files, const std::string& title,
                     std::vector<std::string> plots, const std::vector<LegendEntry>& entries,
                     const PictureShape& shape = {});
+
+/// A row of numbers; an empty row is a blank line, which ends a line of a surface.
+using DataRow = std::vector<double>;
+
+/// The points of a loop, the first one again at the end.
+std::vector<DataRow> closed(const ContourLoop& loop);
+
+/// Script and data of a picture.
+struct PictureText {
+  std::string script, data;
+};
+
+/// A picture in the making: its axes are written, plots and legend come one by one. The data are named blocks of
+/// columns, as gnuplot's `index` finds them.
+class PictureBuilder {
+ public:
+  PictureBuilder(std::string_view title, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
+                 const ChartAxis& y, const Span& y_span);
+
+  std::ostream& script() { return script_; }
+  /// Adds a block of data; returns how a plot refers to it: "data index 2".
+  /// @param columns what stands in them: "x [mm], u [mm]"
+  std::string add(std::string_view name, std::string_view columns, const std::vector<DataRow>& rows);
+  /// Loops as one block, closed and apart from each other by blank lines.
+  std::string add(std::string_view name, std::string_view columns, const std::vector<ContourLoop>& loops);
+  void plot(std::string words) { plots_.push_back(std::move(words)); }
+  void explain(LegendEntry entry) { legend_.push_back(std::move(entry)); }
+
+  PictureText finished(const std::string& title, const PictureShape& shape = {});
+
+ protected:
+  std::vector<LegendEntry> legend_;
+
+ private:
+  ChartFiles files_;
+  std::ostringstream script_;
+  std::string data_;
+  int blocks_ = 0;
+  std::vector<std::string> plots_;
+};
 
 }  // namespace rollres

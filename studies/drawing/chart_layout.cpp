@@ -49,10 +49,10 @@ bool areas_are_seen(const ChartRequest& request, const Layout& layout) {
   });
 }
 
-double even_step(double length) {
-  const double power = std::pow(10.0, std::floor(std::log10(length / 4)));
+double even_step(double length, double fewest) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / fewest)));
   for (const int step : {5, 2})
-    if (length / (step * power) >= 4) return step * power;
+    if (length / (step * power) >= fewest) return step * power;
   return power;
 }
 

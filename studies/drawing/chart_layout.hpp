@@ -48,8 +48,9 @@ Layout lay_out(const ChartRequest& request);
 /// Whether any area is wide enough to be drawn.
 bool areas_are_seen(const ChartRequest& request, const Layout& layout);
 
-/// A step of 1, 2 or 5 times a power of ten that divides a length into four to ten parts.
-double even_step(double length);
+/// A step of 1, 2 or 5 times a power of ten that divides a length into so many parts or some more, up to 2.5 times as
+/// many.
+double even_step(double length, double fewest = 4);
 
 /// Numbers for a logarithmic axis so short that powers of ten alone would leave it with hardly a number; else empty.
 std::vector<double> ticks(const Span& span);

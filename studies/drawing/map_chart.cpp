@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/drawing/colour_map.hpp"
-#include "studies/drawing/figure_data.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -16,8 +13,7 @@ namespace rollres {
 
 namespace {
 
-constexpr double left_edge = 108, right_edge = 424,
-                 lower_edge = 88;  // of the map; a colour bar stands on its right [px]
+constexpr double left_edge = 108, right_edge = 424, lower_edge = 88;  // a colour bar stands on the right [px]
 
 /// Values for the nodes that have none: means of their neighbours, from the answers outwards.
 PlaneField filled(PlaneField field) {
@@ -44,39 +40,67 @@ PlaneField filled(PlaneField field) {
   return field;
 }
 
-class MapDrawing {
+Span span_of(const std::vector<double>& places, const ChartAxis& axis) {
+  Span span{.lowest = places.front(), .highest = places.back()};
+  span.logarithmic = axis.logarithmic && span.lowest > 0;
+  return span;
+}
+
+class MapDrawing : PictureBuilder {
  public:
-  MapDrawing(const MapRequest& request, const ChartFiles& files)
-      : request_(request), files_(files), data_(request.title) {
-    for (const double x : request.field.x) x_.include(x);
-    for (const double y : request.field.y) y_.include(y);
-    x_.logarithmic = request.x.logarithmic && x_.lowest > 0;
-    y_.logarithmic = request.y.logarithmic && y_.lowest > 0;
-    write_axes(script_, files, request.x, x_, request.y, y_);
-    script_ << "set border 15\nunset grid\nset tics out\n";
+  MapDrawing(const MapRequest& request, const ChartFiles& files, const Span& x, const Span& y)
+      : PictureBuilder(request.title, files, request.x, x, request.y, y), request_(request), x_(x), y_(y) {
+    script() << "set border 15\nunset grid\nset tics out\n";
   }
 
+  PictureText text() {
+    paint();
+    blank();
+    draw_designs();
+    mark_peak();
+    PictureText text = finished(request_.title + ": " + request_.value.name,
+                                {.left = left_edge, .right = right_edge, .bottom = lower_edge});
+    std::string head;
+    for (const char letter : request_.comment + "\n")
+      head += head.empty() || head.back() == '\n' ? std::string("# ") + letter : std::string(1, letter);
+    return {text.script, head + text.data};
+  }
+
+ private:
   void paint() {
     const auto [lowest, highest] = extremes();
-    const bool logarithmic = request_.value.logarithmic && lowest > 0;
-    const std::string unit = request_.value.unit.empty() ? "" : "  [" + gnuplot::plain(request_.value.unit) + "]";
-    const std::string label =
-        (request_.value.symbol.empty() ? gnuplot::plain(request_.value.name) : gnuplot::symbol(request_.value.symbol)) +
-        unit;
+    const ChartAxis& value = request_.value;
+    const std::string label = (value.symbol.empty() ? gnuplot::plain(value.name) : gnuplot::symbol(value.symbol)) +
+                              (value.unit.empty() ? "" : "  [" + gnuplot::plain(value.unit) + "]");
     PlaneField field = request_.field;
-    if (logarithmic) {
+    if (value.logarithmic && lowest > 0) {
       std::vector<double> levels = logarithmic_levels(lowest, highest);
-      write_numbered_colours(script_, levels, label);
+      write_numbered_colours(script(), levels, label);
       for (double& level : levels) level = std::log10(level);
-      for (double& value : field.values) value = std::log10(value);
+      for (double& number : field.values) number = std::log10(number);
       paint(field, levels, [&](double level, bool above) {
         const auto place = std::lower_bound(levels.begin(), levels.end(), level) - levels.begin();
         return static_cast<double>(place) + (above ? 0.5 : -0.5);
       });
     } else {
       const ColourBands bands = ColourBands::between(lowest, highest);
-      write_colours(script_, bands, label);
+      write_colours(script(), bands, label);
       paint(field, bands.levels, [&](double level, bool above) { return bands.inside(level, above); });
+    }
+  }
+
+  /// @param colour  of the band above or below a level, on the palette
+  template <class Colour>
+  void paint(const PlaneField& values, const std::vector<double>& levels, const Colour& colour) {
+    PlaneField field = filled(values);
+    for (double& x : field.x) x = x_.along(x);
+    for (double& y : field.y) y = y_.along(y);
+    for (ContourLoop loop : contour_loops(field, levels, -std::numeric_limits<double>::infinity())) {
+      for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
+      const std::string block = add("level " + short_number(loop.level), columns(), closed(loop));
+      plot(block + " using 1:2 with filledcurves closed fillcolor palette cb " +
+           short_number(colour(loop.level, loop.higher_inside)) + " notitle");
+      plot(block + " using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
     }
   }
 
@@ -90,33 +114,38 @@ class MapDrawing {
                      low = field.y[row - std::min<std::size_t>(row, 1)];
         const double right = field.x[std::min(column + 1, field.x.size() - 1)],
                      top = field.y[std::min(row + 1, field.y.size() - 1)];
-        plots_.push_back(
-            data_.add("blank", columns(),
-                      std::vector<DataRow>{{left, low}, {right, low}, {right, top}, {left, top}, {left, low}}) +
-            " using 1:2 with filledcurves closed lc rgb 'white' notitle");
+        plot_block("blank", {{left, low}, {right, low}, {right, top}, {left, top}, {left, low}},
+                   "filledcurves closed lc rgb 'white'");
       }
     mark(MapNode::unanswered, "points pt 2 ps 0.7 lw 1.5 lc rgb '#444444'", "no answer");
     mark(MapNode::not_converged, "points pt 6 ps 0.7 lw 1.5 lc rgb '#444444'", "not converged");
   }
 
+  void mark(MapNode kind, const std::string& look, const std::string& meaning) {
+    std::vector<DataRow> rows;
+    const PlaneField& field = request_.field;
+    for (std::size_t i = 0; i < request_.nodes.size(); ++i)
+      if (request_.nodes[i] == kind) rows.push_back({field.x[i % field.x.size()], field.y[i / field.x.size()]});
+    if (rows.empty()) return;
+    plot_block(meaning, rows, look);
+    explain(look, meaning);
+  }
+
   void draw_designs() {
-    const std::string dots = "points pt 7 ps 0.35 lc rgb 'white'", halo = "points pt 7 ps 0.55 lc rgb 'black'";
+    const std::string halo = "points pt 7 ps 0.55 lc rgb 'black'", star = "points pt 9 ps 1.4 lc rgb '#D55E00'";
     std::vector<DataRow> rows;
     for (const MapPoint& point : request_.designs)
       if (inside(point)) rows.push_back({point.x, point.y});
     if (!rows.empty()) {
-      const std::string block = data_.add("designs", columns(), rows);
-      plots_.push_back(block + " using 1:2 with " + halo + " notitle");
-      plots_.push_back(block + " using 1:2 with " + dots + " notitle");
-      legend_.push_back({halo, "designs looked at", 17});
+      const std::string block = plot_block("designs", rows, halo);
+      plot(block + " using 1:2 with points pt 7 ps 0.35 lc rgb 'white' notitle");
+      explain(halo, "designs looked at");
     }
     if (!request_.optimum || !inside(*request_.optimum)) return;
     const std::string block =
-        data_.add("optimum", columns(), std::vector<DataRow>{{request_.optimum->x, request_.optimum->y}});
-    plots_.push_back(block + " using 1:2 with points pt 9 ps 2.1 lc rgb 'white' notitle");
-    const std::string star = "points pt 9 ps 1.4 lc rgb '#D55E00'";
-    plots_.push_back(block + " using 1:2 with " + star + " notitle");
-    legend_.push_back({star, gnuplot::plain(request_.optimum_meaning), width(request_.optimum_meaning)});
+        plot_block("optimum", {{request_.optimum->x, request_.optimum->y}}, "points pt 9 ps 2.1 lc rgb 'white'");
+    plot(block + " using 1:2 with " + star + " notitle");
+    explain(star, request_.optimum_meaning);
   }
 
   void mark_peak() {
@@ -124,72 +153,36 @@ class MapDrawing {
     if (!place) return;
     const PlaneField& field = request_.field;
     const double x = field.x[*place % field.x.size()], y = field.y[*place / field.x.size()];
-    const std::string value = short_number(field.values[*place], 3);
-    const std::string ring = "points pt 6 ps 1.3 lw 2 lc rgb ";
-    plots_.push_back(data_.add("peak", columns() + ": " + value, std::vector<DataRow>{{x, y}}) + " using 1:2 with " +
-                     ring + "'black' notitle");
-    const std::string says = "peak " + value + (request_.value.unit.empty() ? "" : " " + request_.value.unit);
-    legend_.push_back({ring + "'black'", gnuplot::plain(says), width(says)});
+    const std::string value = short_number(field.values[*place], 3), ring = "points pt 6 ps 1.3 lw 2 lc rgb 'black'";
+    plot(add("peak", columns() + ": " + value, std::vector<DataRow>{{x, y}}) + " using 1:2 with " + ring + " notitle");
+    explain(ring, "peak " + value + (request_.value.unit.empty() ? "" : " " + request_.value.unit));
   }
 
-  void draw(const std::string& gnuplot) {
-    write_pictures(script_, files_, request_.title + ": " + request_.value.name, plots_, legend_,
-                   {.left = left_edge, .right = right_edge, .bottom = lower_edge});
-    std::string head;
-    for (const char letter : request_.comment + "\n")
-      head += head.empty() || head.back() == '\n' ? std::string("# ") + letter : std::string(1, letter);
-    draw_pictures(files_, head + data_.text(), script_.str(), gnuplot);
+  /// Adds a block of data and plots it; returns how further plots refer to it.
+  std::string plot_block(std::string_view name, const std::vector<DataRow>& rows, const std::string& look) {
+    const std::string block = add(name, columns(), rows);
+    plot(block + " using 1:2 with " + look + " notitle");
+    return block;
   }
-
- private:
-  /// @param colour  of the band above or below a level, on the palette
-  template <class Colour>
-  void paint(const PlaneField& values, const std::vector<double>& levels, const Colour& colour) {
-    PlaneField field = filled(values);
-    for (double& x : field.x) x = x_.along(x);
-    for (double& y : field.y) y = y_.along(y);
-    for (ContourLoop loop : contour_loops(field, levels, -std::numeric_limits<double>::infinity())) {
-      for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
-      const std::string block = data_.add("level " + short_number(loop.level), columns(), closed(loop));
-      plots_.push_back(block + " using 1:2 with filledcurves closed fillcolor palette cb " +
-                       short_number(colour(loop.level, loop.higher_inside)) + " notitle");
-      plots_.push_back(block + " using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
-    }
+  void explain(const std::string& look, const std::string& meaning) {
+    PictureBuilder::explain({look, gnuplot::plain(meaning), width(meaning)});
   }
-
-  static std::string named(const ChartAxis& axis) {
-    return axis.name + (axis.unit.empty() ? "" : " [" + axis.unit + "]");
+  std::string columns() const {
+    const auto named = [](const ChartAxis& axis) { return axis.name + unit_in_brackets(axis.unit); };
+    return named(request_.x) + ", " + named(request_.y);
   }
-  std::string columns() const { return named(request_.x) + ", " + named(request_.y); }
   bool inside(const MapPoint& point) const {
     return point.x >= x_.lowest && point.x <= x_.highest && point.y >= y_.lowest && point.y <= y_.highest;
   }
   std::pair<double, double> extremes() const {
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    Span span;
     for (const double value : request_.field.values)
-      if (std::isfinite(value)) {
-        lowest = std::min(lowest, value);
-        highest = std::max(highest, value);
-      }
-    return {lowest, highest};
-  }
-  void mark(MapNode kind, const std::string& look, const std::string& meaning) {
-    std::vector<DataRow> rows;
-    const PlaneField& field = request_.field;
-    for (std::size_t i = 0; i < request_.nodes.size(); ++i)
-      if (request_.nodes[i] == kind) rows.push_back({field.x[i % field.x.size()], field.y[i / field.x.size()]});
-    if (rows.empty()) return;
-    plots_.push_back(data_.add(meaning, columns(), rows) + " using 1:2 with " + look + " notitle");
-    legend_.push_back({look, meaning, width(meaning)});
+      if (std::isfinite(value)) span.include(value);
+    return {span.lowest, span.highest};
   }
 
   const MapRequest& request_;
-  ChartFiles files_;
-  FigureData data_;
   Span x_, y_;
-  std::ostringstream script_;
-  std::vector<std::string> plots_;
-  std::vector<LegendEntry> legend_;
 };
 
 }  // namespace
@@ -215,12 +208,9 @@ ChartFiles draw_map(const MapRequest& request, const std::filesystem::path& name
   if (request.field.x.size() < 2 || request.field.y.size() < 2 || !any)
     throw std::invalid_argument(request.title + ": nothing to map, it takes two values at least along " +
                                 request.x.name + " and along " + request.y.name + ", and an answer");
-  MapDrawing drawing(request, files);
-  drawing.paint();
-  drawing.blank();
-  drawing.draw_designs();
-  drawing.mark_peak();
-  drawing.draw(gnuplot);
+  MapDrawing drawing(request, files, span_of(request.field.x, request.x), span_of(request.field.y, request.y));
+  const PictureText text = drawing.text();
+  draw_pictures(files, text.data, text.script, gnuplot);
   return files;
 }
 

@@ -16,12 +16,6 @@ namespace rollres {
 
 namespace {
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 AccuracyStatus status_of(const Measurement& measured) {
   if (measured.stopped) return AccuracyStatus::skipped;
   if (!measured.failure.empty()) return AccuracyStatus::failed;
@@ -36,51 +30,52 @@ AccuracyStatus status_of(const Measurement& measured) {
   return AccuracyStatus::not_converged;
 }
 
-AccuracyPoint measured_point(const RollingScene& scene, const AccuracyOptions& options, const Measure& measure) {
+AccuracyPoint measured_point(const MeasuredScene& measured, const RollingScene& scene) {
   AccuracyPoint point{.method = scene.method,
                       .spacing = scene.spacing.value_or(RollingSolution::absent),
                       .tolerance = scene.tolerance.value_or(RollingSolution::absent)};
+  const double limit = measured.options.seconds_limit;
   std::vector<double> seconds, processor_seconds;
   double total = 0;
   do {
-    const Measurement measured = measure(scene, options.seconds_limit);
-    if (measured.stopped && !seconds.empty()) break;  // on the edge of the limit: what was measured before stands
-    point.status = status_of(measured);
-    if (measured.stopped) {
-      point.reason = "took longer than the limit of " + duration_in_words(options.seconds_limit);
+    const Measurement found = measured.measure(scene, limit);
+    if (found.stopped && !seconds.empty()) break;  // on the edge of the limit: what was measured before stands
+    point.status = status_of(found);
+    if (found.stopped) {
+      point.reason = "took longer than the limit of " + duration_in_words(limit);
       return point;
     }
-    point.reason = measured.failure.empty() ? measured.solution.reason : measured.failure;
-    point.solution = measured.solution;
+    point.reason = found.failure.empty() ? found.solution.reason : found.failure;
+    point.solution = found.solution;
     if (point.status == AccuracyStatus::failed) return point;
-    seconds.push_back(measured.seconds);
-    processor_seconds.push_back(measured.processor_seconds);
-    if (!(point.peak_memory >= measured.peak_memory)) point.peak_memory = measured.peak_memory;
-    total += measured.seconds;
-  } while (static_cast<int>(seconds.size()) < options.repeats && total < options.seconds_limit);
-  point.seconds = median(seconds);
-  point.processor_seconds = median(processor_seconds);
+    seconds.push_back(found.seconds);
+    processor_seconds.push_back(found.processor_seconds);
+    if (!(point.peak_memory >= found.peak_memory)) point.peak_memory = found.peak_memory;
+    total += found.seconds;
+  } while (static_cast<int>(seconds.size()) < measured.options.repeats && total < limit);
+  point.seconds = quantile(seconds, 0.5);
+  point.processor_seconds = quantile(processor_seconds, 0.5);
   point.repeats = static_cast<int>(seconds.size());
   return point;
 }
 
-std::vector<AccuracyPoint> points_of(const std::string& name, const RollingScene& scene, Method method,
-                                     const std::vector<double>& spacings, const AccuracyOptions& options,
-                                     const Measure& measure) {
+std::vector<AccuracyPoint> points_of(const MeasuredScene& measured, Method method,
+                                     const std::vector<double>& spacings) {
+  const double limit = measured.options.seconds_limit;
   std::vector<AccuracyPoint> points;
-  SolveCost cost(surface_dimension(scene.indenter));
+  SolveCost cost(measured.dimension());
   bool too_long = false;
   for (const double spacing : spacings) {
     const double predicted = cost.predicted(spacing);
-    if (too_long || predicted > options.seconds_limit) {
+    if (too_long || predicted > limit) {
       points.push_back({.method = method, .spacing = spacing});
       points.back().reason = too_long ? "a coarser grid took longer than the limit"
                                       : "would take " + duration_in_words(predicted) + ", longer than the limit of " +
-                                            duration_in_words(options.seconds_limit);
+                                            duration_in_words(limit);
       continue;
     }
-    tell(options, name, method, readable(spacing, "m"));
-    points.push_back(measured_point(with_grid(scene, method, spacing), options, measure));
+    measured.tell(method, readable(spacing, "m"));
+    points.push_back(measured_point(measured, measured.on_grid(method, spacing)));
     too_long = points.back().status == AccuracyStatus::skipped;
     if (points.back().repeats > 0) cost.add(spacing, points.back().seconds);
   }
@@ -88,19 +83,16 @@ std::vector<AccuracyPoint> points_of(const std::string& name, const RollingScene
 }
 
 /// Over tolerances from 1e-2 to 1e-10; one that took too long is followed by none.
-std::vector<AccuracyPoint> gridless_points(const std::string& name, const RollingScene& scene, Method method,
-                                           const AccuracyOptions& options, const Measure& measure) {
-  constexpr int loosest = 2, tightest = 10;
+std::vector<AccuracyPoint> gridless_points(const MeasuredScene& measured, Method method) {
   std::vector<AccuracyPoint> points;
-  for (int digits = loosest; digits <= tightest; ++digits) {
-    const double tolerance = std::stod("1e-" + std::to_string(digits));
-    tell(options, name, method, "tolerance " + short_number(tolerance, 1));
-    points.push_back(measured_point(with_tolerance(scene, method, tolerance), options, measure));
-    if (points.back().status == AccuracyStatus::skipped) break;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+    measured.tell(method, "tolerance " + short_number(tolerance, 1));
+    AccuracyPoint& point = points.emplace_back(measured_point(measured, measured.without_grid(method, tolerance)));
+    if (point.status == AccuracyStatus::skipped) break;
     // What a grid answered in its place is no point of this method.
-    if (points.back().status == AccuracyStatus::converged && points.back().solution.method != method) {
-      points.back().status = AccuracyStatus::not_converged;
-      points.back().reason = "left to method " + std::string(name_of(points.back().solution.method));
+    if (point.status == AccuracyStatus::converged && point.solution.method != method) {
+      point.status = AccuracyStatus::not_converged;
+      point.reason = "left to method " + std::string(name_of(point.solution.method));
       break;
     }
   }
@@ -142,22 +134,24 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
   return methods;
 }
 
-RollingScene with_grid(RollingScene scene, Method method, double spacing) {
-  scene.method = method;
-  scene.spacing = spacing;
-  scene.tolerance.reset();
-  return scene;
+RollingScene MeasuredScene::on_grid(Method method, double spacing) const {
+  RollingScene gridded = scene;
+  gridded.method = method;
+  gridded.spacing = spacing;
+  gridded.tolerance.reset();
+  return gridded;
 }
 
-RollingScene with_tolerance(RollingScene scene, Method method, double tolerance) {
-  scene.method = method;
-  scene.tolerance = tolerance;
-  scene.spacing.reset();
-  return scene;
+RollingScene MeasuredScene::without_grid(Method method, double tolerance) const {
+  RollingScene gridless = scene;
+  gridless.method = method;
+  gridless.tolerance = tolerance;
+  gridless.spacing.reset();
+  return gridless;
 }
 
-void tell(const AccuracyOptions& options, const std::string& name, Method method, const std::string& at) {
-  if (options.report) options.report(name + ": " + std::string(name_of(method)) + " at " + at);
+void MeasuredScene::tell(Method method, const std::string& at, const char* what) const {
+  if (options.report) options.report(name + what + ": " + std::string(name_of(method)) + " at " + at);
 }
 
 std::vector<double> usual_spacings(const RollingScene& scene) {
@@ -191,23 +185,21 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   }
   std::sort(spacings.rbegin(), spacings.rend());
   spacings.erase(std::unique(spacings.begin(), spacings.end()), spacings.end());
-  for (const double spacing : spacings)
-    if (const auto broken = check(with_grid(scene, Method::newton, spacing)); !broken.empty())
-      throw std::invalid_argument(name + ": " + broken.front());
-
+  const MeasuredScene measured{name, scene, options, measure};
+  const auto refuse_broken = [&](const RollingScene& tried) {
+    if (const auto broken = check(tried); !broken.empty()) throw std::invalid_argument(name + ": " + broken.front());
+  };
+  for (const double spacing : spacings) refuse_broken(measured.on_grid(Method::newton, spacing));
   constexpr double some_tolerance = 1e-6;
   for (const Method method : methods)
-    if (on_grid(method))
-      continue;
-    else if (const auto broken = check(with_tolerance(scene, method, some_tolerance)); !broken.empty())
-      throw std::invalid_argument(name + ": " + broken.front());
+    if (!on_grid(method)) refuse_broken(measured.without_grid(method, some_tolerance));
 
   AccuracyReport report{name, scene, {}, {}, {}};
   for (const Method method : methods)
-    for (AccuracyPoint& point : on_grid(method) ? points_of(name, scene, method, spacings, options, measure)
-                                                : gridless_points(name, scene, method, options, measure))
+    for (AccuracyPoint& point :
+         on_grid(method) ? points_of(measured, method, spacings) : gridless_points(measured, method))
       report.points.push_back(std::move(point));
-  report.reference = find_reference(name, scene, report.points, options, measure);
+  report.reference = find_reference(measured, report.points);
   for (AccuracyPoint& point : report.points) {
     if (point.status != AccuracyStatus::converged || !report.reference.found()) continue;
     constexpr double nothing = 1e-12;  // of the load

@@ -48,12 +48,12 @@ std::vector<Witness> witnesses_among(const std::vector<AccuracyPoint>& points, d
 }
 
 /// Adds values on finer and finer grids, as far as the limit of time allows, at least one.
-void add_finer(std::vector<Witness>& witnesses, const std::string& name, const RollingScene& scene,
-               const std::vector<AccuracyPoint>& points, double finest, const AccuracyOptions& options,
-               const Measure& measure) {
+void add_finer(std::vector<Witness>& witnesses, const MeasuredScene& measured, const std::vector<AccuracyPoint>& points,
+               double finest) {
+  const double limit = measured.options.seconds_limit;
   std::vector<SolveCost> costs;
   for (const Method method : trusted_methods) {
-    costs.emplace_back(surface_dimension(scene.indenter));
+    costs.emplace_back(measured.dimension());
     for (const AccuracyPoint& point : points)
       if (point.method == method && point.repeats > 0) costs.back().add(point.spacing, point.seconds);
   }
@@ -64,13 +64,12 @@ void add_finer(std::vector<Witness>& witnesses, const std::string& name, const R
     for (std::size_t i = 0; i < costs.size() && !found; ++i) {
       const Method method = trusted_methods[i];
       const bool in_any_case = i == 0 && halving <= 1;
-      if (!in_any_case && !(costs[i].predicted(spacing) <= options.seconds_limit)) continue;
-      tell(options, name + ", reference", method, readable(spacing, "m"));
-      const Measurement measured = measure(with_grid(scene, method, spacing),
-                                           (in_any_case ? first_halving_allowance : 1) * options.seconds_limit);
-      if (measured.stopped || !measured.failure.empty()) continue;
-      costs[i].add(spacing, measured.seconds);
-      const RollingSolution& solution = measured.solution;
+      if (!in_any_case && !(costs[i].predicted(spacing) <= limit)) continue;
+      measured.tell(method, readable(spacing, "m"), ", reference");
+      const auto [solution, seconds, processor_seconds, memory, stopped, failure] =
+          measured.measure(measured.on_grid(method, spacing), (in_any_case ? first_halving_allowance : 1) * limit);
+      if (stopped || !failure.empty()) continue;
+      costs[i].add(spacing, seconds);
       found = trusted(solution);
       if (found) witnesses.push_back({spacing, solution.rolling_resistance, method, solution.contact_nodes});
     }
@@ -94,13 +93,12 @@ double extrapolated(const std::vector<Witness>& witnesses) {
 }
 
 AccuracyReference reference_of(const std::vector<Witness>& witnesses) {
-  AccuracyReference reference;
-  if (witnesses.empty()) return reference;
+  if (witnesses.empty()) return {};
   const Witness& finest = witnesses.back();
-  reference.method = finest.method;
-  reference.spacing = finest.spacing;
-  reference.contact_nodes = finest.contact_nodes;
-  reference.rolling_resistance = extrapolated(witnesses);
+  AccuracyReference reference{.rolling_resistance = extrapolated(witnesses),
+                              .method = finest.method,
+                              .spacing = finest.spacing,
+                              .contact_nodes = finest.contact_nodes};
   reference.extrapolated = reference.found();
   if (!reference.extrapolated) reference.rolling_resistance = finest.rolling_resistance;
   const double other = reference.extrapolated ? finest.rolling_resistance
@@ -111,30 +109,24 @@ AccuracyReference reference_of(const std::vector<Witness>& witnesses) {
 }
 
 /// The spectral method's value, if that answers the scene itself.
-AccuracyReference gridless_reference(const std::string& name, const RollingScene& scene, const AccuracyOptions& options,
-                                     const Measure& measure) {
+AccuracyReference gridless_reference(const MeasuredScene& measured) {
   constexpr double tightest = 1e-11, rounding = 1e-12;
-  tell(options, name + ", reference", Method::spectral, "tolerance 1e-11");
-  const Measurement measured =
-      measure(with_tolerance(scene, Method::spectral, tightest), first_halving_allowance * options.seconds_limit);
-  const RollingSolution& solution = measured.solution;
-  if (measured.stopped || !measured.failure.empty() || !trusted(solution) || solution.method != Method::spectral)
-    return {};
-  AccuracyReference reference;
-  reference.rolling_resistance = solution.rolling_resistance;
-  reference.uncertainty = std::max(rounding, solution.error_estimate);
-  reference.method = Method::spectral;
-  reference.contact_nodes = solution.contact_nodes;
-  return reference;
+  measured.tell(Method::spectral, "tolerance 1e-11", ", reference");
+  const Measurement found = measured.measure(measured.without_grid(Method::spectral, tightest),
+                                             first_halving_allowance * measured.options.seconds_limit);
+  const RollingSolution& solution = found.solution;
+  if (found.stopped || !found.failure.empty() || !trusted(solution) || solution.method != Method::spectral) return {};
+  return {.rolling_resistance = solution.rolling_resistance,
+          .uncertainty = std::max(rounding, solution.error_estimate),
+          .method = Method::spectral,
+          .contact_nodes = solution.contact_nodes};
 }
 
 }  // namespace
 
-AccuracyReference find_reference(const std::string& name, const RollingScene& scene,
-                                 const std::vector<AccuracyPoint>& points, const AccuracyOptions& options,
-                                 const Measure& measure) {
-  if (scene.indenter == Indenter::cylinder && !scene.period) {
-    const AccuracyReference reference = gridless_reference(name, scene, options, measure);
+AccuracyReference find_reference(const MeasuredScene& measured, const std::vector<AccuracyPoint>& points) {
+  if (measured.scene.indenter == Indenter::cylinder && !measured.scene.period) {
+    const AccuracyReference reference = gridless_reference(measured);
     if (reference.found()) return reference;
   }
   double finest = std::numeric_limits<double>::infinity();
@@ -142,7 +134,7 @@ AccuracyReference find_reference(const std::string& name, const RollingScene& sc
     if (point.status == AccuracyStatus::converged) finest = std::min(finest, point.spacing);
   if (std::isinf(finest)) return {};
   std::vector<Witness> witnesses = witnesses_among(points, finest);
-  add_finer(witnesses, name, scene, points, finest, options, measure);
+  add_finer(witnesses, measured, points, finest);
   return reference_of(witnesses);
 }
 

@@ -144,53 +144,36 @@ std::vector<std::string> notes(const AccuracyReport& report) {
 }  // namespace
 
 Table accuracy_rows(const std::vector<AccuracyReport>& reports) {
-  Table table{{"scene",
-               "method",
-               "spacing",
-               "tolerance",
-               "contact_nodes",
-               "rolling_resistance",
-               "relative_error",
-               "seconds",
-               "processor_seconds",
-               "repeats",
-               "peak_memory",
-               "iterations",
-               "law_violation",
-               "status",
-               "reason",
-               "reference",
-               "reference_method",
-               "reference_spacing",
-               "reference_extrapolated",
-               "reference_uncertainty"},
-              {}};
-  for (const AccuracyReport& report : reports)
-    for (const AccuracyPoint& point : report.points) {
+  Table table;
+  for (const AccuracyReport& report : reports) {
+    const AccuracyReference& reference = report.reference;
+    const Table rows = table_of(report.points, [&](const AccuracyPoint& point) {
       const RollingSolution& solution = point.solution;
-      const AccuracyReference& reference = report.reference;
       const bool solved = point.repeats > 0;
-      table.rows.push_back({cell_of(report.name),
-                            cell_of(point.method),
-                            cell_of(point.spacing),
-                            cell_of(point.tolerance),
-                            solved ? cell_of(solution.contact_nodes) : Cell(),
-                            cell_of(solution.rolling_resistance),
-                            cell_of(point.error),
-                            cell_of(point.seconds),
-                            cell_of(point.processor_seconds),
-                            cell_of(point.repeats),
-                            cell_of(point.peak_memory),
-                            solved ? cell_of(solution.iterations) : Cell(),
-                            cell_of(solution.law_violation),
-                            cell_of(point.status),
-                            cell_of(point.reason),
-                            cell_of(reference.rolling_resistance),
-                            reference.found() ? cell_of(reference.method) : Cell(),
-                            cell_of(reference.spacing),
-                            cell_of(reference.extrapolated ? 1 : 0),
-                            cell_of(reference.uncertainty)});
-    }
+      return NamedCells{{"scene", cell_of(report.name)},
+                        {"method", cell_of(point.method)},
+                        {"spacing", cell_of(point.spacing)},
+                        {"tolerance", cell_of(point.tolerance)},
+                        {"contact_nodes", solved ? cell_of(solution.contact_nodes) : Cell()},
+                        {"rolling_resistance", cell_of(solution.rolling_resistance)},
+                        {"relative_error", cell_of(point.error)},
+                        {"seconds", cell_of(point.seconds)},
+                        {"processor_seconds", cell_of(point.processor_seconds)},
+                        {"repeats", cell_of(point.repeats)},
+                        {"peak_memory", cell_of(point.peak_memory)},
+                        {"iterations", solved ? cell_of(solution.iterations) : Cell()},
+                        {"law_violation", cell_of(solution.law_violation)},
+                        {"status", cell_of(point.status)},
+                        {"reason", cell_of(point.reason)},
+                        {"reference", cell_of(reference.rolling_resistance)},
+                        {"reference_method", reference.found() ? cell_of(reference.method) : Cell()},
+                        {"reference_spacing", cell_of(reference.spacing)},
+                        {"reference_extrapolated", cell_of(reference.extrapolated ? 1 : 0)},
+                        {"reference_uncertainty", cell_of(reference.uncertainty)}};
+    });
+    table.columns = rows.columns;
+    table.rows.insert(table.rows.end(), rows.rows.begin(), rows.rows.end());
+  }
   return table;
 }
 

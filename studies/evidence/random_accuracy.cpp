@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <utility>
 
 #include "core/numerics/recently_made.hpp"
 #include "studies/evidence/power_law.hpp"
-#include "studies/evidence/stability_scene.hpp"
-#include "studies/run/forked_work.hpp"
 #include "studies/scene_io/cells.hpp"
 
 namespace rollres {
@@ -136,9 +133,7 @@ RandomAccuracyReport measure_random_accuracy(const RandomAccuracyPlan& plan, con
   for (std::size_t i = 0; i < plan.spheres; ++i) scenes.push_back(random_scene(plan, Indenter::sphere, i));
   const double reference_tolerance = 0.2 * *std::min_element(plan.tolerances.begin(), plan.tolerances.end());
   std::vector<std::vector<JudgedSolution>> judged(scenes.size());
-  ForkedWork work{.pieces = scenes.size(), .jobs = plan.jobs, .time_limit = plan.time_limit};
-  work.stop = plan.stop;
-  work.report = plan.report;
+  ForkedWork work = plan.work(scenes.size());
   work.work = [&](std::size_t piece) {
     Packer pack;
     pack(judged_ways(scenes[piece], reference_tolerance, evaluate));
@@ -180,38 +175,33 @@ std::vector<RandomAccuracyCount> counts_of(const std::vector<JudgedSolution>& so
 }
 
 Table random_accuracy_table(const std::vector<RandomAccuracyCount>& counts) {
-  Table table{{"indenter", "method", "tolerance", "converged", "judged", "error <= estimate", "estimate/error",
-               "tolerance met", "median s", "95 % s", "median nodes"},
-              {}};
-  for (const RandomAccuracyCount& count : counts) {
-    std::vector<Cell>& row = table.rows.emplace_back();
-    row.push_back(cell_of(count.indenter));
-    row.push_back(cell_of(count.method));
-    row.push_back(cell_of(count.tolerance));
-    row.emplace_back(static_cast<std::int64_t>(count.converged));
-    row.emplace_back(static_cast<std::int64_t>(count.judged));
-    for (const double value :
-         {count.covered, count.median_ratio, count.met, count.median_seconds, count.seconds_95, count.median_nodes})
-      row.push_back(cell_of(value));
-  }
-  return table;
+  return table_of(counts, [](const RandomAccuracyCount& count) {
+    return NamedCells{{"indenter", cell_of(count.indenter)},
+                      {"method", cell_of(count.method)},
+                      {"tolerance", cell_of(count.tolerance)},
+                      {"converged", cell_of(count.converged)},
+                      {"judged", cell_of(count.judged)},
+                      {"error <= estimate", cell_of(count.covered)},
+                      {"estimate/error", cell_of(count.median_ratio)},
+                      {"tolerance met", cell_of(count.met)},
+                      {"median s", cell_of(count.median_seconds)},
+                      {"95 % s", cell_of(count.seconds_95)},
+                      {"median nodes", cell_of(count.median_nodes)}};
+  });
 }
 
 Table judged_table(const std::vector<JudgedSolution>& solutions) {
-  Table table{{"number"}, {}};
-  for (const std::string_view key : input_keys()) table.columns.emplace_back(key);
-  for (const char* name : {"status", "seconds", "contact_nodes", "error_estimate", "error", "uncertainty"})
-    table.columns.emplace_back(name);
-  for (const JudgedSolution& one : solutions) {
-    std::vector<Cell>& row = table.rows.emplace_back();
-    row.emplace_back(static_cast<std::int64_t>(one.number));
-    for (Cell& cell : input_cells(one.scene)) row.push_back(std::move(cell));
-    row.push_back(cell_of(one.status));
-    row.push_back(cell_of(one.seconds));
-    row.push_back(cell_of(one.contact_nodes));
-    for (const double value : {one.error_estimate, one.error, one.uncertainty}) row.push_back(cell_of(value));
-  }
-  return table;
+  return table_of(solutions, [](const JudgedSolution& one) {
+    NamedCells row = input_cells(one.scene);
+    row.insert(row.begin(), {"number", cell_of(one.number)});
+    row.insert(row.end(), {{"status", cell_of(one.status)},
+                           {"seconds", cell_of(one.seconds)},
+                           {"contact_nodes", cell_of(one.contact_nodes)},
+                           {"error_estimate", cell_of(one.error_estimate)},
+                           {"error", cell_of(one.error)},
+                           {"uncertainty", cell_of(one.uncertainty)}});
+    return row;
+  });
 }
 
 }  // namespace rollres

@@ -8,27 +8,15 @@
 /// to a third of what is judged, nothing is counted. All ways of one scene are solved in one child process, each
 /// from cold kernels.
 
-#include <atomic>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "core/solve/rolling_contact.hpp"
 #include "db/queries/table.hpp"
-#include "studies/run/progress.hpp"
+#include "studies/evidence/stability_scene.hpp"
 
 namespace rollres {
 
-struct RandomAccuracyPlan {
-  std::size_t cylinders = 0, spheres = 0;  ///< number of scenes
-  std::uint64_t seed = 1;
+/// The time limit is that of one scene with all its solutions.
+struct RandomAccuracyPlan : RandomScenes {
   std::vector<double> tolerances{1e-2, 1e-3};
-  int jobs = 0;                                           ///< child processes; 0: one for each core
-  double time_limit = 600;                                ///< for one scene with all its solutions [s]
-  const std::atomic<bool>* stop = nullptr;                ///< set from outside: return what there is
-  std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second
 };
 
 /// What came of one way to solve one scene.

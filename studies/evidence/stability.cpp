@@ -3,16 +3,112 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <utility>
 
+#include "core/messages/message_text.hpp"
 #include "studies/evidence/power_law.hpp"
-#include "studies/evidence/stability_scene.hpp"
-#include "studies/run/forked_work.hpp"
+#include "studies/scene_io/cells.hpp"
+#include "studies/scene_io/solution_json.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/strict_json.hpp"
 
 namespace rollres {
 
 namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+constexpr double largest_violation = 1e-8;
+constexpr double friction_margin = 0.02;
+
+/// The first number of an answer that must be finite and is not; empty if all are.
+std::string_view missing_number(const RollingScene& scene, const RollingSolution& solution) {
+  static constexpr std::string_view needed[] = {"rolling_resistance", "rolling_resistance_coefficient",
+                                                "driving_force",      "driving_torque",
+                                                "approach",           "load",
+                                                "leading_edge",       "trailing_edge",
+                                                "contact_area",       "mean_pressure",
+                                                "peak_pressure",      "viscous_loss",
+                                                "energy_residual",    "law_violation"};
+  static constexpr std::string_view needed_with_friction[] = {"rotation_speed", "rotation_ratio", "frictional_loss",
+                                                              "peak_shear_x"};
+  std::string_view missing;
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
+      const bool counts = find_name(needed, quantity.key) >= 0 ||
+                          (scene.friction_coefficient > 0 && find_name(needed_with_friction, quantity.key) >= 0);
+      if (counts && missing.empty() && !std::isfinite(value)) missing = quantity.key;
+    }
+  });
+  return missing;
+}
+
+bool laws_held(const RollingSolution& solution) {
+  return solution.status == Status::converged && solution.law_violation < largest_violation;
+}
+
+/// What speaks against a refusal; empty if it is confirmed.
+std::string objection(const Evaluate& evaluate, RollingScene scene, const RollingSolution& refused) {
+  // Too little friction for the drive, or too much for the body.
+  const bool too_little = std::isfinite(refused.friction_needed);
+  const double limit = too_little ? refused.friction_needed : refused.friction_borne;
+  const double margin = too_little ? friction_margin : -friction_margin;
+  const std::string_view more = too_little ? "2 % more" : "2 % less", less = too_little ? "2 % less" : "2 % more";
+  const std::string_view verb = too_little ? "needed" : "borne";
+  if (!std::isfinite(limit)) return "it does not say which friction coefficient is needed or borne";
+  if (too_little ? limit <= scene.friction_coefficient : limit >= scene.friction_coefficient)
+    return message_text<6>("the friction coefficient ", verb, " is ", limit, " and it has ",
+                           scene.friction_coefficient);
+  const auto solved_with = [&](double part) {
+    scene.friction_coefficient = part * limit;
+    return evaluate(scene);
+  };
+  const RollingSolution inside = solved_with(1 + margin);
+  if (inside.status != Status::converged)
+    return message_text<6>("with ", more, " friction than ", verb, " (", scene.friction_coefficient, ") it is ",
+                           name_of(inside.status), inside.reason.empty() ? "" : ": ", inside.reason);
+  if (!laws_held(inside))
+    return message_text<6>("with ", more, " friction than ", verb, " (", scene.friction_coefficient,
+                           ") a law of contact is violated by ", inside.law_violation);
+  if (solved_with(1 - margin).status == Status::converged)
+    return message_text<6>("it converges with ", less, " friction than ", verb, " (", scene.friction_coefficient, ")");
+  return {};
+}
+
+void judge_solution(const Evaluate& evaluate, Trial& trial) {
+  const RollingSolution& solution = trial.solution;
+  trial.reason = solution.reason;
+  switch (solution.status) {
+    case Status::converged: {
+      const std::string_view missing = missing_number(trial.scene, solution);
+      if (!missing.empty())
+        trial.reason = message_text<6>("says converged, but ", missing, " is not finite");
+      else if (!laws_held(solution))
+        trial.reason = message_text<6>("says converged, but a law of contact is violated by ", solution.law_violation);
+      trial.outcome = missing.empty() && laws_held(solution) ? Outcome::converged : Outcome::wrong;
+      break;
+    }
+    case Status::no_steady_state: {
+      const std::string against = objection(evaluate, trial.scene, solution);
+      trial.outcome = against.empty() ? Outcome::refused : Outcome::unconfirmed;
+      if (!against.empty()) trial.reason += (trial.reason.empty() ? "" : "; but ") + against;
+      break;
+    }
+    case Status::not_converged:
+      trial.outcome = Outcome::not_converged;
+      break;
+  }
+}
+
+/// What a child process tells of a trial.
+template <class SomeTrial, class Visitor>
+void visit_answer(SomeTrial&& trial, Visitor&& visitor) {
+  visitor(trial.outcome);
+  visitor(trial.seconds);
+  visitor(trial.reason);
+  visit_outputs(trial.solution, [&](const Quantity&, auto& value) { visitor(value); });
+}
 
 /// All trials of a plan, cylinders and spheres in even mixture, so that the time left can be told.
 std::vector<Trial> planned(const StabilityPlan& plan) {
@@ -21,8 +117,7 @@ std::vector<Trial> planned(const StabilityPlan& plan) {
   while (cylinder < plan.cylinders || sphere < plan.spheres) {
     const bool next_is_sphere =
         cylinder == plan.cylinders || (sphere < plan.spheres && sphere * plan.cylinders < cylinder * plan.spheres);
-    Trial trial;
-    trial.number = next_is_sphere ? sphere++ : cylinder++;
+    Trial trial{.number = next_is_sphere ? sphere++ : cylinder++, .scene = {}};
     trial.scene = stability_scene(next_is_sphere ? Indenter::sphere : Indenter::cylinder, plan.seed, trial.number);
     for (const Method method : plan.methods) {
       if (method == Method::spectral && next_is_sphere) continue;
@@ -37,37 +132,73 @@ std::vector<Trial> planned(const StabilityPlan& plan) {
 
 }  // namespace
 
+Trial judge(const Evaluate& evaluate, const RollingScene& scene) noexcept {
+  Trial trial{.scene = scene};
+  try {
+    const auto begin = std::chrono::steady_clock::now();
+    trial.solution = evaluate(scene);
+    trial.seconds = seconds_since(begin);
+    judge_solution(evaluate, trial);
+  } catch (const std::exception& error) {
+    trial.outcome = Outcome::crashed;
+    trial.reason = error.what();
+  } catch (...) {
+    trial.outcome = Outcome::crashed;
+    trial.reason = "an exception of unknown type";
+  }
+  return trial;
+}
+
+Table trials_table(const std::vector<Trial>& trials) {
+  return table_of(trials, [](const Trial& trial) {
+    NamedCells row = input_cells(trial.scene);
+    row.insert(row.begin(), {"number", cell_of(trial.number)});
+    row.emplace_back("outcome", cell_of(trial.outcome));
+    row.emplace_back("reason", cell_of(trial.reason));
+    for (const char* key : {"law_violation", "energy_residual", "friction_needed", "rolling_resistance",
+                            "contact_nodes", "slip_nodes", "iterations"})
+      row.emplace_back(key, output_of(trial.solution, key));
+    row.emplace_back("seconds", cell_of(trial.seconds));
+    return row;
+  });
+}
+
+std::string failed_scene_json(const Trial& trial) {
+  Json scene = Json::object();
+  scene["comment"] = std::string(name_of(trial.outcome)) + (trial.reason.empty() ? "" : ": ") + trial.reason;
+  scene.update(parse_object(scene_json(trial.scene), "scene"));
+  return scene.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string failed_scene_name(const Trial& trial) {
+  return std::string(name_of(trial.scene.method)) + '-' + std::string(name_of(trial.scene.indenter)) + '-' +
+         std::to_string(trial.number) + ".json";
+}
+
 StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluate) {
   const auto begin = std::chrono::steady_clock::now();
-  auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   std::vector<Trial> trials = planned(plan);
   std::vector<char> ended(trials.size(), 0);
-  ForkedWork work{.pieces = trials.size(), .jobs = plan.jobs, .time_limit = plan.time_limit};
-  work.stop = plan.stop;
-  work.report = plan.report;
+  ForkedWork work = plan.work(trials.size());
   work.work = [&](std::size_t piece) {
-    const Trial trial = judge(evaluate, trials[piece].scene, trials[piece].number);
     Packer pack;
-    pack(trial.numbers);
-    pack(trial.reason);
+    visit_answer(judge(evaluate, trials[piece].scene), pack);
     return pack.bytes;
   };
   work.done = [&](const PieceEnd& end) {
     Trial& trial = trials[end.piece];
     if (end.out_of_time) {
-      trial.numbers.outcome = Outcome::not_converged;
-      trial.numbers.seconds = end.seconds;
+      trial.outcome = Outcome::not_converged;
+      trial.seconds = end.seconds;
       trial.reason = "no answer within " + short_number(plan.time_limit) + " s";
     } else if (!end.death.empty()) {
       trial.reason = end.death;
     } else {
-      Unpacker unpack{end.answer};
-      unpack(trial.numbers);
-      unpack(trial.reason);
+      visit_answer(trial, Unpacker{end.answer});
     }
     ended[end.piece] = 1;
     if (plan.on_trial) plan.on_trial(trial);
-    return !is_failure(trial.numbers.outcome);
+    return !is_failure(trial.outcome);
   };
   run_forked(work);
 
@@ -78,14 +209,8 @@ StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluat
     return a.scene.indenter != b.scene.indenter ? a.scene.indenter < b.scene.indenter : a.number < b.number;
   });
   report.interrupted = report.trials.size() < trials.size();
-  report.seconds = seconds();
+  report.seconds = seconds_since(begin);
   return report;
-}
-
-std::size_t StabilityCount::trials() const {
-  std::size_t sum = 0;
-  for (const std::size_t count : of) sum += count;
-  return sum;
 }
 
 std::vector<StabilityCount> counts(const std::vector<Trial>& trials) {
@@ -96,8 +221,8 @@ std::vector<StabilityCount> counts(const std::vector<Trial>& trials) {
       std::vector<double> times;
       for (const Trial& trial : trials) {
         if (trial.scene.method != count.method || trial.scene.indenter != count.indenter) continue;
-        ++count.of[static_cast<std::size_t>(trial.numbers.outcome)];
-        if (std::isfinite(trial.numbers.seconds)) times.push_back(trial.numbers.seconds);
+        ++count.of[static_cast<std::size_t>(trial.outcome)];
+        if (std::isfinite(trial.seconds)) times.push_back(trial.seconds);
       }
       if (count.trials() == 0) continue;
       count.median_seconds = quantile(times, 0.5);

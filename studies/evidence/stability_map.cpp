@@ -5,10 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <sstream>
-#include <string_view>
 
 #include "studies/drawing/chart_frame.hpp"
-#include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
@@ -40,7 +38,7 @@ double size_among(Outcome outcome, std::size_t scenes) {
 
 std::array<std::size_t, outcomes> numbers_of(const std::vector<Trial>& trials) {
   std::array<std::size_t, outcomes> numbers{};
-  for (const Trial& trial : trials) ++numbers[static_cast<std::size_t>(trial.numbers.outcome)];
+  for (const Trial& trial : trials) ++numbers[static_cast<std::size_t>(trial.outcome)];
   return numbers;
 }
 
@@ -80,7 +78,7 @@ std::string stability_map_data(const std::vector<Trial>& trials) {
     data << "# " << words_of(outcome) << "\n";
     bool any = false;
     for (const Trial& trial : trials) {
-      if (static_cast<std::size_t>(trial.numbers.outcome) != outcome) continue;
+      if (static_cast<std::size_t>(trial.outcome) != outcome) continue;
       data << short_number(trial.scene.speed, 15) << " " << short_number(trial.scene.friction_coefficient, 15) << " "
            << trial.number << "\n";
       any = true;
@@ -113,7 +111,7 @@ std::string stability_map_script(const std::vector<Trial>& trials, const ChartFi
     const std::string words = std::to_string(numbers[outcome]) + " " + words_of(outcome);
     plots.push_back("data index " + std::to_string(outcome) + " using 1:2 with " + look + " ps " +
                     short_number(size_among(static_cast<Outcome>(outcome), trials.size()), 3) + " notitle");
-    legend.push_back({look + " ps 0.9", gnuplot::plain(words) + kept_blanks, width(words)});
+    legend.push_back(LegendEntry::plain(look + " ps 0.9", words));
   }
   write_pictures(script, files, title_of(trials), plots, legend);
   return script.str();

@@ -11,13 +11,28 @@
 /// way). A sixth has a compressible layer (ν up to 0.49), a sixth a second layer below the first, a sixth a coating.
 /// Numbers have four digits, so that the last bit of a machine's logarithm does not matter.
 
-#include <cstddef>
 #include <cstdint>
 
 #include "core/scene/scene.hpp"
+#include "studies/run/forked_work.hpp"
 
 namespace rollres {
 
 RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t number);
+
+/// How many of them are tried, and how: each in a child process, so that one that crashes costs itself alone.
+struct RandomScenes {
+  std::size_t cylinders = 0, spheres = 0;
+  std::uint64_t seed = 1;
+  int jobs = 0;                                           ///< child processes; 0: one for each core
+  double time_limit = 600;                                ///< for one scene [s]
+  const std::atomic<bool>* stop = nullptr;                ///< set from outside: return what there is
+  std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second
+
+  /// Work in so many pieces under these limits; what a piece is, is left open.
+  ForkedWork work(std::size_t pieces) const {
+    return {.pieces = pieces, .jobs = jobs, .time_limit = time_limit, .report = report, .stop = stop};
+  }
+};
 
 }  // namespace rollres

@@ -12,45 +12,23 @@ namespace rollres {
 
 namespace {
 
-using DrawFigure = FigureText (*)(const Figure&, const FigureSource&, const ChartFiles&);
-
 constexpr Indenter cylinder = Indenter::cylinder, sphere = Indenter::sphere;
 
 constexpr std::array<Figure, 13> figures{{
-    {3, "displacements", cylinder, false, "Displacements of the layer's surface"},
-    {4, "tractions", cylinder, false, "Tractions on the layer"},
-    {5, "zones", sphere, false, "Stick and slip"},
-    {6, "sigma_z", sphere, false, "Normal traction on the layer"},
-    {7, "tau_xz", sphere, true, "Shear traction along the motion"},
-    {8, "tau_xz_surface", sphere, true, "Shear traction along the motion"},
-    {9, "tau_yz", sphere, true, "Shear traction across the motion"},
-    {10, "w", sphere, false, "Vertical displacement of the surface"},
-    {11, "u", sphere, false, "Displacement along the motion"},
-    {12, "u_surface", sphere, false, "Displacement along the motion"},
-    {13, "v", sphere, false, "Displacement across the motion"},
-    {14, "friction", sphere, true, "Friction on the layer"},
-    {15, "velocity", sphere, false, "Velocity of the layer's surface"},
+    {3, "displacements", cylinder, false, "Displacements of the layer's surface", displacement_lines},
+    {4, "tractions", cylinder, false, "Tractions on the layer", traction_lines},
+    {5, "zones", sphere, false, "Stick and slip", zone_map},
+    {6, "sigma_z", sphere, false, "Normal traction on the layer", contour_map},
+    {7, "tau_xz", sphere, true, "Shear traction along the motion", contour_map},
+    {8, "tau_xz_surface", sphere, true, "Shear traction along the motion", relief},
+    {9, "tau_yz", sphere, true, "Shear traction across the motion", contour_map},
+    {10, "w", sphere, false, "Vertical displacement of the surface", contour_map},
+    {11, "u", sphere, false, "Displacement along the motion", contour_map},
+    {12, "u_surface", sphere, false, "Displacement along the motion", relief},
+    {13, "v", sphere, false, "Displacement across the motion", contour_map},
+    {14, "friction", sphere, true, "Friction on the layer", friction_arrows},
+    {15, "velocity", sphere, false, "Velocity of the layer's surface", velocity_arrows},
 }};
-
-DrawFigure drawing_of(int number) {
-  switch (number) {
-    case 3:
-      return displacement_lines;
-    case 4:
-      return traction_lines;
-    case 5:
-      return zone_map;
-    case 8:
-    case 12:
-      return relief;
-    case 14:
-      return friction_arrows;
-    case 15:
-      return velocity_arrows;
-    default:
-      return contour_map;
-  }
-}
 
 const Figure& figure_named(const std::string& wish) {
   int number = 0;
@@ -106,7 +84,7 @@ std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std
 
 ChartFiles draw_figure(const Figure& figure, const FigureSource& source, const std::filesystem::path& directory) {
   const ChartFiles files = chart_files(directory / figure.file_name());
-  const FigureText text = drawing_of(figure.number)(figure, source, files);
+  const PictureText text = figure.draw(figure, source, files);
   draw_pictures(files, text.data, text.script);
   return files;
 }

@@ -12,7 +12,7 @@
 #include "core/newton/surface_window.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
-#include "studies/drawing/chart.hpp"
+#include "studies/drawing/chart_frame.hpp"
 
 namespace rollres {
 
@@ -37,6 +37,7 @@ struct Figure {
   Indenter indenter;
   bool of_friction;  ///< empty without it
   std::string_view title;
+  PictureText (*draw)(const Figure&, const FigureSource&, const ChartFiles&);
 
   /// Name of its files, without suffix: "figure_06_sigma_z".
   std::string file_name() const;

@@ -1,18 +1,18 @@
 #pragma once
 
-/// The kinds of figures, each as script and data: figure_lines.cpp, figure_zones.cpp, figure_contours.cpp,
-/// figure_relief.cpp, figure_arrows.cpp.
+/// The kinds of figures, each as script and data: figure_lines.cpp over x; figure_fields.cpp, contours and surfaces of
+/// a field; figure_nodes.cpp, what stands at the nodes: marks and arrows.
 
 #include "studies/figures/figure_map.hpp"
 
 namespace rollres {
 
 /// Figure 3: u and w along x. Figure 4: the tractions along x. Both with a bar for stick and slip.
-FigureText displacement_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files);
-FigureText traction_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+PictureText displacement_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+PictureText traction_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 
 /// Figure 5: the nodes that stick and those that slip.
-FigureText zone_map(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+PictureText zone_map(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 
 /// A field of the surface as it is drawn.
 struct ShownField {
@@ -24,13 +24,13 @@ struct ShownField {
 ShownField shown_field(const FigureSource& source, std::string_view name);
 
 /// Figures 6, 7, 9, 10, 11, 13: contour maps.
-FigureText contour_map(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+PictureText contour_map(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 
 /// Figures 8 and 12: a field as a surface above the plane.
-FigureText relief(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+PictureText relief(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 
 /// Figure 14: friction on the layer. Figure 15: velocity of the layer's surface.
-FigureText friction_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files);
-FigureText velocity_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+PictureText friction_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+PictureText velocity_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 
 }  // namespace rollres

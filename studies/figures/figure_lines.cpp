@@ -49,8 +49,8 @@ struct LinePlot {
   bool zero_at_edges = false;  // the lines are zero at the edges of the contact and beyond
 };
 
-FigureText line_figure(const Figure& figure, const FigureSource& source, const ChartFiles& files,
-                       const LinePlot& plot) {
+PictureText line_figure(const Figure& figure, const FigureSource& source, const ChartFiles& files,
+                        const LinePlot& plot) {
   const std::vector<FieldLine>& lines = plot.lines;
   const ScaledUnit& unit = plot.unit;
   const double from = plot.from, to = plot.to;
@@ -80,25 +80,20 @@ FigureText line_figure(const Figure& figure, const FigureSource& source, const C
       add(edge, Zone::free, [](const std::vector<double>&) { return 0.0; });
     std::sort(rows.begin(), rows.end());
   }
-  FigureData data(figure.title);
-  const std::string block = data.add("fields", columns + ", zone (0 free, 1 stick, 2 slip)", rows);
 
   // The bar of stick and slip stands below all lines.
   const double range = y.highest - y.lowest, bar_top = y.lowest - 0.06 * range, bar_bottom = y.lowest - 0.13 * range;
   y.lowest -= 0.19 * range;
   y.highest += 0.06 * range;
 
-  std::ostringstream script;
-  write_axes(script, files, {.name = "along the motion", .symbol = "x", .unit = length.name}, x,
-             {.name = plot.y_name, .symbol = "", .unit = unit.name}, y);
-  script << "set arrow from graph 0, first 0 to graph 1, first 0 nohead lw 0.8 lc rgb '#444444' back\n\n";
-  std::vector<std::string> plots;
-  std::vector<LegendEntry> legend;
+  PictureBuilder picture(figure.title, files, {.name = "along the motion", .symbol = "x", .unit = length.name}, x,
+                         {.name = plot.y_name, .symbol = "", .unit = unit.name}, y);
+  picture.script() << "set arrow from graph 0, first 0 to graph 1, first 0 nohead lw 0.8 lc rgb '#444444' back\n\n";
+  const std::string block = picture.add("fields", columns + ", zone (0 free, 1 stick, 2 slip)", rows);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    plots.push_back(block + " using 1:" + std::to_string(i + 2) + " with lines " + lines[i].look + " notitle");
+    picture.plot(block + " using 1:" + std::to_string(i + 2) + " with lines " + lines[i].look + " notitle");
     if (i + 1 < lines.size() && lines[i + 1].look == lines[i].look) continue;
-    legend.push_back(
-        {"lines " + lines[i].look, gnuplot::symbol(lines[i].symbol) + kept_blanks, width(lines[i].symbol)});
+    picture.explain({"lines " + lines[i].look, gnuplot::symbol(lines[i].symbol) + kept_blanks, width(lines[i].symbol)});
   }
   const auto bar = [&](Zone zone, const std::string& look) {
     std::vector<DataRow> boxes;
@@ -107,19 +102,18 @@ FigureText line_figure(const Figure& figure, const FigureSource& source, const C
                        end / length.factor, bar_bottom, bar_top});
     if (boxes.empty()) return;
     const std::string name(name_of(zone));
-    plots.push_back(data.add(name, "middle, height, from, to, below, above", boxes) +
-                    " using 1:2:3:4:5:6 with boxxyerror " + look + " notitle");
-    legend.push_back({"boxes " + look, name + kept_blanks, name.size()});
+    picture.plot(picture.add(name, "middle, height, from, to, below, above", boxes) +
+                 " using 1:2:3:4:5:6 with boxxyerror " + look + " notitle");
+    picture.explain(LegendEntry::plain("boxes " + look, name));
   };
   bar(Zone::stick, "lc rgb '#0072B2' fs solid 0.45 border lc rgb '#0072B2'");
   bar(Zone::slip, "lc rgb '#D55E00' fs pattern 4 border lc rgb '#D55E00'");
-  write_pictures(script, files, std::string(figure.title), plots, legend);
-  return {script.str(), data.text()};
+  return picture.finished(std::string(figure.title));
 }
 
 }  // namespace
 
-FigureText displacement_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+PictureText displacement_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   const SurfaceFields& fields = source.surface;
   const SurfaceGrid& grid = fields.grid;
   // Under a line load on a half-space only differences of w have a meaning.
@@ -138,7 +132,7 @@ FigureText displacement_lines(const Figure& figure, const FigureSource& source, 
                       .to = grid.x(grid.columns - 1)});
 }
 
-FigureText traction_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+PictureText traction_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   const SurfaceFields& fields = source.surface;
   const RollingSolution& s = source.solution;
   const double room = 0.3 * 0.5 * (s.leading_edge - s.trailing_edge), friction = source.scene.friction_coefficient;

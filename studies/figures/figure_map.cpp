@@ -106,21 +106,20 @@ PlaneField plane_field(const SurfaceGrid& grid, const ShownNodes& nodes, const M
 
 FigureMap::FigureMap(const Figure& figure, const FigureSource& source, const ChartFiles& files, const MapView& view,
                      bool bar)
-    : source_(source),
-      files_(files),
+    : PictureBuilder(figure.title, files, {.name = "along the motion", .symbol = "x", .unit = view.length.name}, view.x,
+                     {.name = "across", .symbol = "y", .unit = view.length.name}, view.y),
+      figure_(figure),
+      source_(source),
       view_(view),
       bar_(bar),
-      data_(figure.title),
       contact_(zone_loops(source.surface, view, false)),
       stick_(zone_loops(source.surface, view, true)) {
-  write_axes(script_, files, {.name = "along the motion", .symbol = "x", .unit = view.length.name}, view.x,
-             {.name = "across", .symbol = "y", .unit = view.length.name}, view.y);
-  script_ << "set border 15\nunset grid\nset tics out\n";
+  script() << "set border 15\nunset grid\nset tics out\n";
 }
 
 void FigureMap::fill_contact() {
   for (const ContourLoop& loop : contact_)
-    plot(data_.add("contact", columns(), {loop}) + " using 1:2 with filledcurves closed lc rgb '" +
+    plot(add("contact", columns(), {loop}) + " using 1:2 with filledcurves closed lc rgb '" +
          (loop.higher_inside ? "#F0F0F0" : "white") + "' notitle");
 }
 
@@ -134,7 +133,7 @@ void FigureMap::blank_outside() {
     for (DataRow& row : closed(loop)) rows.push_back(std::move(row));
     rows.push_back({left, low});
   }
-  const std::string block = data_.add("outside", columns(), rows);
+  const std::string block = add("outside", columns(), rows);
   plot(block + " using 1:2 with filledcurves closed lc rgb 'white' notitle");
   plot(block + " using 1:2 with lines lc rgb 'white' lw 1.5 notitle");
 }
@@ -144,20 +143,19 @@ void FigureMap::draw_borders() {
   const bool slip = std::find(slips.begin(), slips.end(), Zone::slip) != slips.end();
   constexpr const char *edge = "lines lc rgb 'black' lw 2", *border = "lines lc rgb 'black' lw 2 dt (5,3)";
   if (slip && !stick_.empty()) {
-    plot(data_.add("stick", columns(), stick_) + " using 1:2 with " + border + " notitle");
+    plot(add("stick", columns(), stick_) + " using 1:2 with " + border + " notitle");
     explain({border, "stick-slip border", 17});
   }
-  plot(data_.add("contact_edge", columns(), contact_) + " using 1:2 with " + edge + " notitle");
+  plot(add("contact_edge", columns(), contact_) + " using 1:2 with " + edge + " notitle");
   legend_.insert(legend_.begin(), {edge, "edge of contact", 15});
 }
 
-FigureText FigureMap::finished(const std::string& title) {
+PictureText FigureMap::finished() {
   const double right = bar_ ? right_edge_at_bar : right_edge;
   const double height = (right - left_edge) * (view_.y.highest - view_.y.lowest) / (view_.x.highest - view_.x.lowest);
-  write_pictures(
-      script_, files_, title, plots_, legend_,
+  return PictureBuilder::finished(
+      std::string(figure_.title),
       {.height = std::round(gap_above + height + lower_edge), .left = left_edge, .right = right, .bottom = lower_edge});
-  return {script_.str(), data_.text()};
 }
 
 }  // namespace rollres

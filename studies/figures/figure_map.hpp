@@ -3,22 +3,11 @@
 /// What the figures of a sphere's contact have in common: a map of the surface to scale, with the edge of the contact
 /// and the border between stick and slip.
 
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "studies/drawing/chart_frame.hpp"
-#include "studies/drawing/contour_loops.hpp"
-#include "studies/drawing/figure_data.hpp"
 #include "studies/figures/figure.hpp"
 #include "studies/text/scaled_unit.hpp"
 
 namespace rollres {
-
-/// Script and data of a figure.
-struct FigureText {
-  std::string script, data;
-};
 
 /// The prefix with which numbers up to `size` run from 0.1 to 100: displacements keep the unit of positions.
 ScaledUnit figure_unit(std::string_view unit, double size);
@@ -57,15 +46,10 @@ PlaneField plane_field(const SurfaceGrid& grid, const ShownNodes& nodes, const M
                        const std::vector<double>& values, double unit);
 
 /// A map in the making.
-class FigureMap {
+class FigureMap : public PictureBuilder {
  public:
   /// @param bar room for a colour bar on the right
   FigureMap(const Figure& figure, const FigureSource& source, const ChartFiles& files, const MapView& view, bool bar);
-
-  std::ostream& script() { return script_; }
-  FigureData& data() { return data_; }
-  void plot(std::string words) { plots_.push_back(std::move(words)); }
-  void explain(LegendEntry entry) { legend_.push_back(std::move(entry)); }
 
   /// Paints the contact with a light colour.
   void fill_contact();
@@ -73,20 +57,16 @@ class FigureMap {
   void blank_outside();
   /// The edge of the contact as a line, the border between stick and slip dashed, with their legend.
   void draw_borders();
-
-  FigureText finished(const std::string& title);
-
- private:
+  /// What stands in the first two columns of its data.
   std::string columns() const { return with_unit("x", view_.length) + ", " + with_unit("y", view_.length); }
 
+  PictureText finished();
+
+ private:
+  const Figure& figure_;
   const FigureSource& source_;
-  ChartFiles files_;
   MapView view_;
   bool bar_;
-  std::ostringstream script_;
-  FigureData data_;
-  std::vector<std::string> plots_;
-  std::vector<LegendEntry> legend_;
   std::vector<ContourLoop> contact_, stick_;
 };
 

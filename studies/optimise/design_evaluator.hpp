@@ -1,6 +1,8 @@
 #pragma once
 
-/// Evaluates the designs of one problem and keeps the best of them.
+/// Evaluates the designs of one problem and keeps the best of them; slopes of its goal and its constraints along the
+/// sides of the unit box, by the finite differences of core/derivatives/gradient.hpp, whose steps suit the noise that
+/// is measured once.
 
 #include <functional>
 #include <mutex>
@@ -9,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/derivatives/gradient.hpp"
 #include "studies/optimise/design.hpp"
 #include "studies/run/stored_evaluations.hpp"
 
@@ -44,6 +47,35 @@ class DesignEvaluator {
   std::optional<Design> best_;
   std::vector<Design> designs_;
   std::set<std::vector<double>> seen_;  // points of these
+};
+
+/// The gradient of one scaled function (DesignScale) [1].
+struct Slope {
+  std::vector<double> along;   ///< d function / d place; 0 where no formula found values at all its points
+  std::vector<double> errors;  ///< estimated
+  std::string reason = {};     ///< why one is missing; empty if all are there
+};
+
+class DesignSlopes {
+ public:
+  /// Measures noise and bending at a design that has a value. The evaluator and the scale must outlive it.
+  /// @throws what the evaluator throws
+  DesignSlopes(DesignEvaluator& evaluator, const DesignScale& scale, const Design& design);
+
+  Slope of_value(const Design& design) const;
+  /// @param constraint  place in Design::constraints
+  Slope of_constraint(const Design& design, std::size_t constraint) const;
+
+ private:
+  struct Function {
+    Objective objective;
+    Calibration calibration;
+  };
+  Slope slope(const Function& function, const Design& design) const;
+
+  const DesignScale& scale_;
+  int jobs_;
+  std::vector<Function> functions_;  // of the value, then of the constraints
 };
 
 }  // namespace rollres

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/optimise/design_slopes.hpp"
+#include "studies/optimise/design_evaluator.hpp"
 
 namespace rollres {
 

@@ -16,7 +16,7 @@
 #include <span>
 #include <string>
 
-#include "studies/optimise/design_slopes.hpp"
+#include "studies/optimise/design_evaluator.hpp"
 
 namespace rollres {
 

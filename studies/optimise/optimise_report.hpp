@@ -7,7 +7,6 @@
 #include "db/queries/table.hpp"
 #include "studies/drawing/chart.hpp"
 #include "studies/optimise/optimise.hpp"
-#include "studies/optimise/pareto.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {

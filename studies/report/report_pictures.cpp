@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "studies/charts/study_chart.hpp"
-#include "studies/charts/study_map.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/text/files.hpp"
@@ -40,17 +39,6 @@ class Pictures {
   std::size_t count_ = 0;
 };
 
-/// The middle one of an axis' values.
-Filter at_the_middle(const StudyRows& rows, const QuantityColumn& column) {
-  const std::set<Cell> values = rows.values(column);
-  const Cell middle = *std::next(values.begin(), static_cast<std::ptrdiff_t>(values.size() / 2));
-  std::string text;
-  if (const auto* const number = std::get_if<double>(&middle)) text = shortest(*number);
-  if (const auto* const count = std::get_if<std::int64_t>(&middle)) text = std::to_string(*count);
-  if (const auto* const name = std::get_if<std::string>(&middle)) text = *name;
-  return {column.name, Comparison::equal, text};
-}
-
 struct FixedAxes {
   std::vector<Filter> filters;
   std::string words;  ///< " at load = 10 kN/m"
@@ -65,11 +53,13 @@ FixedAxes all_but_longest(const ReportSource& source, std::size_t free) {
   });
   FixedAxes fixed;
   for (std::size_t i = free; i < axes.size(); ++i) {
-    fixed.filters.push_back(at_the_middle(source.rows, *axes[i]));
     const std::set<Cell> values = source.rows.values(*axes[i]);
+    const Cell& middle = *std::next(values.begin(), static_cast<std::ptrdiff_t>(values.size() / 2));
+    const auto* const number = std::get_if<double>(&middle);
+    fixed.filters.push_back(
+        {axes[i]->name, Comparison::equal, number ? shortest(*number) : value_in_words(middle, "")});
     fixed.words += (fixed.words.empty() ? " at " : ", ") + in_words(std::string(axes[i]->quantity.key)) + " = " +
-                   value_in_words(*std::next(values.begin(), static_cast<std::ptrdiff_t>(values.size() / 2)),
-                                  unit_in(source.rows, *axes[i]));
+                   value_in_words(middle, unit_in(source.rows, *axes[i]));
   }
   return fixed;
 }
@@ -85,7 +75,7 @@ void where_possible(const std::function<void()>& draw, std::string* refusal = nu
 
 void add_map_of_file(const ReportSource& source, const StudyChart& wish, Pictures& pictures) {
   const StoredMap map =
-      stored_map(source.store, {.study = source.study.name, .value = wish.map, .x = wish.x, .y = wish.y});
+      stored_map(source.store, {.study = source.study.name, .x = wish.x, .y = wish.y, .map = wish.map});
   pictures.add(map.request.value.name + " over " + map.request.x.name + " and " + map.request.y.name,
                [&](const auto& file) { return draw_map(map.request, file); });
 }

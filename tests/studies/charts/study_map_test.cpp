@@ -1,4 +1,4 @@
-#include "studies/charts/study_map.hpp"
+#include "studies/charts/study_chart.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -58,7 +58,7 @@ TEST_CASE("a map has a study's two longest axes, and marks the peak inside", "[s
   CHECK(request.field.at(2, 1) == Approx(200));
   CHECK(request.field.at(0, 0) == Approx(200 - 80 - 30));
   CHECK(map_peak(request) == 7);
-  const StoredMap turned = stored_map(store, {.value = "approach", .x = "load"});
+  const StoredMap turned = stored_map(store, {.x = "load", .map = "approach"});
   CHECK(turned.request.y.name == "speed");
 }
 

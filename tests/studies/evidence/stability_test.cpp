@@ -17,7 +17,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers stability_trial and command_stability, too.
+// Covers command_stability, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -89,7 +89,7 @@ Evaluate all_kinds(std::size_t scenes) {
   };
 }
 
-Outcome outcome_of(const Evaluate& evaluate) { return judge(evaluate, plain_scene()).numbers.outcome; }
+Outcome outcome_of(const Evaluate& evaluate) { return judge(evaluate, plain_scene()).outcome; }
 
 }  // namespace
 
@@ -112,19 +112,19 @@ TEST_CASE("an answer that says converged is believed only if its laws hold and i
   RollingScene frictionless = plain_scene();
   frictionless.friction_coefficient = 0;
   const auto without_rotation = with([](auto& s) { s.rotation_ratio = RollingSolution::absent; });
-  CHECK(judge(without_rotation, frictionless).numbers.outcome == Outcome::converged);
+  CHECK(judge(without_rotation, frictionless).outcome == Outcome::converged);
 
   const Trial wrong = judge(with([](auto& s) { s.law_violation = 1e-3; }), plain_scene());
   CHECK_THAT(wrong.reason, Contains("law of contact is violated by 0.001"));
-  CHECK(wrong.numbers.law_violation == 1e-3);
-  CHECK(wrong.numbers.contact_nodes == 31);
+  CHECK(wrong.solution.law_violation == 1e-3);
+  CHECK(wrong.solution.contact_nodes == 31);
 }
 
 TEST_CASE("an answer that did not converge and an exception are told apart", "[studies][stability]") {
   CHECK(outcome_of([](const RollingScene&) { return RollingSolution{}; }) == Outcome::not_converged);
   const Trial crashed =
       judge([](const RollingScene&) -> RollingSolution { throw std::runtime_error("no memory"); }, plain_scene());
-  CHECK(crashed.numbers.outcome == Outcome::crashed);
+  CHECK(crashed.outcome == Outcome::crashed);
   CHECK(crashed.reason == "no memory");
   CHECK(outcome_of([](const RollingScene&) -> RollingSolution { throw 1; }) == Outcome::crashed);
 }
@@ -159,7 +159,7 @@ TEST_CASE("every method solves every random scene, and one that ends its process
     const Trial& trial = report.trials[i];
     CHECK(trial.number == i / 2);
     CHECK(trial.scene.method == plan.methods[i % 2]);
-    CHECK(trial.numbers.outcome == static_cast<Outcome>(trial.number % 6));
+    CHECK(trial.outcome == static_cast<Outcome>(trial.number % 6));
   }
   CHECK_THAT(report.trials[10].reason, Contains("signal 9"));
 
@@ -205,7 +205,7 @@ TEST_CASE("a failed scene is a scene file that reads back as the same scene", "[
       trial.number = number;
       trial.scene = stability_scene(indenter, 1, number);
       trial.scene.method = Method::active_set;
-      trial.numbers.outcome = Outcome::not_converged;
+      trial.outcome = Outcome::not_converged;
       trial.reason = "stopped after \"60\" iterations\n";
       const std::string file = failed_scene_json(trial);
       CHECK_THAT(file, Contains("not_converged: stopped after"));
@@ -222,7 +222,7 @@ TEST_CASE("a stability map tells outcomes apart by colour and by mark", "[studie
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trials[i].scene = stability_scene(Indenter::cylinder, 1, i);
     trials[i].scene.method = Method::newton;
-    trials[i].numbers.outcome = static_cast<Outcome>(i % 6);
+    trials[i].outcome = static_cast<Outcome>(i % 6);
   }
   const std::string script = stability_map_script(trials, chart_files("map"));
   std::set<std::string> types, colours;

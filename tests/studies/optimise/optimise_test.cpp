@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "db/queries/query.hpp"
-#include "studies/optimise/pareto.hpp"
 #include "tests/catch.hpp"
 #include "tests/studies/design_bowl.hpp"
 #include "tests/studies/temporary_directory.hpp"

@@ -9,6 +9,9 @@ namespace rollres {
 
 namespace {
 
+constexpr int most_marks = 60;
+constexpr double room_around_zones = 0.15;  // [half-lengths of the contact]
+
 /// A field of arrows.
 struct ArrowField {
   std::string_view name, symbol, unit;
@@ -32,8 +35,8 @@ void draw_measure(std::ostream& script, double longest, double share, const Scal
          << ", graph 0.038 front\n";
 }
 
-FigureText arrow_map(const Figure& figure, const FigureSource& source, const ChartFiles& files, const ArrowField& field,
-                     const MapView& view, int most) {
+PictureText arrow_map(const Figure& figure, const FigureSource& source, const ChartFiles& files,
+                      const ArrowField& field, const MapView& view, int most) {
   const SurfaceGrid& grid = source.surface.grid;
   const ShownNodes nodes = view.nodes(grid, most);
   double longest = 0;
@@ -59,11 +62,10 @@ FigureText arrow_map(const Figure& figure, const FigureSource& source, const Cha
       }
     if (rows.empty()) return;
     const std::string symbol(field.symbol);
-    const std::string block =
-        map.data().add(std::string(field.name) + "_" + std::string(name_of(zone)),
-                       with_unit("x", view.length) + ", " + with_unit("y", view.length) + ", " +
-                           with_unit(symbol + " along x", unit) + ", " + with_unit(symbol + " along y", unit),
-                       rows);
+    const std::string block = map.add(
+        std::string(field.name) + "_" + std::string(name_of(zone)),
+        map.columns() + ", " + with_unit(symbol + " along x", unit) + ", " + with_unit(symbol + " along y", unit),
+        rows);
     map.plot(block + " using ($1 - length * $3 / 2):($2 - length * $4 / 2):(length * $3):(length * $4) with vectors " +
              look + " notitle");
     map.explain({"vectors " + look, words, std::string_view(words).size()});
@@ -72,17 +74,42 @@ FigureText arrow_map(const Figure& figure, const FigureSource& source, const Cha
   arrows(Zone::slip, "empty head size graph 0.018,28 lw 1.3 lc rgb '#D55E00'", "slip");
   if (!field.in_contact_only) arrows(Zone::free, "filled head size graph 0.010,18 lw 1 lc rgb '#777777'", "free");
   draw_measure(map.script(), longest / unit.factor, longest_arrow / (view.x.highest - view.x.lowest), unit);
-  return map.finished(std::string(figure.title));
+  return map.finished();
 }
 
 }  // namespace
 
-FigureText friction_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+PictureText zone_map(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+  const MapView view(source, room_around_zones);
+  FigureMap map(figure, source, files, view, false);
+  map.fill_contact();
+  map.draw_borders();
+  const SurfaceGrid& grid = source.surface.grid;
+  const ShownNodes nodes = view.nodes(grid, most_marks);
+  const double size = 26.0 / static_cast<double>(std::max(nodes.columns.size(), nodes.rows.size()));
+  const auto mark = [&](Zone zone, const std::string& look) {
+    std::vector<DataRow> rows;
+    for (const int row : nodes.rows)
+      for (const int column : nodes.columns)
+        if (source.surface.zone[static_cast<std::size_t>(grid.index(column, row))] == zone)
+          rows.push_back({grid.x(column) / view.length.factor, grid.y(row) / view.length.factor});
+    if (rows.empty()) return;
+    const std::string name(name_of(zone)), style = "points " + look + " ps ";
+    map.plot(map.add(name + "_nodes", map.columns(), rows) + " using 1:2 with " + style + short_number(size, 3) +
+             " notitle");
+    map.explain({style + "0.8", zone == Zone::stick ? "stick" : "slip", 5});
+  };
+  mark(Zone::stick, "pt 7 lc rgb '#0072B2'");
+  mark(Zone::slip, "pt 8 lw 1.5 lc rgb '#D55E00'");
+  return map.finished();
+}
+
+PictureText friction_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   return arrow_map(figure, source, files, {"friction", "τ", "Pa", source.surface.shear_x, source.surface.shear_y, true},
                    MapView(source, 0.15), 28);
 }
 
-FigureText velocity_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
+PictureText velocity_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files) {
   return arrow_map(figure, source, files, {"velocity", "velocity", "m/s", source.velocity.x, source.velocity.y, false},
                    MapView(source, 1.0), 36);
 }
