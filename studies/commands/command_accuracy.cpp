@@ -5,7 +5,6 @@
 
 #include "studies/evidence/accuracy_table.hpp"
 #include "studies/evidence/random_accuracy.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
 #include "studies/run/progress.hpp"

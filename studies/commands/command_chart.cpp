@@ -2,7 +2,6 @@
 #include <stdexcept>
 
 #include "studies/charts/study_chart.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"

@@ -2,7 +2,6 @@
 #include <ostream>
 
 #include "studies/evidence/comparison.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/readable_number.hpp"

@@ -1,7 +1,6 @@
 #include <ostream>
 
 #include "db/file/provenance.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/completion.hpp"
 #include "studies/program/manual_page.hpp"

@@ -3,7 +3,6 @@
 
 #include "studies/figures/field_collection.hpp"
 #include "studies/figures/figure.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/scene_file.hpp"

@@ -11,7 +11,6 @@
 #include "studies/fit/fit_json.hpp"
 #include "studies/fit/fit_summary.hpp"
 #include "studies/fit/material_file.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/stored_evaluations.hpp"
@@ -59,6 +58,52 @@ Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArgu
                    .stop = file.options.stop});
 }
 
+/// The curves of the moduli at the reference temperature; data are shifted there.
+FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
+  FitCurves curves{{.name = "reduced angular frequency", .symbol = "ω", .unit = "rad/s", .logarithmic = true},
+                   {.name = "shear modulus", .unit = "Pa", .logarithmic = true},
+                   {{.label = "storage"}, {.label = "loss"}}};
+  std::vector<double> reduced;
+  for (const MeasuredModulus& row : file.data)
+    reduced.push_back(row.angular_frequency * shift_factor(found.shift, row.temperature));
+  const auto [lowest, highest] = std::minmax_element(reduced.begin(), reduced.end());
+  constexpr int pieces = 120;
+  const double quantile = two_sided_quantile(confidence, found.report.deviations_known ? 0 : found.report.degrees);
+  const auto add = [&](FitCurve& curve, double omega, double modulus, double error) {
+    curve.x.push_back(omega);
+    curve.value.push_back(modulus);
+    curve.band.push_back(std::isfinite(error) ? quantile * error : 0);
+  };
+  auto &storage = curves.curves[0], &loss = curves.curves[1];
+  for (std::size_t i = 0; i < reduced.size(); ++i) {
+    storage.data.push_back(2 * i);
+    loss.data.push_back(2 * i + 1);
+  }
+  storage.data_x = loss.data_x = reduced;
+  for (int i = 0; i <= pieces; ++i) {
+    const double omega = *lowest * std::pow(*highest / *lowest, static_cast<double>(i) / pieces);
+    const std::complex<double> modulus = found.modulus(omega, found.shift.reference),
+                               error = found.modulus_error(omega, found.shift.reference);
+    add(storage, omega, modulus.real(), error.real());
+    add(loss, omega, modulus.imag(), error.imag());
+  }
+  return curves;
+}
+
+/// Stores the fit, and tells by the exit status what it is worth.
+void save(const FitReport& report, FitContext& context, std::chrono::steady_clock::time_point begin,
+          const FitArguments& arguments, Session& session) {
+  context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  save_fit(open_database(arguments.database, Access::write), fit_record(report, context));
+  if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+}
+
+void draw(const FitReport& report, const FitCurves& curves, const std::string& name, Indenter indenter,
+          const FitArguments& arguments, Session& session) {
+  for (const auto& picture : draw_fit(report, curves, name, arguments.out, indenter))
+    session.err << "drawn: " << picture.string() << '\n';
+}
+
 void fit_resistance(const FitArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   FitFile file = read_fit(arguments.fit);
@@ -73,9 +118,7 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
   FitContext context = context_of(file);
   context.solved = stored.count().solved;
   context.recalled = stored.count().recalled;
-  context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  save_fit(open_database(arguments.database, Access::write), fit_record(report, context));
-  if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+  save(report, context, begin, arguments, session);
 
   const bool known = report.slopes.found() && !report.interrupted;
   Json object = json_of(report, context);
@@ -91,41 +134,9 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
     if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
   }
   if (!arguments.out.empty() && known)
-    for (const auto& picture : draw_fit(report, fit_curves(file, report, evaluate, arguments.jobs), file.name,
-                                        arguments.out, file.indenter()))
-      session.err << "drawn: " << picture.string() << '\n';
+    draw(report, fit_curves(file, report, evaluate, arguments.jobs), file.name, file.indenter(), arguments, session);
   stored.flush();
   if (arguments.json) session.out << text_of(object, 2) << '\n';
-}
-
-/// The curves of the moduli at the reference temperature; data are shifted there.
-FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
-  FitCurves curves{{.name = "reduced angular frequency", .symbol = "ω", .unit = "rad/s", .logarithmic = true},
-                   {.name = "shear modulus", .unit = "Pa", .logarithmic = true},
-                   {{.label = "storage"}, {.label = "loss"}}};
-  std::vector<double> reduced;
-  for (const MeasuredModulus& row : file.data)
-    reduced.push_back(row.angular_frequency * shift_factor(found.shift, row.temperature));
-  const auto [lowest, highest] = std::minmax_element(reduced.begin(), reduced.end());
-  constexpr int pieces = 120;
-  const double quantile = two_sided_quantile(confidence, found.report.deviations_known ? 0 : found.report.degrees);
-  for (std::size_t part = 0; part < 2; ++part) {
-    FitCurve& curve = curves.curves[part];
-    for (std::size_t i = 0; i < reduced.size(); ++i) {
-      curve.data_x.push_back(reduced[i]);
-      curve.data.push_back(2 * i + part);
-    }
-    for (int i = 0; i <= pieces; ++i) {
-      const double omega = *lowest * std::pow(*highest / *lowest, static_cast<double>(i) / pieces);
-      const std::complex<double> modulus = found.modulus(omega, found.shift.reference);
-      curve.x.push_back(omega);
-      const std::complex<double> error = found.modulus_error(omega, found.shift.reference);
-      const double half_band = quantile * (part == 0 ? error.real() : error.imag());
-      curve.value.push_back(part == 0 ? modulus.real() : modulus.imag());
-      curve.band.push_back(std::isfinite(half_band) ? half_band : 0);
-    }
-  }
-  return curves;
 }
 
 void fit_moduli(const FitArguments& arguments, Session& session) {
@@ -143,17 +154,13 @@ void fit_moduli(const FitArguments& arguments, Session& session) {
                      .definition = file.definition,
                      .data_digest = file.data_digest,
                      .output_unit = "Pa"};
-  context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  save_fit(open_database(arguments.database, Access::write), fit_record(found.report, context));
-  if (found.report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+  save(found.report, context, begin, arguments, session);
   if (arguments.json)
     session.out << text_of(json_of(found.report, context), 2) << '\n';
   else
     session.out << fit_summary(found.report, context) << std::flush;
-  if (arguments.out.empty() || !found.report.slopes.found()) return;
-  for (const auto& picture :
-       draw_fit(found.report, modulus_curves(file, found), file.name, arguments.out, Indenter::cylinder))
-    session.err << "drawn: " << picture.string() << '\n';
+  if (!arguments.out.empty() && found.report.slopes.found())
+    draw(found.report, modulus_curves(file, found), file.name, Indenter::cylinder, arguments, session);
 }
 
 void run_fit(const FitArguments& arguments, Session& session) {

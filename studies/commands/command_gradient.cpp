@@ -1,6 +1,5 @@
 #include <ostream>
 
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/sensitivity/gradient_report.hpp"

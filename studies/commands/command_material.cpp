@@ -4,7 +4,6 @@
 #include "core/material/material_functions.hpp"
 #include "core/material/material_scale.hpp"
 #include "studies/drawing/chart_frame.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/text/readable_number.hpp"

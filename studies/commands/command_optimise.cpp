@@ -4,7 +4,6 @@
 
 #include "studies/optimise/design_file.hpp"
 #include "studies/optimise/optimise_report.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
@@ -33,54 +32,6 @@ DesignProblem problem_of(const OptimiseArguments& arguments) {
     throw std::invalid_argument("--algorithm = " + arguments.algorithm + ": needs at least two variables");
   problem.algorithm = algorithm;
   return problem;
-}
-
-std::string count_in_words(const EvaluationCount& count) {
-  return std::to_string(count.all()) + " evaluations (" + std::to_string(count.solved) + " solved, " +
-         std::to_string(count.recalled) + " recalled, " + std::to_string(count.failed) + " failed)";
-}
-
-void print_nearest(const DesignProblem& problem, const Design& design, std::ostream& out) {
-  out << "nearest to the constraints:";
-  for (std::size_t i = 0; i < design.point.size(); ++i) {
-    const Quantity& quantity = problem.variables[i].quantity;
-    out << (i == 0 ? " " : ", ") << quantity.key << " = "
-        << readable(design.point[i], quantity.unit_for(problem.scenes.front().scene.indenter));
-  }
-  out << '\n';
-  for (std::size_t j = 0; j < design.constraints.size(); ++j)
-    if (!design.constraints[j].holds)
-      out << "broken: " << constraint_name(problem, j) << ": " << short_number(design.constraints[j].left)
-          << " against " << short_number(design.constraints[j].right) << '\n';
-}
-
-void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out) {
-  out << problem.name << ": " << name_of(report.status) << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
-  if (report.best) {
-    const Indenter indenter = problem.scenes.front().scene.indenter;
-    out << goal_in_words(problem.goal) << ": " << readable(report.value(), unit_of(problem.goal.formula, indenter))
-        << "\n\n";
-    write_aligned(out, variables_table(problem, report));
-    out << '\n';
-    if (!report.best->constraints.empty()) {
-      write_aligned(out, constraints_table(problem, report));
-      out << '\n';
-    }
-    for (const std::string& key : report.best->keys) out << "evaluation " << key << '\n';
-  } else if (report.nearest) {
-    print_nearest(problem, *report.nearest, out);
-  }
-  if (!report.searches.empty()) out << "searched by " << searches_in_words(report) << '\n';
-  out << count_in_words(report.count) << ", " << report.slope_evaluations << " of them for the slopes at the end\n";
-}
-
-void print_text(const DesignProblem& problem, const ParetoReport& front, std::ostream& out) {
-  out << problem.name << ": " << goal_in_words(problem.goal) << ", " << goal_in_words(problem.pareto->goal) << "\n\n";
-  write_aligned(out, front_table(problem, front));
-  out << '\n' << count_in_words(front.count) << '\n';
-  for (const ParetoPoint& point : front.points)
-    if (!point.report.reason.empty() && point.report.status != DesignStatus::optimum)
-      out << name_of(point.report.status) << ": " << point.report.reason << '\n';
 }
 
 /// The designs of the front as a study of their own, so that it can be listed, shown and drawn.
@@ -113,33 +64,27 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
 
   OptimiseOptions options{.jobs = arguments.jobs};
   StatusLine line(session.err);
-  const std::string_view unit = unit_of(problem.goal.formula, problem.scenes.front().scene.indenter);
-  if (line)
-    options.report = [&](const OptimiseProgress& progress) {
-      line.show(count_in_words(progress.count) + (progress.best ? ", best " + readable(*progress.best, unit) : ""));
-    };
+  if (line) options.report = [&](const OptimiseProgress& progress) { line.show(in_words(problem, progress)); };
 
+  const auto print = [&](const auto& report) {
+    if (arguments.json)
+      session.out << text_of(json_of(problem, report), 2) << '\n';
+    else
+      print_text(problem, report, session.out);
+  };
   if (problem.pareto) {
     const ParetoReport front = pareto_front(problem, evaluations, options);
     line.clear();
     const std::string stored = store_front(ResultStore(arguments.database), problem, study, front);
-    if (arguments.json)
-      session.out << text_of(json_of(problem, front), 2) << '\n';
-    else
-      print_text(problem, front, session.out);
+    print(front);
     if (!arguments.json) session.out << "the front is stored as study \"" << stored << "\"\n";
-    const bool any = std::any_of(front.points.begin(), front.points.end(),
-                                 [](const ParetoPoint& point) { return point.report.best.has_value(); });
-    if (!arguments.out.empty() && any) draw(front_chart(problem, front), arguments, session);
+    if (!arguments.out.empty() && front.any()) draw(front_chart(problem, front), arguments, session);
     if (!front.complete()) session.status = ExitStatus::no_answer;
     return;
   }
   const OptimiseReport report = optimise(problem, evaluations, options);
   line.clear();
-  if (arguments.json)
-    session.out << text_of(json_of(problem, report), 2) << '\n';
-  else
-    print_text(problem, report, session.out);
+  print(report);
   if (!arguments.out.empty() && report.best) draw(course_chart(problem, report), arguments, session);
   if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
 }

@@ -1,7 +1,6 @@
 #include <limits>
 #include <ostream>
 
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/plan_table.hpp"

@@ -3,7 +3,6 @@
 #include <ostream>
 #include <type_traits>
 
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/strict_json.hpp"

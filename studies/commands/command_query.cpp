@@ -4,7 +4,6 @@
 
 #include "db/queries/query.hpp"
 #include "db/rows/schema.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/stored/study_rows.hpp"

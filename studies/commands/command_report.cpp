@@ -1,6 +1,5 @@
 #include <ostream>
 
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/report/report.hpp"
 #include "studies/text/files.hpp"

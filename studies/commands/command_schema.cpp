@@ -1,7 +1,6 @@
 #include <ostream>
 
 #include "studies/file_schema/json_schema.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 
 namespace rollres {

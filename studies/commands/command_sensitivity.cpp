@@ -6,7 +6,6 @@
 
 #include "studies/drawing/bar_chart.hpp"
 #include "studies/optimise/design.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/stored_evaluations.hpp"
@@ -165,7 +164,7 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   findings.sort();
 
   const EvaluationCount count = evaluations->count();
-  const std::string_view unit = unit_of(problem.goal.formula, problem.scenes.front().scene.indenter);
+  const std::string_view unit = problem.unit(problem.goal.formula);
   if (arguments.json) {
     Json object{{"output", problem.goal.formula.text()},
                 {"unit", unit},
@@ -177,8 +176,7 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
     session.out << text_of(object, 2) << '\n';
   } else {
     session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + std::string(unit) + "]") << ", "
-                << arguments.indices << ": " << count.all() << " evaluations (" << count.solved << " solved, "
-                << count.recalled << " recalled, " << count.failed << " failed)\n\n";
+                << arguments.indices << ": " << in_words(count) << "\n\n";
     write_aligned(session.out, findings.table);
   }
   if (arguments.out.empty()) return;

@@ -5,7 +5,6 @@
 #include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -14,10 +13,47 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
+
+Json summary_json(const StudySummary& study) {
+  return {{"study", study.name},      {"axes", study.axes},
+          {"points", study.points},   {"answered", study.answered},
+          {"failed", study.failed},   {"created", study.created},
+          {"started", study.started}, {"last_result", study.last_result}};
+}
+
+struct ListArguments {
+  std::string database;
+  bool json = false;
+};
+
+/// "2013-05-01T12:00:00.000Z" to the second, as it is read.
+std::string to_the_second(const std::string& time) {
+  return time.empty() ? "" : time.substr(0, 10) + " " + time.substr(11, 8);
+}
+
+void list(const ListArguments& arguments, Session& session) {
+  const std::vector<StudySummary> studies = ResultStore(arguments.database, Access::read).studies();
+  if (arguments.json) {
+    Json object{{"db", arguments.database}, {"studies", Json::array()}};
+    for (const StudySummary& study : studies) object["studies"].push_back(summary_json(study));
+    session.out << text_of(object, 2) << '\n';
+    return;
+  }
+  if (studies.empty()) {
+    session.err << arguments.database << ": holds no study\n";
+    return;
+  }
+  Table table{{"study", "points", "answered", "failed", "created (UTC)", "last result (UTC)", "axes"}, {}};
+  for (const StudySummary& study : studies)
+    table.rows.push_back({study.name, study.points, study.answered, study.failed, to_the_second(study.created),
+                          to_the_second(study.last_result), joined(study.axes)});
+  write_aligned(session.out, table);
+}
 
 struct ShowArguments {
   std::string what, database;
@@ -58,11 +94,8 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
   Table table = run_query(store.database(), query);
   table.columns = names;
   if (arguments.json) {
-    const Json object{{"study", study.name},      {"axes", study.axes},
-                      {"points", study.points},   {"answered", study.answered},
-                      {"failed", study.failed},   {"created", study.created},
-                      {"started", study.started}, {"last_result", study.last_result},
-                      {"results", json_of(table)}};
+    Json object = summary_json(study);
+    object["results"] = json_of(table);
     session.out << text_of(object, 2) << '\n';
     return;
   }
@@ -138,6 +171,14 @@ void add_show(Command& program, Session& session) {
   command->add_option("--fields DIR", arguments.fields,
                       "write an evaluation's stored fields to DIR/fields.csv and .vti");
   command->footer("Example: rollres show --db results.db 'speed and load'");
+}
+
+void add_list(Command& program, Session& session) {
+  const auto [command, arguments] =
+      program.add<ListArguments>("list", "List the studies of a database and how far they are", session, list);
+  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_flag("--json", arguments.json, "print one JSON object");
+  command->footer("Example: rollres list --db results.db");
 }
 
 }  // namespace rollres

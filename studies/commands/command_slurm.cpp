@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <ostream>
 
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/slurm_scripts.hpp"

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "studies/evidence/simpler_models.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/scene_file.hpp"

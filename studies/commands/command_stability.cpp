@@ -5,7 +5,6 @@
 #include "studies/evidence/accuracy.hpp"
 #include "studies/evidence/stability.hpp"
 #include "studies/evidence/stability_map.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
 #include "studies/text/files.hpp"

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "db/rows/result_store.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/stored/study_status.hpp"

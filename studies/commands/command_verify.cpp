@@ -8,7 +8,6 @@
 
 #include "db/file/provenance.hpp"
 #include "studies/evidence/verification.hpp"
-#include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"

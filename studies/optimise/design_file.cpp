@@ -175,7 +175,7 @@ DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
   });
   problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
   problem.over_scenes = choice_or_first<OverScenes>(file, "over_scenes", place);
-  problem.constraints = constraints_of(file, problem.scenes.front().scene.indenter, place);
+  problem.constraints = constraints_of(file, problem.indenter(), place);
   if (file.contains("algorithm")) problem.algorithm = choice_or_first<Algorithm>(file, "algorithm", place);
   problem.global = is_true(file, "global", place);
   if (problem.algorithm && problem.variables.size() < traits(*problem.algorithm).fewest_variables)

@@ -196,6 +196,10 @@ OptimiseReport optimise(const DesignProblem& problem, StoredEvaluations& evaluat
   return report;
 }
 
+bool ParetoReport::any() const {
+  return std::any_of(points.begin(), points.end(), [](const ParetoPoint& point) { return bool{point.report.best}; });
+}
+
 bool ParetoReport::complete() const {
   return !interrupted && std::all_of(points.begin(), points.end(), [](const ParetoPoint& point) {
     return point.report.status == DesignStatus::optimum;

@@ -85,6 +85,7 @@ struct ParetoReport {
   EvaluationCount count = {};
 
   bool complete() const;  ///< every point is an optimum
+  bool any() const;       ///< a point has a design
 };
 
 /// Bounds lie evenly, in the logarithm where both ends are positive; each search starts from the design before it.

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "studies/text/readable_number.hpp"
 #include "studies/text/scaled_unit.hpp"
 #include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
 
 namespace rollres {
 
 namespace {
-
-Indenter indenter_of(const DesignProblem& problem) { return problem.scenes.front().scene.indenter; }
 
 Cell rough(double value) { return std::isfinite(value) ? Cell(short_number(value, 3)) : Cell(); }
 
@@ -22,11 +22,11 @@ Cell with_error(double value, double error) {
 }
 
 std::string value_in_words(const DesignProblem& problem, const Variable& variable, double value) {
-  return readable(value, variable.quantity.unit_for(indenter_of(problem)));
+  return readable(value, problem.unit(variable.quantity));
 }
 
 std::string value_in_words(const DesignProblem& problem, const Formula& formula, double value) {
-  return readable(value, unit_of(formula, indenter_of(problem)));
+  return readable(value, problem.unit(formula));
 }
 
 Json json_of(const DesignProblem& problem, const Design& design) {
@@ -60,13 +60,11 @@ struct FormulaAxis {
   double factor;
 };
 FormulaAxis axis_of(const DesignProblem& problem, const Formula& formula, double size) {
-  const ScaledUnit unit = scaled_unit(unit_of(formula, indenter_of(problem)), size);
+  const ScaledUnit unit = scaled_unit(problem.unit(formula), size);
   std::string name = formula.text();
   std::replace(name.begin(), name.end(), '_', ' ');
   return {{.name = name, .unit = typeset_unit(unit.name)}, unit.factor};
 }
-
-}  // namespace
 
 std::string goal_in_words(const Goal& goal) {
   return (goal.maximise ? "maximise " : "minimise ") + goal.formula.text();
@@ -138,13 +136,68 @@ Table front_table(const DesignProblem& problem, const ParetoReport& front) {
   return table;
 }
 
+void print_nearest(const DesignProblem& problem, const Design& design, std::ostream& out) {
+  out << "nearest to the constraints:";
+  for (std::size_t i = 0; i < design.point.size(); ++i) {
+    const Quantity& quantity = problem.variables[i].quantity;
+    out << (i == 0 ? " " : ", ") << quantity.key << " = "
+        << readable(design.point[i], quantity.unit_for(problem.indenter()));
+  }
+  out << '\n';
+  for (std::size_t j = 0; j < design.constraints.size(); ++j)
+    if (!design.constraints[j].holds)
+      out << "broken: " << constraint_name(problem, j) << ": " << short_number(design.constraints[j].left)
+          << " against " << short_number(design.constraints[j].right) << '\n';
+}
+
+}  // namespace
+
+std::string in_words(const EvaluationCount& count) {
+  return std::to_string(count.all()) + " evaluations (" + std::to_string(count.solved) + " solved, " +
+         std::to_string(count.recalled) + " recalled, " + std::to_string(count.failed) + " failed)";
+}
+
+std::string in_words(const DesignProblem& problem, const OptimiseProgress& progress) {
+  return in_words(progress.count) +
+         (progress.best ? ", best " + value_in_words(problem, problem.goal.formula, *progress.best) : "");
+}
+
+void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out) {
+  out << problem.name << ": " << name_of(report.status) << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
+  if (report.best) {
+    const Indenter indenter = problem.indenter();
+    out << goal_in_words(problem.goal) << ": " << readable(report.value(), unit_of(problem.goal.formula, indenter))
+        << "\n\n";
+    write_aligned(out, variables_table(problem, report));
+    out << '\n';
+    if (!report.best->constraints.empty()) {
+      write_aligned(out, constraints_table(problem, report));
+      out << '\n';
+    }
+    for (const std::string& key : report.best->keys) out << "evaluation " << key << '\n';
+  } else if (report.nearest) {
+    print_nearest(problem, *report.nearest, out);
+  }
+  if (!report.searches.empty()) out << "searched by " << searches_in_words(report) << '\n';
+  out << in_words(report.count) << ", " << report.slope_evaluations << " of them for the slopes at the end\n";
+}
+
+void print_text(const DesignProblem& problem, const ParetoReport& front, std::ostream& out) {
+  out << problem.name << ": " << goal_in_words(problem.goal) << ", " << goal_in_words(problem.pareto->goal) << "\n\n";
+  write_aligned(out, front_table(problem, front));
+  out << '\n' << in_words(front.count) << '\n';
+  for (const ParetoPoint& point : front.points)
+    if (!point.report.reason.empty() && point.report.status != DesignStatus::optimum)
+      out << name_of(point.report.status) << ": " << point.report.reason << '\n';
+}
+
 Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
   Json object{{"study", problem.name},
               {"status", name_of(report.status)},
               {"reason", report.reason},
               {problem.goal.maximise ? "maximise" : "minimise", problem.goal.formula.text()},
               {"value", finite_or_null(report.value())},
-              {"unit", unit_of(problem.goal.formula, indenter_of(problem))},
+              {"unit", problem.unit(problem.goal.formula)},
               {"best", report.best ? json_of(problem, *report.best) : Json(nullptr)},
               {"nearest", report.nearest ? json_of(problem, *report.nearest) : Json(nullptr)},
               {"evaluations", json_of(report.count)},
@@ -164,7 +217,7 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
     const Variable& variable = problem.variables[i];
     object["variables"].push_back(
         {{"key", variable.quantity.key},
-         {"unit", variable.quantity.unit_for(indenter_of(problem))},
+         {"unit", problem.unit(variable.quantity)},
          {"from", variable.lowest},
          {"to", variable.highest},
          {"scale", variable.logarithmic ? "logarithmic" : "linear"},

@@ -4,27 +4,21 @@
 
 #include <string>
 
-#include "db/queries/table.hpp"
 #include "studies/drawing/chart.hpp"
 #include "studies/optimise/optimise.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {
 
-/// "minimise rolling_resistance".
-std::string goal_in_words(const Goal& goal);
+/// "31 evaluations (30 solved, 1 recalled, 0 failed)".
+std::string in_words(const EvaluationCount& count);
+/// The same, with the best value up to now.
+std::string in_words(const DesignProblem& problem, const OptimiseProgress& progress);
 
-/// The variables at the best design: value, range, active bound, elasticity of the goal.
-Table variables_table(const DesignProblem& problem, const OptimiseReport& report);
-
-/// The constraints there: sides, slack, multiplier, elasticities by each variable.
-Table constraints_table(const DesignProblem& problem, const OptimiseReport& report);
-
-/// The designs on a front: both goals, variables, status.
-Table front_table(const DesignProblem& problem, const ParetoReport& front);
-
-/// "cobyla (31 evaluations), then slsqp (8)".
-std::string searches_in_words(const OptimiseReport& report);
+/// Status, the best design with its constraints, or the nearest one, and how it was searched.
+void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out);
+/// The designs on the front.
+void print_text(const DesignProblem& problem, const ParetoReport& front, std::ostream& out);
 
 Json json_of(const DesignProblem& problem, const OptimiseReport& report);
 Json json_of(const DesignProblem& problem, const ParetoReport& front);

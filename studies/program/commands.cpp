@@ -5,7 +5,6 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "studies/program/command_line.hpp"
 #include "studies/program/completion.hpp"
 #include "studies/text/printable.hpp"
 

@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "core/solve/rolling_contact.hpp"
+#include "studies/program/command_line.hpp"
 
 namespace rollres {
-
-class Command;
 
 /// Exit status of the program.
 struct ExitStatus {

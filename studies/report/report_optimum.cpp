@@ -9,7 +9,7 @@ std::string optimum_section(const ReportSource& source) {
   const auto found = stored_optimum(source.store, source.study.name);
   if (!found) return "";
   const DesignProblem& problem = found->problem;
-  const Indenter indenter = problem.scenes.front().scene.indenter;
+  const Indenter indenter = problem.indenter();
   std::string section =
       html::heading("Best design") +
       html::paragraph(std::string(problem.goal.maximise ? "Greatest " : "Least ") + problem.goal.formula.text() +
