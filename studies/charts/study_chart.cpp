@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "studies/text/readable_number.hpp"

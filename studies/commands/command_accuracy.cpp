@@ -3,11 +3,10 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "studies/evidence/accuracy_table.hpp"
+#include "studies/evidence/accuracy.hpp"
 #include "studies/evidence/random_accuracy.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
-#include "studies/run/progress.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/table_json.hpp"
@@ -27,28 +26,24 @@ struct AccuracyArguments {
   RandomAccuracyPlan plan;
 };
 
-struct NamedScene {
-  std::string name, file;
+/// A scene file, or one of the scenes that are inside the program.
+RollingScene scene_of(const std::string& file, const std::vector<std::string>& overrides) {
+  for (const PaperScene& paper : paper_scenes())
+    if (file == paper.name && !std::filesystem::exists(file)) return parse_scene(paper.json, file, overrides);
+  return read_scene(file, overrides);
+}
 
-  RollingScene with(const std::vector<std::string>& overrides) const {
-    for (const PaperScene& paper : paper_scenes())
-      if (file == paper.name && !std::filesystem::exists(file)) return parse_scene(paper.json, file, overrides);
-    return read_scene(file, overrides);
-  }
-};
-
-/// Scenes under the names of their files, a number after a name that was taken before.
-std::vector<NamedScene> named_scenes(const std::vector<std::string>& files) {
-  std::vector<NamedScene> scenes;
+/// The names of scene files, a number after one that was taken before.
+std::vector<std::string> names_of(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
   for (const std::string& file : files) {
     const std::string stem = std::filesystem::path(file).stem().string();
     std::string name = stem;
-    const auto taken = [&](const NamedScene& scene) { return scene.name == name; };
-    for (int number = 2; std::any_of(scenes.begin(), scenes.end(), taken); ++number)
+    for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
       name = stem + "_" + std::to_string(number);
-    scenes.push_back({name, file});
+    names.push_back(name);
   }
-  return scenes;
+  return names;
 }
 
 Json object_of(const AccuracyReport& report) {
@@ -124,11 +119,11 @@ void accuracy(const AccuracyArguments& arguments, Session& session) {
   std::vector<std::string> files = arguments.scenes;
   if (files.empty())
     for (const PaperScene& paper : paper_scenes()) files.emplace_back(paper.name);
-  const std::vector<NamedScene> named = named_scenes(files);
+  const std::vector<std::string> names = names_of(files);
   std::vector<RollingScene> scenes;
-  for (const NamedScene& scene : named) scenes.push_back(scene.with(arguments.overrides));
+  for (const std::string& file : files) scenes.push_back(scene_of(file, arguments.overrides));
   for (const std::string& spacing : arguments.spacings)
-    options.spacings.push_back(*named.front().with({"spacing=" + spacing}).spacing);
+    options.spacings.push_back(*scene_of(files.front(), {"spacing=" + spacing}).spacing);
   make_directory(arguments.out);
 
   const Measure measure = [&](const RollingScene& scene, double limit) {
@@ -136,7 +131,7 @@ void accuracy(const AccuracyArguments& arguments, Session& session) {
   };
   std::vector<AccuracyReport> reports;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    reports.push_back(measure_accuracy(named[i].name, scenes[i], options, measure));
+    reports.push_back(measure_accuracy(names[i], scenes[i], options, measure));
     progress.clear();
     if (arguments.json) continue;
     session.out << accuracy_text(reports.back(), arguments.format == "markdown") << std::endl;

@@ -1,5 +1,5 @@
 #include <numbers>
-#include <sstream>
+#include <ostream>
 
 #include "core/material/material_functions.hpp"
 #include "core/material/material_scale.hpp"
@@ -44,6 +44,7 @@ void print_words(std::ostream& out, const MaterialInputs& layer, const CreepSpec
 
 constexpr int points_per_decade = 20;
 constexpr double mega = 1e6;
+constexpr int all_digits = 15;
 
 /// One line or set of points, its values against those of x.
 struct MaterialCurve {
@@ -54,29 +55,29 @@ struct MaterialCurve {
 
 std::filesystem::path draw_curves(const std::filesystem::path& name, const std::string& title, const ChartAxis& x,
                                   const ChartAxis& y, const std::vector<MaterialCurve>& curves) {
-  const ChartFiles files = chart_files(name);
-  std::ostringstream script, data;
   Span x_span{.logarithmic = true}, y_span{.logarithmic = true};
-  std::vector<std::string> plots;
-  std::vector<LegendEntry> entries;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const MaterialCurve& curve = curves[i];
-    data << (i == 0 ? "# " : "\n\n# ") << curve.name << '\n';
+  for (const MaterialCurve& curve : curves)
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
       x_span.include(curve.x[k]);
       if (curve.y[k] > 0) y_span.include(curve.y[k]);
-      data << shortest(curve.x[k]) << ' ' << (curve.y[k] > 0 ? shortest(curve.y[k]) : "NaN") << '\n';
     }
-    const std::string look = std::string(curve.points ? "points pt 7 ps 0.7" : "lines lw 1.8") + " lc rgb '" +
-                             std::string(curve_colour(i % 2)) + "'";
-    plots.push_back("data index " + std::to_string(i) + " using 1:2 with " + look + " notitle");
-    entries.push_back(LegendEntry::plain(look, curve.name));
-  }
   x_span.widen(0.02, 0.02);
   y_span.widen(0.04, 0.06);
-  write_axes(script, files, x, x_span, y, y_span);
-  write_pictures(script, files, title, plots, entries);
-  draw_pictures(files, data.str(), script.str());
+  const ChartFiles files = chart_files(name);
+  PictureBuilder picture(title, files, x, x_span, y, y_span);
+  const std::string columns = x.name + " [" + x.unit + "], " + y.name + " [" + y.unit + "]";
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const MaterialCurve& curve = curves[i];
+    std::vector<DataRow> rows;
+    for (std::size_t k = 0; k < curve.x.size(); ++k)
+      rows.push_back({curve.x[k], curve.y[k] > 0 ? curve.y[k] : std::numeric_limits<double>::quiet_NaN()});
+    const std::string look = std::string(curve.points ? "points pt 7 ps 0.7" : "lines lw 1.8") + " lc rgb '" +
+                             std::string(curve_colour(i % 2)) + "'";
+    picture.plot(picture.add(curve.name, columns, rows, all_digits) + " using 1:2 with " + look + " notitle");
+    picture.explain(LegendEntry::plain(look, curve.name));
+  }
+  const PictureText text = picture.finished(title);
+  draw_pictures(files, text.data, text.script);
   return files.svg;
 }
 

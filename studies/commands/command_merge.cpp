@@ -1,14 +1,95 @@
+#include <algorithm>
 #include <ostream>
+#include <stdexcept>
 
-#include "db/merge/merge.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/program/commands.hpp"
-#include "studies/program/merge_output.hpp"
 #include "studies/run/export_study.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
 
 namespace rollres {
 
 namespace {
+
+/// What `rollres merge` and `rollres import` tell.
+class MergeOutput {
+ public:
+  MergeOutput(Session& session, std::string database, bool json)
+      : session_(session), database_(std::move(database)), json_(json) {}
+
+  /// Does one merge and takes note of what came of it; a source that fails is a message and exit status 3.
+  void add(const std::string& source, const std::function<MergeReport()>& work) {
+    Merged& merged = merged_.emplace_back(Merged{source, {}, {}});
+    try {
+      merged.report = work();
+      if (!merged.report.conflicts.empty()) session_.status = std::max(session_.status, ExitStatus::no_answer);
+    } catch (const std::runtime_error& error) {
+      merged.failure = error.what();
+      session_.err << "rollres: " << merged.failure << '\n';
+      session_.status = ExitStatus::failure;
+    }
+  }
+
+  /// One line for each conflict, and one for all; or JSON.
+  void print() const { json_ ? print_json() : print_lines(); }
+
+ private:
+  struct Merged {
+    std::string source;
+    MergeReport report;
+    std::string failure;
+  };
+
+  void print_json() const {
+    Json object{{"db", database_}, {"sources", Json::array()}};
+    for (const Merged& merged : merged_) {
+      Json& entry = object["sources"].emplace_back(Json{{"source", merged.source}});
+      if (!merged.failure.empty()) {
+        entry["failure"] = merged.failure;
+        continue;
+      }
+      entry["evaluations"] = merged.report.evaluations;
+      entry["added"] = merged.report.added;
+      entry["replaced"] = merged.report.replaced;
+      entry["studies"] = merged.report.studies;
+      entry["conflicts"] = Json::array();
+      for (const MergeConflict& conflict : merged.report.conflicts)
+        entry["conflicts"].push_back(
+            {{"key", conflict.key}, {"column", conflict.column}, {"kept", conflict.kept}, {"other", conflict.other}});
+    }
+    session_.out << text_of(object, 2) << '\n';
+  }
+
+  void print_lines() const {
+    MergeReport sum;
+    std::size_t failed = 0;
+    constexpr std::size_t shown = 10;
+    for (const auto& [source, report, failure] : merged_) {
+      failed += !failure.empty();
+      sum.evaluations += report.evaluations;
+      sum.added += report.added;
+      sum.replaced += report.replaced;
+      sum.studies += report.studies;
+      for (const MergeConflict& conflict : report.conflicts) {
+        sum.conflicts.push_back(conflict);
+        if (sum.conflicts.size() <= shown)
+          session_.err << source << ": evaluation " << conflict.key << ": " << conflict.column << " = "
+                       << shortest(conflict.other) << ", but " << shortest(conflict.kept) << " is kept\n";
+      }
+    }
+    if (sum.conflicts.size() > shown) session_.err << "and " << sum.conflicts.size() - shown << " other conflicts\n";
+    session_.out << database_ << ": " << sum.evaluations << " evaluations in " << merged_.size() - failed << " of "
+                 << merged_.size() << " databases: " << sum.added << " new, " << sum.replaced << " replaced, "
+                 << sum.evaluations - sum.added - sum.replaced - sum.conflicts.size() << " there already, "
+                 << sum.conflicts.size() << " in conflict\n";
+  }
+
+  Session& session_;
+  std::string database_;
+  bool json_;
+  std::vector<Merged> merged_;
+};
 
 struct MergeArguments {
   std::vector<std::string> sources;

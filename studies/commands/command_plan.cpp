@@ -1,8 +1,6 @@
-#include <limits>
 #include <ostream>
 
 #include "studies/program/commands.hpp"
-#include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/plan_table.hpp"
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"

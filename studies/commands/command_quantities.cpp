@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <ostream>
 #include <type_traits>
 
+#include "studies/file_schema/json_schema.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/strict_json.hpp"
@@ -135,6 +135,13 @@ void quantities(bool json, Session& session) {
   print_table(session.out, output_rows());
 }
 
+void schema(const std::string& what, Session& session) {
+  session.out << (what == "scene"   ? scene_schema()
+                  : what == "study" ? study_schema()
+                  : what == "fit"   ? fit_schema()
+                                    : optimisation_schema());
+}
+
 }  // namespace
 
 void add_quantities(Command& program, Session& session) {
@@ -142,6 +149,18 @@ void add_quantities(Command& program, Session& session) {
       program.add<bool>("quantities", "List every key: symbol, unit, values, default and meaning", session, quantities);
   command->add_flag("--json", json, "Print one JSON object");
   command->footer("Example: rollres quantities --json");
+}
+
+void add_schema(Command& program, Session& session) {
+  const auto [command, what] =
+      program.add<std::string>("schema", "Print the JSON schema of a kind of files, for editors", session, schema);
+  command->add_option("what KIND", what, "scene, study, fit or optimisation")
+      ->required()
+      ->one_of({"scene", "study", "fit", "optimisation"});
+  command->footer(
+      "An editor that knows JSON schemas completes and checks a file that begins with\n"
+      "{\"$schema\": \"../schema/study.json\", ...}, where that is the output of this command, kept beside it.\n"
+      "Example: rollres schema study > study.schema.json");
 }
 
 }  // namespace rollres

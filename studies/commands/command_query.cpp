@@ -2,8 +2,6 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "db/queries/query.hpp"
-#include "db/rows/schema.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/stored/study_rows.hpp"

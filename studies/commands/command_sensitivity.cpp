@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <ostream>
 
 #include "studies/drawing/bar_chart.hpp"
-#include "studies/optimise/design.hpp"
+#include "studies/optimise/optimise_report.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
-#include "studies/run/stored_evaluations.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/sensitivity/global_sensitivity.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
@@ -24,6 +22,13 @@
 namespace rollres {
 
 namespace {
+
+struct GradientArguments {
+  std::string scene, output = "rolling_resistance";
+  std::vector<std::string> overrides, inputs;
+  GradientOptions options{.order = 4, .jobs = 0};
+  bool json = false;
+};
 
 struct SensitivityArguments {
   std::string file, output, indices, database, out;
@@ -51,6 +56,24 @@ BarChart elasticity_chart(const GradientReport& report, const std::string& name)
   return chart;
 }
 
+void print(const GradientReport& report, bool json, Session& session) {
+  if (json)
+    session.out << text_of(json_of(report), 2) << '\n';
+  else
+    print_text(report, session.out, session.err);
+  if (!report.gradient.complete()) session.status = ExitStatus::no_answer;
+}
+
+void run_gradient(const GradientArguments& arguments, Session& session) {
+  const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
+  std::vector<InputChoice> inputs;
+  for (const std::string& key : arguments.inputs) inputs.push_back({key});
+  Objective objective{scene, {}, {}, session.evaluate};
+  objective.output = refusing_at("--output", [&] { return real_output(arguments.output); });
+  objective.variables = refusing_at(arguments.scene + " with --inputs", [&] { return variables_of(scene, inputs); });
+  print(gradient_report(std::move(objective), arguments.options), arguments.json, session);
+}
+
 void local_sensitivity(const SensitivityArguments& arguments, Session& session) {
   const RollingScene scene = read_scene(arguments.file, arguments.overrides);
   Objective objective{scene, variables_of(scene, inputs_with_elasticity(scene)), {}, session.evaluate};
@@ -58,11 +81,7 @@ void local_sensitivity(const SensitivityArguments& arguments, Session& session) 
       "--output", [&] { return real_output(arguments.output.empty() ? "rolling_resistance" : arguments.output); });
   GradientReport report = gradient_report(std::move(objective), {.order = 4, .jobs = arguments.jobs});
   sort_by_elasticity(report);
-  if (arguments.json)
-    session.out << text_of(json_of(report), 2) << '\n';
-  else
-    print_text(report, session.out, session.err);
-  if (!report.gradient.complete()) session.status = ExitStatus::no_answer;
+  print(report, arguments.json, session);
   if (!arguments.out.empty() && report.gradient.centre.found())
     draw(elasticity_chart(report, std::filesystem::path(arguments.file).stem().string()), arguments, session);
 }
@@ -228,6 +247,29 @@ void add_sensitivity(Command& program, Session& session) {
       "size\n"
       "and deviation of elementary effects, trajectories * (inputs + 1). Errors are half-widths of 95 % intervals.\n"
       "Example: rollres sensitivity studies/examples/paper_cylinder.json --set tolerance=1e-8 --out sensitivity");
+}
+
+void add_gradient(Command& program, Session& session) {
+  const auto [command, arguments] = program.add<GradientArguments>(
+      "gradient", "Differentiate one output of a scene by some of its inputs", session, run_gradient);
+  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)")->required();
+  command->add_option("--inputs KEY,...", arguments.inputs, "Inputs to differentiate by, separated by commas")
+      ->required()
+      ->delimiter(',');
+  command->add_option("--output KEY", arguments.output, "Output; default rolling_resistance");
+  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
+      ->one_value_each();
+  command->add_option("--order ORDER", arguments.options.order, "2 or 4 (default): order of the differences")
+      ->one_of({"2", "4"});
+  command->add_option("--jobs N", arguments.options.jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_flag("--json", arguments.json, "Print one JSON object");
+  command->footer(
+      "Derivatives are by finite differences whose steps suit the noise of the output, which is measured first (8 or "
+      "14\n"
+      "evaluations for each input, then 2 or 4). \"+-\" is the estimated error: truncation and three standard "
+      "deviations "
+      "of\nthe noise. Steps are relative, noise is relative to the output; elasticity is d ln output / d ln input.\n"
+      "Example: rollres gradient studies/examples/paper_cylinder.json --inputs load,speed,creep_time");
 }
 
 }  // namespace rollres

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <filesystem>
 #include <ostream>
 
 #include "studies/evidence/accuracy.hpp"
 #include "studies/evidence/stability.hpp"
-#include "studies/evidence/stability_map.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
+#include "studies/scene_io/cells.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -73,19 +72,16 @@ std::string share(std::size_t part, std::size_t whole) {
 }
 
 Table table_of(const std::vector<StabilityCount>& all) {
-  Table table{{"method", "indenter", "scenes"}, {}};
-  for (const std::string_view outcome : ChoiceNames<Outcome>::names) table.columns.emplace_back(outcome);
-  for (const char* name : {"median", "95 %", "longest"}) table.columns.emplace_back(name);
-  for (const StabilityCount& count : all) {
-    auto& row = table.rows.emplace_back();
-    row.emplace_back(std::string(name_of(count.method)));
-    row.emplace_back(std::string(name_of(count.indenter)));
-    row.emplace_back(static_cast<std::int64_t>(count.trials()));
-    for (const std::size_t number : count.of) row.emplace_back(share(number, count.trials()));
-    for (const double seconds : {count.median_seconds, count.seconds_95, count.longest_seconds})
-      row.emplace_back(readable(seconds, "s"));
-  }
-  return table;
+  return table_of(all, [](const StabilityCount& count) {
+    NamedCells row{
+        {"method", cell_of(count.method)}, {"indenter", cell_of(count.indenter)}, {"scenes", cell_of(count.trials())}};
+    for (std::size_t i = 0; i < count.of.size(); ++i)
+      row.emplace_back(ChoiceNames<Outcome>::names[i], share(count.of[i], count.trials()));
+    row.emplace_back("median", readable(count.median_seconds, "s"));
+    row.emplace_back("95 %", readable(count.seconds_95, "s"));
+    row.emplace_back("longest", readable(count.longest_seconds, "s"));
+    return row;
+  });
 }
 
 Json object_of(const StabilityCount& count) {

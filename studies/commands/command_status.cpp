@@ -1,5 +1,4 @@
 #include <cmath>
-#include <filesystem>
 #include <ostream>
 #include <stdexcept>
 

@@ -1,8 +1,6 @@
-#include <optional>
 #include <ostream>
 
 #include "studies/program/commands.hpp"
-#include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/sweep.hpp"
 #include "studies/study/study_scene.hpp"

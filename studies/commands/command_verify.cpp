@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
 
-#include "db/file/provenance.hpp"
 #include "studies/evidence/verification.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/text/readable_number.hpp"

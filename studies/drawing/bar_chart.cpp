@@ -1,7 +1,6 @@
 #include "studies/drawing/bar_chart.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>

@@ -2,10 +2,6 @@
 
 /// Horizontal bars with error bars, drawn by gnuplot as every picture of this program (chart.hpp).
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "studies/drawing/chart.hpp"
 
 namespace rollres {

@@ -1,7 +1,6 @@
 #include "studies/drawing/chart_frame.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "studies/drawing/gnuplot.hpp"
@@ -46,6 +45,25 @@ std::string axis_label(const ChartAxis& axis, std::size_t room) {
   return fitted(text, markup, room);
 }
 
+/// Numbers for a logarithmic axis so short that powers of ten alone would leave it with hardly a number; else empty.
+std::vector<double> ticks(const Span& span) {
+  constexpr double rounding = 1e-9;
+  std::vector<double> numbers;
+  if (!span.logarithmic) return numbers;
+  const double powers_of_ten = std::floor(std::log10(span.highest)) - std::ceil(std::log10(span.lowest)) + 1;
+  if (span.decades() >= 1.7 && powers_of_ten >= 2) return numbers;
+  if (span.decades() < 0.5) {
+    const double step = even_step(span.highest - span.lowest);
+    const double last = std::floor(span.highest / step + rounding);
+    for (double tick = std::ceil(span.lowest / step - rounding); tick <= last; ++tick) numbers.push_back(tick * step);
+    return numbers;
+  }
+  for (double decade = std::floor(std::log10(span.lowest)); decade <= std::log10(span.highest); ++decade)
+    for (const int step : {1, 2, 3, 5, 7})
+      if (span.decades() < 1.2 || (step != 3 && step != 7)) numbers.push_back(step * std::pow(10.0, decade));
+  return numbers;
+}
+
 void write_axis(std::ostream& script, char name, const Span& span) {
   script << "set " << name << "range [" << short_number(span.lowest, 15) << ":" << short_number(span.highest, 15)
          << "]\n";
@@ -88,6 +106,13 @@ struct LegendGrid {
 };
 
 }  // namespace
+
+double even_step(double length, double fewest) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / fewest)));
+  for (const int step : {5, 2})
+    if (length / (step * power) >= fewest) return step * power;
+  return power;
+}
 
 std::string_view curve_colour(std::size_t curve) {
   constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
@@ -152,10 +177,12 @@ PictureBuilder::PictureBuilder(std::string_view title, const ChartFiles& files, 
   write_axes(script_, files, x, x_span, y, y_span);
 }
 
-std::string PictureBuilder::add(std::string_view name, std::string_view columns, const std::vector<DataRow>& rows) {
+std::string PictureBuilder::add(std::string_view name, std::string_view columns, const std::vector<DataRow>& rows,
+                                int digits) {
   if (blocks_ > 0) data_ += "\n\n";
   data_ += "# " + std::string(name) + ": " + std::string(columns) + '\n';
-  for (const DataRow& row : rows) data_ += joined(row, " ", [](double value) { return short_number(value, 8); }) + '\n';
+  for (const DataRow& row : rows)
+    data_ += joined(row, " ", [&](double value) { return short_number(value, digits); }) + '\n';
   return "data index " + std::to_string(blocks_++);
 }
 

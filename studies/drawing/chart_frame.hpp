@@ -5,10 +5,40 @@
 
 #include <sstream>
 
-#include "studies/drawing/chart_layout.hpp"
+#include "studies/drawing/chart.hpp"
 #include "studies/drawing/contour_loops.hpp"
 
 namespace rollres {
+
+/// What an axis spans.
+struct Span {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+  bool logarithmic = false;
+
+  double along(double value) const { return logarithmic ? std::log10(value) : value; }
+  double back(double place) const { return logarithmic ? std::pow(10.0, place) : place; }
+  double decades() const { return std::log10(highest / lowest); }
+  /// 0 at the lower end of the axis, 1 at the upper.
+  double fraction(double value) const { return (along(value) - along(lowest)) / (along(highest) - along(lowest)); }
+
+  void include(double value) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  /// Widens the axis by fractions of its length; an axis of no length becomes one around its value.
+  void widen(double below, double above) {
+    const double from = along(lowest), to = along(highest);
+    const double length = to > from ? to - from : (logarithmic ? 1.0 : std::max(0.2 * std::abs(to), 1e-12));
+    if (to <= from) below = above = 0.5;
+    lowest = back(from - below * length);
+    highest = back(to + above * length);
+  }
+};
+
+/// A step of 1, 2 or 5 times a power of ten that divides a length into so many parts or some more, up to 2.5 times as
+/// many.
+double even_step(double length, double fewest = 4);
 
 /// gnuplot keeps the blanks of an SVG's text only where two stand together.
 inline constexpr const char* kept_blanks = "  ";
@@ -62,8 +92,8 @@ class PictureBuilder {
 
   std::ostream& script() { return script_; }
   /// Adds a block of data; returns how a plot refers to it: "data index 2".
-  /// @param columns what stands in them: "x [mm], u [mm]"
-  std::string add(std::string_view name, std::string_view columns, const std::vector<DataRow>& rows);
+  /// @param columns what stands in them: "x [mm], u [mm]"   @param digits of the numbers
+  std::string add(std::string_view name, std::string_view columns, const std::vector<DataRow>& rows, int digits = 8);
   /// Loops as one block, closed and apart from each other by blank lines.
   std::string add(std::string_view name, std::string_view columns, const std::vector<ContourLoop>& loops);
   void plot(std::string words) { plots_.push_back(std::move(words)); }

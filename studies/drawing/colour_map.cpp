@@ -1,14 +1,12 @@
 #include "studies/drawing/colour_map.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
-#include <string>
 
-#include "studies/drawing/chart_layout.hpp"
+#include "studies/drawing/chart_frame.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
 

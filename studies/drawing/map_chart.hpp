@@ -6,11 +6,6 @@
 /// Around a node without an answer the map is blank, and the node bears a cross, or a hollow mark if it has a value
 /// that is not converged.
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "studies/drawing/chart.hpp"
 #include "studies/drawing/contour_loops.hpp"
 

@@ -1,7 +1,6 @@
 #include "studies/evidence/accuracy_reference.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "studies/evidence/power_law.hpp"

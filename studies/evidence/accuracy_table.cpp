@@ -1,9 +1,8 @@
-#include "studies/evidence/accuracy_table.hpp"
+#include "studies/evidence/accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <sstream>
 #include <utility>
 

@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <optional>
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
 #include "db/file/digest.hpp"
-#include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/strict_json.hpp"

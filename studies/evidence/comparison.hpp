@@ -2,10 +2,6 @@
 
 /// Two stored studies against each other, point by point.
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "db/queries/table.hpp"
 #include "db/rows/result_store.hpp"
 

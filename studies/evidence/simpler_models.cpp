@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
-#include "core/material/material.hpp"
-#include "core/reference/reference_hunter.hpp"
 #include "core/reference/reference_solutions.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"

@@ -2,9 +2,6 @@
 
 /// What each part of a scene's model is worth: the answers of models that leave it out, and of closed forms.
 
-#include <string>
-#include <vector>
-
 #include "core/solve/rolling_contact.hpp"
 
 namespace rollres {

@@ -3,11 +3,11 @@
 /// Which method fails where: every method solves the same random scenes (stability_scene.hpp), and what it says is not
 /// believed.
 
-#include <array>
 #include <numeric>
 
 #include "core/solve/rolling_contact.hpp"
 #include "db/queries/table.hpp"
+#include "studies/drawing/chart_frame.hpp"
 #include "studies/evidence/stability_scene.hpp"
 
 namespace rollres {
@@ -80,5 +80,13 @@ struct StabilityCount {
 
 /// One for each method and indenter that was tried.
 std::vector<StabilityCount> counts(const std::vector<Trial>& trials);
+
+/// The map of a method: speed against friction, a point for each scene, its outcome by colour and by mark; failures
+/// are drawn over the rest.
+PictureText stability_map(const std::vector<Trial>& trials, const ChartFiles& files);
+
+/// Draws the trials of one method and one indenter, of which there is at least one.
+/// @throws as draw_chart
+ChartFiles draw_stability_map(const std::vector<Trial>& trials, const std::filesystem::path& name);
 
 }  // namespace rollres

@@ -1,12 +1,11 @@
-#include "studies/evidence/stability_map.hpp"
+#include "studies/evidence/stability.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <sstream>
 
-#include "studies/drawing/chart_frame.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
@@ -36,19 +35,6 @@ double size_among(Outcome outcome, std::size_t scenes) {
   return size * std::clamp(std::pow(few / static_cast<double>(scenes), 0.4), smallest, 1.0);
 }
 
-std::array<std::size_t, outcomes> numbers_of(const std::vector<Trial>& trials) {
-  std::array<std::size_t, outcomes> numbers{};
-  for (const Trial& trial : trials) ++numbers[static_cast<std::size_t>(trial.outcome)];
-  return numbers;
-}
-
-std::string words_of(std::size_t outcome) {
-  std::string name(ChoiceNames<Outcome>::names[outcome]);
-  for (char& letter : name)
-    if (letter == '_') letter = ' ';
-  return name;
-}
-
 std::string title_of(const std::vector<Trial>& trials) {
   assert(!trials.empty());
   const RollingScene& scene = trials.front().scene;
@@ -56,39 +42,17 @@ std::string title_of(const std::vector<Trial>& trials) {
          std::to_string(trials.size()) + (trials.size() == 1 ? " random scene" : " random scenes");
 }
 
-ChartAxis axis_of(std::string_view key, std::string_view name) {
-  ChartAxis axis{.name = std::string(name), .logarithmic = true};
-  const RollingScene scene;
-  visit_inputs(scene, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key != key) return;
-    axis.symbol = quantity.symbol;
-    if (quantity.unit != "1") axis.unit = quantity.unit;
-  });
-  return axis;
+ChartAxis axis_of(const char* key) {
+  const Quantity& quantity = find_input(key)->quantity;
+  return {.name = in_words(key),
+          .symbol = std::string(quantity.symbol),
+          .unit = quantity.unit == "1" ? "" : std::string(quantity.unit),
+          .logarithmic = true};
 }
 
 }  // namespace
 
-std::string stability_map_data(const std::vector<Trial>& trials) {
-  std::ostringstream data;
-  data << "# " << title_of(trials) << "\n# column 1: speed V [m/s]\n# column 2: friction coefficient\n"
-       << "# column 3: number of the scene\n";
-  for (std::size_t outcome = 0; outcome < outcomes; ++outcome) {
-    if (outcome > 0) data << "\n\n";
-    data << "# " << words_of(outcome) << "\n";
-    bool any = false;
-    for (const Trial& trial : trials) {
-      if (static_cast<std::size_t>(trial.outcome) != outcome) continue;
-      data << short_number(trial.scene.speed, 15) << " " << short_number(trial.scene.friction_coefficient, 15) << " "
-           << trial.number << "\n";
-      any = true;
-    }
-    if (!any) data << "NaN NaN NaN\n";  // keeps the count of the blocks
-  }
-  return data.str();
-}
-
-std::string stability_map_script(const std::vector<Trial>& trials, const ChartFiles& files) {
+PictureText stability_map(const std::vector<Trial>& trials, const ChartFiles& files) {
   Span speed{.logarithmic = true}, friction{.logarithmic = true};
   for (const Trial& trial : trials) {
     speed.include(trial.scene.speed);
@@ -97,30 +61,29 @@ std::string stability_map_script(const std::vector<Trial>& trials, const ChartFi
   speed.widen(0.02, 0.02);
   friction.widen(0.03, 0.03);
 
-  std::ostringstream script;
-  write_axes(script, files, axis_of("speed", "speed"), speed, axis_of("friction_coefficient", "friction coefficient"),
-             friction);
-  const std::array<std::size_t, outcomes> numbers = numbers_of(trials);
-  std::vector<std::string> plots;
-  std::vector<LegendEntry> legend;
+  PictureBuilder picture(title_of(trials), files, axis_of("speed"), speed, axis_of("friction_coefficient"), friction);
   for (std::size_t outcome = 0; outcome < outcomes; ++outcome) {
-    if (numbers[outcome] == 0) continue;
+    std::vector<DataRow> rows;
+    for (const Trial& trial : trials)
+      if (static_cast<std::size_t>(trial.outcome) == outcome)
+        rows.push_back({trial.scene.speed, trial.scene.friction_coefficient, static_cast<double>(trial.number)});
+    if (rows.empty()) continue;
     const Mark& mark = marks[outcome];
+    const std::string words = in_words(ChoiceNames<Outcome>::names[outcome]);
     const std::string look =
         "points pt " + std::to_string(mark.type) + " lc rgb '" + std::string(mark.colour) + "' lw 1.5";
-    const std::string words = std::to_string(numbers[outcome]) + " " + words_of(outcome);
-    plots.push_back("data index " + std::to_string(outcome) + " using 1:2 with " + look + " ps " +
-                    short_number(size_among(static_cast<Outcome>(outcome), trials.size()), 3) + " notitle");
-    legend.push_back(LegendEntry::plain(look + " ps 0.9", words));
+    picture.plot(picture.add(words, "speed V [m/s], friction coefficient, number of the scene", rows) +
+                 " using 1:2 with " + look + " ps " +
+                 short_number(size_among(static_cast<Outcome>(outcome), trials.size()), 3) + " notitle");
+    picture.explain(LegendEntry::plain(look + " ps 0.9", std::to_string(rows.size()) + " " + words));
   }
-  write_pictures(script, files, title_of(trials), plots, legend);
-  return script.str();
+  return picture.finished(title_of(trials));
 }
 
-ChartFiles draw_stability_map(const std::vector<Trial>& trials, const std::filesystem::path& name,
-                              const std::string& gnuplot) {
+ChartFiles draw_stability_map(const std::vector<Trial>& trials, const std::filesystem::path& name) {
   const ChartFiles files = chart_files(name);
-  draw_pictures(files, stability_map_data(trials), stability_map_script(trials, files), gnuplot);
+  const PictureText text = stability_map(trials, files);
+  draw_pictures(files, text.data, text.script);
   return files;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/estimate/contact_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/numerics/bracketed_root.hpp"
 

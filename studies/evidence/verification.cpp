@@ -1,7 +1,6 @@
 #include "studies/evidence/verification.hpp"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "core/reference/reference_rollers.hpp"

@@ -5,9 +5,6 @@
 ///
 /// What is expected comes from core/reference, which uses no solver, or is a number that its source printed.
 
-#include <string>
-#include <vector>
-
 #include "core/solve/rolling_contact.hpp"
 
 namespace rollres {

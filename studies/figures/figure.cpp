@@ -1,12 +1,10 @@
 #include "studies/figures/figure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <stdexcept>
 
-#include "core/scene/quantity.hpp"
-#include "studies/figures/figure_drawings.hpp"
+#include "studies/figures/figure_map.hpp"
 
 namespace rollres {
 

@@ -3,15 +3,7 @@
 /// The figures of a solution: those of Zehil and Gavin (2013), 3 and 4 for a cylinder, 5 to 15 for a sphere, drawn by
 /// gnuplot as SVG and PNG. The script and the data stay beside each picture.
 
-#include <filesystem>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/newton/surface_window.hpp"
-#include "core/scene/scene.hpp"
-#include "core/scene/solution.hpp"
 #include "studies/drawing/chart_frame.hpp"
 
 namespace rollres {

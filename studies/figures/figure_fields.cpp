@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "studies/drawing/colour_map.hpp"
 #include "studies/drawing/gnuplot.hpp"
-#include "studies/figures/figure_drawings.hpp"
+#include "studies/figures/figure_map.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {

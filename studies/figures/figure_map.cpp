@@ -1,9 +1,7 @@
 #include "studies/figures/figure_map.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"

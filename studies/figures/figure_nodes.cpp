@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "studies/drawing/gnuplot.hpp"
-#include "studies/figures/figure_drawings.hpp"
+#include "studies/figures/figure_map.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {

@@ -8,7 +8,6 @@
 #include "fitting/errors/statistics.hpp"
 #include "fitting/fit/fit.hpp"
 #include "studies/drawing/chart_frame.hpp"
-#include "studies/drawing/chart_layout.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/scaled_unit.hpp"

@@ -12,13 +12,6 @@
 /// nearly: in these terms both the goal and the constraints are almost linear, all slopes are of the order of 1, and so
 /// are the multipliers of the constraints, whatever the units.
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/derivatives/objective.hpp"
 #include "studies/scene_io/formula.hpp"
 

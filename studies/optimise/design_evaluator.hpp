@@ -4,12 +4,7 @@
 /// sides of the unit box, by the finite differences of core/derivatives/gradient.hpp, whose steps suit the noise that
 /// is measured once.
 
-#include <functional>
-#include <mutex>
-#include <optional>
 #include <set>
-#include <span>
-#include <vector>
 
 #include "core/derivatives/gradient.hpp"
 #include "studies/optimise/design.hpp"

@@ -20,7 +20,6 @@
 ///     "pareto": {"minimise" or "maximise": FORMULA, "points": 9}
 
 #include <filesystem>
-#include <string>
 
 #include "studies/optimise/design.hpp"
 

@@ -2,8 +2,6 @@
 
 /// The keys of the study file of an optimisation with their meaning, as study_keys.hpp has those of a study.
 
-#include <array>
-
 #include "studies/optimise/design.hpp"
 #include "studies/study/study_keys.hpp"
 

@@ -1,4 +1,4 @@
-#include "studies/optimise/design_optimum.hpp"
+#include "studies/optimise/optimise.hpp"
 
 #include <algorithm>
 #include <cmath>

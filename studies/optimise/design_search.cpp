@@ -1,11 +1,9 @@
 #include "studies/optimise/design_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 #include <nlopt.hpp>
-#include <optional>
 
 namespace rollres {
 

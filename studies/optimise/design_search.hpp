@@ -10,11 +10,7 @@
 /// smooth model of the goal (bobyqa, lbfgs) work under NLopt's augmented Lagrangian (Birgin and Martínez, 2008, Optim.
 /// Methods Softw. 23, 177). The others bear a kink and take the exact penalty 10 sum max(0, c): in the scaled terms of
 /// DesignScale multipliers are of the order of 1, and where one is larger the slopes at the end tell
-/// (design_optimum.hpp).
-
-#include <cstddef>
-#include <span>
-#include <string>
+/// (optimise.hpp).
 
 #include "studies/optimise/design_evaluator.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/scaled_unit.hpp"
 #include "studies/text/table_json.hpp"
@@ -61,9 +62,7 @@ struct FormulaAxis {
 };
 FormulaAxis axis_of(const DesignProblem& problem, const Formula& formula, double size) {
   const ScaledUnit unit = scaled_unit(problem.unit(formula), size);
-  std::string name = formula.text();
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return {{.name = name, .unit = typeset_unit(unit.name)}, unit.factor};
+  return {{.name = in_words(formula.text()), .unit = typeset_unit(unit.name)}, unit.factor};
 }
 
 std::string goal_in_words(const Goal& goal) {

@@ -2,8 +2,6 @@
 
 /// What an optimisation found, as text, JSON, tables and charts. For sources only: it needs nlohmann_json.
 
-#include <string>
-
 #include "studies/drawing/chart.hpp"
 #include "studies/optimise/optimise.hpp"
 #include "studies/text/strict_json.hpp"

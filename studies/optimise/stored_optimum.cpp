@@ -1,8 +1,5 @@
 #include "studies/optimise/stored_optimum.hpp"
 
-#include <map>
-#include <set>
-
 #include "studies/optimise/design_file.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/strict_json.hpp"

@@ -2,10 +2,6 @@
 
 /// The designs that `rollres optimise` stored, valued again without solving anything.
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "db/rows/result_store.hpp"
 #include "studies/optimise/design.hpp"
 

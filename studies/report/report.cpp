@@ -1,11 +1,9 @@
 #include "studies/report/report.hpp"
 
-#include <optional>
 #include <stdexcept>
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
-#include "studies/stored/study_rows.hpp"
 
 namespace rollres {
 

@@ -4,10 +4,6 @@
 /// of that name if there is one, errors against seconds, and what computed it. Pictures are inside; it needs no network
 /// and runs no scripts.
 
-#include <cstddef>
-#include <filesystem>
-#include <string>
-
 #include "db/rows/result_store.hpp"
 
 namespace rollres {

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <filesystem>
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"

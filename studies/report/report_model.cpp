@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <regex>
 
 #include "studies/report/html.hpp"

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <map>
 #include <stdexcept>
 
 #include "studies/charts/study_chart.hpp"

@@ -1,10 +1,7 @@
 #pragma once
 
-/// The sections of a report (report.hpp), each as HTML: report_tables.cpp, report_model.cpp,
-/// report_optimum.cpp, report_pictures.cpp, report_fit.cpp.
-
-#include <string>
-#include <vector>
+/// The sections of a report (report.hpp), each as HTML: report_tables.cpp, report_model.cpp, report_pictures.cpp,
+/// report_fit.cpp.
 
 #include "db/rows/fit_store.hpp"
 #include "studies/report/report.hpp"

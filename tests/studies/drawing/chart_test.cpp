@@ -12,7 +12,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers chart_frame, chart_script and chart_layout, too.
+// Covers chart_frame and chart_script, too.
 
 using namespace rollres;
 namespace fs = std::filesystem;

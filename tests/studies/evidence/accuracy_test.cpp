@@ -5,7 +5,6 @@
 #include <map>
 #include <sstream>
 
-#include "studies/evidence/accuracy_table.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "studies/evidence/stability_map.hpp"
 #include "studies/evidence/stability_scene.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -224,7 +223,7 @@ TEST_CASE("a stability map tells outcomes apart by colour and by mark", "[studie
     trials[i].scene.method = Method::newton;
     trials[i].outcome = static_cast<Outcome>(i % 6);
   }
-  const std::string script = stability_map_script(trials, chart_files("map"));
+  const std::string script = stability_map(trials, chart_files("map")).script;
   std::set<std::string> types, colours;
   for (std::size_t at = 0; (at = script.find("using 1:2 with points pt ", at)) != std::string::npos; ++at) {
     const std::string look = script.substr(at, script.find(" ps ", at) - at);

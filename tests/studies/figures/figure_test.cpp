@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "core/solve/rolling_contact.hpp"
-#include "studies/figures/figure_drawings.hpp"
+#include "studies/figures/figure_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/studies/figure_blocks.hpp"
