@@ -16,6 +16,11 @@ namespace rollres {
 
 namespace {
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
 AccuracyStatus status_of(const Measurement& measured) {
   if (measured.stopped) return AccuracyStatus::skipped;
   if (!measured.failure.empty()) return AccuracyStatus::failed;
@@ -53,8 +58,8 @@ AccuracyPoint measured_point(const MeasuredScene& measured, const RollingScene& 
     if (!(point.peak_memory >= found.peak_memory)) point.peak_memory = found.peak_memory;
     total += found.seconds;
   } while (static_cast<int>(seconds.size()) < measured.options.repeats && total < limit);
-  point.seconds = quantile(seconds, 0.5);
-  point.processor_seconds = quantile(processor_seconds, 0.5);
+  point.seconds = median(seconds);
+  point.processor_seconds = median(processor_seconds);
   point.repeats = static_cast<int>(seconds.size());
   return point;
 }

@@ -7,8 +7,7 @@
 #include "tests/studies/stored_rows.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers merge_output, export_study, standalone_study, command_export, command_merge, command_status and
-// command_slurm, too.
+// Covers export_study, standalone_study, command_merge, command_status and command_slurm, too.
 
 using namespace rollres;
 namespace {

@@ -11,7 +11,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers field_collection, too.
+// Covers collections of fields, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;

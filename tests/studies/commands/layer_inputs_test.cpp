@@ -18,7 +18,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers command_material, material_chart, layer_column and layer_list, too.
+// Covers command_material, layer_column and layer_list, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;

@@ -6,7 +6,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers command_sweep, command_list and command_show, too.
+// Covers command_sweep and command_show, too.
 
 using namespace rollres;
 namespace {

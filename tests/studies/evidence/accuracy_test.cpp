@@ -11,7 +11,7 @@
 #include "tests/source_directory.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers power_law and accuracy_reference, too.
+// Covers power_law, accuracy_reference and accuracy_table, too.
 
 using namespace rollres;
 

@@ -16,7 +16,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers command_stability, too.
+// Covers stability_map and command_stability, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;

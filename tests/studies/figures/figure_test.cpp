@@ -8,7 +8,7 @@
 #include "tests/core/paper_scenes.hpp"
 #include "tests/studies/figure_blocks.hpp"
 
-// Covers figure_contours, figure_arrows, figure_lines, figure_map, figure_zones and figure_relief, too.
+// Covers figure_fields, figure_lines, figure_map and figure_nodes, too.
 
 using namespace rollres;
 

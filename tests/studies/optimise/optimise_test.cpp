@@ -9,7 +9,7 @@
 #include "tests/studies/design_bowl.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers design_slopes, design_scale, design_search, design_evaluator and design_optimum, too.
+// Covers design_search, design_evaluator and design_optimum, too.
 
 using namespace rollres;
 
