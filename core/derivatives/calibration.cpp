@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/numerics/finite_difference.hpp"
-#include "core/numerics/noise_estimate.hpp"
 #include "core/numerics/parallel.hpp"
 
 namespace rollres {

@@ -1,11 +1,13 @@
 #include "db/rows/evaluation_row.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/messages/message_text.hpp"
 #include "core/messages/number_list.hpp"
 #include "db/rows/layer_list.hpp"
 #include "db/rows/schema.hpp"
@@ -44,13 +46,10 @@ void bind_value(SQLite::Statement& statement, int index, const BondedLayers& lay
 void bind_value(SQLite::Statement& statement, int index, int value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const Lines& lines) {
-  std::string text;
-  for (std::string line : lines) {
-    for (char& letter : line)
-      if (letter == '\n') letter = ' ';
-    text += (text.empty() ? "" : "\n") + line;
-  }
-  statement.bind(index, text);
+  statement.bind(index, joined(lines, "\n", [](std::string line) {
+                   std::replace(line.begin(), line.end(), '\n', ' ');
+                   return line;
+                 }));
 }
 template <class Choice>
 requires std::is_enum_v<Choice>
@@ -115,13 +114,10 @@ SceneAndSolution read_row(SQLite::Statement& statement, int first) {
 }
 
 std::string select_list(SQLite::Database& connection) {
-  std::set<std::string> present;
-  for (const Column& column : columns_of(connection, "evaluation")) present.insert(column.name);
-  std::string list;
-  for (const Column& column : quantity_columns())
-    list += (list.empty() ? "" : ", ") +
-            (present.contains(column.name) ? "evaluation." + column.name : "NULL AS " + column.name);
-  return list;
+  const std::set<std::string> present = column_names(connection, "evaluation");
+  return joined(quantity_columns(), ", ", [&](const Column& column) {
+    return (present.contains(column.name) ? "evaluation." : "NULL AS ") + column.name;
+  });
 }
 
 }  // namespace rollres

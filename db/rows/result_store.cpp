@@ -1,5 +1,6 @@
 #include "db/rows/result_store.hpp"
 
+#include "core/messages/message_text.hpp"
 #include "db/file/sqlite.hpp"
 #include "db/rows/evaluation_row.hpp"
 #include "db/rows/fields_table.hpp"
@@ -28,12 +29,6 @@ std::string insert_evaluation(Existing existing) {
 }
 
 /// Keys have no spaces.
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> words;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -266,7 +261,7 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
                                  ") ON CONFLICT(name) DO UPDATE SET axes = excluded.axes, "
                                  "definition = excluded.definition, started = excluded.started RETURNING id");
     record.bind(1, study.name);
-    record.bind(2, joined(study.axes));
+    record.bind(2, joined(study.axes, " "));
     record.bind(3, study.definition);
     record.executeStep();
     const std::int64_t id = record.getColumn(0).getInt64();

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 
-#include "core/numerics/nonnegative_least_squares.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -191,12 +190,6 @@ PronySeries series_at(PronySeries series, const FitPoint& point) {
   return series;
 }
 
-std::string term_name(const PronySeries::Term& term) {
-  char text[48];
-  std::snprintf(text, sizeof text, "modulus (%.3g s)", term.time);
-  return text;
-}
-
 /// The fit of the moduli of these terms.
 MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const PronySeries& series,
                        const MaterialFitOptions& options, bool profiles) {
@@ -204,7 +197,8 @@ MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const PronySeri
   std::vector<FitParameter> parameters;
   if (series.static_modulus > 0) parameters.push_back(parameter(static_modulus, off * series.static_modulus));
   for (const PronySeries::Term& term : series.terms)
-    parameters.push_back(parameter(relaxation_modulus, off * term.modulus, term_name(term)));
+    parameters.push_back(
+        parameter(relaxation_modulus, off * term.modulus, message_text("modulus (", term.time, " s)")));
   const FitProblem problem = problem_of(data, parameters, options, [series](const FitPoint& point, double omega) {
     return complex_modulus(series_at(series, point), omega);
   });

@@ -4,13 +4,12 @@
 
 #include <complex>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/material/fractional_zener.hpp"
+#include "core/material/material_scale.hpp"
 #include "core/material/prony_series.hpp"
-#include "core/material/temperature_shift.hpp"
 #include "fitting/fit/fit.hpp"
 
 namespace rollres {

@@ -11,7 +11,6 @@
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/scaled_unit.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {

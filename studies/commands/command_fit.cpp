@@ -8,7 +8,6 @@
 #include "fitting/errors/statistics.hpp"
 #include "studies/fit/fit_curves.hpp"
 #include "studies/fit/fit_file.hpp"
-#include "studies/fit/fit_json.hpp"
 #include "studies/fit/fit_summary.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/program/command_line.hpp"

@@ -7,7 +7,7 @@
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
-#include "studies/stored/study_status.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/text/table_json.hpp"
 

@@ -11,7 +11,7 @@
 #include "studies/drawing/contour_loops.hpp"
 #include "studies/drawing/figure_data.hpp"
 #include "studies/figures/figure.hpp"
-#include "studies/text/scaled_unit.hpp"
+#include "studies/text/readable_number.hpp"
 
 namespace rollres {
 

@@ -11,7 +11,6 @@
 #include "studies/drawing/chart_layout.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/scaled_unit.hpp"
 
 namespace rollres {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "studies/text/readable_number.hpp"
-#include "studies/text/scaled_unit.hpp"
 #include "studies/text/table_json.hpp"
 
 namespace rollres {

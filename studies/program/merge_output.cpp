@@ -1,7 +1,6 @@
 #include "studies/program/merge_output.hpp"
 
 #include <algorithm>
-#include <ostream>
 #include <stdexcept>
 #include <utility>
 
@@ -40,11 +39,9 @@ void MergeOutput::print_json() const {
       entry["failure"] = merged.failure;
       continue;
     }
-    entry["evaluations"] = merged.report.evaluations;
-    entry["added"] = merged.report.added;
-    entry["replaced"] = merged.report.replaced;
-    entry["studies"] = merged.report.studies;
-    entry["conflicts"] = Json::array();
+    const MergeReport& report = merged.report;
+    entry.update({{"evaluations", report.evaluations}, {"added", report.added}, {"replaced", report.replaced}});
+    entry.update({{"studies", report.studies}, {"conflicts", Json::array()}});
     for (const MergeConflict& conflict : merged.report.conflicts)
       entry["conflicts"].push_back(
           {{"key", conflict.key}, {"column", conflict.column}, {"kept", conflict.kept}, {"other", conflict.other}});

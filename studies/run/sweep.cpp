@@ -15,7 +15,6 @@
 #include "core/surface/scene_rules.hpp"
 #include "db/rows/point_states.hpp"
 #include "studies/run/ended_points.hpp"
-#include "studies/run/evaluate.hpp"
 #include "studies/run/result_writer.hpp"
 #include "studies/run/work_list.hpp"
 #include "studies/study/predicted_cost.hpp"
@@ -145,7 +144,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   const StudyPlan plan(study);
   std::vector<std::string> all_keys = plan.keys();
-  StudyRecord record{study.name, {}, options.definition};
+  StudyRecord record{study.name, {}, study.definition};
   for (const Axis& axis : study.axes) record.axes.push_back(axis.key);
 
   ResultStore store(database), reader(database, Access::read);

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/scene/scene_input.hpp"
-#include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
