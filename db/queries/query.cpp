@@ -3,6 +3,8 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/messages/message_text.hpp"
@@ -140,15 +142,9 @@ Table run_query(const Database& database, const Query& query) {
 std::string Aggregate::name() const { return std::string(name_of(statistic)) + (column.empty() ? "" : "_" + column); }
 
 Aggregate parse_aggregate(std::string_view text) {
-  const auto blank = [](char letter) { return letter == ' ' || letter == '\t'; };
-  std::vector<std::string> words{""};
-  for (const char letter : text) {
-    if (!blank(letter))
-      words.back() += letter;
-    else if (!words.back().empty())
-      words.emplace_back();
-  }
-  if (words.size() > 1 && words.back().empty()) words.pop_back();
+  std::istringstream stream{std::string(text)};
+  std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  if (words.empty()) words.emplace_back();
   const std::string wish = "aggregate = " + std::string(text) + ": ";
   const int found = find_name(ChoiceNames<Statistic>::names, words.front());
   if (found < 0) {

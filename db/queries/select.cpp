@@ -115,33 +115,22 @@ std::string condition(const Filter& filter, const Column& column, std::vector<Ce
     bound.emplace_back(filter.value);
     return "instr(" + name + ", ?) > 0";
   }
+  constexpr const char* operators[] = {" = ?", " IS NOT ?", " < ?", " <= ?", " > ?", " >= ?"};
+  const std::string compared = name + operators[static_cast<int>(filter.comparison)];
   if (column.type == "TEXT") {
-    constexpr const char* operators[] = {" = ?", " IS NOT ?", " < ?", " <= ?", " > ?", " >= ?"};
     bound.emplace_back(filter.value);
-    return name + operators[static_cast<int>(filter.comparison)];
+    return compared;
   }
   const double value = number_in(filter);
   const double slack = std::isinf(value) ? 0.0 : 1e-12 * std::abs(value);
-  const double low = value - slack, high = value + slack;
-  switch (filter.comparison) {
-    case Comparison::equal:
-    case Comparison::not_equal:
-      bound.emplace_back(low);
-      bound.emplace_back(high);
-      return equal ? name + " BETWEEN ? AND ?" : "(" + name + " IS NULL OR " + name + " NOT BETWEEN ? AND ?)";
-    case Comparison::less:
-      bound.emplace_back(low);
-      return name + " < ?";
-    case Comparison::less_or_equal:
-      bound.emplace_back(high);
-      return name + " <= ?";
-    case Comparison::greater:
-      bound.emplace_back(high);
-      return name + " > ?";
-    default:
-      bound.emplace_back(low);
-      return name + " >= ?";
+  if (equal || differs) {
+    bound.emplace_back(value - slack);
+    bound.emplace_back(value + slack);
+    return equal ? name + " BETWEEN ? AND ?" : "(" + name + " IS NULL OR " + name + " NOT BETWEEN ? AND ?)";
   }
+  const bool beyond = filter.comparison == Comparison::less_or_equal || filter.comparison == Comparison::greater;
+  bound.emplace_back(beyond ? value + slack : value - slack);
+  return compared;
 }
 
 }  // namespace

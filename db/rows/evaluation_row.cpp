@@ -19,29 +19,17 @@ namespace {
 using Lines = std::vector<std::string>;
 
 void bind_value(SQLite::Statement& statement, int index, double value) {
-  if (std::isnan(value))
-    statement.bind(index);
-  else
-    statement.bind(index, value);
+  std::isnan(value) ? statement.bind(index) : statement.bind(index, value);
 }
 void bind_value(SQLite::Statement& statement, int index, const std::optional<double>& value) {
-  if (value)
-    bind_value(statement, index, *value);
-  else
-    statement.bind(index);
+  value ? bind_value(statement, index, *value) : statement.bind(index);
 }
 /// A list is text, and NULL if it is empty.
 void bind_value(SQLite::Statement& statement, int index, const std::vector<double>& list) {
-  if (list.empty())
-    statement.bind(index);
-  else
-    statement.bind(index, text_of_list(list));
+  list.empty() ? statement.bind(index) : statement.bind(index, text_of_list(list));
 }
 void bind_value(SQLite::Statement& statement, int index, const BondedLayers& layers) {
-  if (layers.empty())
-    statement.bind(index);
-  else
-    statement.bind(index, text_of_layers(layers));
+  layers.empty() ? statement.bind(index) : statement.bind(index, text_of_layers(layers));
 }
 void bind_value(SQLite::Statement& statement, int index, int value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }

@@ -54,6 +54,13 @@ std::int64_t provenance_id(SQLite::Database& connection, const Provenance& progr
   throw std::runtime_error("provenance could not be stored");
 }
 
+/// The first column of all rows.
+std::vector<std::string> texts_of(SQLite::Statement& row) {
+  std::vector<std::string> texts;
+  while (row.executeStep()) texts.push_back(row.getColumn(0).getString());
+  return texts;
+}
+
 StudySummary read_summary(SQLite::Statement& row) {
   return {row.getColumn(0).getString(), split(row.getColumn(1).getString()), row.getColumn(2).getInt64(),
           row.getColumn(3).getInt64(),  row.getColumn(4).getInt64(),         row.getColumn(5).getString(),
@@ -106,7 +113,7 @@ struct ResultStore::Parts {
                             "SELECT DISTINCT name FROM study_point JOIN study ON study.id = study "
                             "WHERE key = ? ORDER BY name");
     study.bind(1, found.key);
-    while (study.executeStep()) found.studies.push_back(study.getColumn(0).getString());
+    found.studies = texts_of(study);
     return found;
   }
 
@@ -143,11 +150,9 @@ struct ResultStore::Parts {
   }
 
   std::vector<std::string> keys_of(std::int64_t study) {
-    std::vector<std::string> keys;
     SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
     row.bind(1, study);
-    while (row.executeStep()) keys.push_back(row.getColumn(0).getString());
-    return keys;
+    return texts_of(row);
   }
 
   std::vector<StudySummary> summaries(const std::string* name) {
@@ -328,9 +333,7 @@ std::vector<StudySummary> ResultStore::studies() {
 std::vector<std::string> ResultStore::study_names() {
   return naming(database().name(), [&] {
     SQLite::Statement row(parts_->connection(), "SELECT name FROM study ORDER BY name");
-    std::vector<std::string> names;
-    while (row.executeStep()) names.push_back(row.getColumn(0).getString());
-    return names;
+    return texts_of(row);
   });
 }
 

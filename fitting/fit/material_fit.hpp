@@ -47,7 +47,6 @@ struct MaterialFit {
   std::complex<double> modulus(double angular_frequency, double temperature) const;
   /// Standard errors of its parts by the errors of the parameters; NaN if those are not known [Pa].
   std::complex<double> modulus_error(double angular_frequency, double temperature) const;
-  MaterialForm form;
   /// G* of other parameters.
   std::function<std::complex<double>(const FitPoint&, double angular_frequency, double temperature)> modulus_at = {};
 };

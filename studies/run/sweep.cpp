@@ -44,19 +44,9 @@ struct Run {
 
 bool is_wanted_again(const StoredAnswer& answer, const SweepOptions& options) {
   const bool converged = answer.status == Status::converged;
-  switch (options.retry) {
-    case Retry::all:
-      return true;
-    case Retry::failed:
-      if (!converged) return true;
-      break;
-    case Retry::not_converged:
-      if (answer.status == Status::not_converged) return true;
-      break;
-    case Retry::nothing:
-      break;
-  }
-  return converged && options.fields == Fields::kept && !answer.has_fields;
+  const bool retried = options.retry == Retry::all || (options.retry == Retry::failed && !converged) ||
+                       (options.retry == Retry::not_converged && answer.status == Status::not_converged);
+  return retried || (converged && options.fields == Fields::kept && !answer.has_fields);
 }
 
 /// Answers as they were at the start that are to be solved again, by their keys: any change is the new answer.

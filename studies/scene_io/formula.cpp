@@ -122,10 +122,13 @@ struct Formula::Parts {
     return &parts.values.back();
   }
 
-  double value() {
-    if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
-      return RollingSolution::absent;
-    return parser.Eval();
+  /// The formula's value with those of its keys.
+  template <class NumberOf>
+  double value(const NumberOf& number_of_key) {
+    const std::lock_guard lock(mutex);
+    std::transform(keys.begin(), keys.end(), values.begin(), number_of_key);
+    const bool absent = std::any_of(values.begin(), values.end(), [](double one) { return std::isnan(one); });
+    return absent ? RollingSolution::absent : parser.Eval();
   }
 };
 
@@ -149,15 +152,11 @@ const std::string& Formula::text() const { return parts_->text; }
 const std::vector<std::string>& Formula::keys() const { return parts_->keys; }
 
 double Formula::operator()(const RollingScene& scene, const RollingSolution& solution) const {
-  const std::lock_guard lock(parts_->mutex);
-  for (std::size_t i = 0; i < parts_->keys.size(); ++i) parts_->values[i] = number_of(scene, solution, parts_->keys[i]);
-  return parts_->value();
+  return parts_->value([&](const std::string& key) { return number_of(scene, solution, key); });
 }
 
 double Formula::operator()(const RollingScene& scene) const {
-  const std::lock_guard lock(parts_->mutex);
-  for (std::size_t i = 0; i < parts_->keys.size(); ++i) parts_->values[i] = number_of(scene, parts_->keys[i]);
-  return parts_->value();
+  return parts_->value([&](const std::string& key) { return number_of(scene, key); });
 }
 
 Condition::Condition(const std::string& text, FormulaNames names, Indenter indenter)

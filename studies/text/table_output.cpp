@@ -156,16 +156,11 @@ void write_json_lines(std::ostream& out, const Table& table) {
 }
 
 void write_table(std::ostream& out, const Table& table, std::string_view format) {
-  if (format == "csv")
-    write_csv(out, table);
-  else if (format == "json")
-    write_json(out, table);
-  else if (format == "jsonl")
-    write_json_lines(out, table);
-  else if (format == "markdown")
-    write_markdown(out, table);
-  else if (!table.rows.empty())
-    write_aligned(out, table);
+  if (format == "csv") return write_csv(out, table);
+  if (format == "json") return write_json(out, table);
+  if (format == "jsonl") return write_json_lines(out, table);
+  if (format == "markdown") return write_markdown(out, table);
+  if (!table.rows.empty()) write_aligned(out, table);
 }
 
 }  // namespace rollres

@@ -18,18 +18,13 @@ namespace rollres {
 
 namespace {
 
-struct FreeUnit {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
+template <auto free>
+struct Freed {
+  void operator()(auto* object) const { free(object); }
 };
-struct FreeConverter {
-  void operator()(cv_converter* converter) const { cv_free(converter); }
-};
-struct FreeSystem {
-  void operator()(ut_system* system) const { ut_free_system(system); }
-};
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
-using Converter = std::unique_ptr<cv_converter, FreeConverter>;
-using System = std::unique_ptr<ut_system, FreeSystem>;
+using Unit = std::unique_ptr<ut_unit, Freed<ut_free>>;
+using Converter = std::unique_ptr<cv_converter, Freed<cv_free>>;
+using System = std::unique_ptr<ut_system, Freed<ut_free_system>>;
 
 std::mutex udunits;  // the library keeps global state: one thread at a time
 
