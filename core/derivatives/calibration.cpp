@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/numerics/finite_difference.hpp"
-#include "core/numerics/noise_estimate.hpp"
 #include "core/numerics/parallel.hpp"
 
 namespace rollres {
@@ -111,8 +111,7 @@ double noise_along(SampledLine& line, const ValueTable& wide) {
 }
 
 double root_mean_square(const std::vector<double>& numbers) {
-  double squares = 0;
-  for (const double number : numbers) squares += number * number;
+  const double squares = std::inner_product(numbers.begin(), numbers.end(), numbers.begin(), 0.0);
   return std::sqrt(squares / static_cast<double>(numbers.size()));
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/derivatives/objective.hpp"
-#include "core/derivatives/sampled_line.hpp"
 
 namespace rollres {
 
@@ -27,7 +26,7 @@ struct Calibration {
   std::vector<InputCalibration> inputs;
 };
 
-/// Finds the noise (noise_estimate.hpp) and bounds of the higher derivatives along each input from a table of 9 values
+/// Finds the noise (estimate_noise) and bounds of the higher derivatives along each input from a table of 9 values
 /// with a wide spacing, which shows a grid that changes, and, where that is smooth, one of 7 with a fine spacing, which
 /// shows rounding and unfinished iterations: 8 or 14 evaluations for each input, and one for the centre. A grid that
 /// changes only farther away than the wide table reaches, 12 % of the input on either side, is not seen.

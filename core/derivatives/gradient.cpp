@@ -18,20 +18,11 @@ constexpr double deviations = 3;  // of the noise that an error estimate covers
 
 /// Offsets in units of the step; none: there is no such formula.
 std::vector<double> offsets_of(Scheme scheme, int order) {
-  switch (scheme) {
-    case Scheme::central:
-      if (order == 1) return {};
-      return order == 2 ? std::vector<double>{-1, 1} : std::vector<double>{-2, -1, 1, 2};
-    case Scheme::forward:
-      if (order == 1) return {0, 1};
-      return order == 2 ? std::vector<double>{0, 1, 2} : std::vector<double>{0, 1, 2, 3, 4};
-    case Scheme::backward:
-      if (order == 1) return {0, -1};
-      return order == 2 ? std::vector<double>{0, -1, -2} : std::vector<double>{0, -1, -2, -3, -4};
-    case Scheme::none:
-      break;
-  }
-  return {};
+  if (scheme == Scheme::none || (scheme == Scheme::central && order == 1)) return {};
+  if (scheme == Scheme::central) return order == 2 ? std::vector<double>{-1, 1} : std::vector<double>{-2, -1, 1, 2};
+  std::vector<double> offsets;
+  for (int i = 0; i <= order; ++i) offsets.push_back(scheme == Scheme::forward ? i : -i);
+  return offsets;
 }
 
 struct FormulaError {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
 
 #include "core/material/material.hpp"
+#include "core/messages/require.hpp"
 #include "core/scene/scene_input.hpp"
 
 namespace rollres {
@@ -22,12 +22,6 @@ constexpr bool is_real = std::is_same_v<Value, double> || std::is_same_v<Value, 
   const std::string nearest = nearest_name(known, key);
   throw std::invalid_argument(std::string(key) + ": unknown " + std::string(kind) +
                               (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
-}
-
-[[noreturn]] void refuse_value(std::string_view key, double value, const std::string& rule) {
-  std::ostringstream message;
-  message << key << " = " << value << ": " << rule;
-  throw std::invalid_argument(message.str());
 }
 
 /// What an input that is zero is compared with.
@@ -44,22 +38,21 @@ Variable variable_of(const RollingScene& base, const Quantity& quantity, const s
   if (!value) throw std::invalid_argument(choice.key + ": must be in the scene to be varied");
   if (std::isinf(*value)) throw std::invalid_argument(choice.key + " = \"infinite\": must be finite to be varied");
   const Range& range = quantity.range;
-  if (!range.contains(*value)) refuse_value(choice.key, *value, range.rule());
+  require(range.contains(*value), choice.key, *value, range.rule());
   for (const std::optional<double>& bound : {choice.lowest, choice.highest})
-    if (bound && std::isnan(*bound)) refuse_value(choice.key, *bound, "a bound must be a number");
+    if (bound) require(!std::isnan(*bound), choice.key, *bound, "a bound must be a number");
 
   Variable variable{quantity, range.lowest, range.highest, false, 1};
   if (range.lowest_excluded) variable.lowest = std::nextafter(range.lowest, range.highest);
   if (choice.lowest) variable.lowest = std::max(variable.lowest, *choice.lowest);
   if (choice.highest) variable.highest = std::min(variable.highest, *choice.highest);
-  if (!(*value >= variable.lowest && *value <= variable.highest))
-    refuse_value(choice.key, *value, "must be inside its bounds");
-  if (variable.lowest == variable.highest) refuse_value(choice.key, *value, "must have room between its bounds");
+  require(*value >= variable.lowest && *value <= variable.highest, choice.key, *value, "must be inside its bounds");
+  require(variable.lowest != variable.highest, choice.key, *value, "must have room between its bounds");
 
   const bool positive_quantity = range.lowest == 0 && (range.lowest_excluded || quantity.unit != "1");
   variable.logarithmic = choice.logarithmic.value_or(positive_quantity && *value > 0);
-  if (variable.logarithmic && !(*value > 0 && variable.lowest >= 0))
-    refuse_value(choice.key, *value, "must be > 0 within its bounds to be varied in its logarithm");
+  require(!variable.logarithmic || (*value > 0 && variable.lowest >= 0), choice.key, *value,
+          "must be > 0 within its bounds to be varied in its logarithm");
   variable.size = *value != 0 ? std::abs(*value) : natural_size(base, quantity);
   return variable;
 }
@@ -113,22 +106,32 @@ Objective objective(const RollingScene& base, const std::vector<InputChoice>& in
   return {base, variables_of(base, inputs), real_output(output), std::move(evaluate)};
 }
 
+double real_input(const RollingScene& scene, std::string_view key) {
+  double number = RollingSolution::absent;
+  visit_input(scene, key, [&](const Quantity&, const auto& value) {
+    if constexpr (is_real<std::decay_t<decltype(value)>>)
+      number = std::optional<double>(value).value_or(RollingSolution::absent);
+  });
+  return number;
+}
+
+void assign_real(RollingScene& scene, std::string_view key, double number) {
+  visit_input(scene, key, [&](const Quantity&, auto& value) {
+    if constexpr (is_real<std::decay_t<decltype(value)>>) value = number;
+  });
+}
+
 std::vector<double> base_point(const Objective& objective) {
   std::vector<double> point;
   for (const Variable& variable : objective.variables)
-    visit_input(objective.base, variable.quantity.key, [&](const Quantity&, const auto& value) {
-      if constexpr (is_real<std::decay_t<decltype(value)>>) point.push_back(std::optional<double>(value).value());
-    });
+    point.push_back(real_input(objective.base, variable.quantity.key));
   return point;
 }
 
 RollingScene scene_at(const Objective& objective, std::span<const double> point) {
   assert(point.size() == objective.variables.size());
   RollingScene scene = objective.base;
-  for (std::size_t i = 0; i < point.size(); ++i)
-    visit_input(scene, objective.variables[i].quantity.key, [&](const Quantity&, auto& value) {
-      if constexpr (is_real<std::decay_t<decltype(value)>>) value = point[i];
-    });
+  for (std::size_t i = 0; i < point.size(); ++i) assign_real(scene, objective.variables[i].quantity.key, point[i]);
   // One method for all points: the spectral one takes incompressible layers only.
   const bool varies_compressibility =
       std::any_of(objective.variables.begin(), objective.variables.end(),
@@ -138,14 +141,13 @@ RollingScene scene_at(const Objective& objective, std::span<const double> point)
 }
 
 void require_inside(const Objective& objective, std::span<const double> point) {
-  if (point.size() != objective.variables.size())
-    refuse_value("size of the point", static_cast<double>(point.size()), "must be the number of inputs that vary");
+  require(point.size() == objective.variables.size(), "size of the point", static_cast<double>(point.size()),
+          "must be the number of inputs that vary");
   for (std::size_t i = 0; i < point.size(); ++i) {
-    const Variable& variable = objective.variables[i];
-    if (!(std::isfinite(point[i]) && point[i] >= variable.lowest && point[i] <= variable.highest))
-      refuse_value(variable.quantity.key, point[i], "must be inside its bounds");
-    if (variable.logarithmic && !(point[i] > 0))
-      refuse_value(variable.quantity.key, point[i], "must be > 0 to be varied in its logarithm");
+    const auto& [quantity, lowest, highest, logarithmic, size] = objective.variables[i];
+    require(std::isfinite(point[i]) && point[i] >= lowest && point[i] <= highest, quantity.key, point[i],
+            "must be inside its bounds");
+    require(!logarithmic || point[i] > 0, quantity.key, point[i], "must be > 0 to be varied in its logarithm");
   }
 }
 
@@ -168,6 +170,18 @@ ObjectiveValue value_at(const Objective& objective, std::span<const double> poin
     answer = {.reason = error.what()};
   }
   return answer;
+}
+
+std::optional<SampledLine::Sample> SampledLine::at(double offset) {
+  if (offset == 0) return Sample{0, centre_};
+  std::vector<double> point = point_;
+  double& input = point[input_];
+  input = variable().value(variable().scaled(centre_input()) + offset);
+  ++evaluations_;
+  const ObjectiveValue answer = value_at(objective_, point);
+  if (answer.found()) return Sample{variable().scaled_step(centre_input(), input), answer.value};
+  failures_.push_back({input, answer.status, answer.reason});
+  return std::nullopt;
 }
 
 }  // namespace rollres

@@ -5,6 +5,7 @@
 /// A point is the list of the inputs' values in SI units. Steps are taken in scaled variables, in which a change by 1
 /// is a large one: ln x for quantities that cannot be zero, x over its size for the others.
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,6 +57,10 @@ std::vector<Variable> variables_of(const RollingScene& base, const std::vector<I
 /// The output with this key. @throws std::invalid_argument if there is none that is a real number
 Quantity real_output(std::string_view key);
 
+/// An input of a scene that is a real number [SI]; NaN if it is absent, or none. And gives it a value.
+double real_input(const RollingScene& scene, std::string_view key);
+void assign_real(RollingScene& scene, std::string_view key, double number);
+
 /// The base scene's values of the inputs that vary [SI].
 std::vector<double> base_point(const Objective& objective);
 
@@ -77,5 +82,48 @@ struct ObjectiveValue {
 /// Evaluates one point. A scene that breaks a rule (std::invalid_argument of `evaluate`) and an output that the answer
 /// lacks are failures with a reason; other exceptions are left to the caller.
 ObjectiveValue value_at(const Objective& objective, std::span<const double> point);
+
+/// A point at which the objective has no value.
+struct FailedPoint {
+  double value;  ///< of the input that was changed [SI]
+  Status status;
+  std::string reason;
+};
+
+/// An objective along one of its inputs, the others fixed: evaluates points at scaled distances from a centre inside
+/// the bounds, and keeps count.
+class SampledLine {
+ public:
+  struct Sample {
+    double offset;  ///< distance from the centre in the scaled variable, as the rounded input has it
+    double value;
+  };
+
+  /// @param objective must outlive the line
+  /// @param centre    the objective's value at `point`
+  SampledLine(const Objective& objective, std::span<const double> point, std::size_t input, double centre)
+      : objective_(objective), point_(point.begin(), point.end()), input_(input), centre_(centre) {}
+
+  const Variable& variable() const { return objective_.variables[input_]; }
+  double centre_input() const { return point_[input_]; }  ///< [SI]
+  double centre_value() const { return centre_; }
+  /// Scaled distance from the centre to the lower bound, and to the upper.
+  double room_below() const { return -variable().scaled_step(centre_input(), variable().lowest); }
+  double room_above() const { return variable().scaled_step(centre_input(), variable().highest); }
+
+  /// The value at an offset inside the room, or nothing: then the failure is kept.
+  std::optional<Sample> at(double offset);
+
+  int evaluations() const { return evaluations_; }
+  const std::vector<FailedPoint>& failures() const { return failures_; }
+
+ private:
+  const Objective& objective_;
+  std::vector<double> point_;
+  std::size_t input_;
+  double centre_;
+  int evaluations_ = 0;
+  std::vector<FailedPoint> failures_;
+};
 
 }  // namespace rollres

@@ -6,8 +6,8 @@
 
 #include "core/influence/passage_quadrature.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/numerics/wavenumber_rule.hpp"
 
 namespace rollres {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/numerics/nonnegative_least_squares.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {
 

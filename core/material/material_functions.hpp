@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/material/material.hpp"
-#include "core/material/relaxation.hpp"
+#include "core/material/prony_series.hpp"
 
 namespace rollres {
 

@@ -1,6 +1,8 @@
 #include "core/material/material_scale.hpp"
 
-#include "core/material/temperature_shift.hpp"
+#include <cmath>
+
+#include "core/messages/require.hpp"
 
 namespace rollres {
 
@@ -24,6 +26,17 @@ double time_shift(const MaterialInputs& layer) {
     shift.activation_energy = *layer.activation_energy;
   }
   return shift_factor(shift, *layer.temperature);
+}
+
+double shift_factor(const TemperatureShift& shift, double temperature) {
+  constexpr double gas_constant = 8.31446261815324;  // [J/(mol K)]
+  require_positive("temperature", temperature);
+  const double above = temperature - shift.reference;
+  if (shift.law == ShiftLaw::arrhenius)
+    return std::exp(shift.activation_energy / gas_constant * (1 / temperature - 1 / shift.reference));
+  if (shift.law == ShiftLaw::none) return 1;
+  require(shift.c2 + above > 0, "temperature", temperature, "must be above the reference less c2 for WLF");
+  return std::pow(10, -shift.c1 * above / (shift.c2 + above));
 }
 
 }  // namespace rollres

@@ -1,6 +1,7 @@
 #pragma once
 
-/// A Prony series in relaxation moduli and times (generalised Maxwell solid).
+/// A Prony series in relaxation moduli and times (generalised Maxwell solid), and the way between the spectra of creep
+/// and of relaxation.
 
 #include <complex>
 #include <vector>
@@ -29,5 +30,19 @@ PronySeries ordered(PronySeries series);
 /// of relaxation_spectrum.
 /// @param series with times ascending and all different
 CreepSpectrum creep_spectrum(const PronySeries& series);
+
+/// The relaxation spectrum that belongs to a creep spectrum: its inverse in the Laplace domain.
+/// G*(omega) = instantaneous - sum_j modulus_j / (1 + i omega time_j).
+struct RelaxationSpectrum {
+  struct Term {
+    double modulus;  // [Pa], > 0
+    double time;     // relaxation time [s]
+  };
+  double instantaneous = 0;  // G'(infinity) [Pa]
+  std::vector<Term> terms;   // one just below each retardation time
+};
+
+/// @param creep with positive times, all different, ascending, and positive compliances
+RelaxationSpectrum relaxation_spectrum(const CreepSpectrum& creep);
 
 }  // namespace rollres

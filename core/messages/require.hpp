@@ -3,18 +3,16 @@
 /// Refusals of arguments outside their range, in one wording.
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "core/messages/message_text.hpp"
 
 namespace rollres {
 
 /// @throws std::invalid_argument "name = value: rule" unless `holds`
 inline void require(bool holds, std::string_view name, double value, std::string_view rule) {
-  if (holds) return;
-  std::ostringstream message;
-  message << name << " = " << value << ": " << rule;
-  throw std::invalid_argument(message.str());
+  if (!holds) throw std::invalid_argument(message_text<6>(name, " = ", value, ": ", rule));
 }
 
 /// Refuses what is not a finite number > 0.

@@ -1,7 +1,6 @@
 #include "core/numerics/chebyshev.hpp"
 
-#include <cmath>
-#include <map>
+#include "core/numerics/recently_made.hpp"
 
 namespace rollres {
 
@@ -26,16 +25,6 @@ ChebyshevFit::ChebyshevFit(int count) : nodes(count), from_values(count, count) 
     for (int k = 0; k < count; ++k) from_values(k, node) = (k == 0 ? 1.0 : 2.0) / count * std::cos(k * angle);
   }
 }
-
-namespace {
-
-template <class Made>
-const Made& kept_for_thread(int size) {
-  thread_local std::map<int, Made> kept;
-  return kept.try_emplace(size, size).first->second;
-}
-
-}  // namespace
 
 const ChebyshevRule& chebyshev_rule(int order) { return kept_for_thread<ChebyshevRule>(order); }
 

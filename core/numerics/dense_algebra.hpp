@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+
 #include <optional>
 
 namespace rollres {
@@ -43,5 +44,8 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
 /// The inverse of Moore and Penrose.
 /// @param threshold singular values below so much of the largest count as 0; absent: about the rounding
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> threshold = {});
+
+/// The x >= 0 with the least |A x - b| (Lawson and Hanson 1974, Solving Least Squares Problems, chapter 23).
+Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 }  // namespace rollres

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <vector>
 
 #include "core/numerics/solution_limits.hpp"
 

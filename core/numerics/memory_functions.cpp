@@ -1,6 +1,5 @@
 #include "core/numerics/memory_functions.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include "core/numerics/quadrature.hpp"
 
-#include <cmath>
-#include <map>
+#include <algorithm>
 
+#include "core/numerics/recently_made.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -30,12 +30,7 @@ QuadratureRule gauss_legendre(int order) {
   return rule;
 }
 
-const QuadratureRule& gauss_rule(int order) {
-  thread_local std::map<int, QuadratureRule> rules;
-  QuadratureRule& rule = rules[order];
-  if (rule.nodes.empty()) rule = gauss_legendre(order);
-  return rule;
-}
+const QuadratureRule& gauss_rule(int order) { return kept_for_thread<QuadratureRule>(order, gauss_legendre); }
 
 namespace {
 
@@ -95,6 +90,28 @@ Eigen::VectorXd MemoryRule::weights(double memory_length) const {
     first += order + 1;
   }
   return weights;
+}
+
+std::vector<double> distance_panels(double end) {
+  constexpr double growth = 1.6;
+  std::vector<double> borders{0, 1.5, 3.5, 6.5, 11};
+  while (borders.back() < end) borders.push_back(borders.back() * growth);
+  return borders;
+}
+
+WavenumberRule::WavenumberRule(double lowest, double highest, double r0, double r1, int order) {
+  const WavenumberFade fade(r0, order);
+  const double end = std::min(highest, fade.to);
+  double from = 0;
+  for (double to = lowest; from < end; from = to, to *= 1.6) {
+    to = std::min(to, end);
+    const QuadratureRule gauss = gauss_legendre(10 + checked_count(0.5 * (to - from) * r1, "nodes of a transform"));
+    for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
+      const double k = from + (to - from) * gauss.nodes[q];
+      nodes.push_back(k);
+      weights.push_back((to - from) * gauss.weights[q] * fade(k));
+    }
+  }
 }
 
 }  // namespace rollres

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -25,6 +26,15 @@ class Forgettable {
  protected:
   ~Forgettable() = default;
 };
+
+/// What depends on a whole number alone: made once in each thread, of that number, and kept.
+template <class Made>
+const Made& kept_for_thread(
+    int number, Made (*make)(int) = [](int one) { return Made(one); }) {
+  thread_local std::map<int, Made> kept;
+  const auto found = kept.find(number);
+  return found != kept.end() ? found->second : kept.emplace(number, make(number)).first->second;
+}
 
 /// Values by keys; the most recently used are kept. `Serves(kept key, wanted key)` tells whether a value will do.
 template <class Key, class Value, std::size_t capacity, class Serves = std::equal_to<Key>>

@@ -29,8 +29,6 @@ class SolutionLimits {
   /// @param seconds of processor time from now on, of this thread and of those that help it
   explicit SolutionLimits(double bytes, double seconds = std::numeric_limits<double>::infinity());
   ~SolutionLimits();
-  SolutionLimits(const SolutionLimits&) = delete;
-  SolutionLimits& operator=(const SolutionLimits&) = delete;
 
  private:
   friend class LimitsOfAnother;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/material/relaxation.hpp"
+#include "core/material/prony_series.hpp"
 #include "core/scene/indenter_shape.hpp"
 #include "core/spectral/slope_correction.hpp"
 

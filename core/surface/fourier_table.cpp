@@ -7,7 +7,6 @@
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/numerics/wavenumber_rule.hpp"
 
 namespace rollres {
 

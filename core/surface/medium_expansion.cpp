@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/material/relaxation.hpp"
+#include "core/material/prony_series.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/chebyshev.hpp"

@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_set>
 
+#include "core/messages/message_text.hpp"
 #include "db/rows/schema.hpp"
 
 namespace rollres {
@@ -33,12 +34,6 @@ std::string number_column(SQLite::Database& connection, const std::string& table
   const bool numbered = row.executeStep() && row.getColumn(1).getString() == "INTEGER" &&
                         row.getColumn(2).getInt() == 1 && row.getColumn(3).getInt() == 0;
   return numbered ? row.getColumn(0).getString() : "";
-}
-
-std::string conditions(const std::vector<std::string>& columns) {
-  std::string text;
-  for (const std::string& column : columns) text += (text.empty() ? "" : " AND ") + column + " IS ?";
-  return text;
 }
 
 }  // namespace
@@ -74,8 +69,7 @@ CopiedTable::CopiedTable(const std::string& name, SQLite::Database& source, SQLi
 }
 
 void CopiedTable::read_columns() {
-  std::set<std::string> known;
-  for (const Column& column : columns_of(into_, name_)) known.insert(column.name);
+  const std::set<std::string> known = column_names(into_, name_);
   for (const Column& column : columns_of(source_, name_))
     if (known.contains(column.name) && column.name != number_column_) columns_.push_back({column.name, {}});
   SQLite::Statement row(source_,
@@ -93,9 +87,7 @@ void CopiedTable::read_columns() {
 }
 
 std::string CopiedTable::list() const {
-  std::string names;
-  for (const CopiedColumn& column : columns_) names += (names.empty() ? "" : ", ") + column.name;
-  return names;
+  return joined(columns_, ", ", [](const CopiedColumn& column) { return column.name; });
 }
 
 /// Columns that tell one row from another, wherever it is.
@@ -150,8 +142,7 @@ SQLite::Statement& CopiedTable::source_row(std::int64_t number) {
 
 std::optional<std::int64_t> CopiedTable::insert(SQLite::Statement& from) {
   if (!insert_) {
-    std::string values;
-    for (std::size_t i = 0; i < columns_.size(); ++i) values += i == 0 ? "?" : ", ?";
+    const std::string values = joined(columns_, ", ", [](const CopiedColumn&) { return "?"; });
     insert_.emplace(into_, "INSERT INTO " + name_ + "(" + list() + ") VALUES (" + values + ")");
   }
   if (!bind_row(*insert_, from)) return std::nullopt;
@@ -167,8 +158,7 @@ void CopiedTable::add(std::int64_t number) {
 
 void CopiedTable::replace(std::int64_t number, std::int64_t row) {
   if (!update_) {
-    std::string values;
-    for (const CopiedColumn& column : columns_) values += (values.empty() ? "" : ", ") + column.name + " = ?";
+    const std::string values = joined(columns_, ", ", [](const CopiedColumn& column) { return column.name + " = ?"; });
     update_.emplace(into_, "UPDATE " + name_ + " SET " + values + " WHERE " + number_column_ + " = ?");
   }
   bind_row(*update_, source_row(number));
@@ -211,7 +201,8 @@ void CopiedTable::copy_all(const std::string& condition) {
                                                [&](const CopiedColumn& column) { return column.name == name; }) -
                                   columns_.begin()));
   SQLite::Statement same(into_, "SELECT " + (number_column_.empty() ? "1" : number_column_) + " FROM " + name_ +
-                                    " WHERE " + conditions(names));
+                                    " WHERE " +
+                                    joined(names, " AND ", [](const std::string& name) { return name + " IS ?"; }));
   while (row.executeStep()) {
     same.reset();
     bool complete = true;

@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <set>
-#include <unordered_map>
-#include <unordered_set>
 
 #include "db/file/sqlite.hpp"
 #include "db/merge/copied_table.hpp"
@@ -24,8 +20,7 @@ struct Output {
 
 /// Real outputs that two solutions of one scene have in common.
 std::vector<Output> compared_outputs(SQLite::Database& one, SQLite::Database& other) {
-  std::set<std::string> present;
-  for (const Column& column : columns_of(one, "evaluation")) present.insert(column.name);
+  const std::set<std::string> present = column_names(one, "evaluation");
   std::vector<Output> outputs;
   for (const Column& column : columns_of(other, "evaluation")) {
     const QuantityColumn* const known = find_quantity_column(column.name);
@@ -73,8 +68,7 @@ class Merge {
 
   /// A source written by a program with more quantities.
   void add_missing_columns_of_source() {
-    std::set<std::string> present;
-    for (const Column& column : columns_of(into_, "evaluation")) present.insert(column.name);
+    const std::set<std::string> present = column_names(into_, "evaluation");
     for (const Column& column : columns_of(source_, "evaluation"))
       if (!present.contains(column.name))
         into_.exec("ALTER TABLE evaluation ADD COLUMN \"" + column.name + "\" " + column.type);

@@ -16,8 +16,6 @@ class ReadableSource {
   /// @throws std::runtime_error as Database
   explicit ReadableSource(const std::filesystem::path& file);
   ~ReadableSource();
-  ReadableSource(const ReadableSource&) = delete;
-  ReadableSource& operator=(const ReadableSource&) = delete;
 
   const Database& database() const { return *database_; }
 

@@ -1,7 +1,13 @@
 #include "db/queries/query.hpp"
 
-#include <algorithm>
+#include <sqlite3.h>
 
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/messages/message_text.hpp"
 #include "db/queries/select.hpp"
 
 namespace rollres {
@@ -48,6 +54,55 @@ constexpr const char* result_from_summary =
     "(SELECT study.name AS study, study_point.position AS position, evaluation.* FROM study CROSS JOIN evaluation "
     "CROSS JOIN study_point ON study_point.key = evaluation.key AND study_point.study = study.id)";
 
+constexpr std::array<std::string_view, ChoiceNames<Statistic>::names.size()> sql_names{"count",  "min",    "max", "avg",
+                                                                                       "median", "stddev", "sum"};
+
+std::string expression(const Aggregate& aggregate, const Columns& known) {
+  if (aggregate.column.empty()) return "count(*)";
+  const Column& column = column_named(known, aggregate.column);
+  if (column.type == "TEXT" && aggregate.statistic != Statistic::count)
+    throw std::invalid_argument(aggregate.column + ": has no " + std::string(name_of(aggregate.statistic)) +
+                                ", it is a text");
+  return std::string(sql_names[static_cast<std::size_t>(aggregate.statistic)]) + "(" + column.sql() + ")";
+}
+
+/// Lets a statement read; nothing else.
+int allow_reading(void*, int action, const char*, const char*, const char*, const char*) {
+  const bool reads =
+      action == SQLITE_SELECT || action == SQLITE_READ || action == SQLITE_FUNCTION || action == SQLITE_RECURSIVE;
+  return reads ? SQLITE_OK : SQLITE_DENY;
+}
+
+struct ReadingOnly {
+  sqlite3* handle;
+  explicit ReadingOnly(sqlite3* connection) : handle(connection) {
+    sqlite3_set_authorizer(handle, allow_reading, nullptr);
+  }
+  ~ReadingOnly() { sqlite3_set_authorizer(handle, nullptr, nullptr); }
+  ReadingOnly(const ReadingOnly&) = delete;
+  ReadingOnly& operator=(const ReadingOnly&) = delete;
+};
+
+[[noreturn]] void refuse(const std::string& rule) { throw std::invalid_argument("sql: " + rule); }
+
+/// The first statement of a text, by itself.
+struct First {
+  bool found = false, reads = false;
+  const char* rest = nullptr;
+};
+First first_statement(sqlite3* handle, const char* text) {
+  sqlite3_stmt* statement = nullptr;
+  First first;
+  const int code = sqlite3_prepare_v2(handle, text, -1, &statement, &first.rest);
+  if (code == SQLITE_AUTH) refuse("must only read");
+  if (code == SQLITE_ERROR) refuse(sqlite3_errmsg(handle));
+  if (code != SQLITE_OK) throw SQLite::Exception(handle, code);
+  first.found = statement != nullptr;
+  first.reads = first.found && sqlite3_stmt_readonly(statement) != 0;
+  sqlite3_finalize(statement);
+  return first;
+}
+
 }  // namespace
 
 Table run_query(const Database& database, const Query& query) {
@@ -57,9 +112,8 @@ Table run_query(const Database& database, const Query& query) {
     const std::string view = with_study ? "result" : "evaluation";
     const Columns known = columns_of(connection, view);
 
-    std::string columns;
-    for (const std::string& name : query.columns)
-      columns += (columns.empty() ? "" : ", ") + column_named(known, name).sql();
+    const std::string columns =
+        joined(query.columns, ", ", [&](const std::string& name) { return column_named(known, name).sql(); });
     std::vector<Cell> bound;
     const std::string where = where_clause(query.filters, known, bound);
     std::string order = order_terms(query.sort, known);
@@ -82,6 +136,78 @@ Table run_query(const Database& database, const Query& query) {
     Table table = rows_of(connection, sql, bound);
     if (!query.columns.empty()) table.columns = query.columns;
     return table;
+  });
+}
+
+std::string Aggregate::name() const { return std::string(name_of(statistic)) + (column.empty() ? "" : "_" + column); }
+
+Aggregate parse_aggregate(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  if (words.empty()) words.emplace_back();
+  const std::string wish = "aggregate = " + std::string(text) + ": ";
+  const int found = find_name(ChoiceNames<Statistic>::names, words.front());
+  if (found < 0) {
+    const std::string nearest = nearest_name(ChoiceNames<Statistic>::names, words.front());
+    throw std::invalid_argument(
+        wish + (nearest.empty() ? "must be one of " + joined(ChoiceNames<Statistic>::names) + ", and a column"
+                                : "did you mean " + nearest + "?"));
+  }
+  Aggregate aggregate{static_cast<Statistic>(found)};
+  if (words.size() > 2) throw std::invalid_argument(wish + "must be a statistic and one column, as in mean approach");
+  if (words.size() == 2) aggregate.column = words[1];
+  if (words.size() == 1 && aggregate.statistic != Statistic::count)
+    throw std::invalid_argument(wish + "needs a column, as in " + words.front() + " rolling_resistance");
+  return aggregate;
+}
+
+Table run_group_query(const Database& database, const GroupQuery& query) {
+  return naming(database.name(), [&] {
+    SQLite::Database& connection = database.connection();
+    add_functions(connection);
+    const bool with_study = any_of_study(query.filters) || std::any_of(query.by.begin(), query.by.end(), of_study) ||
+                            std::any_of(query.aggregates.begin(), query.aggregates.end(),
+                                        [](const Aggregate& aggregate) { return of_study(aggregate.column); });
+    const std::string view = with_study ? "result" : "evaluation";
+    const Columns known = columns_of(connection, view);
+
+    std::string select, group, order;
+    Columns shown;
+    for (const std::string& name : query.by) {
+      const Column& column = column_named(known, name);
+      select += (shown.empty() ? "" : ", ") + (column.type == "REAL" ? "rounded(" + column.sql() + ")" : column.sql()) +
+                " AS " + quoted_name(column.name);
+      shown.push_back({column.name, column.type, quoted_name(column.name)});
+      group += (group.empty() ? " GROUP BY " : ", ") + std::to_string(shown.size());
+      order += std::to_string(shown.size()) + " NULLS LAST, ";
+    }
+    for (const Aggregate& aggregate : query.aggregates) {
+      select += (shown.empty() ? "" : ", ") + expression(aggregate, known) + " AS " + quoted_name(aggregate.name());
+      shown.push_back({aggregate.name(), "REAL", quoted_name(aggregate.name())});
+    }
+    if (shown.empty()) throw std::invalid_argument("aggregate = : must name a statistic, or by a column");
+    std::vector<Cell> bound;
+    const std::string where = where_clause(query.filters, known, bound);
+    order = order_terms(query.sort, shown) + order;
+    if (!order.empty()) order = " ORDER BY " + order.substr(0, order.size() - 2);
+    const std::string limit = limit_clause(query.limit, bound);
+    return rows_of(connection,
+                   "SELECT " + select + " FROM " + view + where + group + " HAVING count(*) > 0" + order + limit,
+                   bound);
+  });
+}
+
+Table run_sql(const Database& database, const std::string& sql) {
+  return naming(database.name(), [&] {
+    SQLite::Database& connection = database.connection();
+    add_functions(connection);
+    const ReadingOnly guard(connection.getHandle());
+    const First first = first_statement(connection.getHandle(), sql.c_str());
+    if (!first.found) refuse("must be a statement, as in SELECT * FROM resistance");
+    if (!first.reads) refuse("must only read");
+    if (first_statement(connection.getHandle(), first.rest).found) refuse("must be one statement");
+    SQLite::Statement statement(connection, sql);
+    return rows_of(statement);
   });
 }
 

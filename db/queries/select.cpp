@@ -1,9 +1,17 @@
 #include "db/queries/select.hpp"
 
+#include <sqlite3.h>
+
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
+#include "db/file/digest.hpp"
 
 namespace rollres {
 
@@ -15,6 +23,114 @@ Cell read_cell(const SQLite::Column& column) {
   if (column.isFloat()) return column.getDouble();
   if (column.isBlob()) return std::to_string(column.getBytes()) + " bytes";
   return column.getString();
+}
+
+bool is_number(sqlite3_value* value) {
+  const int type = sqlite3_value_numeric_type(value);
+  return type == SQLITE_FLOAT || type == SQLITE_INTEGER;
+}
+
+/// By Welford's recurrence (1962).
+struct Spread {
+  std::int64_t count;
+  double mean, squares;
+};
+
+void add_to_spread(sqlite3_context* context, int, sqlite3_value** values) {
+  if (!is_number(values[0])) return;
+  auto* const spread = static_cast<Spread*>(sqlite3_aggregate_context(context, sizeof(Spread)));
+  if (!spread) return sqlite3_result_error_nomem(context);
+  const double value = sqlite3_value_double(values[0]), step = value - spread->mean;
+  spread->mean += step / static_cast<double>(++spread->count);
+  spread->squares += step * (value - spread->mean);
+}
+
+void finish_spread(sqlite3_context* context) {
+  const auto* const spread = static_cast<Spread*>(sqlite3_aggregate_context(context, 0));
+  if (spread && spread->count > 1)
+    sqlite3_result_double(context, std::sqrt(spread->squares / static_cast<double>(spread->count - 1)));
+}
+
+using Numbers = std::vector<double>;
+
+void add_to_numbers(sqlite3_context* context, int, sqlite3_value** values) {
+  if (!is_number(values[0])) return;
+  auto** const numbers = static_cast<Numbers**>(sqlite3_aggregate_context(context, sizeof(Numbers*)));
+  try {
+    if (!numbers) throw std::bad_alloc();
+    if (!*numbers) *numbers = new Numbers;
+    (*numbers)->push_back(sqlite3_value_double(values[0]));
+  } catch (const std::bad_alloc&) {
+    sqlite3_result_error_nomem(context);
+  }
+}
+
+/// SQLite calls it for everything that was begun, also after an error.
+void finish_median(sqlite3_context* context) {
+  auto** const kept = static_cast<Numbers**>(sqlite3_aggregate_context(context, 0));
+  if (!kept || !*kept) return;
+  const std::unique_ptr<Numbers> numbers(*kept);
+  *kept = nullptr;
+  if (numbers->empty()) return;
+  const auto middle = numbers->begin() + static_cast<std::ptrdiff_t>(numbers->size() / 2);
+  std::nth_element(numbers->begin(), middle, numbers->end());
+  double median = *middle;
+  if (numbers->size() % 2 == 0) median = 0.5 * (median + *std::max_element(numbers->begin(), middle));
+  sqlite3_result_double(context, median);
+}
+
+void round_number(sqlite3_context* context, int, sqlite3_value** values) {
+  if (sqlite3_value_type(values[0]) != SQLITE_FLOAT) return sqlite3_result_value(context, values[0]);
+  double value = sqlite3_value_double(values[0]);
+  if (std::isfinite(value)) {
+    const std::string text = twelve_digits(value);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+  }
+  sqlite3_result_double(context, value);
+}
+
+double number_in(const Filter& filter) {
+  if (filter.value == "infinite") return std::numeric_limits<double>::infinity();
+  const char* begin = filter.value.data();
+  const char* end = begin + filter.value.size();
+  if (begin != end && *begin == '+') ++begin;
+  double value = 0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || std::isnan(value))
+    throw std::invalid_argument(filter.column + " = " + filter.value + ": must be a number");
+  return value;
+}
+
+/// SQL of a condition; appends what it binds.
+std::string condition(const Filter& filter, const Column& column, std::vector<Cell>& bound) {
+  const std::string& name = column.sql();
+  const bool equal = filter.comparison == Comparison::equal, differs = filter.comparison == Comparison::not_equal;
+  if (filter.value.empty()) {
+    const std::string absent = "(" + name + " IS NULL" + (column.type == "TEXT" ? " OR " + name + " = '')" : ")");
+    if (equal) return absent;
+    if (differs) return "NOT " + absent;
+    throw std::invalid_argument(filter.column + ": needs a value to compare with");
+  }
+  if (filter.comparison == Comparison::contains) {
+    bound.emplace_back(filter.value);
+    return "instr(" + name + ", ?) > 0";
+  }
+  constexpr const char* operators[] = {" = ?", " IS NOT ?", " < ?", " <= ?", " > ?", " >= ?"};
+  const std::string compared = name + operators[static_cast<int>(filter.comparison)];
+  if (column.type == "TEXT") {
+    bound.emplace_back(filter.value);
+    return compared;
+  }
+  const double value = number_in(filter);
+  const double slack = std::isinf(value) ? 0.0 : 1e-12 * std::abs(value);
+  if (equal || differs) {
+    bound.emplace_back(value - slack);
+    bound.emplace_back(value + slack);
+    return equal ? name + " BETWEEN ? AND ?" : "(" + name + " IS NULL OR " + name + " NOT BETWEEN ? AND ?)";
+  }
+  const bool beyond = filter.comparison == Comparison::less_or_equal || filter.comparison == Comparison::greater;
+  bound.emplace_back(beyond ? value + slack : value - slack);
+  return compared;
 }
 
 }  // namespace
@@ -86,6 +202,45 @@ Table rows_of(SQLite::Database& connection, const std::string& sql, const std::v
       statement.bind(index, std::get<std::string>(value));
   }
   return rows_of(statement);
+}
+
+void add_functions(SQLite::Database& connection) {
+  connection.createFunction("stddev", 1, true, nullptr, nullptr, add_to_spread, finish_spread);
+  connection.createFunction("median", 1, true, nullptr, nullptr, add_to_numbers, finish_median);
+  connection.createFunction("rounded", 1, true, nullptr, round_number);
+}
+
+Filter parse_filter(std::string_view text) {
+  const std::size_t begin = text.find_first_of("=!<>~");
+  if (begin == std::string_view::npos || begin == 0)
+    throw std::invalid_argument(std::string(text) + ": must be a column, one of = != < <= > >= ~ and a value");
+  const bool twofold = begin + 1 < text.size() && text[begin + 1] == '=' && text[begin] != '~';
+  const std::string_view sign = text.substr(begin, twofold ? 2 : 1);
+  constexpr std::pair<std::string_view, Comparison> signs[] = {{"=", Comparison::equal},
+                                                               {"==", Comparison::equal},
+                                                               {"!=", Comparison::not_equal},
+                                                               {"<", Comparison::less},
+                                                               {"<=", Comparison::less_or_equal},
+                                                               {">", Comparison::greater},
+                                                               {">=", Comparison::greater_or_equal},
+                                                               {"~", Comparison::contains}};
+  const auto known =
+      std::find_if(std::begin(signs), std::end(signs), [&](const auto& one) { return one.first == sign; });
+  if (known == std::end(signs))
+    throw std::invalid_argument(std::string(text) + ": a single ! compares nothing; use !=");
+  auto trimmed = [](std::string_view word) {
+    while (word.starts_with(' ')) word.remove_prefix(1);
+    while (word.ends_with(' ')) word.remove_suffix(1);
+    return std::string(word);
+  };
+  return {trimmed(text.substr(0, begin)), known->second, trimmed(text.substr(begin + sign.size()))};
+}
+
+std::string where_clause(const std::vector<Filter>& filters, const Columns& known, std::vector<Cell>& bound) {
+  std::string clause;
+  for (const Filter& filter : filters)
+    clause += (clause.empty() ? " WHERE " : " AND ") + condition(filter, column_named(known, filter.column), bound);
+  return clause;
 }
 
 }  // namespace rollres

@@ -46,4 +46,8 @@ Table rows_of(SQLite::Statement& statement);
 /// The same of a text, with what it binds.
 Table rows_of(SQLite::Database& connection, const std::string& sql, const std::vector<Cell>& bound);
 
+/// Gives a connection what SQLite lacks: the aggregates median(x) and stddev(x) (of a sample, over n - 1; NULL for
+/// fewer than two), which leave NULL out, and rounded(x), x to 12 significant digits, by which numbers are told apart.
+void add_functions(SQLite::Database& connection);
+
 }  // namespace rollres

@@ -1,7 +1,7 @@
-#include <charconv>
 #include <optional>
 #include <type_traits>
 
+#include "core/messages/message_text.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "db/file/digest.hpp"
 #include "db/rows/result_store.hpp"
@@ -13,9 +13,7 @@ namespace {
 std::string canonical(double value) { return twelve_digits(value); }
 std::string canonical(const std::optional<double>& value) { return value ? canonical(*value) : ""; }
 std::string canonical(const std::vector<double>& list) {
-  std::string text;
-  for (const double value : list) text += (text.empty() ? "" : " ") + canonical(value);
-  return text;
+  return joined(list, " ", [](double value) { return canonical(value); });
 }
 std::string canonical(const BondedLayers& layers);
 std::string canonical(int value) { return std::to_string(value); }

@@ -1,11 +1,13 @@
 #include "db/rows/evaluation_row.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/messages/message_text.hpp"
 #include "core/messages/number_list.hpp"
 #include "db/rows/layer_list.hpp"
 #include "db/rows/schema.hpp"
@@ -17,40 +19,25 @@ namespace {
 using Lines = std::vector<std::string>;
 
 void bind_value(SQLite::Statement& statement, int index, double value) {
-  if (std::isnan(value))
-    statement.bind(index);
-  else
-    statement.bind(index, value);
+  std::isnan(value) ? statement.bind(index) : statement.bind(index, value);
 }
 void bind_value(SQLite::Statement& statement, int index, const std::optional<double>& value) {
-  if (value)
-    bind_value(statement, index, *value);
-  else
-    statement.bind(index);
+  value ? bind_value(statement, index, *value) : statement.bind(index);
 }
 /// A list is text, and NULL if it is empty.
 void bind_value(SQLite::Statement& statement, int index, const std::vector<double>& list) {
-  if (list.empty())
-    statement.bind(index);
-  else
-    statement.bind(index, text_of_list(list));
+  list.empty() ? statement.bind(index) : statement.bind(index, text_of_list(list));
 }
 void bind_value(SQLite::Statement& statement, int index, const BondedLayers& layers) {
-  if (layers.empty())
-    statement.bind(index);
-  else
-    statement.bind(index, text_of_layers(layers));
+  layers.empty() ? statement.bind(index) : statement.bind(index, text_of_layers(layers));
 }
 void bind_value(SQLite::Statement& statement, int index, int value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const Lines& lines) {
-  std::string text;
-  for (std::string line : lines) {
-    for (char& letter : line)
-      if (letter == '\n') letter = ' ';
-    text += (text.empty() ? "" : "\n") + line;
-  }
-  statement.bind(index, text);
+  statement.bind(index, joined(lines, "\n", [](std::string line) {
+                   std::replace(line.begin(), line.end(), '\n', ' ');
+                   return line;
+                 }));
 }
 template <class Choice>
 requires std::is_enum_v<Choice>
@@ -115,13 +102,10 @@ SceneAndSolution read_row(SQLite::Statement& statement, int first) {
 }
 
 std::string select_list(SQLite::Database& connection) {
-  std::set<std::string> present;
-  for (const Column& column : columns_of(connection, "evaluation")) present.insert(column.name);
-  std::string list;
-  for (const Column& column : quantity_columns())
-    list += (list.empty() ? "" : ", ") +
-            (present.contains(column.name) ? "evaluation." + column.name : "NULL AS " + column.name);
-  return list;
+  const std::set<std::string> present = column_names(connection, "evaluation");
+  return joined(quantity_columns(), ", ", [&](const Column& column) {
+    return (present.contains(column.name) ? "evaluation." : "NULL AS ") + column.name;
+  });
 }
 
 }  // namespace rollres

@@ -4,7 +4,6 @@
 /// Every bit of a number returns but the sign of zero; a warning is one line.
 
 #include <string>
-#include <vector>
 
 #include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"

@@ -1,5 +1,6 @@
 #include "db/rows/result_store.hpp"
 
+#include "core/messages/message_text.hpp"
 #include "db/file/sqlite.hpp"
 #include "db/rows/evaluation_row.hpp"
 #include "db/rows/fields_table.hpp"
@@ -28,12 +29,6 @@ std::string insert_evaluation(Existing existing) {
 }
 
 /// Keys have no spaces.
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> words;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -57,6 +52,13 @@ std::int64_t provenance_id(SQLite::Database& connection, const Provenance& progr
     if (statement.executeStep()) return statement.getColumn(0).getInt64();
   }
   throw std::runtime_error("provenance could not be stored");
+}
+
+/// The first column of all rows.
+std::vector<std::string> texts_of(SQLite::Statement& row) {
+  std::vector<std::string> texts;
+  while (row.executeStep()) texts.push_back(row.getColumn(0).getString());
+  return texts;
 }
 
 StudySummary read_summary(SQLite::Statement& row) {
@@ -111,7 +113,7 @@ struct ResultStore::Parts {
                             "SELECT DISTINCT name FROM study_point JOIN study ON study.id = study "
                             "WHERE key = ? ORDER BY name");
     study.bind(1, found.key);
-    while (study.executeStep()) found.studies.push_back(study.getColumn(0).getString());
+    found.studies = texts_of(study);
     return found;
   }
 
@@ -148,11 +150,9 @@ struct ResultStore::Parts {
   }
 
   std::vector<std::string> keys_of(std::int64_t study) {
-    std::vector<std::string> keys;
     SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
     row.bind(1, study);
-    while (row.executeStep()) keys.push_back(row.getColumn(0).getString());
-    return keys;
+    return texts_of(row);
   }
 
   std::vector<StudySummary> summaries(const std::string* name) {
@@ -266,7 +266,7 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
                                  ") ON CONFLICT(name) DO UPDATE SET axes = excluded.axes, "
                                  "definition = excluded.definition, started = excluded.started RETURNING id");
     record.bind(1, study.name);
-    record.bind(2, joined(study.axes));
+    record.bind(2, joined(study.axes, " "));
     record.bind(3, study.definition);
     record.executeStep();
     const std::int64_t id = record.getColumn(0).getInt64();
@@ -333,9 +333,7 @@ std::vector<StudySummary> ResultStore::studies() {
 std::vector<std::string> ResultStore::study_names() {
   return naming(database().name(), [&] {
     SQLite::Statement row(parts_->connection(), "SELECT name FROM study ORDER BY name");
-    std::vector<std::string> names;
-    while (row.executeStep()) names.push_back(row.getColumn(0).getString());
-    return names;
+    return texts_of(row);
   });
 }
 

@@ -1,12 +1,16 @@
 #include "db/rows/schema.hpp"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 
+#include "core/messages/message_text.hpp"
 #include "core/scene/scene_input.hpp"
 #include "core/scene/solution.hpp"
+#include "db/file/digest.hpp"
 #include "db/file/sqlite.hpp"
 #include "db/rows/fit_store.hpp"
-#include "db/rows/layer_column.hpp"
+#include "db/rows/result_store.hpp"
 
 namespace rollres {
 
@@ -49,9 +53,7 @@ void create_first_tables(SQLite::Database& connection) {
 }
 
 void create_summary_and_fields(SQLite::Database& connection) {
-  std::string columns;
-  for (const std::string_view column : summary_columns) columns += (columns.empty() ? "" : ", ") + std::string(column);
-  connection.exec("CREATE INDEX evaluation_summary ON evaluation(" + columns + ")");
+  connection.exec("CREATE INDEX evaluation_summary ON evaluation(" + joined(summary_columns) + ")");
   connection.exec(R"(
     CREATE TABLE fields(
       key TEXT NOT NULL PRIMARY KEY REFERENCES evaluation(key) ON DELETE CASCADE,
@@ -67,19 +69,69 @@ void create_summary_and_fields(SQLite::Database& connection) {
 
 /// Rows of before there was a choice were solved with the paper's kinematics.
 void add_kinematics(SQLite::Database& connection) {
-  const std::vector<Column> present = columns_of(connection, "evaluation");
-  if (std::any_of(present.begin(), present.end(), [](const Column& column) { return column.name == "kinematics"; }))
-    return;
+  if (column_names(connection, "evaluation").contains("kinematics")) return;
   connection.exec("ALTER TABLE evaluation ADD COLUMN kinematics TEXT; UPDATE evaluation SET kinematics = 'printed'");
 }
 
 std::vector<Column> missing_columns(SQLite::Database& connection) {
-  const std::vector<Column> present = columns_of(connection, "evaluation");
+  const std::set<std::string> present = column_names(connection, "evaluation");
   std::vector<Column> missing;
   for (const Column& column : quantity_columns())
-    if (std::none_of(present.begin(), present.end(), [&](const Column& other) { return other.name == column.name; }))
-      missing.push_back(column);
+    if (!present.contains(column.name)) missing.push_back(column);
   return missing;
+}
+
+/// SQL of an input in a list of layers, which leaves out what is at its default.
+template <class Value>
+std::string expression_of(const LayerKey& key, const Quantity& quantity, const Value& usual) {
+  const std::string list(key.list), place = std::to_string(key.layer);
+  const std::string given = "json_extract(" + list + ", '$[" + place + "]." + std::string(key.input) + "')";
+  const auto or_usual = [&](const std::string& value, const std::string& otherwise) {
+    return "CASE WHEN json_array_length(" + list + ") > " + place + " THEN coalesce(" + value + ", " + otherwise +
+           ") END";
+  };
+  if constexpr (std::is_enum_v<Value>) {
+    return or_usual(given, "'" + std::string(name_of(usual)) + "'");
+  } else if constexpr (std::is_same_v<Value, double>) {
+    const std::string number = quantity.range.infinity_allowed
+                                   ? "CASE " + given + " WHEN 'infinite' THEN 9e999 ELSE " + given + " END"
+                                   : given;
+    return "CAST(" + or_usual(number, twelve_digits(usual)) + " AS REAL)";
+  } else {
+    return given;
+  }
+}
+
+/// The type of a quantity's column.
+template <class Value>
+std::string column_type(const Value&) {
+  if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
+    return "REAL";
+  else if constexpr (std::is_same_v<Value, int>)
+    return "INTEGER";
+  else
+    return "TEXT";
+}
+
+/// The column of a key "coating_layers[0].layer_thickness", NULL where a scene has not that layer or its layer not that
+/// input; nullptr if no layer has such an input. It lives as long as the program.
+const QuantityColumn* layer_column(std::string_view key) {
+  static std::mutex mutex;
+  static std::map<std::string, QuantityColumn, std::less<>> kept;
+  const std::lock_guard lock(mutex);
+  if (const auto found = kept.find(key); found != kept.end()) return &found->second;
+  const std::optional<LayerKey> parts = layer_key(key);
+  if (!parts) return nullptr;
+  const BondedLayers usual(parts->layer + 1);
+  RollingScene scene;
+  scene.lower_layers = scene.coating_layers = usual;
+  const QuantityColumn* column = nullptr;
+  visit_input(scene, key, [&](const Quantity& quantity, const auto& value) {
+    QuantityColumn& one = kept[std::string(key)];
+    one = {{std::string(key), column_type(value), expression_of(*parts, quantity, value)}, quantity, true};
+    column = &one;
+  });
+  return column;
 }
 
 }  // namespace
@@ -119,6 +171,12 @@ std::vector<Column> columns_of(SQLite::Database& connection, const std::string& 
   while (statement.executeStep())
     columns.push_back({statement.getColumn(0).getString(), statement.getColumn(1).getString()});
   return columns;
+}
+
+std::set<std::string> column_names(SQLite::Database& connection, const std::string& table) {
+  std::set<std::string> names;
+  for (const Column& column : columns_of(connection, table)) names.insert(column.name);
+  return names;
 }
 
 std::span<const Migration> schema_migrations() {

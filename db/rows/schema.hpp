@@ -22,6 +22,7 @@
 /// where the scene left it open.
 
 #include <array>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -62,8 +63,9 @@ inline constexpr std::array<std::string_view, 8> summary_columns{
 /// The index of study_point, by which an evaluation knows its studies.
 inline constexpr const char* study_point_index = "CREATE INDEX study_point_key ON study_point(key)";
 
-/// Columns that table or view has in this file.
+/// Columns that table or view has in this file, and their names.
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table);
+std::set<std::string> column_names(SQLite::Database& connection, const std::string& table);
 
 /// From an empty file to the present schema, one step for each version.
 std::span<const Migration> schema_migrations();

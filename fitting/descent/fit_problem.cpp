@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
 
 #include "core/numerics/finite_difference.hpp"
 
@@ -22,17 +21,7 @@ std::vector<double> offsets_inside(const Variable& variable, double from, double
 
 }  // namespace
 
-double usual_loss_scale(Loss loss) {
-  switch (loss) {
-    case Loss::huber:
-      return 1.345;
-    case Loss::cauchy:
-      return 2.385;
-    case Loss::none:
-      break;
-  }
-  return 1;
-}
+double usual_loss_scale(Loss loss) { return loss == Loss::huber ? 1.345 : loss == Loss::cauchy ? 2.385 : 1; }
 
 FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows) {
   FitProblem part = problem;
@@ -78,15 +67,8 @@ Eigen::VectorXd residuals(const FitProblem& problem, const Prediction& predictio
 
 LossValue loss_of(const FitProblem& problem, double s) {
   const double c = problem.loss_scale, square = c * c;
-  switch (problem.loss) {
-    case Loss::huber:
-      if (s > square) return {2 * c * std::sqrt(s) - square, c / std::sqrt(s)};
-      break;
-    case Loss::cauchy:
-      return {square * std::log1p(s / square), 1 / (1 + s / square)};
-    case Loss::none:
-      break;
-  }
+  if (problem.loss == Loss::huber && s > square) return {2 * c * std::sqrt(s) - square, c / std::sqrt(s)};
+  if (problem.loss == Loss::cauchy) return {square * std::log1p(s / square), 1 / (1 + s / square)};
   return {s, 1};
 }
 

@@ -6,13 +6,15 @@
 /// (core/derivatives/objective.hpp), in which a change by 1 is a large one: ln x for a positive quantity.
 
 #include <Eigen/Core>
+
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "core/derivatives/objective.hpp"
-#include "fitting/descent/evaluation_log.hpp"
 
 namespace rollres {
 
@@ -59,6 +61,49 @@ struct ChoiceNames<Loss> {
 
 /// The constant c with which the loss keeps 95 % of the efficiency of least squares on normal errors.
 double usual_loss_scale(Loss loss);
+
+/// How many scenes a fit evaluated, and which had no answer. May be written by several threads at once.
+class EvaluationLog {
+ public:
+  struct Failure {
+    std::string reason;
+    std::string first_place;  ///< the measurement, "data.csv, line 7"
+    std::size_t count = 0;
+  };
+
+  void answered() {
+    const std::lock_guard lock(mutex_);
+    ++evaluations_;
+  }
+  void failed(const std::string& place, const std::string& reason) {
+    const std::lock_guard lock(mutex_);
+    ++evaluations_;
+    ++failures_;
+    for (Failure& known : reasons_)
+      if (known.reason == reason) {
+        ++known.count;
+        return;
+      }
+    if (reasons_.size() < most_reasons) reasons_.push_back({reason, place, 1});
+  }
+
+  std::size_t evaluations() const { return locked(evaluations_); }
+  std::size_t failures() const { return locked(failures_); }
+  std::vector<Failure> reasons() const { return locked(reasons_); }  ///< the first few that differ
+
+ private:
+  static constexpr std::size_t most_reasons = 8;
+
+  template <class Value>
+  Value locked(const Value& value) const {
+    const std::lock_guard lock(mutex_);
+    return value;
+  }
+
+  mutable std::mutex mutex_;
+  std::size_t evaluations_ = 0, failures_ = 0;
+  std::vector<Failure> reasons_;
+};
 
 struct FitProblem {
   std::vector<FitParameter> parameters;

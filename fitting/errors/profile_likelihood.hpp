@@ -3,7 +3,6 @@
 /// Profile likelihood: how far one parameter can go, all others following, before the misfit rises too much.
 /// @see Venzon and Moolgavkar (1988), J. R. Stat. Soc. C 37, 87
 
-#include <string>
 #include <vector>
 
 #include "fitting/descent/descent.hpp"

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "fitting/descent/latin_hypercube.hpp"
-#include "fitting/descent/secant_slopes.hpp"
 #include "fitting/errors/statistics.hpp"
 
 namespace rollres {
@@ -183,13 +182,9 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
     }
     const Eigen::VectorXd moved = scaled_point(problem, further.end) - scaled_point(problem, best.end);
     const bool near = (moved.array().abs() <= beside * report.errors.deviations.array()).all();
-    best = {best.start,
-            further.end,
-            further.misfit,
-            further.prediction,
-            further.stopped_by_itself,
-            further.why,
-            best.iterations + further.iterations};
+    const int iterations = best.iterations + further.iterations;
+    best = {best.start,  further.end, further.misfit, further.prediction, further.stopped_by_itself,
+            further.why, iterations};
     report = near && !last ? report_on(problem, best, descents, report.slopes) : report_on(problem, best, descents);
   }
   step_over_noise(problem, best, descents, report);

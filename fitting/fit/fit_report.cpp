@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/messages/message_text.hpp"
 #include "fitting/errors/statistics.hpp"
 #include "fitting/fit/fit.hpp"
-#include "fitting/fit/fit_words.hpp"
 
 namespace rollres {
 
@@ -39,6 +38,20 @@ void compare(FitReport& report, const FitProblem& problem, const Descent& best, 
   }
 }
 
+/// Parameters with a share in the weakest direction, the largest first.
+std::vector<std::size_t> sharers(const FitErrors& errors) {
+  constexpr double small = 0.25;
+  std::vector<std::size_t> found;
+  const double largest = errors.weakest.cwiseAbs().maxCoeff();
+  for (Eigen::Index j = 0; j < errors.weakest.size(); ++j)
+    if (std::abs(errors.weakest[j]) > small * largest) found.push_back(static_cast<std::size_t>(j));
+  std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(errors.weakest[static_cast<Eigen::Index>(a)]) >
+           std::abs(errors.weakest[static_cast<Eigen::Index>(b)]);
+  });
+  return found;
+}
+
 }  // namespace
 
 FitPoint FitReport::point() const {
@@ -69,9 +82,6 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
   report.iterations = best.iterations;
   report.stopped = best.why;
   const double absent = RollingSolution::absent;
-  report.chi_squared = report.reduced_chi_squared = report.p_value = report.rms = report.relative_rms = absent;
-  report.runs_p_value = report.noise = absent;
-  report.largest_residual = 0;
   for (std::size_t j = 0; j < problem.size(); ++j)
     report.parameters.push_back(
         {problem.parameters[j], best.end[j], absent, absent, {}, {}, absent, absent, AtBound::no, {}});
@@ -116,17 +126,39 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
     fitted.slope_doubt = report.errors.slope_doubt[k];
     fitted.at_bound = report.errors.at_bound[j];
   }
+  const Eigen::MatrixXd known =
+      report.errors.covariance.unaryExpr([](double entry) { return std::isnan(entry) ? 0 : entry; });  // not held
   for (Eigen::Index i = 0; i < misses.size(); ++i) {
-    double variance = 0;
-    for (Eigen::Index j = 0; j < report.slopes.derivatives.cols(); ++j)
-      for (Eigen::Index k = 0; k < report.slopes.derivatives.cols(); ++k) {
-        const double covariance = report.errors.covariance(j, k);
-        if (!std::isnan(covariance))
-          variance += report.slopes.derivatives(i, j) * covariance * report.slopes.derivatives(i, k);
-      }
-    report.values[static_cast<std::size_t>(i)].band = std::sqrt(variance);
+    const auto slope = report.slopes.derivatives.row(i);
+    report.values[static_cast<std::size_t>(i)].band = std::sqrt(slope.dot(slope * known));
   }
   return report;
+}
+
+std::string weakest_parameters(const FitProblem& problem, const FitErrors& errors) {
+  const std::vector<std::size_t> names = sharers(errors);
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + problem.parameters[names[k]].name;
+  return text;
+}
+
+std::string weakest_direction_in_words(const FitProblem& problem, const FitErrors& errors) {
+  const std::vector<std::size_t> names = sharers(errors);
+  if (names.empty()) return "";
+  if (!std::isfinite(errors.weakest_deviation))
+    return weakest_parameters(problem, errors) + (names.size() > 1 ? " change together" : " changes") +
+           " without any effect on the predictions";
+  const double sign = errors.weakest[static_cast<Eigen::Index>(names.front())] < 0 ? -1 : 1;
+  std::string text;
+  for (const std::size_t j : names) {
+    const Variable& variable = problem.parameters[j].variable;
+    const double moved = sign * errors.weakest[static_cast<Eigen::Index>(j)] * errors.weakest_deviation;
+    text += (text.empty() ? "" : " with ") + problem.parameters[j].name;
+    text += variable.logarithmic ? message_text<4>(" x ", std::exp(moved))
+                                 : message_text<4>(moved < 0 ? " - " : " + ", std::abs(moved) * variable.size);
+  }
+  return text + " is within one standard deviation";
 }
 
 }  // namespace rollres

@@ -12,11 +12,11 @@ namespace rollres {
 
 /// In the order in which they are tested, from the worst: the first that holds is the status.
 enum class FitStatus {
-  not_converged,   ///< no start had a prediction; or the slopes are noise (an estimated error of half their size or
-                   ///< more, that the data would feel), or leave a parameter uncertain by three standard errors; or the
-                   ///< least misfit is thought to be farther away than a tenth of a standard error and than the noise of
-                   ///< the model explains
-  did_not_move,    ///< every descent that led here ended where it began, which is no proof of a least misfit
+  not_converged,  ///< no start had a prediction; or the slopes are noise (an estimated error of half their size or
+                  ///< more, that the data would feel), or leave a parameter uncertain by three standard errors; or the
+                  ///< least misfit is thought to be farther away than a tenth of a standard error and than the noise of
+                  ///< the model explains
+  did_not_move,   ///< every descent that led here ended where it began, which is no proof of a least misfit
   not_identified,  ///< the data do not bound a parameter: an interval is open, or along the weakest direction the
                    ///< parameters change by a factor of e or more within one standard deviation
   usable_with_warnings,
@@ -58,15 +58,15 @@ struct FitReport {
   std::vector<FittedParameter> parameters;
   std::vector<FittedValue> values;
   bool deviations_known = false;
-  int degrees = 0;     ///< of freedom
-  double chi_squared;  ///< sum of the losses; without known deviations in their unit [1]
-  double reduced_chi_squared;
-  double p_value;                ///< that chi squared is as large by chance; NaN without known deviations
-  double rms;                    ///< root mean square of prediction - measurement [SI]
-  double relative_rms;           ///< of the same over the measured values
-  double runs_p_value;           ///< runs test of the residuals in the order of the data
-  std::size_t largest_residual;  ///< its place in `values`
-  double noise;                  ///< of the model: largest standard deviation over the predicted value
+  int degrees = 0;                               ///< of freedom
+  double chi_squared = RollingSolution::absent;  ///< sum of the losses; without known deviations in their unit [1]
+  double reduced_chi_squared = RollingSolution::absent;
+  double p_value = RollingSolution::absent;  ///< that chi squared is as large by chance; NaN without known deviations
+  double rms = RollingSolution::absent;      ///< root mean square of prediction - measurement [SI]
+  double relative_rms = RollingSolution::absent;  ///< of the same over the measured values
+  double runs_p_value = RollingSolution::absent;  ///< runs test of the residuals in the order of the data
+  std::size_t largest_residual = 0;               ///< its place in `values`
+  double noise = RollingSolution::absent;         ///< of the model: largest standard deviation over the predicted value
 
   FitErrors errors;
   std::string weakest_direction;  ///< in words
@@ -87,5 +87,11 @@ struct ParameterPair {
   std::size_t first, second;
 };
 ParameterPair worst_pair(const FitReport& report);
+
+/// "static_shear_modulus x 1.35 with creep_time x 0.74 raises chi squared by 1".
+std::string weakest_direction_in_words(const FitProblem& problem, const FitErrors& errors);
+
+/// The parameters that share the weakest direction: "static_shear_modulus and creep_time".
+std::string weakest_parameters(const FitProblem& problem, const FitErrors& errors);
 
 }  // namespace rollres

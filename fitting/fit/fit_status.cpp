@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/messages/message_text.hpp"
 #include "fitting/fit/fit.hpp"
-#include "fitting/fit/fit_words.hpp"
+#include "fitting/fit/fit_report.hpp"
 
 namespace rollres {
 
@@ -15,7 +16,7 @@ constexpr double lost = 3;                                 // doubt of a step, s
 constexpr double unlikely = 0.01;                          // of a test
 constexpr double strong = 0.98;                            // correlation
 
-std::string percent(double part) { return rounded(100 * part) + " %"; }
+std::string percent(double part) { return message_text<4>(100 * part, " %"); }
 
 /// Noise of the model over the scatter of the data.
 double noise_over_scatter(const FitReport& report) {
@@ -30,8 +31,9 @@ std::string noise_in_words(const FitReport& report, const FitProblem& problem) {
   if (!report.slopes.found()) return "";
   const double noisy = noise_over_scatter(report);
   if (!(noisy > 0.5)) return "";
-  return "the noise of the model, " + percent(report.noise) + " of its values, is " + rounded(noisy) +
-         " times the scatter of the data" + (problem.noise_remedy.empty() ? "" : "; " + problem.noise_remedy);
+  return message_text<4>("the noise of the model, ", percent(report.noise), " of its values, is ", noisy,
+                         " times the scatter of the data", problem.noise_remedy.empty() ? "" : "; ",
+                         problem.noise_remedy);
 }
 
 /// How far the errors of the slopes let Gauss and Newton's step err, in standard errors: (A^T A)^-1 E^T r for slopes
@@ -52,9 +54,9 @@ std::string not_converged(const FitReport& report) {
   for (std::size_t j = 0; j < report.parameters.size(); ++j) {
     const FittedParameter& fitted = report.parameters[j];
     if (fitted.slope_doubt > noisy_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
-      return "the slopes by " + fitted.parameter.name + " are noise: with steps of " + rounded(fitted.step) +
-             " and a relative noise of the model of " + rounded(report.noise) + " their estimated error is " +
-             percent(fitted.slope_doubt) + " of them";
+      return message_text<4>("the slopes by ", fitted.parameter.name, " are noise: with steps of ", fitted.step,
+                             " and a relative noise of the model of ", report.noise, " their estimated error is ",
+                             percent(fitted.slope_doubt), " of them");
   }
   const bool flat = !(report.errors.weakest_deviation < 1);  // then no place is the least misfit
   for (std::size_t j = 0; j < report.parameters.size() && !flat; ++j) {
@@ -62,15 +64,15 @@ std::string not_converged(const FitReport& report) {
     const double distance = std::abs(report.errors.step[static_cast<Eigen::Index>(j)]);
     const double doubt = doubt_of_step(report, static_cast<Eigen::Index>(j));
     if (doubt > lost)
-      return "the noise of the model, " + percent(report.noise) + " of its values, leaves " + fitted.parameter.name +
-             " uncertain by " + rounded(doubt) + " standard errors";
+      return message_text<4>("the noise of the model, ", percent(report.noise), " of its values, leaves ",
+                             fitted.parameter.name, " uncertain by ", doubt, " standard errors");
     // A noise e of residuals moves the misfit by about e, and its least place by the root of that. A step that the
     // errors of the slopes explain is no distance: 100 draws of a noise of 0.05 deviations of the data ended within
     // 0.95 standard errors of the least misfit where the doubt was below 3, at steps of up to 1.03 times the doubt.
     const double enough = std::max(std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near), 1.5 * doubt);
     if (distance > std::max(enough * fitted.relative_error, exactly))
-      return fitted.parameter.name + " is thought to be " + rounded(distance / fitted.relative_error) +
-             " standard errors away from the least misfit (the descent stopped: " + report.stopped + ")";
+      return message_text<4>(fitted.parameter.name, " is thought to be ", distance / fitted.relative_error,
+                             " standard errors away from the least misfit (the descent stopped: ", report.stopped, ")");
   }
   return report.interrupted ? "interrupted" : "";
 }
@@ -115,42 +117,41 @@ std::string not_identified(const FitReport& report, const FitProblem& problem) {
 }
 
 void add_warnings(FitReport& report, const FitProblem& problem) {
-  const auto warn = [&](const std::string& words) { report.warnings.push_back(words); };
+  const auto warn = [&](const auto&... words) { report.warnings.push_back(message_text<4>(words...)); };
   for (std::size_t j = 0; j < report.parameters.size(); ++j) {
     const FittedParameter& fitted = report.parameters[j];
     if (fitted.at_bound != AtBound::no) warn(fitted.parameter.name + " is at its bound: its error is not known");
     if (fitted.slope_doubt > doubtful_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
-      warn("the slopes by " + fitted.parameter.name + " are known to " + percent(fitted.slope_doubt) + " only");
+      warn("the slopes by ", fitted.parameter.name, " are known to ", percent(fitted.slope_doubt), " only");
   }
   for (std::size_t j = 0; j < report.parameters.size(); ++j)
     if (const double doubt = doubt_of_step(report, static_cast<Eigen::Index>(j)); doubt > 5 * near)
-      warn("the noise of the model leaves " + report.parameters[j].parameter.name + " uncertain by another " +
-           rounded(doubt) + " standard errors");
+      warn("the noise of the model leaves ", report.parameters[j].parameter.name, " uncertain by another ", doubt,
+           " standard errors");
   if (report.p_value < unlikely)
-    warn("the misfit is larger than the deviations of the data explain: p = " + rounded(report.p_value));
+    warn("the misfit is larger than the deviations of the data explain: p = ", report.p_value);
   if (1 - report.p_value < unlikely)
-    warn("the misfit is smaller than the deviations of the data let expect: 1 - p = " + rounded(1 - report.p_value));
+    warn("the misfit is smaller than the deviations of the data let expect: 1 - p = ", 1 - report.p_value);
   if (report.runs_p_value < unlikely)
-    warn("the residuals are not random in the order of the data: runs test p = " + rounded(report.runs_p_value));
+    warn("the residuals are not random in the order of the data: runs test p = ", report.runs_p_value);
   const ParameterPair pair = worst_pair(report);
   if (problem.size() > 1) {
     const double correlation =
         report.errors.correlations(static_cast<Eigen::Index>(pair.first), static_cast<Eigen::Index>(pair.second));
     if (std::abs(correlation) > strong)
-      warn(problem.parameters[pair.first].name + " and " + problem.parameters[pair.second].name +
-           " are hard to separate: correlation " + rounded(correlation));
+      warn(problem.parameters[pair.first].name, " and ", problem.parameters[pair.second].name,
+           " are hard to separate: correlation ", correlation);
   }
   if (report.starts > 1 && 2 * report.agreeing < report.starts)
-    warn("only " + std::to_string(report.agreeing) + " of " + std::to_string(report.starts) +
-         " starts led to this misfit");
+    warn("only ", report.agreeing, " of ", report.starts, " starts led to this misfit");
   const double scatter = std::sqrt(report.errors.scale);
   if (const std::string noise = noise_in_words(report, problem); !noise.empty()) warn(noise);
   if (report.relative_rms > 0.2)
     warn("the fit misses the data by " + percent(report.relative_rms) + " (rms): the model does not describe them");
   const FittedValue& worst = report.values[report.largest_residual];
   if (std::abs(worst.residual) > 4 * scatter)
-    warn((worst.measured.place.empty() ? "a measurement" : worst.measured.place) + " is " +
-         rounded(std::abs(worst.residual) / scatter) + " standard deviations off the fit");
+    warn(worst.measured.place.empty() ? "a measurement" : worst.measured.place, " is ",
+         std::abs(worst.residual) / scatter, " standard deviations off the fit");
 }
 
 }  // namespace
@@ -166,10 +167,9 @@ void judge(FitReport& report, const FitProblem& problem) {
   if (const std::string noise = noise_in_words(report, problem); !report.reason.empty() && !noise.empty())
     report.reason += "; " + noise;
   if (known && !report.moved) {
-    report.reason +=
-        (report.reason.empty() ? "" : "; ") +
-        std::string("the fit ended where it started, which is no proof of a least misfit: start it elsewhere");
-    if (report.reason.starts_with("the fit")) report.status = FitStatus::did_not_move;
+    if (report.reason.empty()) report.status = FitStatus::did_not_move;
+    report.reason += report.reason.empty() ? "" : "; ";
+    report.reason += "the fit ended where it started, which is no proof of a least misfit: start it elsewhere";
     return;
   }
   if (!report.reason.empty()) return;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 
-#include "core/numerics/nonnegative_least_squares.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -33,14 +32,10 @@ FitParameter parameter(const Quantity& quantity, double start, std::string name 
 }
 
 std::vector<FitParameter> shift_parameters(const TemperatureShift& shift) {
-  switch (shift.law) {
-    case ShiftLaw::wlf:
-      return {parameter(wlf_c1, shift.c1 > 0 ? shift.c1 : 8.86), parameter(wlf_c2, shift.c2 > 0 ? shift.c2 : 101.6)};
-    case ShiftLaw::arrhenius:
-      return {parameter(energy, shift.activation_energy > 0 ? shift.activation_energy : 1e5)};
-    case ShiftLaw::none:
-      break;
-  }
+  if (shift.law == ShiftLaw::wlf)
+    return {parameter(wlf_c1, shift.c1 > 0 ? shift.c1 : 8.86), parameter(wlf_c2, shift.c2 > 0 ? shift.c2 : 101.6)};
+  if (shift.law == ShiftLaw::arrhenius)
+    return {parameter(energy, shift.activation_energy > 0 ? shift.activation_energy : 1e5)};
   return {};
 }
 
@@ -91,6 +86,18 @@ FitProblem problem_of(const std::vector<MeasuredModulus>& data, std::vector<FitP
   return problem;
 }
 
+/// The fit of a material of the first parameters and a shift of the last.
+MaterialFit fitted(const std::vector<MeasuredModulus>& data, const std::vector<FitParameter>& parameters,
+                   const MaterialFitOptions& options, const FitOptions& wanted, const ModulusAt& modulus) {
+  const FitProblem problem = problem_of(data, parameters, options, modulus);
+  MaterialFit answer{.report = fit(problem, wanted), .zener = {}, .prony = {}, .shift = {}};
+  answer.shift = shift_at(options.shift, answer.report.point());
+  answer.modulus_at = [modulus, shift = options.shift](const FitPoint& point, double omega, double temperature) {
+    return modulus(point, omega * shift_factor(shift_at(shift, point), temperature));
+  };
+  return answer;
+}
+
 FractionalZener zener_at(const FitPoint& point, bool fractional) {
   return {point[0], point[1], point[2], fractional ? point[3] : 1};
 }
@@ -105,17 +112,11 @@ MaterialFit fit_zener(const std::vector<MeasuredModulus>& data, const MaterialFi
   std::vector<FitParameter> parameters{parameter(static_modulus, 0.8 * soft->storage), parameter(stiffening, ratio),
                                        parameter(creep_time, std::sqrt(ratio) / lossy->angular_frequency)};
   if (fractional) parameters.push_back(parameter(order, 0.6));
-  const FitProblem problem = problem_of(data, parameters, options, [fractional](const FitPoint& point, double omega) {
-    return complex_modulus(zener_at(point, fractional), omega);
-  });
-  MaterialFit answer{
-      .report = fit(problem, options.options), .zener = {}, .prony = {}, .shift = {}, .form = options.form};
-  const FitPoint found = answer.report.point();
-  answer.zener = zener_at(found, fractional);
-  answer.shift = shift_at(options.shift, found);
-  answer.modulus_at = [fractional, shift = options.shift](const FitPoint& point, double omega, double temperature) {
-    return complex_modulus(zener_at(point, fractional), omega * shift_factor(shift_at(shift, point), temperature));
-  };
+  MaterialFit answer =
+      fitted(data, parameters, options, options.options, [fractional](const FitPoint& point, double omega) {
+        return complex_modulus(zener_at(point, fractional), omega);
+      });
+  answer.zener = zener_at(answer.report.point(), fractional);
   return answer;
 }
 
@@ -191,12 +192,6 @@ PronySeries series_at(PronySeries series, const FitPoint& point) {
   return series;
 }
 
-std::string term_name(const PronySeries::Term& term) {
-  char text[48];
-  std::snprintf(text, sizeof text, "modulus (%.3g s)", term.time);
-  return text;
-}
-
 /// The fit of the moduli of these terms.
 MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const PronySeries& series,
                        const MaterialFitOptions& options, bool profiles) {
@@ -204,19 +199,14 @@ MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const PronySeri
   std::vector<FitParameter> parameters;
   if (series.static_modulus > 0) parameters.push_back(parameter(static_modulus, off * series.static_modulus));
   for (const PronySeries::Term& term : series.terms)
-    parameters.push_back(parameter(relaxation_modulus, off * term.modulus, term_name(term)));
-  const FitProblem problem = problem_of(data, parameters, options, [series](const FitPoint& point, double omega) {
-    return complex_modulus(series_at(series, point), omega);
-  });
+    parameters.push_back(
+        parameter(relaxation_modulus, off * term.modulus, message_text("modulus (", term.time, " s)")));
   FitOptions wanted = options.options;
   wanted.profiles &= profiles;
-  MaterialFit answer{fit(problem, wanted), {}, {}, {}, options.form};
-  const FitPoint found = answer.report.point();
-  answer.prony = series_at(series, found);
-  answer.shift = shift_at(options.shift, found);
-  answer.modulus_at = [series, shift = options.shift](const FitPoint& point, double omega, double temperature) {
-    return complex_modulus(series_at(series, point), omega * shift_factor(shift_at(shift, point), temperature));
-  };
+  MaterialFit answer = fitted(data, parameters, options, wanted, [series](const FitPoint& point, double omega) {
+    return complex_modulus(series_at(series, point), omega);
+  });
+  answer.prony = series_at(series, answer.report.point());
   return answer;
 }
 
@@ -269,8 +259,7 @@ MaterialFit fit_prony(const std::vector<MeasuredModulus>& data, const MaterialFi
 }  // namespace
 
 std::complex<double> MaterialFit::modulus(double angular_frequency, double temperature) const {
-  const double reduced = angular_frequency * shift_factor(shift, temperature);
-  return form == MaterialForm::prony ? complex_modulus(prony, reduced) : complex_modulus(zener, reduced);
+  return modulus_at(report.point(), angular_frequency, temperature);
 }
 
 std::complex<double> MaterialFit::modulus_error(double angular_frequency, double temperature) const {

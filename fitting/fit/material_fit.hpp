@@ -4,13 +4,12 @@
 
 #include <complex>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/material/fractional_zener.hpp"
+#include "core/material/material_scale.hpp"
 #include "core/material/prony_series.hpp"
-#include "core/material/temperature_shift.hpp"
 #include "fitting/fit/fit.hpp"
 
 namespace rollres {
@@ -48,7 +47,6 @@ struct MaterialFit {
   std::complex<double> modulus(double angular_frequency, double temperature) const;
   /// Standard errors of its parts by the errors of the parameters; NaN if those are not known [Pa].
   std::complex<double> modulus_error(double angular_frequency, double temperature) const;
-  MaterialForm form;
   /// G* of other parameters.
   std::function<std::complex<double>(const FitPoint&, double angular_frequency, double temperature)> modulus_at = {};
 };

@@ -19,13 +19,6 @@ namespace rollres {
 
 namespace {
 
-void assign_real(RollingScene& scene, std::string_view key, double number) {
-  visit_input(scene, key, [&](const Quantity&, auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>) value = number;
-  });
-}
-
 bool concerns(const FittedInput& input, const std::string& set) { return input.set.empty() || input.set == set; }
 
 /// One scene's output as a function of the inputs that concern it.

@@ -3,9 +3,8 @@
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/slurm_scripts.hpp"
-#include "studies/stored/study_status.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/study/shards.hpp"
-#include "studies/study/study_scene.hpp"
 #include "studies/text/files.hpp"
 
 namespace rollres {
@@ -40,7 +39,7 @@ void slurm(const SlurmArguments& arguments, Session& session) {
   if (std::filesystem::exists(copy) && read_study(copy).name != study.name)
     throw std::invalid_argument("out = " + arguments.folder + ": holds the scripts of another study");
   for (const char* const folder : {"shards", "logs"}) make_directory(job.folder / folder);
-  write_file(copy, standalone_study(arguments.study));
+  write_file(copy, study.definition);
   write_script(job.folder / "array.sh", array_script(job));
   write_script(job.folder / "merge.sh", merge_script(job));
   write_script(job.folder / "submit.sh", submit_script(job));

@@ -5,7 +5,7 @@
 #include "db/rows/result_store.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
-#include "studies/stored/study_status.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/text/table_json.hpp"
 

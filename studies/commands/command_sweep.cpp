@@ -3,7 +3,6 @@
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/sweep.hpp"
-#include "studies/study/study_scene.hpp"
 #include "studies/text/table_json.hpp"
 
 namespace rollres {
@@ -55,7 +54,6 @@ void sweep(const SweepArguments& arguments, Session& session) {
   std::optional<StopSignal> signal;  // until the first point there is nothing to bring home: a signal ends the program
   options.ready = [&] { signal.emplace(); };
   options.stop = &StopSignal::requested();
-  options.definition = standalone_study(arguments.study);
   if (!arguments.shard.empty()) options.shard = parse_shard(arguments.shard);
   options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, arguments.retry));
   options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "studies/scene_io/scene_inputs.hpp"
-#include "studies/text/key_words.hpp"
+#include "studies/text/words.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {

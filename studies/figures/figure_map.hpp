@@ -4,7 +4,7 @@
 /// and the border between stick and slip.
 
 #include "studies/figures/figure.hpp"
-#include "studies/text/scaled_unit.hpp"
+#include "studies/text/readable_number.hpp"
 
 namespace rollres {
 

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "studies/scene_io/master_curve_file.hpp"
-#include "studies/scene_io/scene_entries.hpp"
 
 namespace rollres::json_schema {
 
@@ -32,6 +31,38 @@ Json number(const InputKind& kind) {
   return {{"anyOf", forms}};
 }
 
+/// One of a scene's further layers.
+Json further_layer() {
+  Json properties = Json::object(), needed = Json::array();
+  for (const InputKind& kind : layer_kinds()) {
+    properties[std::string(kind.quantity.key)] = input(kind);
+    if (kind.needed_by_all()) needed.push_back(kind.quantity.key);
+  }
+  return {{"type", "object"}, {"properties", properties}, {"required", needed}, {"additionalProperties", false}};
+}
+
+Json form_of(const KeyForm& form) {
+  switch (form.kind) {
+    case KeyForm::text:
+      return {{"type", "string"}};
+    case KeyForm::name:
+      return name();
+    case KeyForm::number:
+      return input_number();
+    case KeyForm::positive:
+      return {{"type", "number"}, {"exclusiveMinimum", 0}};
+    case KeyForm::boolean:
+      return {{"type", "boolean"}, {"default", false}};
+    case KeyForm::whole:
+      return whole(form.lowest, form.highest);
+    case KeyForm::one_of:
+      return names(form.names);
+    case KeyForm::own:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 Json names(std::span<const std::string_view> list) {
@@ -53,20 +84,6 @@ Json input_definitions() {
   for (const InputKind& kind : input_kinds()) definitions[std::string(kind.quantity.key)] = input(kind);
   return definitions;
 }
-
-namespace {
-
-/// One of a scene's further layers.
-Json further_layer() {
-  Json properties = Json::object(), needed = Json::array();
-  for (const InputKind& kind : layer_kinds()) {
-    properties[std::string(kind.quantity.key)] = input(kind);
-    if (kind.needed_by_all()) needed.push_back(kind.quantity.key);
-  }
-  return {{"type", "object"}, {"properties", properties}, {"required", needed}, {"additionalProperties", false}};
-}
-
-}  // namespace
 
 Json input(const InputKind& kind) {
   if (kind.layers) {
@@ -107,32 +124,6 @@ Json input_key(bool (*accepts)(const InputKind&)) {
     if (accepts(kind)) of_layers += (of_layers.empty() ? "" : "|") + std::string(kind.quantity.key);
   return {{"anyOf", {names(own), {{"type", "string"}, {"pattern", layer_pattern("(" + of_layers + ")")}}}}};
 }
-
-namespace {
-
-Json form_of(const KeyForm& form) {
-  switch (form.kind) {
-    case KeyForm::text:
-      return {{"type", "string"}};
-    case KeyForm::name:
-      return name();
-    case KeyForm::number:
-      return input_number();
-    case KeyForm::positive:
-      return {{"type", "number"}, {"exclusiveMinimum", 0}};
-    case KeyForm::boolean:
-      return {{"type", "boolean"}, {"default", false}};
-    case KeyForm::whole:
-      return whole(form.lowest, form.highest);
-    case KeyForm::one_of:
-      return names(form.names);
-    case KeyForm::own:
-      break;
-  }
-  return {};
-}
-
-}  // namespace
 
 Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::string_view, Json>>& own) {
   Json properties = Json::object(), required = Json::array();

@@ -10,7 +10,6 @@
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/scaled_unit.hpp"
 
 namespace rollres {
 

@@ -4,29 +4,15 @@
 #include <cmath>
 #include <map>
 
-#include "core/scene/scene_input.hpp"
 #include "db/rows/result_store.hpp"
 #include "fitting/errors/statistics.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
-#include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
-
-double input_number(const RollingScene& scene, std::string_view key) {
-  double number = RollingSolution::absent;
-  visit_input(scene, key, [&](const Quantity&, const auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, double>)
-      number = value;
-    else if constexpr (std::is_same_v<Value, std::optional<double>>)
-      number = value.value_or(RollingSolution::absent);
-  });
-  return number;
-}
 
 bool is_number(const std::string& key) { return find_input(key)->choices.empty() && !find_input(key)->list; }
 
@@ -47,7 +33,7 @@ std::string label_of(const FitFile& file, const MeasuredScene& row, const std::s
     if (key == x || !is_number(key)) continue;
     const Quantity& quantity = find_input(key)->quantity;
     parts.push_back(std::string(quantity.symbol.empty() ? quantity.key : quantity.symbol) + " = " +
-                    readable(input_number(row.scene, key), quantity.unit_for(file.indenter())));
+                    readable(real_input(row.scene, key), quantity.unit_for(file.indenter())));
   }
   return joined(parts);
 }
@@ -73,7 +59,7 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
     set_input(same, x, 1.0);
     const auto [place, fresh] = places.try_emplace(evaluation_key(same) + row.set, answer.curves.size());
     if (fresh) answer.curves.push_back({.label = label_of(file, row, x)});
-    const double value = input_number(row.scene, x);
+    const double value = real_input(row.scene, x);
     answer.curves[place->second].data_x.push_back(value);
     answer.curves[place->second].data.push_back(i);
     lowest = std::min(lowest, value);
@@ -89,6 +75,8 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   std::vector<FitParameter> parameters;
   for (const FittedParameter& fitted : report.parameters) parameters.push_back(fitted.parameter);
   const double quantile = two_sided_quantile(confidence, report.deviations_known ? 0 : report.degrees);
+  const Eigen::MatrixXd known =
+      report.errors.covariance.unaryExpr([](double entry) { return std::isfinite(entry) ? entry : 0; });
   constexpr int pieces = 40;
   for (FitCurve& curve : answer.curves) {
     const auto [from, to] = std::minmax_element(curve.data_x.begin(), curve.data_x.end());
@@ -109,12 +97,11 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
       const auto row = static_cast<Eigen::Index>(i);
       if (!std::isfinite(prediction.values[row])) continue;
       double variance = 0;
-      if (slopes.found() && slopes.derivatives.rows() > 0)
-        for (Eigen::Index j = 0; j < slopes.derivatives.cols(); ++j)
-          for (Eigen::Index k = 0; k < slopes.derivatives.cols(); ++k)
-            if (const double covariance = report.errors.covariance(j, k); std::isfinite(covariance))
-              variance += slopes.derivatives(row, j) * covariance * slopes.derivatives(row, k);
-      curve.x.push_back(input_number(scenes[i].scene, x));
+      if (slopes.found() && slopes.derivatives.rows() > 0 && known.size() > 0) {
+        const auto slope = slopes.derivatives.row(row);
+        variance = slope.dot(slope * known);
+      }
+      curve.x.push_back(real_input(scenes[i].scene, x));
       curve.value.push_back(prediction.values[row]);
       curve.band.push_back(quantile * std::sqrt(std::max(variance, 0.0)));
     }

@@ -107,12 +107,6 @@ struct Sigma {
   double of(double measured) const { return relative ? value * std::abs(measured) : value; }
 };
 
-std::optional<double> percentage(const std::string& text) {
-  if (!text.ends_with('%')) return std::nullopt;
-  const auto number = plain_number(text.substr(0, text.size() - 1));
-  return number ? std::optional(*number / 100) : std::nullopt;
-}
-
 Sigma given_sigma(const Json& value, std::string_view unit, const std::string& place) {
   const std::string rule = "must be > 0: a percentage (\"2 %\"), or have " + unit_in_words(unit);
   Sigma sigma{0, false};
@@ -157,7 +151,6 @@ void refuse_unknown_columns(const MeasuredTable& table, const std::string& outpu
       throw std::invalid_argument(table.file + ": " + column.name + ": " +
                                   unknown("unknown column", known, column.name));
   }
-  if (!table.find(output)) throw std::invalid_argument(table.file + ": has no column " + output);
 }
 
 /// Whether the scene has smooth answers without its spacing.
@@ -175,7 +168,7 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
   const MeasuredTable table = read_measured_table(set.file);
   all_text += table.text + '\n';
   refuse_unknown_columns(table, fit.output);
-  const MeasuredColumn& output = *table.find(fit.output);
+  const MeasuredColumn& output = table.needed(fit.output);
   const MeasuredColumn* const deviations = table.find("sigma");
   if (deviations && set.sigma) refuse(set.place, "sigma", *set.sigma, "the table has a column sigma too");
   const std::vector<SceneEntry> common = overridden(base, set.set);

@@ -22,7 +22,6 @@
 /// (closed_form_start.hpp), the others from the scene. Other keys: loss ("none", "huber", "cauchy"), loss_scale, starts
 /// (1), seed (1), step (scaled; in place of steps that suit the noise), comment.
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>

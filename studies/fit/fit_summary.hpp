@@ -1,12 +1,15 @@
 #pragma once
 
-/// The report of a fit as text and as rows of the database.
+/// The report of a fit as text, as JSON (null for what is absent) and as rows of the database. For sources only: it
+/// needs nlohmann_json.
 
 #include <string>
 
 #include "db/rows/fit_store.hpp"
 #include "fitting/fit/coverage.hpp"
 #include "fitting/fit/fit_report.hpp"
+#include "studies/fit/fit_design.hpp"
+#include "studies/text/strict_json.hpp"
 
 namespace rollres {
 
@@ -34,5 +37,12 @@ std::string fit_summary(const FitReport& report, const FitContext& context);
 std::string coverage_summary(const Coverage& coverage);
 
 FitRecord fit_record(const FitReport& report, const FitContext& context);
+
+/// The report with parameters, profiles and data.
+Json json_of(const FitReport& report, const FitContext& context);
+
+Json json_of(const FitDesign& design, const FitReport& report);
+
+Json json_of(const Coverage& coverage);
 
 }  // namespace rollres

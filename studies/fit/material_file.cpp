@@ -8,7 +8,6 @@
 #include "db/file/digest.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
-#include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 
@@ -16,30 +15,16 @@ namespace rollres {
 
 namespace {
 
-constexpr double ice_point = 273.15;  // [K]
-
-/// [K]
-double kelvin(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row) {
-  if (column.unit != "degC" && column.unit != "°C") return measured_number(table, column, row, "K");
-  MeasuredColumn plain = column;
-  plain.unit = "";
-  return measured_number(table, plain, row, "1") + ice_point;
-}
+constexpr double usual_reference_temperature = 293.15;  // [K]: 20 degC
 
 double reference_temperature(const Json& object, const std::string& place) {
   const auto found = object.find("reference_temperature");
-  if (found == object.end()) return ice_point + 20;
-  if (found->is_string()) {
-    const auto& text = found->get_ref<const std::string&>();
-    for (const std::string_view unit : {" degC", " °C"})
-      if (text.ends_with(unit))
-        if (const auto number = plain_number(text.substr(0, text.size() - unit.size()))) return *number + ice_point;
-    try {
-      return si_value(text, "K");
-    } catch (const std::invalid_argument&) {
-    }
-  }
+  if (found == object.end()) return usual_reference_temperature;
   if (found->is_number() && *found > 0) return found->get<double>();
+  try {
+    if (found->is_string()) return kelvin(found->get_ref<const std::string&>());
+  } catch (const std::invalid_argument&) {  // refused below
+  }
   refuse(place, "reference_temperature", *found, "must be a temperature > 0 in K, or a text with K or degC");
 }
 
@@ -47,26 +32,9 @@ double reference_temperature(const Json& object, const std::string& place) {
 double relative_sigma(const Json& object, const std::string& place) {
   const auto found = object.find("sigma");
   if (found == object.end()) return std::nan("");
-  if (found->is_string() && found->get_ref<const std::string&>().ends_with('%')) {
-    const auto& text = found->get_ref<const std::string&>();
-    if (const auto part = plain_number(text.substr(0, text.size() - 1)); part && *part > 0) return *part / 100;
-  }
+  if (found->is_string())
+    if (const auto part = percentage(found->get_ref<const std::string&>()); part && *part > 0) return *part;
   refuse(place, "sigma", *found, "must be a percentage > 0: \"2 %\"");
-}
-
-const MeasuredColumn& needed_column(const MeasuredTable& table, const char* name) {
-  const MeasuredColumn* const column = table.find(name);
-  if (!column) throw std::invalid_argument(table.file + ": has no column " + name);
-  return *column;
-}
-
-double positive_number(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row,
-                       std::string_view unit) {
-  const double number = measured_number(table, column, row, unit);
-  if (!(number > 0))
-    throw std::invalid_argument(table.place(row) + ": " + heading(column) + " = " + column.cells[row] +
-                                ": must be > 0");
-  return number;
 }
 
 }  // namespace
@@ -95,36 +63,26 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
   const MeasuredTable table = read_measured_table(file.parent_path() / name);
   fit.data_digest = digest(table.text);
-  constexpr std::string_view columns[] = {"frequency",    "angular_frequency", "storage_modulus",
-                                          "loss_modulus", "temperature",       "note"};
-  for (const MeasuredColumn& column : table.columns)
-    if (find_name(columns, column.name) < 0)
-      throw std::invalid_argument(table.file + ": " + column.name + ": " +
-                                  unknown("unknown column", columns, column.name));
-  const MeasuredColumn* const turns = table.find("frequency");
-  const MeasuredColumn& frequency = turns ? *turns : needed_column(table, "angular_frequency");
-  const MeasuredColumn &storage = needed_column(table, "storage_modulus"), &loss = needed_column(table, "loss_modulus");
-  const MeasuredColumn* const temperature = table.find("temperature");
-  if (fit.options.shift.law != ShiftLaw::none) needed_column(table, "temperature");
+  table.refuse_others(std::array<std::string_view, 6>{"frequency", "angular_frequency", "storage_modulus",
+                                                      "loss_modulus", "temperature", "note"});
+  const std::vector<double> frequencies = measured_frequencies(table);
+  const std::vector<double> storage = measured_numbers(table, table.needed("storage_modulus"), "Pa", positive);
+  const std::vector<double> loss = measured_numbers(table, table.needed("loss_modulus"), "Pa", positive);
+  const bool shifted = fit.options.shift.law != ShiftLaw::none;
+  const MeasuredColumn* const temperature = shifted ? &table.needed("temperature") : table.find("temperature");
   const double weight = fit.options.deviations_known ? sigma : 1;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    MeasuredModulus measured;
-    measured.angular_frequency = turns ? 2 * std::numbers::pi * positive_number(table, frequency, row, "Hz")
-                                       : positive_number(table, frequency, row, "rad/s");
-    if (!frequency_range.contains(measured.angular_frequency / (2 * std::numbers::pi)))
-      throw std::invalid_argument(table.place(row) + ": " + heading(frequency) + " = " + frequency.cells[row] + ": " +
-                                  frequency_range.rule() + " Hz");
-    measured.temperature = temperature ? kelvin(table, *temperature, row) : fit.options.shift.reference;
-    measured.storage = share * positive_number(table, storage, row, "Pa");
-    measured.loss = share * positive_number(table, loss, row, "Pa");
-    measured.storage_deviation = weight * measured.storage;
-    measured.loss_deviation = weight * measured.loss;
-    measured.place = table.place(row);
-    if (temperature && fit.options.shift.law == ShiftLaw::none && row > 0 &&
-        measured.temperature != fit.data.front().temperature)
-      throw std::invalid_argument(measured.place + ": " + heading(*temperature) + " = " + temperature->cells[row] +
+    const double here = temperature ? measured_number(table, *temperature, row, "K") : fit.options.shift.reference;
+    fit.data.push_back({.angular_frequency = 2 * std::numbers::pi * frequencies[row],
+                        .temperature = here,
+                        .storage = share * storage[row],
+                        .loss = share * loss[row],
+                        .storage_deviation = weight * share * storage[row],
+                        .loss_deviation = weight * share * loss[row],
+                        .place = table.place(row)});
+    if (temperature && !shifted && here != fit.data.front().temperature)
+      throw std::invalid_argument(table.place(row) + ": " + heading(*temperature) + " = " + temperature->cells[row] +
                                   ": several temperatures need a shift (wlf or arrhenius)");
-    fit.data.push_back(measured);
   }
   return fit;
 }

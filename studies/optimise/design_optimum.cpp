@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/nonnegative_least_squares.hpp"
+#include "core/numerics/dense_algebra.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {

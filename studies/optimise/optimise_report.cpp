@@ -4,9 +4,8 @@
 #include <cmath>
 #include <ostream>
 
-#include "studies/text/key_words.hpp"
+#include "studies/text/words.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/scaled_unit.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
 

@@ -75,8 +75,6 @@ class Command {
   /// The program itself; `version` is what --version prints.
   Command(const std::string& name, const std::string& meaning, const std::string& version);
   ~Command();
-  Command(const Command&) = delete;
-  Command& operator=(const Command&) = delete;
 
   Command* add_subcommand(const std::string& name, const std::string& meaning);
 

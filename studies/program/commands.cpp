@@ -16,10 +16,8 @@ namespace rollres {
 
 namespace {
 
-using AddCommand = void (*)(Command&, Session&);
-
 /// Every command, in the order of the help text.
-constexpr AddCommand commands[] = {
+constexpr AddCommand* commands[] = {
     add_solve,     add_figures, add_material, add_gradient,   add_sensitivity, add_plan,       add_sweep,
     add_optimise,  add_fit,     add_status,   add_list,       add_show,        add_query,      add_compare,
     add_chart,     add_report,  add_merge,    add_slurm,      add_export,      add_import,     add_accuracy,
@@ -56,7 +54,7 @@ int run_program(std::vector<std::string> words, Session session) {
     program.footer(
         "Example: rollres solve studies/examples/paper_cylinder.json\n"
         "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
-    for (const AddCommand add : commands) add(program, session);
+    for (AddCommand* const add : commands) add(program, session);
     if (!words.empty() && words.front() == "complete") {
       words.erase(words.begin());
       session.out << completions(program.words(), words);

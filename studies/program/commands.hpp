@@ -36,32 +36,11 @@ struct Session {
 /// never throws.
 int run_program(std::vector<std::string> words, Session session);
 
-void add_solve(Command& program, Session& session);
-void add_figures(Command& program, Session& session);
-void add_material(Command& program, Session& session);
-void add_gradient(Command& program, Session& session);
-void add_sensitivity(Command& program, Session& session);
-void add_plan(Command& program, Session& session);
-void add_sweep(Command& program, Session& session);
-void add_optimise(Command& program, Session& session);
-void add_fit(Command& program, Session& session);
-void add_merge(Command& program, Session& session);
-void add_status(Command& program, Session& session);
-void add_slurm(Command& program, Session& session);
-void add_export(Command& program, Session& session);
-void add_import(Command& program, Session& session);
-void add_list(Command& program, Session& session);
-void add_show(Command& program, Session& session);
-void add_query(Command& program, Session& session);
-void add_compare(Command& program, Session& session);
-void add_chart(Command& program, Session& session);
-void add_report(Command& program, Session& session);
-void add_accuracy(Command& program, Session& session);
-void add_stability(Command& program, Session& session);
-void add_verify(Command& program, Session& session);
-void add_schema(Command& program, Session& session);
-void add_quantities(Command& program, Session& session);
-void add_manual(Command& program, Session& session);
-void add_completion(Command& program, Session& session);
+/// Each declares the words of one command on the program, and what it does.
+using AddCommand = void(Command& program, Session& session);
+AddCommand add_solve, add_figures, add_material, add_gradient, add_sensitivity, add_plan, add_sweep, add_optimise,
+    add_fit, add_merge, add_status, add_slurm, add_export, add_import, add_list, add_show, add_query, add_compare,
+    add_chart, add_report, add_accuracy, add_stability, add_verify, add_schema, add_quantities, add_manual,
+    add_completion;
 
 }  // namespace rollres

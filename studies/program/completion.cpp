@@ -14,62 +14,10 @@ namespace rollres {
 
 namespace {
 
-constexpr const char* bash_script = R"sh(# Completion of rollres for bash, written by `rollres completion bash`.
-_rollres() {
-  local i word kind= words=()
-  for ((i = 1; i <= COMP_CWORD; i++)); do  # bash takes KEY=VALUE and --option=value apart at the sign
-    if [[ ${#words[@]} -gt 0 && (${COMP_WORDS[i]} == = || ${COMP_WORDS[i - 1]} == =) ]]; then
-      words[-1]+=${COMP_WORDS[i]}
-    else
-      words+=("${COMP_WORDS[i]}")
-    fi
-  done
-  local before=${words[-1]%"${words[-1]##*=}"}
-  COMPREPLY=()
-  while IFS=$'\t' read -r word _; do
-    [[ -n $kind ]] || { kind=$word; continue; }
-    printf -v word %q "${word#"$before"}"
-    COMPREPLY+=("${word//\\,/,}")
-  done < <("${COMP_WORDS[0]}" complete "${words[@]}" 2>/dev/null)
-  [[ $kind != open ]] || compopt -o nospace
-  [[ $kind != folders ]] || compopt -o dirnames
-  [[ $kind == files ]] || compopt +o default +o bashdefault
-}
-complete -o bashdefault -o default -F _rollres rollres
-)sh";
-
-constexpr const char* zsh_script = R"sh(#compdef rollres
-# Completion of rollres for zsh, written by `rollres completion zsh`.
-_rollres() {
-  local -a lines=("${(@f)$(rollres complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)}")
-  local -a found=("${(@)${(@)lines[2,-1]//:/\\:}/$'\t'/:}")
-  case $lines[1] in
-    open) _describe rollres found -S '' ;;
-    words) _describe rollres found ;;
-    *)
-      [[ $PREFIX != --*=* ]] || compset -P '*='
-      if [[ $lines[1] == folders ]]; then _files -/; else _files; fi ;;
-  esac
-}
-_rollres "$@"
-)sh";
-
-constexpr const char* fish_script = R"sh(# Completion of rollres for fish, written by `rollres completion fish`.
-function __rollres_complete
-    set -l lines (rollres complete (commandline -opc)[2..] (commandline -ct) 2>/dev/null)
-    set -l option (string match -r -- '^--[^=]*=' (commandline -ct))
-    set -l rest (string replace -r -- '^--[^=]*=' '' (commandline -ct))
-    switch $lines[1]
-        case files
-            printf "$option%s\n" (__fish_complete_path $rest)
-        case folders
-            printf "$option%s\n" (__fish_complete_directories $rest)
-        case '*'
-            printf '%s\n' $lines[2..]
-    end
-end
-complete -c rollres -f -a '(__rollres_complete)'
-)sh";
+/// The scripts of this folder by their endings: ".bash".
+const std::map<std::string_view, std::string_view> scripts{
+#include "completion_scripts.inc"
+};
 
 struct Completion {
   std::string kind = "words";
@@ -212,8 +160,6 @@ std::string completions(const CommandWords& program, const std::vector<std::stri
   return text;
 }
 
-std::string completion_script(const std::string& shell) {
-  return shell == "bash" ? bash_script : shell == "zsh" ? zsh_script : fish_script;
-}
+std::string completion_script(const std::string& shell) { return std::string(scripts.at("." + shell)); }
 
 }  // namespace rollres

@@ -3,8 +3,6 @@
 /// Runs of many pieces by child processes, in front of a terminal: a line of progress, and a signal that ends them
 /// early.
 
-#include <ostream>
-
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"

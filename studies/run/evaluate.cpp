@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
-#include <utility>
 
 #include "core/surface/scene_rules.hpp"
 

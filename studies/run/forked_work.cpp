@@ -13,10 +13,9 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "core/numerics/threads.hpp"
@@ -102,15 +101,8 @@ class Child {
   ~Child() {
     if (id_ > 0) end(true);
   }
-  Child(Child&& other) noexcept
-      : id_(std::exchange(other.id_, 0)), socket_(other.socket_), piece_(other.piece_), begin_(other.begin_) {}
-  Child& operator=(Child&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(socket_, other.socket_);
-    std::swap(piece_, other.piece_);
-    std::swap(begin_, other.begin_);
-    return *this;
-  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
 
   int socket() const { return socket_; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
@@ -166,9 +158,9 @@ class Child {
   Clock::time_point begin_;
 };
 
-std::vector<pollfd> sockets_of(const std::vector<Child>& children) {
+std::vector<pollfd> sockets_of(const std::vector<std::unique_ptr<Child>>& children) {
   std::vector<pollfd> sockets;
-  for (const Child& child : children) sockets.push_back({child.socket(), POLLIN, 0});
+  for (const auto& child : children) sockets.push_back({child->socket(), POLLIN, 0});
   return sockets;
 }
 
@@ -178,21 +170,21 @@ void run_forked(const ForkedWork& work) {
   const std::size_t wanted = work.jobs > 0 ? static_cast<std::size_t>(work.jobs)
                                            : std::max<std::size_t>(1, std::thread::hardware_concurrency());
   std::size_t next = 0;
-  std::vector<Child> children;  // each has a piece in hand
+  std::vector<std::unique_ptr<Child>> children;  // each has a piece in hand
   const auto begin = Clock::now();
   auto last_report = begin;
   SweepProgress progress{.to_solve = work.pieces, .left = work.pieces};
   while (!(work.stop && *work.stop)) {
     while (next < work.pieces && children.size() < wanted) {
-      children.emplace_back(work.work);
-      children.back().give(next++);
+      children.push_back(std::make_unique<Child>(work.work));
+      children.back()->give(next++);
     }
     if (children.empty()) break;
     std::vector<pollfd> sockets = sockets_of(children);
     if (poll(sockets.data(), sockets.size(), 100) < 0 && errno != EINTR)
       throw std::runtime_error(std::string("child processes cannot be heard: ") + std::strerror(errno));
     for (std::size_t i = children.size(); i-- > 0;) {
-      Child& child = children[i];
+      Child& child = *children[i];
       PieceEnd end;
       if (sockets[i].revents != 0)
         end = child.take();

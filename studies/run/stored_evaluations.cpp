@@ -1,5 +1,6 @@
 #include "studies/run/stored_evaluations.hpp"
 
+#include <unordered_set>
 #include <utility>
 
 #include "studies/run/evaluate.hpp"

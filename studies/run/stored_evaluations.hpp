@@ -5,7 +5,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -13,8 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
-#include <vector>
 
 #include "core/solve/rolling_contact.hpp"
 #include "db/rows/result_store.hpp"
@@ -53,8 +50,6 @@ class StoredEvaluations {
   StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, const StudyRecord& study,
                     const std::atomic<bool>* stop = nullptr);
 
-  StoredEvaluations(const StoredEvaluations&) = delete;
-  StoredEvaluations& operator=(const StoredEvaluations&) = delete;
   /// Stores what is left; where that fails, it is lost: call `flush` before.
   ~StoredEvaluations();
 

@@ -15,7 +15,6 @@
 #include "core/surface/scene_rules.hpp"
 #include "db/rows/point_states.hpp"
 #include "studies/run/ended_points.hpp"
-#include "studies/run/evaluate.hpp"
 #include "studies/run/result_writer.hpp"
 #include "studies/run/work_list.hpp"
 #include "studies/study/predicted_cost.hpp"
@@ -45,19 +44,9 @@ struct Run {
 
 bool is_wanted_again(const StoredAnswer& answer, const SweepOptions& options) {
   const bool converged = answer.status == Status::converged;
-  switch (options.retry) {
-    case Retry::all:
-      return true;
-    case Retry::failed:
-      if (!converged) return true;
-      break;
-    case Retry::not_converged:
-      if (answer.status == Status::not_converged) return true;
-      break;
-    case Retry::nothing:
-      break;
-  }
-  return converged && options.fields == Fields::kept && !answer.has_fields;
+  const bool retried = options.retry == Retry::all || (options.retry == Retry::failed && !converged) ||
+                       (options.retry == Retry::not_converged && answer.status == Status::not_converged);
+  return retried || (converged && options.fields == Fields::kept && !answer.has_fields);
 }
 
 /// Answers as they were at the start that are to be solved again, by their keys: any change is the new answer.
@@ -145,7 +134,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   const StudyPlan plan(study);
   std::vector<std::string> all_keys = plan.keys();
-  StudyRecord record{study.name, {}, options.definition};
+  StudyRecord record{study.name, {}, study.definition};
   for (const Axis& axis : study.axes) record.axes.push_back(axis.key);
 
   ResultStore store(database), reader(database, Access::read);

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <string>
 
 #include "core/solve/rolling_contact.hpp"
 #include "db/rows/result_store.hpp"
@@ -41,7 +40,6 @@ struct SweepOptions {
   const std::atomic<bool>* stop = nullptr;                ///< set from outside: finish the points in work, then return
   std::function<void(const SweepProgress&)> report = {};  ///< called ten times a second by the calling thread
   std::function<void()> ready = {};                       ///< called once, when only solving is left to do
-  std::string definition = {};                            ///< text of the study file, kept in the store
   std::chrono::milliseconds grouping{50};                 ///< least time between two transactions
   Shard shard = {};                                       ///< solve this part; the study is recorded whole
   Retry retry = Retry::nothing;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <type_traits>
@@ -65,6 +64,15 @@ std::string in_si(const std::string& right, const Formula& left, Indenter indent
   }
 }
 
+/// The place of the one comparison in a condition.
+std::size_t sign_in(const std::string& text) {
+  const std::size_t sign = text.find_first_of("<>");
+  if (sign == std::string::npos || text.find_first_of("<>", sign + 1) != std::string::npos ||
+      text.find_first_of("=!") < sign)
+    throw std::invalid_argument(text + ": must be two formulas with one of <= < >= > between them");
+  return sign;
+}
+
 }  // namespace
 
 std::string_view unit_of(const Formula& formula, Indenter indenter) {
@@ -114,10 +122,13 @@ struct Formula::Parts {
     return &parts.values.back();
   }
 
-  double value() {
-    if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
-      return RollingSolution::absent;
-    return parser.Eval();
+  /// The formula's value with those of its keys.
+  template <class NumberOf>
+  double value(const NumberOf& number_of_key) {
+    const std::lock_guard lock(mutex);
+    std::transform(keys.begin(), keys.end(), values.begin(), number_of_key);
+    const bool absent = std::any_of(values.begin(), values.end(), [](double one) { return std::isnan(one); });
+    return absent ? RollingSolution::absent : parser.Eval();
   }
 };
 
@@ -141,45 +152,21 @@ const std::string& Formula::text() const { return parts_->text; }
 const std::vector<std::string>& Formula::keys() const { return parts_->keys; }
 
 double Formula::operator()(const RollingScene& scene, const RollingSolution& solution) const {
-  const std::lock_guard lock(parts_->mutex);
-  for (std::size_t i = 0; i < parts_->keys.size(); ++i) parts_->values[i] = number_of(scene, solution, parts_->keys[i]);
-  return parts_->value();
+  return parts_->value([&](const std::string& key) { return number_of(scene, solution, key); });
 }
 
 double Formula::operator()(const RollingScene& scene) const {
-  const std::lock_guard lock(parts_->mutex);
-  for (std::size_t i = 0; i < parts_->keys.size(); ++i) parts_->values[i] = number_of(scene, parts_->keys[i]);
-  return parts_->value();
+  return parts_->value([&](const std::string& key) { return number_of(scene, key); });
 }
 
-struct Condition::Sides {
-  std::string text;
-  Formula left, right;
-  bool at_most, strict;
-
-  static Sides of(const std::string& text, FormulaNames names, Indenter indenter) {
-    const std::size_t sign = text.find_first_of("<>");
-    if (sign == std::string::npos || text.find_first_of("<>", sign + 1) != std::string::npos ||
-        text.find_first_of("=!") < sign)
-      throw std::invalid_argument(std::string(trimmed(text)) +
-                                  ": must be two formulas with one of <= < >= > between them");
-    const bool or_equal = sign + 1 < text.size() && text[sign + 1] == '=';
-    const Formula left(text.substr(0, sign), names);
-    const std::string right(trimmed(std::string_view(text).substr(sign + (or_equal ? 2 : 1))));
-    return {std::string(trimmed(text)), left, Formula(in_si(right, left, indenter), names), text[sign] == '<',
-            !or_equal};
-  }
-};
-
 Condition::Condition(const std::string& text, FormulaNames names, Indenter indenter)
-    : Condition(Sides::of(text, names, indenter)) {}
-
-Condition::Condition(Sides sides)
-    : text_(std::move(sides.text)),
-      left_(std::move(sides.left)),
-      right_(std::move(sides.right)),
-      at_most_(sides.at_most),
-      strict_(sides.strict) {}
+    : text_(trimmed(text)),
+      sign_(sign_in(text_)),
+      at_most_(text_[sign_] == '<'),
+      strict_(text_.substr(sign_ + 1, 1) != "="),
+      left_(text_.substr(0, sign_), names),
+      right_(in_si(std::string(trimmed(std::string_view(text_).substr(sign_ + (strict_ ? 1 : 2)))), left_, indenter),
+             names) {}
 
 double Condition::excess(const RollingScene& scene, const RollingSolution& solution) const {
   const double difference = left_(scene, solution) - right_(scene, solution);

@@ -10,8 +10,8 @@
 /// rest of muParser's functions, `a < b ? c : d`. A key that is an input and an output (load, approach, ...) stands for
 /// the output where there is one, else for the input. Inputs of further layers are coating_layers[0].layer_thickness.
 
+#include <cstddef>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,13 +71,11 @@ class Condition {
   bool holds_with(double excess) const { return strict_ ? excess < 0 : excess <= 0; }
 
  private:
-  struct Sides;
-  explicit Condition(Sides sides);
-
   std::string text_;
-  Formula left_, right_;
-  bool at_most_;  // left <= right, or left < right
+  std::size_t sign_;  // its place in the text
+  bool at_most_;      // left <= right, or left < right
   bool strict_;
+  Formula left_, right_;
 };
 
 }  // namespace rollres

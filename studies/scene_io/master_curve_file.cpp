@@ -3,50 +3,30 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "studies/text/measured_table.hpp"
-
 namespace rollres {
 
-namespace {
-
-const MeasuredColumn& column_of(const MeasuredTable& table, std::string_view name) {
-  const MeasuredColumn* const column = table.find(name);
-  if (!column) throw std::invalid_argument(table.file + ": has no column " + std::string(name));
-  return *column;
+std::vector<double> measured_frequencies(const MeasuredTable& table) {
+  const MeasuredColumn* const radians = table.find("angular_frequency");
+  if (radians && table.find("frequency"))
+    throw std::invalid_argument(table.file + ": give frequency or angular_frequency, not both");
+  const std::string rule = frequency_range.rule() + " Hz";
+  if (!radians) return measured_numbers(table, table.needed("frequency"), "Hz", frequency_range, rule);
+  constexpr double turn = 2 * std::numbers::pi;
+  const Range range{turn * frequency_range.lowest, turn * frequency_range.highest};
+  std::vector<double> frequencies = measured_numbers(table, *radians, "rad/s", range, rule);
+  for (double& frequency : frequencies) frequency *= 0.5 / std::numbers::pi;
+  return frequencies;
 }
-
-Json numbers_in(const MeasuredTable& table, const MeasuredColumn& column, std::string_view unit, double factor,
-                const Range& range, const std::string& rule) {
-  Json numbers = Json::array();
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double number = measured_number(table, column, row, unit);
-    if (!range.contains(factor * number))
-      throw std::invalid_argument(table.place(row) + ": " + heading(column) + " = " + column.cells[row] + ": " + rule);
-    numbers.push_back(factor * number);
-  }
-  return numbers;
-}
-
-}  // namespace
 
 Json read_master_curve(const std::filesystem::path& file) {
   const MeasuredTable table = read_measured_table(file);
-  constexpr std::string_view known[] = {"frequency", "angular_frequency", "storage_modulus", "loss_modulus", "note"};
-  for (const MeasuredColumn& column : table.columns)
-    if (find_name(known, column.name) < 0)
-      throw std::invalid_argument(table.file + ": " + column.name + ": " +
-                                  unknown("unknown column", known, column.name));
-  const MeasuredColumn* const turns = table.find("frequency");
-  const MeasuredColumn* const radians = table.find("angular_frequency");
-  if (turns && radians) throw std::invalid_argument(table.file + ": give frequency or angular_frequency, not both");
-  const std::string frequency_rule = frequency_range.rule() + " Hz";
+  table.refuse_others(
+      std::array<std::string_view, 5>{"frequency", "angular_frequency", "storage_modulus", "loss_modulus", "note"});
   Json lists;
-  lists["frequencies"] =
-      radians ? numbers_in(table, *radians, "rad/s", 0.5 / std::numbers::pi, frequency_range, frequency_rule)
-              : numbers_in(table, column_of(table, "frequency"), "Hz", 1, frequency_range, frequency_rule);
-  lists["storage_moduli"] = numbers_in(table, column_of(table, "storage_modulus"), "Pa", 1, positive, positive.rule());
-  lists["loss_moduli"] = numbers_in(table, column_of(table, "loss_modulus"), "Pa", 1, not_negative,
-                                    not_negative.rule() + ": no passive material gives energy back");
+  lists["frequencies"] = measured_frequencies(table);
+  lists["storage_moduli"] = measured_numbers(table, table.needed("storage_modulus"), "Pa", positive);
+  lists["loss_moduli"] = measured_numbers(table, table.needed("loss_modulus"), "Pa", not_negative,
+                                          not_negative.rule() + ": no passive material gives energy back");
   return lists;
 }
 

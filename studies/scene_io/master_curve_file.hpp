@@ -10,8 +10,10 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/scene/quantity.hpp"
+#include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {
@@ -22,6 +24,10 @@ inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencie
 
 /// Frequencies that a table may have, measured or shifted [Hz].
 inline constexpr Range frequency_range{.lowest = 1e-30, .highest = 1e30};
+
+/// The frequencies of a table's rows [Hz], from its column "frequency" or "angular_frequency".
+/// @throws std::invalid_argument naming file, line, column, value and rule
+std::vector<double> measured_frequencies(const MeasuredTable& table);
 
 /// The lists of a table under the keys of inputs, in SI, rows in the order of the file.
 /// @throws std::invalid_argument naming file, line, column, value and rule

@@ -77,6 +77,50 @@ void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& 
   }
 }
 
+/// The inputs that an override takes the place of.
+std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
+  const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
+  return replaced_inputs(entry.key, value);
+}
+
+/// The entry of this key, or the end.
+template <class Entries>
+auto entry_of(Entries& entries, std::string_view key) {
+  return std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
+}
+
+/// The object of the layer that an override means.
+Json& layer_object(std::vector<SceneEntry>& entries, const SceneEntry& override) {
+  const LayerKey parts = layer_key(override.key).value();
+  const auto list = entry_of(entries, parts.list);
+  RollingScene scene;
+  if (list != entries.end()) assign_input(scene, parts.list, layers_of(*list));
+  if (const std::string why = absent_layer(scene, override.key); !why.empty())
+    refuse(override.place, override.key, override.value, why);
+  return list->value[parts.layer];
+}
+
+BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
+  if (!object.is_object()) refuse(owner.place, owner.key, object, "must be an object with the inputs of a layer");
+  BondedLayer layer;
+  std::vector<std::string_view> known, given;
+  for (const InputKind& kind : layer_kinds()) known.push_back(kind.quantity.key);
+  for (const auto& [key, value] : object.items()) {
+    if (find_name(ignored_keys, key) >= 0) continue;
+    const auto kind = std::find_if(layer_kinds().begin(), layer_kinds().end(),
+                                   [&](const InputKind& candidate) { return candidate.quantity.key == key; });
+    const SceneEntry entry{owner.key + "." + key, value, owner.place};
+    if (kind == layer_kinds().end()) refuse(entry.place, entry.key, value, unknown("unknown key", known, key));
+    assign_layer_input(layer, kind->quantity.key, input_value(entry, *kind, Indenter::cylinder));
+    given.push_back(kind->quantity.key);
+  }
+  for (const InputKind& kind : layer_kinds())
+    if ((kind.needed_by_all() || kind.needed_by(layer.material)) && find_name(given, kind.quantity.key) < 0)
+      throw std::invalid_argument(owner.place + ": " + owner.key + "." + std::string(kind.quantity.key) +
+                                  " is missing: this layer needs it (" + std::string(kind.quantity.unit) + ")");
+  return layer;
+}
+
 }  // namespace
 
 Indenter indenter_of(const std::vector<SceneEntry>& entries) {
@@ -140,33 +184,6 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
   }
   return entries;
 }
-
-namespace {
-
-/// The inputs that an override takes the place of.
-std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
-  const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
-  return replaced_inputs(entry.key, value);
-}
-
-/// The entry of this key, or the end.
-template <class Entries>
-auto entry_of(Entries& entries, std::string_view key) {
-  return std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
-}
-
-/// The object of the layer that an override means.
-Json& layer_object(std::vector<SceneEntry>& entries, const SceneEntry& override) {
-  const LayerKey parts = layer_key(override.key).value();
-  const auto list = entry_of(entries, parts.list);
-  RollingScene scene;
-  if (list != entries.end()) assign_input(scene, parts.list, layers_of(*list));
-  if (const std::string why = absent_layer(scene, override.key); !why.empty())
-    refuse(override.place, override.key, override.value, why);
-  return list->value[parts.layer];
-}
-
-}  // namespace
 
 std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides) {
   std::vector<SceneEntry> of_layers;
@@ -239,31 +256,6 @@ RollingScene scene_from(const std::vector<SceneEntry>& entries, const std::strin
   if (const auto broken = check(scene); !broken.empty()) throw std::invalid_argument(place + ": " + broken.front());
   return scene;
 }
-
-namespace {
-
-BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
-  if (!object.is_object()) refuse(owner.place, owner.key, object, "must be an object with the inputs of a layer");
-  BondedLayer layer;
-  std::vector<std::string_view> known, given;
-  for (const InputKind& kind : layer_kinds()) known.push_back(kind.quantity.key);
-  for (const auto& [key, value] : object.items()) {
-    if (find_name(ignored_keys, key) >= 0) continue;
-    const auto kind = std::find_if(layer_kinds().begin(), layer_kinds().end(),
-                                   [&](const InputKind& candidate) { return candidate.quantity.key == key; });
-    const SceneEntry entry{owner.key + "." + key, value, owner.place};
-    if (kind == layer_kinds().end()) refuse(entry.place, entry.key, value, unknown("unknown key", known, key));
-    assign_layer_input(layer, kind->quantity.key, input_value(entry, *kind, Indenter::cylinder));
-    given.push_back(kind->quantity.key);
-  }
-  for (const InputKind& kind : layer_kinds())
-    if ((kind.needed_by_all() || kind.needed_by(layer.material)) && find_name(given, kind.quantity.key) < 0)
-      throw std::invalid_argument(owner.place + ": " + owner.key + "." + std::string(kind.quantity.key) +
-                                  " is missing: this layer needs it (" + std::string(kind.quantity.unit) + ")");
-  return layer;
-}
-
-}  // namespace
 
 BondedLayers layers_of(const SceneEntry& entry) {
   if (!entry.value.is_array() || entry.value.empty())

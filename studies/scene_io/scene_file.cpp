@@ -13,6 +13,10 @@ RollingScene scene_with(const Json& object, const std::filesystem::path& folder,
   return scene_from(overridden(own, override_entries(overrides)), place + " with --set");
 }
 
+constexpr PaperScene scenes[] = {
+#include "paper_scenes.inc"
+};
+
 }  // namespace
 
 RollingScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -22,14 +26,6 @@ RollingScene read_scene(const std::filesystem::path& file, const std::vector<std
 RollingScene parse_scene(std::string_view json, const std::string& place, const std::vector<std::string>& overrides) {
   return scene_with(parse_object(json, place), {}, place, overrides);
 }
-
-namespace {
-
-constexpr PaperScene scenes[] = {
-#include "paper_scenes.inc"
-};
-
-}  // namespace
 
 std::span<const PaperScene> paper_scenes() { return scenes; }
 

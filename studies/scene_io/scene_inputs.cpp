@@ -1,8 +1,6 @@
 #include "studies/scene_io/scene_inputs.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -14,6 +12,7 @@
 #include "core/messages/number_list.hpp"
 #include "core/scene/scene_input.hpp"
 #include "db/rows/layer_list.hpp"
+#include "studies/text/readable_number.hpp"
 
 namespace rollres {
 
@@ -72,6 +71,12 @@ void assign(Value& target, std::string_view key, const InputValue& value) {
   }
 }
 
+const InputKind* find_kind(const std::vector<InputKind>& kinds, std::string_view key) {
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const InputKind& kind) { return kind.quantity.key == key; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 bool InputKind::needed_by_all() const {
@@ -113,16 +118,6 @@ const std::vector<InputKind>& layer_kinds() {
   }();
   return kinds;
 }
-
-namespace {
-
-const InputKind* find_kind(const std::vector<InputKind>& kinds, std::string_view key) {
-  const auto found =
-      std::find_if(kinds.begin(), kinds.end(), [&](const InputKind& kind) { return kind.quantity.key == key; });
-  return found == kinds.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 const InputKind* find_input(std::string_view key) {
   const std::optional<LayerKey> layered = layer_key(key);
@@ -190,9 +185,7 @@ std::string text_of(const InputValue& value) {
   if (const auto* const layers = std::get_if<BondedLayers>(&value)) return text_of_layers(*layers);
   const double number = std::get<double>(value);
   if (std::isinf(number) && number > 0) return "\"infinite\"";
-  std::array<char, 40> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-  return {digits.data(), end.ptr};
+  return shortest(number);
 }
 
 }  // namespace rollres

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/scene/scene_input.hpp"
-#include "studies/text/key_words.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
@@ -54,15 +53,9 @@ std::map<std::string_view, std::string> usual_layer() {
 }
 
 std::string headline(const RollingSolution& solution) {
-  switch (solution.status) {
-    case Status::converged:
-      return "converged";
-    case Status::no_steady_state:
-      return "NO STEADY STATE";
-    case Status::not_converged:
-      return "NOT CONVERGED: the numbers below are where the solver stopped, not an answer";
-  }
-  return {};
+  if (solution.status == Status::converged) return "converged";
+  if (solution.status == Status::no_steady_state) return "NO STEADY STATE";
+  return "NOT CONVERGED: the numbers below are where the solver stopped, not an answer";
 }
 
 }  // namespace

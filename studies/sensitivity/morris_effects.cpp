@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -66,17 +68,14 @@ MorrisEffects morris_effects(const CubeFunction& function, std::size_t inputs, s
       of.mean = of.mean_size = of.mean_size_error = of.deviation = std::nan("");
       continue;
     }
-    double squares = 0, size_squares = 0;
-    for (const double effect : effects[i]) {
-      of.mean += effect / n;
-      of.mean_size += std::abs(effect) / n;
-    }
-    for (const double effect : effects[i]) {
-      squares += (effect - of.mean) * (effect - of.mean);
-      size_squares += (std::abs(effect) - of.mean_size) * (std::abs(effect) - of.mean_size);
-    }
-    of.deviation = std::sqrt(squares / (n - 1));
-    of.mean_size_error = in_95_percent * std::sqrt(size_squares / (n - 1) / n);
+    const Eigen::Map<const Eigen::ArrayXd> all(effects[i].data(), std::ssize(effects[i]));
+    const auto deviation = [&](const Eigen::ArrayXd& of_all) {
+      return std::sqrt((of_all - of_all.mean()).square().sum() / (n - 1));
+    };
+    of.mean = all.mean();
+    of.mean_size = all.abs().mean();
+    of.deviation = deviation(all);
+    of.mean_size_error = in_95_percent * deviation(all.abs()) / std::sqrt(n);
   }
   return found;
 }

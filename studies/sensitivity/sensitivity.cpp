@@ -1,6 +1,5 @@
 #include "studies/sensitivity/sensitivity.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "core/messages/require.hpp"
@@ -74,7 +75,7 @@ SobolIndices sobol_indices(const CubeFunction& function, std::size_t inputs, std
   require(rows.size() >= fewest_rows, "rows with values", static_cast<double>(rows.size()), "must be at least 8");
 
   std::vector<std::size_t> all(rows.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  std::iota(all.begin(), all.end(), std::size_t{0});
   const Estimate whole = estimate(rows, all);
   SobolIndices indices{.first = {},
                        .total = {},

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
-#include "db/queries/query.hpp"
+#include "db/merge/readable_source.hpp"
 #include "db/rows/layer_list.hpp"
-#include "db/rows/schema.hpp"
+#include "db/rows/point_states.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
-#include "studies/text/readable_number.hpp"
+#include "studies/study/predicted_cost.hpp"
+#include "studies/study/shards.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
-#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -180,18 +178,15 @@ Filter read_filter(const std::string& text) {
       plain_number(filter.value))
     return filter;
   const Quantity& quantity = column->quantity;
-  double value = 0;
-  try {
+  const double value = refusing_at(filter.column + " = " + filter.value, [&] {
     try {
-      value = is_temperature(quantity) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
+      return is_temperature(quantity) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
     } catch (const std::invalid_argument&) {
       if (quantity.unit_2d.empty()) throw;
-      value = si_value(filter.value, quantity.unit_2d);
+      return si_value(filter.value, quantity.unit_2d);
     }
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(filter.column + " = " + filter.value + ": " + error.what());
-  }
-  filter.value = text_of(InputValue(value));
+  });
+  filter.value = shortest(value);
   return filter;
 }
 
@@ -213,6 +208,41 @@ std::vector<ComputedShare> computed_shares(ResultStore& store, const std::string
   std::vector<ComputedShare> list;
   for (auto& [ignored, share] : shares) list.push_back(std::move(share));
   return list;
+}
+
+StudyStatus study_status(const Study& study, std::span<const std::filesystem::path> databases, int shards) {
+  const StudyPlan plan(study);
+  std::vector<std::string> keys(plan.size());
+  if (!databases.empty() || shards > 1) keys = plan.keys();
+  const std::vector<double> predictions = predicted_seconds(plan);
+  std::vector<PointState> best(keys.size());
+  for (const std::filesystem::path& file : databases) {
+    const std::vector<PointState> here = point_states(ReadableSource(file).database(), keys);
+    for (std::size_t i = 0; i < best.size(); ++i)
+      if (here[i].answer > best[i].answer) best[i] = here[i];
+  }
+
+  StudyStatus status;
+  status.points = keys.size();
+  status.seconds_left = 0;
+  const std::vector<int> shard = shards_of_points(keys, predictions, shards);
+  std::set<int> missing;
+  double took = 0, predicted = 0;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const double seconds = predictions[i];
+    if (best[i].answer == Answer::missing) {
+      ++status.missing;
+      status.seconds_left += seconds;
+      missing.insert(shard[i]);
+      continue;
+    }
+    ++(best[i].answer == Answer::converged ? status.converged : status.failed);
+    took += best[i].seconds;
+    predicted += seconds;
+  }
+  if (took > 0) status.seconds_left *= took / predicted;
+  status.shards_missing.assign(missing.begin(), missing.end());
+  return status;
 }
 
 }  // namespace rollres

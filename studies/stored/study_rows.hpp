@@ -1,10 +1,15 @@
 #pragma once
 
-/// A stored study: its rows, read by column; how a column is shown (words, units, scales); and what computed them.
+/// A stored study: its rows, read by column; how a column is shown (words, units, scales); what computed them,
+/// and how far the study is, in one or several databases.
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +18,9 @@
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/drawing/chart.hpp"
-#include "studies/text/key_words.hpp"
-#include "studies/text/scaled_unit.hpp"
+#include "studies/study/study.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -114,5 +120,19 @@ struct ComputedShare {
 /// In the order in which the database came to know them.
 /// @throws std::runtime_error naming the file if the database fails
 std::vector<ComputedShare> computed_shares(ResultStore& store, const std::string& study);
+
+struct StudyStatus {
+  std::size_t points = 0;
+  std::size_t converged = 0;
+  std::size_t failed = 0;   ///< answered, but without a solution
+  std::size_t missing = 0;  ///< not answered
+  /// Of one core, for what is missing: predicted_seconds, scaled by what the answered points took; NaN: not predicted.
+  double seconds_left = std::numeric_limits<double>::quiet_NaN();
+  std::vector<int> shards_missing{};  ///< shards with a missing point, from 1
+};
+
+/// A point is what the best of the databases says it is.
+/// @throws std::runtime_error naming the database that fails
+StudyStatus study_status(const Study& study, std::span<const std::filesystem::path> databases, int shards);
 
 }  // namespace rollres

@@ -17,17 +17,10 @@ double cylinder_on_grid(Method method, double cells, bool friction) {
 
 double sphere_on_grid(Method method, double cells, bool friction) {
   const double cube = cells * cells * cells;
-  double seconds = 0;
-  switch (method) {
-    case Method::newton_dense:
-      seconds = 1.1e-5 * cube + 2.2e-7 * cube * cells * cells;
-      break;
-    case Method::active_set:
-      seconds = 1.1e-5 * cube + 3.4e-8 * cube * cube;
-      break;
-    default:
-      return friction ? 1.15e-4 * (std::pow(cells, 1.8) + 10) : 9.2e-5 * (std::pow(cells, 1.5) + 3);
-  }
+  if (method != Method::newton_dense && method != Method::active_set)
+    return friction ? 1.15e-4 * (std::pow(cells, 1.8) + 10) : 9.2e-5 * (std::pow(cells, 1.5) + 3);
+  const double seconds =
+      1.1e-5 * cube + (method == Method::newton_dense ? 2.2e-7 * cube * cells * cells : 3.4e-8 * cube * cube);
   return 1e-3 + (friction ? 1.0 : 0.25) * seconds;
 }
 

@@ -1,11 +1,10 @@
 #include "studies/study/study.hpp"
 
-#include <algorithm>
-
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/text/files.hpp"
 
 namespace rollres {
 
@@ -31,7 +30,8 @@ std::vector<Indenter> indenters_of(const Study& study) {
 
 Study read_study(const std::filesystem::path& file) {
   const std::string place = file.string();
-  const Json object = read_object(place);
+  const std::string text = whole_file(file, largest_json);
+  const Json object = parse_object(text, place);
   refuse_unknown_keys(object, study_keys, place);
   refuse_ignored_other_than_texts(object, place);
 
@@ -41,7 +41,9 @@ Study read_study(const std::filesystem::path& file) {
   const std::vector<GivenAxis> given = given_axes(object, place);
   const std::vector<SceneEntry> set = set_entries(object, place);
   refuse_set_axes(set, given);
-  study.base = base_scene(overridden(scene_entries_of(object, file, place), set), given, place);
+  const CompleteScene scene = complete_scene(object, file, place);
+  study.definition = standalone_text(object, text, scene);
+  study.base = base_scene(overridden(scene_entries(scene.inputs, {}, scene.place), set), given, place);
   study.axes = axes_of(given, study.base.indenter);
   study.constraints = study_constraints(object, indenters_of(study), place);
   study.compute = study_outputs(object, place);

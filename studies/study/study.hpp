@@ -71,7 +71,8 @@ struct Study {
   std::vector<std::string> compute = {};    ///< outputs; empty where the file says nothing
   bool fields = false;                      ///< keep the fields of every solution
   std::vector<StudyChart> charts = {};
-  std::string source = {};  ///< where the study was read from, for messages
+  std::string source = {};      ///< where the study was read from, for messages
+  std::string definition = {};  ///< text of a study file that needs no other: the scene stands in it in full
 };
 
 /// Reads a study file. Its values are checked one by one; StudyPlan checks them together, at every point.
@@ -105,8 +106,5 @@ class StudyPlan {
   std::vector<std::uint32_t> combinations_ = {};  // of the points, counted from 0
   std::vector<std::size_t> dropped_;
 };
-
-/// The scenes of all points, checked as StudyPlan does.
-std::vector<RollingScene> points(const Study& study);
 
 }  // namespace rollres

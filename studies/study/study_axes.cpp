@@ -1,6 +1,5 @@
 #include "studies/study/study_axes.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>

@@ -1,7 +1,6 @@
 #include "studies/study/study_outputs.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <type_traits>
 
 #include "core/scene/solution.hpp"

@@ -136,11 +136,4 @@ std::vector<std::string> StudyPlan::keys() const {
 
 std::size_t StudyPlan::all_dropped() const { return std::accumulate(dropped_.begin(), dropped_.end(), std::size_t{0}); }
 
-std::vector<RollingScene> points(const Study& study) {
-  const StudyPlan plan(study);
-  std::vector<RollingScene> scenes;
-  plan.for_each([&](std::size_t, const RollingScene& scene) { scenes.push_back(scene); });
-  return scenes;
-}
-
 }  // namespace rollres

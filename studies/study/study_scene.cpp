@@ -1,26 +1,30 @@
 #include "studies/study/study_scene.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
-#include "studies/text/strict_json.hpp"
+#include "studies/text/files.hpp"
 
 namespace rollres {
 
+CompleteScene complete_scene(const Json& object, const std::filesystem::path& file, const std::string& place) {
+  const std::string rule = "must be the name of a scene file, or a scene";
+  const Json& scene = needed(object, "scene", place, rule);
+  if (scene.is_object()) {
+    const std::string here = place + ": scene";
+    return {with_master_curve(scene, file.parent_path(), here), here, !scene.contains(std::string(master_curve_key))};
+  }
+  const std::filesystem::path named = file.parent_path() / needed_text(object, "scene", place, rule);
+  return {with_master_curve(read_object(named.string()), named.parent_path(), named.string()), named.string()};
+}
+
 std::vector<SceneEntry> scene_entries_of(const Json& object, const std::filesystem::path& file,
                                          const std::string& place) {
-  const Json& scene = needed(object, "scene", place, "must be the name of a scene file, or a scene");
-  if (scene.is_object()) return scene_entries(scene, file.parent_path(), place + ": scene");
-  if (!scene.is_string() || scene.get_ref<const std::string&>().empty())
-    refuse(place, "scene", scene, "must be the name of a scene file, or a scene");
-  const std::filesystem::path path = file.parent_path() / scene.get<std::string>();
-  return scene_entries(read_object(path.string()), path.parent_path(), path.string());
+  const CompleteScene scene = complete_scene(object, file, place);
+  return scene_entries(scene.inputs, {}, scene.place);
 }
 
 std::vector<SceneEntry> set_entries(const Json& object, const std::string& place) {
@@ -57,23 +61,16 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
   return *first;
 }
 
-std::string standalone_study(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw std::runtime_error(file.string() + ": cannot be read");
-  Json study = parse_object(text.str(), file.string());
-  const auto scene = study.find("scene");
-  if (scene == study.end()) return text.str();
-  std::filesystem::path scene_file = file;
-  const std::string key(master_curve_key);
-  if (scene->is_string()) {
-    scene_file = file.parent_path() / scene->get<std::string>();
-    *scene = read_object(scene_file.string());
-  } else if (!scene->contains(key)) {
-    return text.str();
-  }
-  *scene = with_master_curve(*scene, scene_file.parent_path(), scene_file.string());
+std::string standalone_text(Json study, const std::string& text, const CompleteScene& scene) {
+  if (scene.stood_alone) return text;
+  study["scene"] = scene.inputs;
   return study.dump(2) + "\n";
+}
+
+std::string standalone_study(const std::filesystem::path& file) {
+  const std::string text = whole_file(file, largest_json), place = file.string();
+  const Json study = parse_object(text, place);
+  return study.contains("scene") ? standalone_text(study, text, complete_scene(study, file, place)) : text;
 }
 
 }  // namespace rollres

@@ -11,9 +11,19 @@
 
 namespace rollres {
 
-/// The entries of "scene": the name of a scene file, relative to `file`, or the scene itself.
+/// The scene that a file varies, with the lists of a master curve in place of their file's name.
+struct CompleteScene {
+  Json inputs;
+  std::string place;         ///< for messages
+  bool stood_alone = false;  ///< in the file itself, and needed no other
+};
+
+/// What stands under "scene": the name of a scene file, relative to `file`, or the scene itself.
 /// @throws std::invalid_argument naming place, key, value and rule
 /// @throws std::runtime_error if the scene file cannot be read
+CompleteScene complete_scene(const Json& object, const std::filesystem::path& file, const std::string& place);
+
+/// Its entries, checked one by one.
 std::vector<SceneEntry> scene_entries_of(const Json& object, const std::filesystem::path& file,
                                          const std::string& place);
 
@@ -28,10 +38,11 @@ std::vector<SceneEntry> set_entries(const Json& object, const std::string& place
 RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vector<GivenAxis>& axes,
                         const std::string& place);
 
-/// Text of a study file that needs no other file: the scene stands in it in place of the name of its file, and a
-/// master curve's lists in place of the name of theirs. The text is
+/// Text of a study file that needs no other file: the scene stands in it, in full. `text`, which is that of `study`, is
 /// left as it is if it does already.
-/// @throws std::invalid_argument, std::runtime_error as read_study, of which this is no check
+std::string standalone_text(Json study, const std::string& text, const CompleteScene& scene);
+
+/// The same of a file that is not read otherwise. @throws as read_study, of which this is no check
 std::string standalone_study(const std::filesystem::path& file);
 
 }  // namespace rollres

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 namespace rollres {
@@ -20,6 +19,23 @@ namespace {
 std::string last_error() { return std::generic_category().message(errno != 0 ? errno : EIO); }
 
 }  // namespace
+
+std::string whole_file(const std::filesystem::path& file, std::size_t largest) {
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  constexpr std::size_t part = 1 << 16;
+  std::string text;
+  while (stream && text.size() <= largest) {
+    const std::size_t before = text.size();
+    text.resize(before + part);
+    stream.read(text.data() + before, static_cast<std::streamsize>(part));
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.eof() && !stream.good()) fail(file, "cannot be read", last_error());
+  if (text.size() > largest)
+    fail(file, "cannot be read", "it is larger than " + std::to_string(largest / 1'000'000) + " MB");
+  return text;
+}
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::path part = file;

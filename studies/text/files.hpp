@@ -2,10 +2,17 @@
 
 /// Files and folders as a whole.
 
+#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace rollres {
+
+/// The text of a file.
+/// @param largest  so many bytes at most: /dev/zero has no end
+/// @throws std::runtime_error "path: cannot be read: why"
+std::string whole_file(const std::filesystem::path& file, std::size_t largest);
 
 /// Writes a whole file: to a temporary name beside it, then renamed, so that nobody ever sees half of it.
 /// @throws std::runtime_error with the path and the system's words; the old file is then still there

@@ -1,12 +1,11 @@
 #include "studies/text/measured_table.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <system_error>
 
+#include "studies/text/files.hpp"
+#include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
 
@@ -65,31 +64,23 @@ char separator_of(const std::string& names) {
   return ',';
 }
 
-std::string text_of(const std::string& file) {
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  constexpr std::size_t largest = 100'000'000;  // of measured values; /dev/zero has no end
-  constexpr std::size_t part = 1 << 16;
-  std::string text;
-  while (in && text.size() <= largest) {
-    const std::size_t before = text.size();
-    text.resize(before + part);
-    in.read(text.data() + before, static_cast<std::streamsize>(part));
-    text.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  if (text.empty() || in.bad())
-    throw std::runtime_error(file + ": cannot be read" +
-                             (errno ? ": " + std::generic_category().message(errno) : std::string(" or is empty")));
-  if (text.size() > largest) throw std::runtime_error(file + ": cannot be read: it is larger than 100 MB");
-  return text;
-}
-
 }  // namespace
 
 const MeasuredColumn* MeasuredTable::find(std::string_view name) const {
   const auto found =
       std::find_if(columns.begin(), columns.end(), [&](const MeasuredColumn& column) { return column.name == name; });
   return found == columns.end() ? nullptr : &*found;
+}
+
+const MeasuredColumn& MeasuredTable::needed(std::string_view name) const {
+  if (const MeasuredColumn* const column = find(name)) return *column;
+  throw std::invalid_argument(file + ": has no column " + std::string(name));
+}
+
+void MeasuredTable::refuse_others(std::span<const std::string_view> known) const {
+  for (const MeasuredColumn& column : columns)
+    if (find_name(known, column.name) < 0)
+      fail(file, column.name + ": " + unknown("unknown column", known, column.name));
 }
 
 std::string MeasuredTable::place(std::size_t row) const { return line_place(file, lines.at(row)); }
@@ -99,7 +90,9 @@ std::string heading(const MeasuredColumn& column) {
 }
 
 MeasuredTable read_measured_table(const std::filesystem::path& file) {
-  MeasuredTable table{file.string(), text_of(file.string()), {}, {}};
+  constexpr std::size_t largest = 100'000'000;  // of measured values
+  MeasuredTable table{file.string(), whole_file(file, largest), {}, {}};
+  if (table.text.empty()) throw std::runtime_error(table.file + ": cannot be read or is empty");
   std::istringstream lines(table.text.starts_with("\xEF\xBB\xBF") ? table.text.substr(3) : table.text);
   char separator = ',';
   int number = 0;
@@ -139,10 +132,22 @@ double measured_number(const MeasuredTable& table, const MeasuredColumn& column,
     return *plain;
   }
   try {
-    return si_value(cell + " " + column.unit, unit);
+    const std::string with_unit = cell + " " + column.unit;
+    return unit == "K" ? kelvin(with_unit) : si_value(with_unit, unit);
   } catch (const std::invalid_argument& error) {
     fail(place, heading(column) + ": " + error.what());
   }
+}
+
+std::vector<double> measured_numbers(const MeasuredTable& table, const MeasuredColumn& column, std::string_view unit,
+                                     const Range& range, const std::string& rule) {
+  std::vector<double> numbers;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    numbers.push_back(measured_number(table, column, row, unit));
+    if (!range.contains(numbers.back()))
+      fail(table.place(row), heading(column) + " = " + column.cells[row] + ": " + (rule.empty() ? range.rule() : rule));
+  }
+  return numbers;
 }
 
 }  // namespace rollres

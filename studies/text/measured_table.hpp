@@ -5,9 +5,12 @@
 /// lines and lines that begin with # are left out.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/scene/quantity.hpp"
 
 namespace rollres {
 
@@ -25,6 +28,9 @@ struct MeasuredTable {
   std::size_t rows() const { return lines.size(); }
   /// The column of that name, or nullptr.
   const MeasuredColumn* find(std::string_view name) const;
+  /// @throws std::invalid_argument if there is none of that name, or one that is not `known`
+  const MeasuredColumn& needed(std::string_view name) const;
+  void refuse_others(std::span<const std::string_view> known) const;
   /// "data.csv, line 7"
   std::string place(std::size_t row) const;
 };
@@ -35,11 +41,15 @@ struct MeasuredTable {
 MeasuredTable read_measured_table(const std::filesystem::path& file);
 
 /// The number in a cell in SI units.
-/// @param unit      the wanted SI unit; "1" if dimensionless
+/// @param unit      the wanted SI unit; "1" if dimensionless, "K" for a temperature, which may be given in degC
 /// @throws std::invalid_argument naming file, line, column, cell and rule: an empty cell, text in a number, a wrong
 /// unit
 double measured_number(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row,
                        std::string_view unit);
+
+/// The numbers of a column, all within a range. @param rule  in place of the range's own
+std::vector<double> measured_numbers(const MeasuredTable& table, const MeasuredColumn& column, std::string_view unit,
+                                     const Range& range, const std::string& rule = {});
 
 /// A column's name with its unit: "speed [km/h]".
 std::string heading(const MeasuredColumn& column);

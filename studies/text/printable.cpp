@@ -1,7 +1,6 @@
 #include "studies/text/printable.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace rollres {
 

@@ -1,13 +1,11 @@
 #include "studies/text/strict_json.hpp"
 
-#include <cerrno>
-#include <fstream>
 #include <functional>
 #include <set>
 #include <stdexcept>
-#include <system_error>
 #include <vector>
 
+#include "studies/text/files.hpp"
 #include "studies/text/printable.hpp"
 
 namespace rollres {
@@ -76,19 +74,7 @@ Json parse_object(std::string_view text, const std::string& place) {
   return parsed;
 }
 
-Json read_object(const std::string& path) {
-  constexpr std::size_t largest = 10'000'000;  // no scene or study comes near
-  auto fail = [&](const std::string& why) { throw std::runtime_error(path + ": cannot be read: " + why); };
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(std::generic_category().message(errno));
-  std::string text(largest, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(largest));
-  if (file.bad()) fail(std::generic_category().message(errno));
-  if (!file.eof()) fail("it is larger than 10 MB");
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return parse_object(text, path);
-}
+Json read_object(const std::string& path) { return parse_object(whole_file(path, largest_json), path); }
 
 std::string shown(const Json& value) {
   constexpr std::size_t longest = 80;

@@ -19,6 +19,9 @@ using Json = nlohmann::ordered_json;
 /// anything but an object
 Json parse_object(std::string_view text, const std::string& place);
 
+/// Bytes of the largest file: no scene or study comes near.
+inline constexpr std::size_t largest_json = 10'000'000;
+
 /// The object in a file.
 /// @throws std::runtime_error if the file cannot be read
 Json read_object(const std::string& path);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 #include <sstream>
 
@@ -14,15 +13,10 @@ namespace rollres {
 
 namespace {
 
-std::string six_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 std::string in_words(const Cell& cell, std::string_view absent) {
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
-  if (const auto* number = std::get_if<double>(&cell)) return std::isinf(*number) ? "infinite" : six_digits(*number);
+  if (const auto* number = std::get_if<double>(&cell))
+    return std::isinf(*number) ? "infinite" : message_text<6>(*number);
   if (const auto* text = std::get_if<std::string>(&cell); text && !text->empty()) {
     std::string line = *text;
     std::replace(line.begin(), line.end(), '\n', ';');
@@ -40,6 +34,31 @@ std::string csv_cell(const Cell& cell) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   return '"' + replaced(text, {{'"', "\"\""}}) + '"';
 }
+
+/// The names and then each row as texts; columns that hold texts stand to the left.
+struct WordedTable {
+  std::vector<std::vector<std::string>> lines;
+  std::vector<std::size_t> widths;
+  std::vector<bool> left;
+
+  explicit WordedTable(const Table& table, std::string_view absent = "-")
+      : lines{table.columns}, widths(table.columns.size(), 0) {
+    for (const auto& row : table.rows) {
+      lines.emplace_back();
+      for (const Cell& cell : row) lines.back().push_back(in_words(cell, absent));
+    }
+    for (const auto& line : lines)
+      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      left.push_back(std::any_of(table.rows.begin(), table.rows.end(),
+                                 [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
+  }
+
+  std::string padded(const std::vector<std::string>& line, std::size_t i) const {
+    const std::string blanks(widths[i] - width(line[i]), ' ');
+    return left[i] ? line[i] + blanks : blanks + line[i];
+  }
+};
 
 }  // namespace
 
@@ -75,35 +94,6 @@ Json json_of(const Provenance& program) {
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
-
-namespace {
-
-/// The names and then each row as texts; columns that hold texts stand to the left.
-struct WordedTable {
-  std::vector<std::vector<std::string>> lines;
-  std::vector<std::size_t> widths;
-  std::vector<bool> left;
-
-  explicit WordedTable(const Table& table, std::string_view absent = "-")
-      : lines{table.columns}, widths(table.columns.size(), 0) {
-    for (const auto& row : table.rows) {
-      lines.emplace_back();
-      for (const Cell& cell : row) lines.back().push_back(in_words(cell, absent));
-    }
-    for (const auto& line : lines)
-      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
-    for (std::size_t i = 0; i < widths.size(); ++i)
-      left.push_back(std::any_of(table.rows.begin(), table.rows.end(),
-                                 [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
-  }
-
-  std::string padded(const std::vector<std::string>& line, std::size_t i) const {
-    const std::string blanks(widths[i] - width(line[i]), ' ');
-    return left[i] ? line[i] + blanks : blanks + line[i];
-  }
-};
-
-}  // namespace
 
 void write_aligned(std::ostream& out, const Table& table, std::string_view absent, std::string_view indent) {
   const WordedTable worded(table, absent);
@@ -166,16 +156,11 @@ void write_json_lines(std::ostream& out, const Table& table) {
 }
 
 void write_table(std::ostream& out, const Table& table, std::string_view format) {
-  if (format == "csv")
-    write_csv(out, table);
-  else if (format == "json")
-    write_json(out, table);
-  else if (format == "jsonl")
-    write_json_lines(out, table);
-  else if (format == "markdown")
-    write_markdown(out, table);
-  else if (!table.rows.empty())
-    write_aligned(out, table);
+  if (format == "csv") return write_csv(out, table);
+  if (format == "json") return write_json(out, table);
+  if (format == "jsonl") return write_json_lines(out, table);
+  if (format == "markdown") return write_markdown(out, table);
+  if (!table.rows.empty()) write_aligned(out, table);
 }
 
 }  // namespace rollres

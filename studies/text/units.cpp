@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -17,18 +18,13 @@ namespace rollres {
 
 namespace {
 
-struct FreeUnit {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
+template <auto free>
+struct Freed {
+  void operator()(auto* object) const { free(object); }
 };
-struct FreeConverter {
-  void operator()(cv_converter* converter) const { cv_free(converter); }
-};
-struct FreeSystem {
-  void operator()(ut_system* system) const { ut_free_system(system); }
-};
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
-using Converter = std::unique_ptr<cv_converter, FreeConverter>;
-using System = std::unique_ptr<ut_system, FreeSystem>;
+using Unit = std::unique_ptr<ut_unit, Freed<ut_free>>;
+using Converter = std::unique_ptr<cv_converter, Freed<cv_free>>;
+using System = std::unique_ptr<ut_system, Freed<ut_free_system>>;
 
 std::mutex udunits;  // the library keeps global state: one thread at a time
 
@@ -81,38 +77,6 @@ Converter converter(const std::string& from, const std::string& to) {
   return Converter(ut_get_converter(source.get(), target.get()));
 }
 
-}  // namespace
-
-std::optional<double> plain_number(std::string_view text) {
-  const Leading leading = leading_number(text);
-  if (std::isnan(leading.number) || !leading.rest.empty()) return std::nullopt;
-  return leading.number;
-}
-
-std::string unit_in_words(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> measures{{{"m", "length"},
-                                                                                    {"byte", "memory"},
-                                                                                    {"m2", "area"},
-                                                                                    {"m/s", "speed"},
-                                                                                    {"s", "time"},
-                                                                                    {"Pa", "stress"},
-                                                                                    {"N", "force"},
-                                                                                    {"N/m", "force per length"},
-                                                                                    {"N.m", "torque"},
-                                                                                    {"W", "power"},
-                                                                                    {"W/m", "power per length"},
-                                                                                    {"kg/m3", "density"},
-                                                                                    {"rad/s", "rotational speed"},
-                                                                                    {"K", "temperature"},
-                                                                                    {"Hz", "frequency"},
-                                                                                    {"J/mol", "molar energy"}}};
-  for (const auto& [known, measure] : measures)
-    if (known == unit) return "a unit of " + std::string(measure) + " (" + std::string(unit) + ")";
-  return "a unit that converts to " + std::string(unit);
-}
-
-namespace {
-
 /// A number with a unit, taken apart.
 struct NumberWithUnit {
   double number;
@@ -145,6 +109,40 @@ double finite(double value) {
 }
 
 }  // namespace
+
+std::optional<double> plain_number(std::string_view text) {
+  const Leading leading = leading_number(text);
+  if (std::isnan(leading.number) || !leading.rest.empty()) return std::nullopt;
+  return leading.number;
+}
+
+std::optional<double> percentage(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  const auto number = plain_number(text.substr(0, text.size() - 1));
+  return number ? std::optional(*number / 100) : std::nullopt;
+}
+
+std::string unit_in_words(std::string_view unit) {
+  static const std::map<std::string_view, std::string_view> measures{{"m", "length"},
+                                                                     {"byte", "memory"},
+                                                                     {"m2", "area"},
+                                                                     {"m/s", "speed"},
+                                                                     {"s", "time"},
+                                                                     {"Pa", "stress"},
+                                                                     {"N", "force"},
+                                                                     {"N/m", "force per length"},
+                                                                     {"N.m", "torque"},
+                                                                     {"W", "power"},
+                                                                     {"W/m", "power per length"},
+                                                                     {"kg/m3", "density"},
+                                                                     {"rad/s", "rotational speed"},
+                                                                     {"K", "temperature"},
+                                                                     {"Hz", "frequency"},
+                                                                     {"J/mol", "molar energy"}};
+  if (const auto known = measures.find(unit); known != measures.end())
+    return "a unit of " + std::string(known->second) + " (" + std::string(unit) + ")";
+  return "a unit that converts to " + std::string(unit);
+}
 
 double si_value(std::string_view text, std::string_view unit) {
   const std::string rule =

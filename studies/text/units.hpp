@@ -12,6 +12,9 @@ namespace rollres {
 /// if it is not finite.
 std::optional<double> plain_number(std::string_view text);
 
+/// A share: 0.02 of "2 %". Empty if `text` is not one.
+std::optional<double> percentage(std::string_view text);
+
 /// Converts a number with a unit to SI; the result has 15 significant digits, so that "5 mm" is 0.005 exactly.
 /// May be called from several threads.
 /// @param text number, optional blanks, unit

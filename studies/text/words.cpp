@@ -1,6 +1,9 @@
 #include "studies/text/words.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "core/scene/scene_input.hpp"
 
 namespace rollres {
 
@@ -43,6 +46,18 @@ std::string file_name(std::string name) {
   constexpr std::size_t longest = 120;  // file systems take 255 bytes, suffix included
   if (name.size() > longest) name.resize(longest);
   return name;
+}
+
+std::string in_words(std::string_view key) {
+  if (const std::optional<LayerKey> layered = layer_key(key))
+    return in_words(layered->input) + " of " + layered->layer_in_words();
+  std::string words(key);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string_view symbol_beside_name(const Quantity& quantity) {
+  return layer_key(quantity.key) ? quantity.symbol.substr(0, quantity.symbol.find(' ')) : quantity.symbol;
 }
 
 }  // namespace rollres

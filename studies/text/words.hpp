@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words taken out of texts and put together to such, for files, shells and refusals.
+/// Words taken out of texts and put together to such, for files, shells and refusals; keys as people read them.
 
 #include <initializer_list>
 #include <stdexcept>
@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/messages/message_text.hpp"
+#include "core/scene/quantity.hpp"
+
 namespace rollres {
 
 /// The text without blanks, tabulators and carriage returns at its ends.
@@ -16,18 +19,6 @@ std::string_view trimmed(std::string_view text);
 
 /// The words of "speed, load", without the blanks around them; nothing for an empty text.
 std::vector<std::string> split_at_commas(std::string_view text);
-
-/// One text of all: "speed, load". @param text_of what of each is told
-template <class List, class TextOf>
-std::string joined(const List& list, std::string_view between, TextOf&& text_of) {
-  std::string text;
-  for (const auto& one : list) (text += text.empty() ? "" : between) += text_of(one);
-  return text;
-}
-template <class List>
-std::string joined(const List& list, std::string_view between = ", ") {
-  return joined(list, between, [](const auto& one) { return std::string_view(one); });
-}
 
 /// The text with some letters replaced by others. @param by  each of these letters with what stands for it
 std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by);
@@ -47,5 +38,11 @@ auto refusing_at(const std::string& place, Function function) {
     throw std::invalid_argument(place + ": " + error.what());
   }
 }
+
+/// "rolling resistance", "layer thickness of coating 1"
+std::string in_words(std::string_view key);
+
+/// The symbol of a quantity where its name in words stands beside it: "H", not "H of coating 1".
+std::string_view symbol_beside_name(const Quantity& quantity);
 
 }  // namespace rollres

@@ -1,4 +1,4 @@
-// Covers sampled_line, calibration too.
+// Covers calibration, too.
 
 #include "core/derivatives/gradient.hpp"
 

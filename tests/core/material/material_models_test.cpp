@@ -1,4 +1,4 @@
-// Covers material_inputs, material_scale, temperature_shift; of master curves relative_rows, free_series,
+// Covers material_inputs, material_scale; of master curves relative_rows, free_series,
 // smooth_spectrum, open_spectrum too.
 
 #include <algorithm>
@@ -13,7 +13,6 @@
 #include "core/material/master_curve.hpp"
 #include "core/material/material_functions.hpp"
 #include "core/material/prony_series.hpp"
-#include "core/material/relaxation.hpp"
 #include "core/messages/number_list.hpp"
 #include "core/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"

@@ -1,4 +1,4 @@
-#include "core/material/relaxation.hpp"
+#include "core/material/prony_series.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/numerics/noise_estimate.hpp"
+#include "core/numerics/finite_difference.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "core/numerics/nonnegative_least_squares.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 #include "tests/catch.hpp"
 

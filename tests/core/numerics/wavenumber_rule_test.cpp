@@ -1,4 +1,4 @@
-#include "core/numerics/wavenumber_rule.hpp"
+#include "core/numerics/quadrature.hpp"
 
 #include "tests/catch.hpp"
 

@@ -272,8 +272,22 @@ TEST_CASE("a stick between slips in opposite directions is answered, of whatever
   // Nearly elastic cylinders pushed at the top; the middle of the stick was a border of the quadrature and of a check.
   struct {
     double radius, thickness, modulus, stiffening, creep_time, speed, load, friction;
-  } const cases[] = {{0.04425, 0.01051, 582400, 0.01278, 2.338, 4.128, 122.8, 0.04963},
-                     {0.026, 0.0424, 1341000, 0.01438, 8.614, 1.267, 439.1, 0.005772}};
+  } const cases[] = {{.radius = 0.04425,
+                      .thickness = 0.01051,
+                      .modulus = 582400,
+                      .stiffening = 0.01278,
+                      .creep_time = 2.338,
+                      .speed = 4.128,
+                      .load = 122.8,
+                      .friction = 0.04963},
+                     {.radius = 0.026,
+                      .thickness = 0.0424,
+                      .modulus = 1341000,
+                      .stiffening = 0.01438,
+                      .creep_time = 8.614,
+                      .speed = 1.267,
+                      .load = 439.1,
+                      .friction = 0.005772}};
   for (const auto& c : cases) {
     RollingScene scene = gridless_cylinder(c.friction);
     scene.radius = c.radius;

@@ -10,7 +10,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers select, filter, group_query, sql_query and sql_functions, too.
+// Covers select, too.
 
 using namespace rollres;
 

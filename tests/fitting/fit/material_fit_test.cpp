@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/material/material.hpp"
-#include "core/numerics/nonnegative_least_squares.hpp"
+#include "core/numerics/dense_algebra.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 

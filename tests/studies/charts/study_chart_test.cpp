@@ -6,6 +6,7 @@
 #include "studies/stored/study_rows.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 // Covers study_definition, too.
@@ -23,11 +24,10 @@ Study speed_and_load() {
                    {.key = "speed", .values = {0.01, 0.1, 1, 10}, .logarithmic = true}}};
 }
 
-ResultStore stored(const TemporaryDirectory& scratch, const Study& study, const Evaluate& evaluate = closed_form,
+ResultStore stored(const TemporaryDirectory& scratch, Study study, const Evaluate& evaluate = closed_form,
                    const std::string& definition = "") {
-  SweepOptions options;
-  options.definition = definition;
-  run_sweep(study, evaluate, scratch / "results.db", options);
+  study.definition = definition;
+  run_sweep(study, evaluate, scratch / "results.db");
   return ResultStore(scratch / "results.db", Access::read);
 }
 

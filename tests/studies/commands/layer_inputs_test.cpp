@@ -10,15 +10,16 @@
 #include "studies/scene_io/cells.hpp"
 #include "studies/sensitivity/sensitivity.hpp"
 #include "studies/study/plan_table.hpp"
-#include "studies/text/key_words.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/words.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
+#include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers command_material, layer_column and layer_list, too.
+// Covers command_material and layer_list, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;

@@ -12,7 +12,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers problem_schema, schema_parts and command_schema, too.
+// Covers schema_parts and command_schema, too.
 
 using namespace rollres;
 

@@ -67,10 +67,9 @@ Study speed_and_load(const std::string& name) {
                    {.key = "speed", .values = {0.01, 0.1, 1, 10, 100}, .logarithmic = true}}};
 }
 
-std::string stored(const TemporaryDirectory& scratch, const Study& study) {
-  SweepOptions options;
-  options.definition = R"({"study": "x", "comment": "<script>alert(1)</script>"})";
-  run_sweep(study, with_evidence, scratch / "results.db", options);
+std::string stored(const TemporaryDirectory& scratch, Study study) {
+  study.definition = R"({"study": "x", "comment": "<script>alert(1)</script>"})";
+  run_sweep(study, with_evidence, scratch / "results.db");
   return (scratch / "results.db").string();
 }
 

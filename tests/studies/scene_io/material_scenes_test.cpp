@@ -10,6 +10,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
+#include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 // Covers master_curve_file, too.

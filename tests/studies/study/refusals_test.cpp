@@ -6,6 +6,7 @@
 #include "studies/study/study.hpp"
 #include "tests/catch.hpp"
 #include "tests/studies/program.hpp"
+#include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;

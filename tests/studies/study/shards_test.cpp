@@ -9,7 +9,7 @@
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/run/sweep.hpp"
-#include "studies/stored/study_status.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/study/predicted_cost.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"

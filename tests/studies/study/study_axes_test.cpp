@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/catch.hpp"
+#include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;

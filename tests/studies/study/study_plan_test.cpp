@@ -3,6 +3,7 @@
 #include "db/rows/result_store.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/studies/study_points.hpp"
 
 using namespace rollres;
 

@@ -5,6 +5,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/source_directory.hpp"
+#include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 // Covers study_scene, too.

@@ -1,4 +1,3 @@
-#include "studies/text/scaled_unit.hpp"
 
 #include "studies/text/readable_number.hpp"
 #include "tests/catch.hpp"
