@@ -51,6 +51,7 @@ void add_slurm(Command& program, Session& session);
 void add_export(Command& program, Session& session);
 void add_import(Command& program, Session& session);
 void add_list(Command& program, Session& session);
+void add_upkeep(Command& program, Session& session);  ///< rename, delete, note, prune
 void add_show(Command& program, Session& session);
 void add_query(Command& program, Session& session);
 void add_compare(Command& program, Session& session);
