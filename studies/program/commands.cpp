@@ -62,6 +62,12 @@ int run_program(std::vector<std::string> words, Session session) {
       session.out << completions(program.words(), words);
       return ExitStatus::answered;
     }
+    if (words.empty()) words = {"--help"};
+    if (words.front() == "version") words.front() = "--version";
+    if (words.front() == "help") {
+      words.erase(words.begin());
+      words.emplace_back("--help");
+    }
     refuse_unknown_command(program, words);
     program.parse(std::move(words), session.out, session.err);
     session.out.flush();

@@ -25,8 +25,14 @@ nlohmann::json points_in(const std::string& text) {
   return object;
 }
 
-std::string value_at(const nlohmann::json& object, const nlohmann::json::json_pointer& place) {
-  return object.contains(place) ? shown(object.at(place)) : "nothing";
+/// One step from the former file to the later one.
+std::string in_words(const nlohmann::json& change, const nlohmann::json& before) {
+  const std::string path = change.at("path"), what = change.at("op");
+  const bool appended = path.ends_with("/-");
+  const std::string key = replaced(path.substr(1, path.size() - (appended ? 3 : 1)), {{'/', "."}});
+  if (what == "add") return key + ": " + shown(change.at("value")) + " added";
+  const std::string former = shown(before.at(nlohmann::json::json_pointer(path)));
+  return what == "remove" ? key + ": " + former + " left out" : key + " " + former + " -> " + shown(change.at("value"));
 }
 
 }  // namespace
@@ -36,13 +42,9 @@ std::string changes_between(const std::string& former, const std::string& later)
   if (before == after) return {};
   if (!before.is_object() || !after.is_object()) return "its file";
   std::vector<std::string> changes;
-  for (const nlohmann::json& change : nlohmann::json::diff(before, after)) {
-    const nlohmann::json::json_pointer place(change.at("path").get<std::string>());
-    const std::string key = replaced(place.to_string().substr(1), {{'/', "."}});
-    changes.push_back(key + " " + value_at(before, place) + " -> " + value_at(after, place));
-  }
-  constexpr std::size_t shown = 3;
-  const std::size_t others = changes.size() - std::min(shown, changes.size());
+  for (const nlohmann::json& change : nlohmann::json::diff(before, after)) changes.push_back(in_words(change, before));
+  constexpr std::size_t told = 3;
+  const std::size_t others = changes.size() - std::min(told, changes.size());
   changes.resize(changes.size() - others);
   return joined(changes) + (others > 0 ? " and " + std::to_string(others) + " more" : "");
 }

@@ -6,6 +6,7 @@
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/text/file_kind.hpp"
 
 namespace rollres {
 
@@ -32,6 +33,7 @@ std::vector<Indenter> indenters_of(const Study& study) {
 Study read_study(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
+  require_kind(FileKind::study, object, place);
   refuse_unknown_keys(object, study_keys, place);
   refuse_ignored_other_than_texts(object, place);
 
