@@ -7,6 +7,7 @@
 #include "core/messages/message_text.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/surface/contact_surface.hpp"
+#include "core/surface/scene_rules.hpp"
 
 namespace rollres {
 
@@ -71,8 +72,7 @@ class Assessment {
     s_.contact_area = s_.contact_nodes * grid.cell_area();
     s_.spacing = grid.spacing_x;
     half_length_ = std::max(0.5 * (leading - trailing + grid.spacing_x), grid.spacing_x);
-    const bool undefined = dimensions(problem_.scene) == 2 && std::isinf(total_thickness(problem_.scene));
-    s_.approach = undefined ? RollingSolution::absent : unknowns_.approach;
+    s_.approach = why_absent(problem_.scene, "approach").empty() ? unknowns_.approach : RollingSolution::absent;
   }
 
   void sum_forces() {

@@ -7,6 +7,7 @@
 #include "core/newton/grid_solution.hpp"
 #include "core/scene/indenter_shape.hpp"
 #include "core/surface/contact_surface.hpp"
+#include "core/surface/scene_rules.hpp"
 
 namespace rollres {
 
@@ -113,6 +114,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (!sphere)
     model += message_text("; plane strain: for a cylinder long beside ",
                           std::max(2 * half_length(solution), finite_thickness(scene)), " m");
+  if (const std::string why = why_absent(scene, "approach"); !why.empty()) model += "; no approach: " + why;
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum creep = creep_spectrum(scene);
   const bool elastic =

@@ -362,6 +362,14 @@ RollingSolution solve_freely(RollingScene scene) {
   return solution;
 }
 
+/// What the scene asks for is part of the answer as it was asked for: methods meet it to their own rounding.
+void take_over_what_was_asked(const RollingScene& scene, RollingSolution& solution) {
+  if (scene.load) solution.load = *scene.load;
+  if (scene.approach) solution.approach = *scene.approach;
+  if (scene.drive == Drive::torque && scene.driving_torque) solution.driving_torque = *scene.driving_torque;
+  if (scene.drive == Drive::rotation && scene.rotation_ratio) solution.rotation_ratio = *scene.rotation_ratio;
+}
+
 }  // namespace
 
 RollingSolution solve(const RollingScene& scene) {
@@ -382,6 +390,7 @@ RollingSolution solve(const RollingScene& scene) {
   } catch (const std::bad_alloc&) {
     refused("this scene needs more memory than there is; give a larger spacing or tolerance");
   }
+  take_over_what_was_asked(scene, solution);
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
 }

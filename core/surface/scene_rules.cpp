@@ -153,8 +153,8 @@ void check_drive(const RollingScene& scene, BrokenRules& broken) {
 /// @param in_range  whether every input is in its range, so that speeds of waves can be computed
 void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) {
   const bool half_space = std::isinf(total_thickness(scene));
-  if (scene.approach && half_space && scene.indenter == Indenter::cylinder)
-    broken.add("approach", *scene.approach, "has no meaning for a cylinder on a half-space; give load");
+  if (const std::string why = why_absent(scene, "approach"); scene.approach && !why.empty())
+    broken.add("approach", *scene.approach, why + ", or a load");
   if (scene.method == Method::spectral && in_range)
     if (std::string rule = broken_for_spectral(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
   if (scene.period && half_space) broken.add("period", *scene.period, "needs a layer of finite thickness");
@@ -192,6 +192,15 @@ std::vector<std::string> check(const RollingScene& scene) {
   check_drive(scene, broken);
   check_model(scene, in_range, broken);
   return broken.lines;
+}
+
+std::string why_absent(const RollingScene& scene, std::string_view output) {
+  if (scene.indenter == Indenter::sphere) return {};
+  if (output == "approach" && std::isinf(total_thickness(scene)))
+    return "a cylinder sinks without limit into a half-space, with the logarithm of the depth from which the approach "
+           "is counted: give that depth as layer_thickness";
+  if (output == "half_width" || output == "peak_shear_y") return "a cylinder has none";
+  return {};
 }
 
 }  // namespace rollres

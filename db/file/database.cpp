@@ -144,6 +144,8 @@ Database::Database(const std::filesystem::path& file, Access access, const Schem
       }
       return;
     }
+    if (!std::filesystem::is_directory(place.parent_path(), none))
+      throw std::runtime_error(name_ + ": there is no folder " + file.parent_path().string());
     connection_ = open_for_writing(place, name_);
     const Found found = inspect(*connection_, name_, newest);
     connection_->exec("PRAGMA foreign_keys = ON");

@@ -124,6 +124,92 @@ class Merge {
     if (!conflict.column.empty()) report_.conflicts.push_back(conflict);
   }
 
+  using Keys = std::unordered_set<std::string>;
+
+  static Keys points_of(SQLite::Database& connection, std::int64_t study) {
+    SQLite::Statement row(connection, "SELECT key FROM study_point WHERE study = ?");
+    row.bind(1, study);
+    Keys keys;
+    while (row.executeStep()) keys.insert(row.getColumn(0).getString());
+    return keys;
+  }
+
+  static std::string definition_of(SQLite::Database& connection, std::int64_t study) {
+    SQLite::Statement row(connection, "SELECT definition FROM study WHERE id = ?");
+    row.bind(1, study);
+    row.executeStep();
+    return row.getColumn(0).getString();
+  }
+
+  /// Whether a study of the destination is the one of the source: defined alike, or one has all points of the other.
+  bool are_same(std::int64_t there, std::int64_t here) {
+    if (definition_of(into_, there) == definition_of(source_, here)) return true;
+    const Keys kept = points_of(into_, there), other = points_of(source_, here);
+    const Keys &fewer = kept.size() < other.size() ? kept : other, &more = kept.size() < other.size() ? other : kept;
+    return std::all_of(fewer.begin(), fewer.end(), [&](const std::string& key) { return more.contains(key); });
+  }
+
+  /// Where a study of the source belongs: a row of the destination, or a name that is free there.
+  struct Place {
+    std::string name;
+    std::optional<std::int64_t> row;
+  };
+  Place place_of(std::int64_t here, const std::string& name) {
+    SQLite::Statement there(into_, "SELECT id FROM study WHERE name = ?");
+    for (int version = 1;; ++version) {
+      const std::string candidate = version == 1 ? name : name + " " + std::to_string(version);
+      there.reset();
+      there.bind(1, candidate);
+      if (!there.executeStep()) return {candidate, {}};
+      const std::int64_t row = there.getColumn(0).getInt64();
+      if (are_same(row, here)) return {candidate, row};
+    }
+  }
+
+  void name_study(const std::string& name, const std::string& other) {
+    SQLite::Statement change(into_, "UPDATE study SET name = ? WHERE name = ?");
+    change.bind(1, other);
+    change.bind(2, name);
+    change.exec();
+  }
+
+  /// Does what writes a row under the source's name, and leaves it under another one.
+  void named(const std::string& name, const std::string& other, const std::function<void()>& write) {
+    if (name == other) return write();
+    const std::string aside = name + "\n";  // no name of a study
+    name_study(other, name + "\n\n");
+    name_study(name, aside);
+    name_study(name + "\n\n", name);
+    write();
+    name_study(name, other);
+    name_study(aside, name);
+  }
+
+  void take_over(CopiedTable& table, std::int64_t source_id, std::int64_t id, const std::string& name,
+                 const std::string& started, const std::string& created) {
+    SQLite::Statement there(into_, "SELECT started, created, name FROM study WHERE id = ?");
+    there.bind(1, id);
+    there.executeStep();
+    const bool later = started > there.getColumn(0).getString();
+    const std::string first_created = std::min(there.getColumn(1).getString(), created);
+    const std::string kept_name = there.getColumn(2).getString();
+    there.reset();
+    if (later) {
+      SQLite::Statement points(into_, "DELETE FROM study_point WHERE study = ?");
+      points.bind(1, id);
+      points.exec();
+      named(name, kept_name, [&] { table.replace(source_id, id); });
+      ++report_.studies;
+    } else {
+      table.keep(source_id, id);
+    }
+    SQLite::Statement first(into_, "UPDATE study SET created = ? WHERE id = ? AND created <> ?");
+    first.bind(1, first_created);
+    first.bind(2, id);
+    first.bind(3, first_created);
+    first.exec();
+  }
+
   void copy_studies(CopiedTable& table) {
     SQLite::Statement here(source_, "SELECT id, name, started, created FROM study" +
                                         (study_ ? " WHERE name = " + quoted(*study_) : std::string()));
@@ -131,31 +217,15 @@ class Merge {
     while (here.executeStep()) {
       found = true;
       const std::int64_t source_id = here.getColumn(0).getInt64();
-      SQLite::Statement there(into_, "SELECT id, started, created FROM study WHERE name = ?");
-      there.bind(1, here.getColumn(1).getString());
-      if (!there.executeStep()) {
-        table.add(source_id);
-        ++report_.studies;
+      const std::string name = here.getColumn(1).getString();
+      const Place place = place_of(source_id, name);
+      if (place.name != name) report_.renamed.emplace_back(name, place.name);
+      if (place.row) {
+        take_over(table, source_id, *place.row, name, here.getColumn(2).getString(), here.getColumn(3).getString());
         continue;
       }
-      const std::int64_t id = there.getColumn(0).getInt64();
-      const std::string created = std::min(there.getColumn(2).getString(), here.getColumn(3).getString());
-      const bool later = here.getColumn(2).getString() > there.getColumn(1).getString();
-      there.reset();
-      if (later) {
-        SQLite::Statement points(into_, "DELETE FROM study_point WHERE study = ?");
-        points.bind(1, id);
-        points.exec();
-        table.replace(source_id, id);
-        ++report_.studies;
-      } else {
-        table.keep(source_id, id);
-      }
-      SQLite::Statement first(into_, "UPDATE study SET created = ? WHERE id = ? AND created <> ?");
-      first.bind(1, created);
-      first.bind(2, id);
-      first.bind(3, created);
-      first.exec();
+      named(name, place.name, [&] { table.add(source_id); });
+      ++report_.studies;
     }
     if (study_ && !found) throw std::invalid_argument("study = " + *study_ + ": there is no such study");
   }

@@ -8,7 +8,8 @@
 ///
 ///     evaluation   the row that is there stays, unless it has not converged and the source's has. Two that have both
 ///                  converged but differ by more than rounding are a conflict: the first stays
-///     study        the one that was started last gives points, axes and definition
+///     study        the one that was started last gives points, axes and definition; one of the same name that is
+///                  defined otherwise, so that points would be lost, comes as "NAME 2"
 ///     other tables rows that belong to (refer to) a row of another table come with it as a whole, if the file has none
 ///                  that belong to that row; tables that this version does not know are treated in the same way
 
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "db/file/database.hpp"
@@ -33,6 +35,8 @@ struct MergeReport {
   std::size_t added = 0;        ///< that were new
   std::size_t replaced = 0;     ///< that had not converged before
   std::size_t studies = 0;      ///< added, or taken over because they were started later
+  std::vector<std::pair<std::string, std::string>> renamed =
+      {};  ///< studies defined otherwise there: name, and new name
   std::vector<MergeConflict> conflicts;
 };
 

@@ -21,15 +21,22 @@ namespace rollres {
 
 enum class Comparison { equal, not_equal, less, less_or_equal, greater, greater_or_equal, contains };
 
-/// A condition on one column. Numbers are equal when they agree to 12 significant digits, and less or greater when they
-/// do not; "infinite" is a number. An empty value stands for what is absent: "half_width=" and "half_width!=".
+/// A condition on one column. Numbers that differ by no more than the slack are equal, others are less or greater;
+/// "infinite" is a number. An empty value stands for what is absent: "half_width=" and "half_width!=".
 struct Filter {
   std::string column;
   Comparison comparison = Comparison::equal;
   std::string value;
+  double slack = 1e-12;  ///< relative to the value [1]
 };
 
-/// Reads "speed>0.1", "status!=converged", "reason~friction" (contains); operators = != < <= > >= ~.
+/// By how much a number can differ from one that people wrote or copied from a table: half a unit of its last digit, or
+/// of its fifth if it has fewer, as tables show no less; relative, and never below 1e-12. 0 if there is no number.
+/// @param text begins with the number
+double slack_of_written(std::string_view text);
+
+/// Reads "speed>0.1", "status!=converged", "reason~friction" (contains); operators = != < <= > >= ~. Numbers have the
+/// slack of written ones.
 /// @throws std::invalid_argument if there is no operator, or no column before it
 Filter parse_filter(std::string_view text);
 

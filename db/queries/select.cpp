@@ -122,7 +122,7 @@ std::string condition(const Filter& filter, const Column& column, std::vector<Ce
     return compared;
   }
   const double value = number_in(filter);
-  const double slack = std::isinf(value) ? 0.0 : 1e-12 * std::abs(value);
+  const double slack = std::isinf(value) ? 0.0 : filter.slack * std::abs(value);
   if (equal || differs) {
     bound.emplace_back(value - slack);
     bound.emplace_back(value + slack);
@@ -233,7 +233,25 @@ Filter parse_filter(std::string_view text) {
     while (word.ends_with(' ')) word.remove_suffix(1);
     return std::string(word);
   };
-  return {trimmed(text.substr(0, begin)), known->second, trimmed(text.substr(begin + sign.size()))};
+  Filter filter{trimmed(text.substr(0, begin)), known->second, trimmed(text.substr(begin + sign.size()))};
+  filter.slack = slack_of_written(filter.value);
+  return filter;
+}
+
+double slack_of_written(std::string_view text) {
+  double number = 0;
+  const std::size_t sign = text.starts_with('+') || text.starts_with('-') ? 1 : 0;
+  const auto [end, error] = std::from_chars(text.data() + sign, text.data() + text.size(), number);
+  if (error != std::errc() || !(number > 0) || std::isinf(number)) return 0;
+  const std::string_view written(text.data() + sign, static_cast<std::size_t>(end - text.data()) - sign);
+  const std::string_view mantissa = written.substr(0, written.find_first_of("eE"));
+  const std::size_t first = mantissa.find_first_not_of("0.");
+  const auto digits = std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
+                                    [](char letter) { return letter != '.'; });
+  constexpr std::ptrdiff_t fewest_shown = 5;
+  const double leading = std::pow(10, std::floor(std::log10(number) + 1e-15));
+  const double half_unit = 0.5 * leading * std::pow(0.1, static_cast<double>(std::max(digits, fewest_shown) - 1));
+  return std::max(half_unit / number, 1e-12);
 }
 
 std::string where_clause(const std::vector<Filter>& filters, const Columns& known, std::vector<Cell>& bound) {

@@ -64,7 +64,7 @@ std::vector<std::string> texts_of(SQLite::Statement& row) {
 StudySummary read_summary(SQLite::Statement& row) {
   return {row.getColumn(0).getString(), split(row.getColumn(1).getString()), row.getColumn(2).getInt64(),
           row.getColumn(3).getInt64(),  row.getColumn(4).getInt64(),         row.getColumn(5).getString(),
-          row.getColumn(6).getString(), row.getColumn(7).getString()};
+          row.getColumn(6).getString(), row.getColumn(7).getString(),        row.getColumn(8).getString()};
 }
 
 /// While it lives, 100 MB of pages are kept in memory: rows that go to random places of an index are then written once.
@@ -156,10 +156,13 @@ struct ResultStore::Parts {
   }
 
   std::vector<StudySummary> summaries(const std::string* name) {
+    const std::vector<Column> present = columns_of(connection(), "study");  // an older file is read as it is
+    const std::string note = present.back().name == "note" ? "note" : "''";
     SQLite::Statement row(connection(), std::string("SELECT name, axes, count(study_point.key), count(evaluation.id), "
                                                     "count(evaluation.id) FILTER (WHERE status IS NOT 'converged'), "
-                                                    "study.created, started, coalesce(max(evaluation.created), '') "
-                                                    "FROM study LEFT JOIN study_point ON study_point.study = study.id "
+                                                    "study.created, started, coalesce(max(evaluation.created), ''), " +
+                                                    note +
+                                                    " FROM study LEFT JOIN study_point ON study_point.study = study.id "
                                                     "LEFT JOIN evaluation ON evaluation.key = study_point.key ") +
                                             (name ? "WHERE name = ? " : "") + "GROUP BY study.id ORDER BY name");
     if (name) row.bind(1, *name);

@@ -75,6 +75,7 @@ struct StudySummary {
   std::string created;        ///< when the study first ran, UTC
   std::string started;        ///< when it last was started, UTC
   std::string last_result;    ///< when its newest row was stored, UTC; empty if there is none
+  std::string note = {};      ///< what people wrote on it
 };
 
 /// Points of a study that have no answer for the same reason.

@@ -73,6 +73,20 @@ void add_kinematics(SQLite::Database& connection) {
   connection.exec("ALTER TABLE evaluation ADD COLUMN kinematics TEXT; UPDATE evaluation SET kinematics = 'printed'");
 }
 
+/// Before, the load found stood in the place of the load asked for, and differed in its last digits; so for the others.
+void show_as_asked(SQLite::Database& connection) {
+  const std::vector<Column> present = columns_of(connection, "evaluation");
+  for (const char* const key : {"load", "approach", "driving_torque", "rotation_ratio"})
+    if (std::any_of(present.begin(), present.end(),
+                    [&](const Column& column) { return column.name == input_column(key); }))
+      connection.exec(std::string("UPDATE evaluation SET ") + key + " = given_" + key + " WHERE given_" + key +
+                      " IS NOT NULL");
+}
+
+void add_notes(SQLite::Database& connection) {
+  connection.exec("ALTER TABLE study ADD COLUMN note TEXT NOT NULL DEFAULT ''");
+}
+
 std::vector<Column> missing_columns(SQLite::Database& connection) {
   const std::set<std::string> present = column_names(connection, "evaluation");
   std::vector<Column> missing;
@@ -180,8 +194,8 @@ std::set<std::string> column_names(SQLite::Database& connection, const std::stri
 }
 
 std::span<const Migration> schema_migrations() {
-  static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields, create_fit_tables,
-                                             add_kinematics};
+  static constexpr Migration migrations[] = {
+      create_first_tables, create_summary_and_fields, create_fit_tables, add_kinematics, show_as_asked, add_notes};
   return migrations;
 }
 

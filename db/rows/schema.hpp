@@ -7,7 +7,7 @@
 ///     fields        the fields on the surface, where they were asked for, by the key of their evaluation: compressed
 ///                   (fields_table.hpp)
 ///     provenance    what computed an evaluation
-///     study         a name, its axes and the text of its file
+///     study         a name, its axes, the text of its file, and a note
 ///     study_point   the points of a study, in order, by the key of their evaluation: one that has no evaluation yet is
 ///                   missing, and an evaluation serves every study that has its key
 ///     result        a view ready to plot: study, position, and all columns of evaluation
@@ -18,8 +18,8 @@
 /// a tenth of the file, and one sorted by rolling resistance stops as soon as its first page is full.
 ///
 /// load, approach, driving_torque, rotation_ratio, spacing and method are inputs and outputs. The column with the plain
-/// key holds what was found or used; what the scene asked for stands in given_load, given_approach and so on, NULL
-/// where the scene left it open.
+/// key holds the answer's: what the scene asked for if it did, but for the spacing and the method used, or what was
+/// found. What the scene asked for stands in given_load, given_approach and so on, too, NULL where it left it open.
 
 #include <array>
 #include <set>

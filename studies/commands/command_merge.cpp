@@ -53,6 +53,8 @@ class MergeOutput {
       entry["added"] = merged.report.added;
       entry["replaced"] = merged.report.replaced;
       entry["studies"] = merged.report.studies;
+      entry["renamed"] = Json::object();
+      for (const auto& [name, other] : merged.report.renamed) entry["renamed"][name] = other;
       entry["conflicts"] = Json::array();
       for (const MergeConflict& conflict : merged.report.conflicts)
         entry["conflicts"].push_back(
@@ -71,6 +73,9 @@ class MergeOutput {
       sum.added += report.added;
       sum.replaced += report.replaced;
       sum.studies += report.studies;
+      for (const auto& [name, other] : report.renamed)
+        session_.err << source << ": study " << name << " is defined otherwise in " << database_ << ": it is " << other
+                     << " there\n";
       for (const MergeConflict& conflict : report.conflicts) {
         sum.conflicts.push_back(conflict);
         if (sum.conflicts.size() <= shown)

@@ -7,6 +7,7 @@
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
+#include "studies/stored/study_redefinition.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -19,7 +20,7 @@ namespace {
 struct OptimiseArguments {
   std::string study, database, algorithm, out;
   int evaluations = 0, jobs = 0;
-  bool json = false;
+  bool json = false, replace = false;
 };
 
 DesignProblem problem_of(const OptimiseArguments& arguments) {
@@ -59,6 +60,11 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
   if (!arguments.out.empty()) chart_files(arguments.out);  // a wrong name is told before the work
   StudyRecord study{problem.name, {}, standalone_study(arguments.study)};
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
+  {
+    ResultStore store(arguments.database);
+    if (const auto redefined = start_again(store, study, {}, arguments.replace))
+      session.err << study.name << ": defined anew: " << redefined->in_words() << '\n';
+  }
   const StopSignal signal;
   StoredEvaluations evaluations(session.evaluate, arguments.database, study, &signal.requested());
 
@@ -105,6 +111,8 @@ void add_optimise(Command& program, Session& session) {
   command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--out PATH", arguments.out,
                       "draw the course of the search, or the front, as PATH.svg and PATH.png");
+  command->add_flag("--replace", arguments.replace,
+                    "take the place of a study of this name that is defined otherwise; its rows stay");
   command->add_flag("--json", arguments.json, "print the outcome as one JSON object");
   command->footer(
       "Every evaluation is stored and recalled: the same command repeats the run at no cost, or goes on where it was\n"

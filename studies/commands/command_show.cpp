@@ -23,7 +23,8 @@ Json summary_json(const StudySummary& study) {
   return {{"study", study.name},      {"axes", study.axes},
           {"points", study.points},   {"answered", study.answered},
           {"failed", study.failed},   {"created", study.created},
-          {"started", study.started}, {"last_result", study.last_result}};
+          {"started", study.started}, {"last_result", study.last_result},
+          {"note", study.note}};
 }
 
 struct ListArguments {
@@ -49,9 +50,13 @@ void list(const ListArguments& arguments, Session& session) {
     return;
   }
   Table table{{"study", "points", "answered", "failed", "created (UTC)", "last result (UTC)", "axes"}, {}};
-  for (const StudySummary& study : studies)
+  const bool noted = std::any_of(studies.begin(), studies.end(), [](const auto& study) { return !study.note.empty(); });
+  if (noted) table.columns.emplace_back("note");
+  for (const StudySummary& study : studies) {
     table.rows.push_back({study.name, study.points, study.answered, study.failed, to_the_second(study.created),
                           to_the_second(study.last_result), joined(study.axes)});
+    if (noted) table.rows.back().emplace_back(study.note);
+  }
   write_aligned(session.out, table);
 }
 
@@ -106,7 +111,8 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
         table.columns[i] += unit_in_brackets(column->quantity.unit_for(first->scene.indenter));
   }
   session.out << study.name << ": " << study.answered << " of " << study.points << " points answered, " << study.failed
-              << " failed\n\n";
+              << " failed\n"
+              << (study.note.empty() ? "" : study.note + "\n") << '\n';
   write_aligned(session.out, table);
 }
 

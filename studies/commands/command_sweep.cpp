@@ -12,7 +12,7 @@ namespace {
 struct SweepArguments {
   std::string study, database, shard;
   int jobs = 0;
-  bool json = false, fields = false;
+  bool json = false, fields = false, replace = false;
   std::string retry = "nothing";
 };
 
@@ -57,6 +57,10 @@ void sweep(const SweepArguments& arguments, Session& session) {
   if (!arguments.shard.empty()) options.shard = parse_shard(arguments.shard);
   options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, arguments.retry));
   options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;
+  options.replace = arguments.replace;
+  options.redefined = [&](const Redefinition& redefined) {
+    session.err << study.name << ": defined anew: " << redefined.in_words() << '\n';
+  };
   SweepReport report;
   {
     StatusLine line(session.err);
@@ -89,6 +93,8 @@ void add_sweep(Command& program, Session& session) {
       ->one_of({"failed", "not_converged", "all"});
   command->add_flag("--fields", arguments.fields,
                     "store the fields on the surface too, for show --fields; solves points again that have none");
+  command->add_flag("--replace", arguments.replace,
+                    "take the place of a study of this name that is defined otherwise; its rows stay");
   command->add_flag("--json", arguments.json, "print the outcome as one JSON object");
   command->footer(
       "What is stored already is not solved again: a study that was stopped goes on with the same command.\n"

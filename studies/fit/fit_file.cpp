@@ -13,6 +13,7 @@
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/text/file_kind.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/units.hpp"
@@ -270,6 +271,7 @@ std::vector<SceneEntry> started(std::vector<SceneEntry> entries, const std::vect
 FitFile read_fit(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
+  require_kind(FileKind::fit, object, place);
   refuse_unknown_keys(object, fit_keys, place);
   FitFile fit;
   fit.name = needed_name(object, "fit", place, "must be the name of the fit");

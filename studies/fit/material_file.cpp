@@ -8,6 +8,7 @@
 #include "db/file/digest.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/text/file_kind.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 
@@ -44,6 +45,7 @@ bool is_material_fit(const std::filesystem::path& file) { return read_object(fil
 MaterialFile read_material_fit(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
+  require_kind(FileKind::fit, object, place);
   refuse_unknown_keys(object, material_fit_keys, place);
   MaterialFile fit;
   fit.name = needed_name(object, "fit", place, "must be the name of the fit");

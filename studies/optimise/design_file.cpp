@@ -5,9 +5,11 @@
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
+#include "core/surface/scene_rules.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/optimise/design_search.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/text/file_kind.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -148,8 +150,16 @@ std::optional<ParetoWish> pareto_of(const Json& file, const std::string& place) 
                                                         "points", 2, most_points, own)};
 }
 
+/// A goal that no answer has would be missed at every point.
+void refuse_absent(const Formula& formula, const RollingScene& scene, const std::string& place) {
+  for (const std::string& key : formula.keys())
+    if (const std::string why = why_absent(scene, key); !why.empty())
+      throw std::invalid_argument(place + ": " + formula.text() + ": " + key + " is never there: " + why);
+}
+
 DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
   const std::string place = path.string();
+  require_kind(FileKind::design, file, place);
   refuse_unknown_keys(file, design_keys, place);
   refuse_ignored_other_than_texts(file, place);
 
@@ -182,6 +192,14 @@ DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
     refuse(place, "algorithm", file["algorithm"], "needs at least two variables");
   problem.stop = stop_of(file, place);
   problem.pareto = pareto_of(file, place);
+  for (const DutyScene& duty : problem.scenes) {
+    refuse_absent(problem.goal.formula, duty.scene, place);
+    if (problem.pareto) refuse_absent(problem.pareto->goal.formula, duty.scene, place + ": pareto");
+    for (const Condition& condition : problem.constraints) {
+      refuse_absent(condition.left(), duty.scene, place + ": constraints");
+      refuse_absent(condition.right(), duty.scene, place + ": constraints");
+    }
+  }
   return problem;
 }
 

@@ -8,6 +8,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "core/scene/quantity.hpp"
+
 namespace rollres {
 
 namespace {
@@ -111,7 +113,28 @@ CommandWords Command::words() const {
   return words;
 }
 
+/// CLI11 would complain of a missing option first, where one was only misspelt.
+void Command::refuse_unknown_options(std::span<const std::string> words) const {
+  if (words.empty()) return;
+  for (const auto& command : subcommands_)
+    if (command->name() == words.front()) return command->refuse_unknown_options(words.subspan(1));
+  std::vector<std::string> names;
+  for (const OptionWords& option : this->words().options)
+    names.insert(names.end(), option.names.begin(), option.names.end());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  for (const std::string& word : words) {
+    if (word == "--") return;
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || find_name(known, name) >= 0) continue;
+    const std::string nearest = nearest_name(known, name);
+    throw std::invalid_argument(
+        name + ": unknown option of " + this->name() +
+        (nearest.empty() ? "; see rollres help " + this->name() : "; did you mean " + nearest + "?"));
+  }
+}
+
 void Command::parse(std::vector<std::string> words, std::ostream& out, std::ostream& err) {
+  refuse_unknown_options(words);
   try {
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app_->parse(words);

@@ -111,6 +111,7 @@ class Command {
 
  private:
   explicit Command(CLI::App& app);
+  void refuse_unknown_options(std::span<const std::string> words) const;
 
   std::unique_ptr<CLI::App> program_;  // of the program itself, which holds those of its commands
   CLI::App* app_;

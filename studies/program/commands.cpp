@@ -18,10 +18,10 @@ namespace {
 
 /// Every command, in the order of the help text.
 constexpr AddCommand* commands[] = {
-    add_solve,     add_figures, add_material, add_gradient,   add_sensitivity, add_plan,       add_sweep,
-    add_optimise,  add_fit,     add_status,   add_list,       add_show,        add_query,      add_compare,
-    add_chart,     add_report,  add_merge,    add_slurm,      add_export,      add_import,     add_accuracy,
-    add_stability, add_verify,  add_schema,   add_quantities, add_manual,      add_completion,
+    add_solve,    add_figures,   add_material, add_gradient, add_sensitivity, add_plan,   add_sweep,
+    add_optimise, add_fit,       add_status,   add_list,     add_show,        add_query,  add_compare,
+    add_chart,    add_report,    add_merge,    add_upkeep,   add_slurm,       add_export, add_import,
+    add_accuracy, add_stability, add_verify,   add_schema,   add_quantities,  add_manual, add_completion,
 };
 
 /// A message as one line.
@@ -59,6 +59,12 @@ int run_program(std::vector<std::string> words, Session session) {
       words.erase(words.begin());
       session.out << completions(program.words(), words);
       return ExitStatus::answered;
+    }
+    if (words.empty()) words = {"--help"};
+    if (words.front() == "version") words.front() = "--version";
+    if (words.front() == "help") {
+      words.erase(words.begin());
+      words.emplace_back("--help");
     }
     refuse_unknown_command(program, words);
     program.parse(std::move(words), session.out, session.err);

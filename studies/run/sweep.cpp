@@ -138,6 +138,8 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   for (const Axis& axis : study.axes) record.axes.push_back(axis.key);
 
   ResultStore store(database), reader(database, Access::read);
+  const std::optional<Redefinition> redefined = start_again(store, record, all_keys, options.replace);
+  if (redefined && options.redefined) options.redefined(*redefined);
   store.start_study(record, all_keys);
   store_ended_points(store, database, all_keys, plan);
   const FatalSignalNotes notes(database);

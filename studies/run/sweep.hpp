@@ -17,6 +17,7 @@
 #include "db/rows/result_store.hpp"
 #include "studies/run/evaluate.hpp"
 #include "studies/run/progress.hpp"
+#include "studies/stored/study_redefinition.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/study/study.hpp"
 
@@ -43,6 +44,8 @@ struct SweepOptions {
   std::chrono::milliseconds grouping{50};                 ///< least time between two transactions
   Shard shard = {};                                       ///< solve this part; the study is recorded whole
   Retry retry = Retry::nothing;
+  bool replace = false;  ///< the definition of a study of the same name whose points would leave it
+  std::function<void(const Redefinition&)> redefined = {};  ///< called before that happens
   Fields fields = Fields::dropped;  ///< kept: stored too; a point that converged without them is solved again
 };
 
@@ -59,7 +62,8 @@ struct SweepReport {
 };
 
 /// @param evaluate  called by several threads at once; an exception of it becomes the reason of a failed point
-/// @throws std::invalid_argument naming the point and the rule, before any point is solved
+/// @throws std::invalid_argument naming the point and the rule, or a study of this name that is defined otherwise,
+/// before any point is solved
 /// @throws std::runtime_error if the database fails; what was stored before stays
 SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
                       const SweepOptions& options = {});

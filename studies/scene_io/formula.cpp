@@ -59,7 +59,11 @@ std::string in_si(const std::string& right, const Formula& left, Indenter indent
   if (unit.empty() || unit == "1" || !begins_as_number || plain_number(right)) return right;
   try {
     return text_of(InputValue(si_value(right, unit)));
-  } catch (const std::invalid_argument&) {
+  } catch (const std::invalid_argument& error) {
+    const std::size_t unit_place = right.find_first_not_of("+-.0123456789eE ");
+    const bool number_and_word = unit_place != std::string::npos &&
+                                 std::string_view("*/^()<>?:,").find(right[unit_place]) == std::string_view::npos;
+    if (number_and_word) throw std::invalid_argument(right + ": " + error.what() + " for " + left.text());
     return right;  // a formula that begins with a number
   }
 }
@@ -109,6 +113,9 @@ struct Formula::Parts {
 
   static double* place_for(const char* name, void* self) {
     auto& parts = *static_cast<Parts*>(self);
+    if (find_name(parts.known, name) < 0 && find_name(number_keys(FormulaNames::inputs_and_outputs), name) >= 0)
+      throw std::invalid_argument(parts.text + ": " + name +
+                                  " is known once a scene is solved; here only its inputs are");
     if (find_name(parts.known, name) < 0 && !is_number_of_layer(name)) {
       std::vector<std::string_view> known = parts.known;
       for (const std::string_view key : keys_like(name))

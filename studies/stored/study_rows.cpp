@@ -171,9 +171,25 @@ StudySummary stored_study(ResultStore& store, const std::string& name) {
   throw std::invalid_argument(file + ": holds several studies, choose one with --study: " + joined(all));
 }
 
+namespace {
+
+/// A word that the column never holds would match nothing, or everything.
+void refuse_unknown_choice(const Filter& filter, const QuantityColumn& column) {
+  if (filter.value.empty() || (filter.comparison != Comparison::equal && filter.comparison != Comparison::not_equal))
+    return;
+  std::span<const std::string_view> choices;
+  if (const InputKind* const input = find_input(key_of(column))) choices = input->choices;
+  if (column.name == "status") choices = ChoiceNames<Status>::names;
+  if (choices.empty() || find_name(choices, filter.value) >= 0) return;
+  throw std::invalid_argument(filter.column + " = " + filter.value + ": must be one of " + joined(choices));
+}
+
+}  // namespace
+
 Filter read_filter(const std::string& text) {
   Filter filter = parse_filter(text);
   const QuantityColumn* column = find_quantity_column(filter.column);
+  if (column && column->type == "TEXT") refuse_unknown_choice(filter, *column);
   if (!column || column->type != "REAL" || filter.value.empty() || filter.value == "infinite" ||
       plain_number(filter.value))
     return filter;

@@ -4,6 +4,7 @@
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/text/file_kind.hpp"
 #include "studies/text/files.hpp"
 
 namespace rollres {
@@ -32,6 +33,7 @@ Study read_study(const std::filesystem::path& file) {
   const std::string place = file.string();
   const std::string text = whole_file(file, largest_json);
   const Json object = parse_object(text, place);
+  require_kind(FileKind::study, object, place);
   refuse_unknown_keys(object, study_keys, place);
   refuse_ignored_other_than_texts(object, place);
 

@@ -40,8 +40,8 @@ GivenAxis single_axis(const std::string& key, const Json& value, const std::stri
   if (!find_input(key)) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
   if (find_input(key)->list) refuse(place, key, value, "a list of numbers cannot vary; vary a number, or the scene");
   if (value.is_object()) return interval(key, value, place + ": " + key);
-  if (!value.is_array() || value.empty())
-    refuse(place, key, value, "must be a list of values, or an object with from, to and points");
+  if (value.is_array() && value.empty()) refuse(place, key, value, "has no value: leave the axis out, or give it one");
+  if (!value.is_array()) refuse(place, key, value, "must be a list of values, or an object with from, to and points");
   GivenAxis axis{.key = key, .place = place + ": " + key, .shown = value, .values = {}};
   for (const Json& item : value) axis.values.push_back({key, item, place});
   return axis;

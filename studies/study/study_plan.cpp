@@ -109,9 +109,12 @@ StudyPlan::StudyPlan(const Study& study) : base_(study.base), axes_(study.axes),
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(place_of(study) + ": axes at " + scenes.values() + ": " + error.what());
   }
-  if (combinations_.empty() && !dropped_.empty())
-    throw std::invalid_argument(place_of(study) + ": constraints: no point is left of " +
-                                std::to_string(all_dropped()));
+  if (!combinations_.empty() || dropped_.empty()) return;
+  std::string shares;
+  for (std::size_t i = 0; i < dropped_.size(); ++i)
+    shares += (i == 0 ? ": " : ", ") + study.constraints[i].text() + " drops " + std::to_string(dropped_[i]);
+  throw std::invalid_argument(place_of(study) + ": constraints: no point is left of " + std::to_string(all_dropped()) +
+                              shares);
 }
 
 RollingScene StudyPlan::scene(std::size_t point) const {

@@ -95,6 +95,8 @@ bool has_angle(std::string_view unit) {
 NumberWithUnit number_with_unit(std::string_view text, std::string_view unit, const std::string& rule) {
   const Leading leading = leading_number(text);
   if (std::isnan(leading.number)) throw std::invalid_argument("must be a finite number, or one with a unit");
+  if (leading.rest.size() > 1 && leading.rest[0] == ',' && leading.rest[1] >= '0' && leading.rest[1] <= '9')
+    throw std::invalid_argument("must have a decimal point, not a comma");
   // A second number ("5 10 mm") or a sum ("5 +3 mm") would be read by the library as part of the unit.
   if (leading.rest.empty() || std::string_view("+-.0123456789").find(leading.rest.front()) != std::string_view::npos)
     throw std::invalid_argument(rule);

@@ -66,7 +66,7 @@ TEST_CASE("a file that is no database of this program is refused and left as it 
   CHECK(opening(folder.path / "none.db", Access::read) == (folder.path / "none.db").string() + ": no such file");
   CHECK_FALSE(std::filesystem::exists(folder.path / "none.db"));
   CHECK(opening(folder.path / "no/folder.db", Access::write) ==
-        (folder.path / "no/folder.db").string() + ": unable to open database file");
+        (folder.path / "no/folder.db").string() + ": there is no folder " + (folder.path / "no").string());
   CHECK(opening(folder.path / "", Access::write) == (folder.path / "").string() + ": not a regular file");
   CHECK(opening("", Access::write) == "db = : must name a file");
   folder.write("empty.db", "");

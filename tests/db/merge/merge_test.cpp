@@ -219,3 +219,24 @@ TEST_CASE("one study is taken out of a database with what belongs to it and noth
   CHECK_FALSE(std::filesystem::exists(folder / "two"));
   CHECK_FALSE(std::filesystem::exists(folder / "two.part"));
 }
+
+TEST_CASE("a study of the same name with other points is kept beside the first", "[db][merge]") {
+  const TemporaryDirectory folder;
+  fill(folder / "1", {evaluation_at(1)}, "speeds", {1, 2});
+  fill(folder / "2", {evaluation_at(3)}, "speeds", {1, 3, 4});
+  for (int i = 0; i < 2; ++i) {
+    merge_into(folder / "all", folder / "1");
+    const MergeReport report = merge_into(folder / "all", folder / "2");
+    CHECK(report.renamed == std::vector<std::pair<std::string, std::string>>{{"speeds", "speeds 2"}});
+    CHECK(report.studies == (i == 0 ? 1 : 0));
+  }
+  ResultStore all(folder / "all", Access::read);
+  REQUIRE(all.studies().size() == 2);
+  CHECK(all.points("speeds") == std::vector{evaluation_at(1).key, evaluation_at(2).key});
+  CHECK(all.points("speeds 2") == std::vector{evaluation_at(1).key, evaluation_at(3).key, evaluation_at(4).key});
+  // Another start of the second, with one point more, goes to the second.
+  fill(folder / "2", {}, "speeds", {1, 3, 4, 5});
+  CHECK(merge_into(folder / "all", folder / "2").studies == 1);
+  CHECK(all.points("speeds 2").size() == 4);
+  CHECK(all.points("speeds").size() == 2);
+}

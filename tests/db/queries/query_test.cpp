@@ -77,6 +77,33 @@ TEST_CASE("filters select by numbers, names and absence", "[db][query]") {
   CHECK(store.ids({"given_load=1e4", "load="}) == Ids{4});
 }
 
+TEST_CASE("a number finds the rows that show it, to the digits written and to five at least", "[db][query]") {
+  const TemporaryDirectory folder;
+  ResultStore store(folder / "a.db");
+  std::vector<Evaluation> all;
+  for (const double speed : {3.174802103936, 3.1748, 3.17479, 3.17486, 123456.0, 123456.4})
+    all.push_back({std::to_string(all.size()), plain_scene(speed), closed_form(plain_scene(speed))});
+  store.save(all);
+  const auto ids = [&](const std::string& filter) {
+    std::string found;
+    for (const auto& row : run_query(store.database(), {.filters = {parse_filter(filter)}, .columns = {"id"}}).rows)
+      found += std::to_string(std::get<std::int64_t>(row[0])) + " ";
+    return found;
+  };
+  CHECK(ids("speed=3.1748") == "1 2 3 ");  // 3.17479 prints as 3.1748 with five digits
+  CHECK(ids("speed=3.17480") == "1 2 ");
+  CHECK(ids("speed=3.17480210") == "1 ");
+  CHECK(ids("speed=0.317480210e1") == "1 ");
+  CHECK(ids("speed>3.1748") == "4 5 6 ");
+  CHECK(ids("speed<=3.1748") == "1 2 3 ");
+  CHECK(ids("speed!=3.1748") == "4 5 6 ");
+  CHECK(ids("speed=123456") == "5 6 ");
+  CHECK(ids("speed=123456.0") == "5 ");
+  CHECK(ids("id=3") == "3 ");
+  CHECK(slack_of_written("0") == 0);
+  CHECK(slack_of_written("100 mm") == Approx(5e-5));
+}
+
 TEST_CASE("rows are sorted by several columns, absent values last, and limited", "[db][query]") {
   const Filled store;
   CHECK(store.ids({}, {"-speed"}) == Ids{5, 4, 3, 2, 1});

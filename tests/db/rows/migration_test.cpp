@@ -33,6 +33,7 @@ class FirstSchema {
         if (i == 4) {
           solution = {};
           solution.reason = "singular matrix";
+          solution.load = *scene.load;
         }
         const Evaluation one{evaluation_key(scene), scene, solution};
         keys_.push_back(one.key);
@@ -42,6 +43,7 @@ class FirstSchema {
     }
     SQLite::Database plain(file_.string(), SQLite::OPEN_READWRITE);
     plain.exec("ATTACH '" + model.string() + "' AS model");
+    plain.exec("ALTER TABLE model.study DROP COLUMN note");
     for (const std::string table : {"provenance", "study", "study_point", "evaluation"})
       plain.exec("INSERT INTO main." + table + " SELECT * FROM model." + table);
     plain.exec("DETACH model");
@@ -54,7 +56,8 @@ class FirstSchema {
     for (const std::string table : {"provenance", "study", "study_point", "evaluation", "result"}) {
       std::string columns;
       for (const Column& column : columns_of(connection, table))
-        columns += (columns.empty() ? "quote(" : " || '|' || quote(") + column.name + ")";
+        if (column.name != "note")  // of later schemas
+          columns += (columns.empty() ? "quote(" : " || '|' || quote(") + column.name + ")";
       all += text_in(connection, "SELECT group_concat(" + columns + ", x'0a') FROM " + table) + "\n\n";
     }
     return all;
@@ -160,6 +163,7 @@ TEST_CASE("results of before the kinematics were a choice count as those of the 
   {
     SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);
     plain.exec("ALTER TABLE evaluation DROP COLUMN kinematics");
+    plain.exec("ALTER TABLE study DROP COLUMN note");
     plain.exec("PRAGMA user_version = 3");  // the schema before
   }
   const std::optional<StoredEvaluation> found = ResultStore(file).find("a key");
@@ -167,4 +171,26 @@ TEST_CASE("results of before the kinematics were a choice count as those of the 
   CHECK(found->scene.kinematics == Kinematics::printed);
   SQLite::Database plain(file.string());
   CHECK(plain.execAndGet("SELECT kinematics FROM evaluation").getString() == "printed");
+}
+
+TEST_CASE("a load asked for stands as it was asked for, also where an older program stored what it found",
+          "[db][migration]") {
+  const TemporaryDirectory folder;
+  const auto file = folder / "old.db";
+  std::vector<Evaluation> rows;
+  for (const double speed : {1.0, 2.0, 3.0}) rows.push_back({std::to_string(speed), plain_scene(speed), {}});
+  rows[0].solution.load = 1e4 * (1 + 1e-11);
+  rows[1].scene.load.reset();
+  rows[1].scene.approach = 1e-4;
+  rows[1].solution.load = 77;
+  ResultStore(file).save(rows);
+  {
+    SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);
+    plain.exec("ALTER TABLE study DROP COLUMN note; PRAGMA user_version = 4");  // the schema before
+  }
+  ResultStore store(file);
+  CHECK(store.solution(rows[0].key)->load == 1e4);
+  CHECK(store.solution(rows[1].key)->load == 77);
+  CHECK(store.solution(rows[1].key)->approach == 1e-4);
+  CHECK(store.solution(rows[2].key)->load == 1e4);
 }

@@ -68,7 +68,11 @@ TEST_CASE("rollres optimise ends with status 1 without an optimum, 2 for wrong w
   CHECK(run_rollres({"optimise", good}, Bowl::solve).status == 2);
   CHECK(run_rollres({"optimise", good, "--db", db, "--algorithm", "simplex"}, Bowl::solve).status == 2);
   CHECK(run_rollres({"optimise", good, "--db", db, "--max-evaluations", "0"}, Bowl::solve).status == 2);
-  const ProgramRun few = run_rollres({"optimise", good, "--db", db, "--max-evaluations", "5", "--json"}, Bowl::solve);
+  const ProgramRun other = run_rollres({"optimise", good, "--db", db}, Bowl::solve);
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("is there already, defined otherwise: constraints"));
+  const ProgramRun few =
+      run_rollres({"optimise", good, "--db", db, "--replace", "--max-evaluations", "5", "--json"}, Bowl::solve);
   CHECK(few.status == 1);
   CHECK(json::parse(few.out)["status"] == "evaluation_limit");
   CHECK(run_rollres({"optimise", folder / "missing.json", "--db", db}, Bowl::solve).status == 3);

@@ -174,8 +174,7 @@ TEST_CASE("no exception leaves the program", "[studies][commands]") {
 }
 
 TEST_CASE("wrong commands end with exit status 2 and one line", "[studies][commands]") {
-  const std::vector<std::vector<std::string>> commands{{},
-                                                       {"sovle", cylinder},
+  const std::vector<std::vector<std::string>> commands{{"sovle", cylinder},
                                                        {"solve"},
                                                        {"--nothing"},
                                                        {"solve", cylinder, "--jsn"},

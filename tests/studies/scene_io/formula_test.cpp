@@ -54,7 +54,7 @@ TEST_CASE("a formula of an absent number has no value, whatever else it says", "
 TEST_CASE("a formula that cannot be understood is refused with the nearest key", "[studies][formula]") {
   CHECK(refusal("rolling_resistence * 2") ==
         "rolling_resistence * 2: rolling_resistence: unknown key; did you mean rolling_resistance?");
-  CHECK(refusal("rolling_resistance", inputs).find("unknown key") != std::string::npos);
+  CHECK(refusal("rolling_resistance", inputs).find("is known once a scene is solved") != std::string::npos);
   CHECK(refusal("speed +").find("speed +: ") == 0);
   CHECK(refusal("speed, load").find("one formula") != std::string::npos);
   CHECK(refusal("").find(": ") != std::string::npos);
@@ -80,5 +80,7 @@ TEST_CASE("a condition compares two formulas, and its right side may have the un
 TEST_CASE("a condition without exactly one comparison is refused", "[studies][formula]") {
   for (const char* text : {"speed", "1 < speed < 2", "speed == 2", "speed = 2", "!speed < 2", ""})
     CHECK(refused_condition(text).find("one of <= < >= >") != std::string::npos);
-  CHECK(refused_condition("peak_pressure <= 2 kg").find("peak_pressure") == std::string::npos);
+  CHECK(refused_condition("peak_pressure <= 2 kg") == "2 kg: must have a unit of stress (Pa) for peak_pressure");
+  CHECK(refused_condition("speed <= 3 mm") == "3 mm: must have a unit of speed (m/s) for speed");
+  CHECK(refused_condition("speed <= 3 * radius").find("unit") == std::string::npos);
 }

@@ -45,7 +45,8 @@ TEST_CASE("a point that a constraint drops may break the rules of a scene", "[st
 TEST_CASE("a constraint that no point meets, or that cannot be decided, is refused", "[studies][study]") {
   Study study = four_by_four();
   study.constraints = {condition("speed > 2"), condition("speed < 3")};
-  CHECK(message_of([&] { StudyPlan{study}; }) == "four by four: constraints: no point is left of 16");
+  CHECK(message_of([&] { StudyPlan{study}; }) ==
+        "four by four: constraints: no point is left of 16: speed > 2 drops 8, speed < 3 drops 8");
   study.constraints = {condition("approach < 1 mm")};
   CHECK(message_of([&] { StudyPlan{study}; }) ==
         "four by four: axes at load = 10000, speed = 1: approach < 1 mm: cannot be decided, a number in it is absent "
