@@ -44,6 +44,7 @@ void add_gradient(Command& program, Session& session);
 void add_sensitivity(Command& program, Session& session);
 void add_plan(Command& program, Session& session);
 void add_sweep(Command& program, Session& session);
+void add_serve(Command& program, Session& session);
 void add_optimise(Command& program, Session& session);
 void add_fit(Command& program, Session& session);
 void add_merge(Command& program, Session& session);
