@@ -1,5 +1,6 @@
 #include "studies/text/strict_json.hpp"
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <functional>
@@ -82,11 +83,13 @@ Json read_object(const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(std::generic_category().message(errno));
-  std::string text(largest, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(largest));
+  std::string text;
+  for (std::array<char, 16384> part; file && text.size() <= largest;) {
+    file.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) fail(std::generic_category().message(errno));
-  if (!file.eof()) fail("it is larger than 10 MB");
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > largest) fail("it is larger than 10 MB");
   return parse_object(text, path);
 }
 

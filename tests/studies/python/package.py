@@ -39,7 +39,7 @@ def values():
     assert rollres.solve(scene).rolling_resistance == one.rolling_resistance == rollres.solve(scene.to_dict()).rolling_resistance
     assert one.status == "converged" and one.reason == "" and one.scene == scene and isinstance(one.warnings, list)
     assert set(one.to_dict()) == {key for key, *_ in rollres.quantities("outputs")}
-    assert one.load == 20e3 and one.half_width != one.half_width and isinstance(one.iterations, int)
+    assert abs(one.load - 20e3) < 1e-6 * 20e3 and one.half_width != one.half_width and isinstance(one.iterations, int)
     assert f"{one.rolling_resistance:.6g}" in repr(one) and "converged" in one._repr_html_() and "[N/m" in one._repr_html_()
     assert str(one).startswith("status   converged") and json.loads(one.json())["scene"]["radius"] == 0.02
     coated = rollres.Scene(CYLINDER, tolerance=1e-4, coating_layers=[{"layer_thickness": "2 mm", "material": "elastic",
@@ -50,7 +50,7 @@ def values():
     assert scene.replace(approach="0.1 mm").load is None
     import numpy as np
     assert rollres.Scene(scene, speed=np.float64(0.1), load=np.int64(10000)).load == 10000
-    slow = rollres.solve(CYLINDER, drive="torque", driving_torque=1e5)
+    slow = rollres.solve(CYLINDER, drive="torque", driving_torque=200)
     assert slow.status == "no_steady_state" and slow.reason in repr(slow)
 
 
@@ -64,7 +64,7 @@ def refusals():
     assert refusal(lambda: rollres.Scene(CYLINDER).replace(load=1, approach=1e-3)).endswith("give load or approach, not both")
     assert "No such file" in refusal(lambda: rollres.solve("no.json"), OSError)
     assert refusal(lambda: rollres.solve(CYLINDER, radius=[1])) == "--set: radius = [1]: must be a number or a text with a unit of length (m)"
-    assert refusal(lambda: rollres.gradient(CYLINDER, ["sped"])).startswith("inputs") or True
+    assert "did you mean speed?" in refusal(lambda: rollres.gradient(CYLINDER, ["sped"]))
     assert "did you mean rolling_resistance?" in refusal(lambda: rollres.objective(CYLINDER, ["load"], "roling_resistance"))
     assert "no.json" in refusal(lambda: rollres.sweep("no.json", "no.db"), OSError)
     assert refusal(lambda: rollres.command("sove")).startswith("sove: unknown command")
@@ -80,7 +80,8 @@ def fields():
     assert found.pressure.base is not None and not found.pressure.flags.owndata and not found.pressure.flags.writeable
     assert found.pressure.__array_interface__["data"] == one.fields.pressure.__array_interface__["data"]
     assert found.pressure.shape == found.x.shape == found.zone.shape and found.v is None and found.shear_y is None
-    assert abs(np.sum(found.pressure) * (found.x[1] - found.x[0]) / one.load - 1) < 1e-9
+    # The load is the pressure's sum but for terms of second order in the slope, (a/R)^2.
+    assert abs(np.sum(found.pressure) * (found.x[1] - found.x[0]) / one.load - 1) < 0.02
     assert set(np.unique(found.zone)) <= {0, 1, 2} and np.count_nonzero(found.zone) == one.contact_nodes
     sphere = rollres.solve(SPHERE).fields
     assert sphere.pressure.shape == (len(sphere.y), len(sphere.x)) == sphere.shear_y.shape
@@ -100,7 +101,7 @@ def many():
     alone = [rollres.solve(base, speed=speed).rolling_resistance for speed in speeds]
     assert [result.rolling_resistance for result in results] == alone
     assert told[-1] == (60, 60) and told == sorted(told)
-    failing = rollres.solve_many([base.replace(drive="torque", driving_torque=1e5), base])
+    failing = rollres.solve_many([base.replace(drive="torque", driving_torque=200), base])
     assert [one.status for one in failing] == ["no_steady_state", "converged"]
     assert rollres.solve_many([]) == []
     with tempfile.TemporaryDirectory() as folder:
@@ -153,7 +154,7 @@ def functions():
     for slope, error, told in zip(slopes, errors, report["inputs"]):
         assert abs(slope - told["derivative"]) <= 1e-6 * abs(slope) and abs(error) < 1e-4 * abs(slope)
     scaled = f.scaled.gradient(f.scaled.x0)
-    assert all(abs(s - g * x) < 1e-12 * abs(s) for s, g, x in zip(scaled, slopes, f.x0))
+    assert all(abs(s - g * x) < 1e-6 * abs(s) for s, g, x in zip(scaled, slopes, f.x0))
     assert all(abs(there / x - 1) < 1e-14 for there, x in zip(f.scaled.values(f.scaled.x0), f.x0))
     assert "must be" in refusal(lambda: f([1.0, 0.25]))
     assert f.solve_many([f.x0])[0].rolling_resistance == value and f.scene([2e3, 1]).load == 2e3
@@ -220,7 +221,8 @@ def memory():
 
 def answers():
     """Prints outputs of scenes as JSON: answers FILE..."""
-    print(json.dumps([rollres.solve(file).to_dict() for file in sys.argv[2:]]))
+    print(json.dumps([{key: value for key, value in rollres.solve(file).to_dict().items() if value == value}
+                      for file in sys.argv[2:]]))
 
 
 globals()[sys.argv[1]]()
