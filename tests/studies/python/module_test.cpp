@@ -54,7 +54,8 @@ void run_example(const std::string& name, const std::string& needs) {
 /// Numbers of an answer but the time that it took.
 std::vector<double> numbers(const Json& answer) {
   std::vector<double> found;
-  visit_outputs(std::as_const(RollingSolution()), [&](const Quantity& quantity, const auto& value) {
+  const RollingSolution none;
+  visit_outputs(none, [&](const Quantity& quantity, const auto& value) {
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
       if (const auto number = answer.find(std::string(quantity.key));
           quantity.key != "seconds" && number != answer.end() && number->is_number())

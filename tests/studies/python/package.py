@@ -122,7 +122,7 @@ def many():
         return
     frame = pandas.DataFrame({"speed": ["1 m/s", None], "load": [10e3, float("nan")]})
     first, second = rollres.solve_many(frame, base)
-    assert (first.scene.speed, first.load, second.scene.speed, second.load) == (1, 10e3, 0.05, 20e3)
+    assert (first.scene.speed, first.scene.load, second.scene.speed, second.scene.load) == (1, 10e3, 0.05, 20e3)
 
 
 def interrupts():
