@@ -64,7 +64,7 @@ Json json_of(const py::handle& value) {
   return list;
 }
 
-/// Inputs that are None are left out.
+/// Those of the inputs that are not None.
 Json given_inputs(const py::dict& inputs) {
   Json object = json_of(inputs);
   for (auto item = object.begin(); item != object.end();) item = item->is_null() ? object.erase(item) : std::next(item);
@@ -197,9 +197,20 @@ std::string described(const Quantity& quantity) {
   return text;
 }
 
-/// Another scene with some inputs replaced, as by --set.
+/// Takes away what may be absent. @throws std::invalid_argument for another input
+void take_away(RollingScene& scene, const std::string& key) {
+  const SceneEntry entry{key, nullptr, "--set"};
+  if (const InputKind* const kind = find_input(key); kind && !kind->optional && !kind->list)
+    input_value(entry, *kind, scene.indenter);  // refuses null
+  replacing_entries({{key, nullptr}}, entry.place);
+  visit_input(scene, key, [](const Quantity&, auto& target) { target = {}; });
+}
+
+/// Another scene with some inputs replaced, as by --set; those that are None are taken away.
 RollingScene replaced(RollingScene scene, const py::dict& inputs) {
   const std::string place = "--set";
+  for (const auto& [key, value] : inputs)
+    if (value.is_none()) take_away(scene, key.cast<std::string>());
   const std::vector<SceneEntry> entries = replacing_entries(given_inputs(inputs), place);
   const auto has = [&](std::string_view key) { return value_given(entries, key) != nullptr; };
   const Indenter indenter = has("indenter") ? indenter_of(entries) : scene.indenter;
@@ -228,8 +239,11 @@ RollingScene read(const py::args& base, const py::kwargs& inputs) {
     return scene_from(scene_entries(object, {}, place), place);
   }
   const std::string file = py::module_::import("os").attr("fspath")(base[0]).cast<std::string>();
-  const std::vector<SceneEntry> own = scene_entries(read_object(file), std::filesystem::path(file).parent_path(), file);
-  if (inputs.empty()) return scene_from(own, file);
+  if (inputs.empty()) return read_scene(file);
+  std::vector<SceneEntry> own = scene_entries(read_object(file), std::filesystem::path(file).parent_path(), file);
+  for (const auto& [key, value] : inputs)
+    if (value.is_none())
+      std::erase_if(own, [&](const SceneEntry& entry) { return entry.key == key.cast<std::string>(); });
   return scene_from(overridden(own, replacing_entries(given_inputs(inputs), "--set")), file + " with --set");
 }
 

@@ -14,7 +14,7 @@ load, speed, resistance, sigma = np.genfromtxt(examples / "fit_cylinder.csv", de
 load *= 1e3
 
 # %% The scene on continuous edges, without the example's grid
-scene = rollres.Scene(examples / "paper_cylinder.json", tolerance=1e-6)
+scene = rollres.Scene(examples / "paper_cylinder.json", spacing=None)
 
 
 def residuals(parameters):

@@ -13,10 +13,9 @@ problem = json.loads((examples / "optimise_layer.json").read_text(encoding="utf-
 
 # %% Resistance and pressure as functions of thickness and modulus, with gradients that suit their noise
 ranges = {"layer_thickness": (1e-3, 20e-3), "static_shear_modulus": (0.5e6, 30e6)}
-scene = rollres.Scene(problem["scene"] if isinstance(problem["scene"], dict) else examples / problem["scene"],
-                      **problem.get("set", {}))
-resistance = rollres.objective(scene, ranges).scaled
-pressure = rollres.objective(scene, ranges, "peak_pressure").scaled
+scene = rollres.Scene(examples / problem["scene"], spacing=None)
+resistance = rollres.objective(scene, ranges, order=2).scaled
+pressure = rollres.objective(scene, ranges, "peak_pressure", order=2).scaled
 limit = 4e6
 found = scipy.optimize.minimize(
     lambda x: resistance(x) / 200, resistance.x0, jac=lambda x: resistance.gradient(x) / 200, bounds=resistance.bounds,

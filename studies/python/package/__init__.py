@@ -43,7 +43,7 @@ def _table(columns):
 
 
 def _replace(self, **inputs):
-    """The scene with other values of some inputs, as by --set: load takes the place of approach and so on."""
+    """The scene with other values of some inputs, as by --set: load takes the place of approach and so on; None: absent."""
     return self.replaced(inputs)
 
 

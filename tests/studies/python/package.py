@@ -47,7 +47,8 @@ def values():
     thicker = coated.replaced({"coating_layers[0].layer_thickness": "3 mm"})
     assert thicker.coating_layers[0]["layer_thickness"] == 0.003 and "coating_layers" in repr(thicker)
     assert coated.replace(layer_thickness=float("inf")).to_dict()["layer_thickness"] == "infinite"
-    assert scene.replace(approach="0.1 mm").load is None
+    assert scene.replace(approach="0.1 mm").load is None and scene.replace(tolerance=None).tolerance is None
+    assert rollres.Scene(CYLINDER, spacing=None) == rollres.Scene(CYLINDER).replace(spacing=None)
     import numpy as np
     assert rollres.Scene(scene, speed=np.float64(0.1), load=np.int64(10000)).load == 10000
     slow = rollres.solve(CYLINDER, drive="torque", driving_torque=200)
@@ -62,6 +63,8 @@ def refusals():
     assert refusal(lambda: rollres.solve()) == "scene: radius is missing: every scene needs it (m)"
     assert refusal(lambda: rollres.solve(CYLINDER, load=1, approach=1e-3)).endswith("give load or approach, not both")
     assert refusal(lambda: rollres.Scene(CYLINDER).replace(load=1, approach=1e-3)).endswith("give load or approach, not both")
+    assert refusal(lambda: rollres.Scene(CYLINDER).replace(speed=None)).startswith("--set: speed = null: must be a number")
+    assert "unknown key" in refusal(lambda: rollres.Scene(CYLINDER).replace(speeed=None))
     assert "No such file" in refusal(lambda: rollres.solve("no.json"), OSError)
     assert refusal(lambda: rollres.solve(CYLINDER, radius=[1])) == "--set: radius = [1]: must be a number or a text with a unit of length (m)"
     assert "did you mean speed?" in refusal(lambda: rollres.gradient(CYLINDER, ["sped"]))
