@@ -28,7 +28,7 @@ def log_likelihood(points):
     return np.nan_to_num(-0.5 * (misfit**2).sum(axis=1), nan=-np.inf)
 
 
-walkers, steps, burn_in = 16, 60, 15
+walkers, steps, burn_in = 14, 45, 12
 points = np.log([3e6, 0.25]) + 0.02 * random.normal(size=(walkers, 2))
 likelihood = log_likelihood(points)
 kept = []
