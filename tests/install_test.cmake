@@ -29,7 +29,7 @@ endif()
 
 if(PYTHON)
   run(${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages ${PYTHON} -c
-      "import rollres, sys; print(repr(rollres.solve(sys.argv[1]).rolling_resistance), end='')"
+      "print(repr(__import__('rollres').solve(__import__('sys').argv[1]).rolling_resistance), end='')"
       ${prefix}/share/rollres/examples/paper_cylinder.json)
   if(NOT output STREQUAL resistance)
     message(FATAL_ERROR "Python says ${output}, the program ${resistance}")
@@ -48,7 +48,7 @@ run(${CMAKE_COMMAND} -G ${generator} -S ${CMAKE_CURRENT_LIST_DIR}/outside_progra
 run(${CMAKE_COMMAND} --build ${FOLDER}/outside)
 run(${FOLDER}/outside/outside_program ${resistance})
 run(${FOLDER}/outside/readme_program ${prefix}/share/rollres/examples/paper_cylinder.json)
-if(NOT output MATCHES "^0.01 m/s: 3[0-9.]+ N/m\n0.1 m/s: [0-9.]+ N/m\n1 m/s: 20.276 N/m\n$")
+if(NOT output MATCHES "^0.01 m/s: [0-9.]+ N/m\n0.1 m/s: [0-9.]+ N/m\n1 m/s: 20.276 N/m\n$")
   message(FATAL_ERROR "the README's program says ${output}")
 endif()
 file(REMOVE_RECURSE ${FOLDER})

@@ -206,14 +206,14 @@ def documentation():
 
 
 def memory():
-    """Flat over many solutions: sixteen thousand take no more than 5 MB beyond the first four thousand."""
+    """Flat over many solutions: all take no more than 5 MB beyond the first thousand."""
     base = rollres.Scene(CYLINDER, tolerance=1e-2)
 
     def resident():
         gc.collect()
         with open("/proc/self/statm") as file:
             return int(file.read().split()[1]) * resource.getpagesize()
-    for i in range(int(sys.argv[2]) if len(sys.argv) > 2 else 4000):
+    for i in range(int(sys.argv[2]) if len(sys.argv) > 2 else 3000):
         if i == 1000:
             before = resident()
         rollres.solve(base, speed=0.01 + 1e-6 * i).fields
