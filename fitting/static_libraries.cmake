@@ -1,5 +1,5 @@
-# SuiteSparse, LAPACK and glog, which Ceres needs, as static libraries in executables: a program loads fourteen dynamic
-# libraries less, which takes a fifth of the time of its start. The Python module cannot hold them, and where one is missing
+# SuiteSparse, LAPACK and glog, which Ceres needs, as static libraries in executables: a program loads sixteen dynamic
+# libraries less, which is a third of the time of its start. The Python module cannot hold them, and where one is missing
 # all are dynamic as Ceres wants them.
 include(CheckCSourceCompiles)
 

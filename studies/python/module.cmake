@@ -1,5 +1,5 @@
 # The Python package rollres: build/.../python/rollres, installed beside the other packages of Debian's Python. Without
-# pybind11 or Python's headers (pybind11-dev, python3-dev) there is none.
+# pybind11 or Python's headers (pybind11-dev, python3-dev), or with -D ROLLRES_PYTHON=OFF, there is none.
 
 # Debian's interpreter has Debian's headers and numpy; another may stand before it on the PATH. -D Python_EXECUTABLE=...
 # names another.
@@ -10,15 +10,14 @@ find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
 if(Python_FOUND)
   find_package(pybind11 2.9 QUIET CONFIG)
 endif()
-set(found_python OFF)
-if(Python_FOUND AND pybind11_FOUND)
-  set(found_python ON)
+# Not kept in the cache unless it is given: what is installed later is found by the next cmake.
+if(NOT DEFINED ROLLRES_PYTHON AND Python_FOUND AND pybind11_FOUND)
+  set(ROLLRES_PYTHON ON)
 endif()
-option(ROLLRES_PYTHON "build the Python package" ${found_python})
-if(ROLLRES_PYTHON AND NOT found_python)
-  message(FATAL_ERROR "the Python package needs pybind11 and Python's headers: apt-get install pybind11-dev python3-dev")
-elseif(NOT ROLLRES_PYTHON)
+if(NOT ROLLRES_PYTHON)
   return()
+elseif(NOT Python_FOUND OR NOT pybind11_FOUND)
+  message(FATAL_ERROR "the Python package needs pybind11 and Python's headers: apt-get install pybind11-dev python3-dev")
 endif()
 
 set(package_folder ${CMAKE_BINARY_DIR}/python/rollres)

@@ -35,7 +35,8 @@ for generation in range(20):
     better = new < told
     designs[better], told[better] = asked[better], new[better]
 best = rollres.solve(scene, **dict(zip(keys, np.exp(designs[told.argmin()]))))
-print(f"{told.min():.2f} N/m with {best.scene.layer_thickness * 1e3:.3f} mm of {best.scene.static_shear_modulus / 1e6:.3f} MPa")
+layer = best.scene
+print(f"{told.min():.2f} N/m with {layer.layer_thickness * 1e3:.3f} mm of {layer.static_shear_modulus / 1e6:.3f} MPa")
 
 # %% The program's own answer
 problem = json.loads((examples / "optimise_layer.json").read_text(encoding="utf-8"))

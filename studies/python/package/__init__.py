@@ -165,7 +165,10 @@ class Objective:
         return self._function.value([float(value) for value in x])
 
     def value_and_gradient(self, x):
-        """The value, the derivatives and their estimated errors. The first call measures the noise: 8 or 14 solutions for each input."""
+        """The value, the derivatives and their estimated errors.
+
+        The first call measures the noise: 8 or 14 solutions for each input.
+        """
         return self._function.gradient([float(value) for value in x], self._order, self._threads)
 
     def gradient(self, x):
@@ -372,6 +375,7 @@ Result._repr_html_ = _result_html
 Result.to_dict = _result_dict
 Result.__doc__ = "The answer to a scene. Outputs, in SI:\n\n" + _listed("outputs")
 Scene.__doc__ += _listed("inputs")
-solve.__doc__ += "\n    Inputs:\n\n" + _listed("inputs") + "\n\n    Outputs, attributes of the Result:\n\n" + _listed("outputs")
+solve.__doc__ += ("\n    Inputs:\n\n" + _listed("inputs") + "\n\n    Outputs, attributes of the Result:\n\n" +
+                  _listed("outputs"))
 _NEEDED = dict(radius=1, layer_thickness=1, speed=1, load=1, material="elastic", static_shear_modulus=1)
 _DEFAULTS = {key: value for key, value in Scene(_NEEDED).to_dict().items() if key not in _NEEDED}

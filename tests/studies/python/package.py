@@ -33,10 +33,12 @@ def values():
     """Inputs as in scene files, answers in SI under the keys of the lists."""
     one = rollres.solve(CYLINDER, tolerance=1e-6)
     scene = rollres.Scene(CYLINDER).replace(tolerance=1e-6)
-    assert scene == rollres.Scene(str(CYLINDER), tolerance=1e-6) == rollres.Scene(scene.to_dict()) == pickle.loads(pickle.dumps(scene))
+    assert scene == rollres.Scene(str(CYLINDER), tolerance=1e-6) == rollres.Scene(scene.to_dict())
+    assert scene == pickle.loads(pickle.dumps(scene))
     assert scene != scene.replace(speed="1 m/s") and len({scene, scene.replace(speed="5 cm/s")}) == 1
     assert scene.spacing is None and scene.tolerance == 1e-6 and scene.indenter == "cylinder" and scene.radius == 0.02
-    assert rollres.solve(scene).rolling_resistance == one.rolling_resistance == rollres.solve(scene.to_dict()).rolling_resistance
+    assert rollres.solve(scene).rolling_resistance == one.rolling_resistance
+    assert rollres.solve(scene.to_dict()).rolling_resistance == one.rolling_resistance
     assert one.status == "converged" and one.reason == "" and one.scene == scene and isinstance(one.warnings, list)
     assert set(one.to_dict()) == {key for key, *_ in rollres.quantities("outputs")}
     assert abs(one.load - 20e3) < 1e-6 * 20e3 and one.half_width != one.half_width and isinstance(one.iterations, int)
@@ -62,11 +64,13 @@ def refusals():
     assert refusal(lambda: rollres.Scene({"radius": "5 kg"})) == 'scene: radius = "5 kg": must have a unit of length (m)'
     assert refusal(lambda: rollres.solve()) == "scene: radius is missing: every scene needs it (m)"
     assert refusal(lambda: rollres.solve(CYLINDER, load=1, approach=1e-3)).endswith("give load or approach, not both")
-    assert refusal(lambda: rollres.Scene(CYLINDER).replace(load=1, approach=1e-3)).endswith("give load or approach, not both")
+    cylinder = rollres.Scene(CYLINDER)
+    assert refusal(lambda: cylinder.replace(load=1, approach=1e-3)).endswith("give load or approach, not both")
     assert refusal(lambda: rollres.Scene(CYLINDER).replace(speed=None)).startswith("--set: speed = null: must be a number")
     assert "unknown key" in refusal(lambda: rollres.Scene(CYLINDER).replace(speeed=None))
     assert "No such file" in refusal(lambda: rollres.solve("no.json"), OSError)
-    assert refusal(lambda: rollres.solve(CYLINDER, radius=[1])) == "--set: radius = [1]: must be a number or a text with a unit of length (m)"
+    assert refusal(lambda: rollres.solve(CYLINDER, radius=[1])) == (
+        "--set: radius = [1]: must be a number or a text with a unit of length (m)")
     assert "did you mean speed?" in refusal(lambda: rollres.gradient(CYLINDER, ["sped"]))
     assert "did you mean rolling_resistance?" in refusal(lambda: rollres.objective(CYLINDER, ["load"], "roling_resistance"))
     assert "no.json" in refusal(lambda: rollres.sweep("no.json", "no.db"), OSError)
@@ -91,7 +95,8 @@ def fields():
     pressure = rollres.solve(CYLINDER).fields.pressure
     gc.collect()
     assert pressure.max() == one.peak_pressure
-    assert rollres.solve_many([CYLINDER])[0].fields is None and rollres.solve_many([CYLINDER], fields=True)[0].fields is not None
+    assert rollres.solve_many([CYLINDER])[0].fields is None
+    assert rollres.solve_many([CYLINDER], fields=True)[0].fields is not None
 
 
 def many():
@@ -150,7 +155,8 @@ def interrupts():
 def functions():
     """Objectives and gradients against each other and closed forms of scaling."""
     f = rollres.objective(CYLINDER, {"load": (1e3, 1e5), "creep_time": None}, tolerance=1e-8)
-    assert f.names == ["load", "creep_time"] and f.bounds[0] == (1e3, 1e5) and f.x0 == [20e3, 0.25] and f.scales == [20e3, 0.25]
+    assert f.names == ["load", "creep_time"] and f.bounds[0] == (1e3, 1e5)
+    assert f.x0 == [20e3, 0.25] and f.scales == [20e3, 0.25]
     value, slopes, errors = f.value_and_gradient(f.x0)
     assert value == f(f.x0) == rollres.solve(CYLINDER, tolerance=1e-8).rolling_resistance
     report = rollres.gradient(CYLINDER, ["load", "creep_time"], tolerance=1e-8)
@@ -179,8 +185,10 @@ def studies():
         assert results.studies() == ["speeds"]
         table = results.study("speeds", "speed>0.1 m/s", columns=["speed", "rolling_resistance"])
         rows = table.to_dict("records") if hasattr(table, "columns") else table
-        assert rows and all(row["rolling_resistance"] == rollres.solve(CYLINDER, tolerance=1e-6, speed=row["speed"]).rolling_resistance
-                            for row in rows)
+        assert rows
+        for row in rows:
+            alone = rollres.solve(CYLINDER, tolerance=1e-6, speed=row["speed"])
+            assert row["rolling_resistance"] == alone.rolling_resistance
         assert "did you mean speed?" in refusal(lambda: results.query("sped>1"))
         found = rollres.fit(EXAMPLES / "fit_cylinder.json", profiles=False)
         assert found.status.startswith("USABLE") or found["status"].startswith("usable")
