@@ -1,4 +1,4 @@
-# SuiteSparse, LAPACK and glog, which Ceres needs, as static libraries in executables: a program loads sixteen dynamic
+# SuiteSparse, LAPACK and glog, which Ceres needs, as static libraries in executables: a program loads fourteen dynamic
 # libraries less, which is a third of the time of its start. The Python module cannot hold them, and where one is missing
 # all are dynamic as Ceres wants them.
 include(CheckCSourceCompiles)
@@ -7,8 +7,8 @@ set(static_libraries)
 foreach(name IN ITEMS glog gflags cholmod ccolamd camd colamd amd suitesparseconfig cxsparse lapack f77blas blas atlas)
   list(APPEND static_libraries -l:lib${name}.a)
 endforeach()
-# Of these there are no static ones that an executable takes.
-list(APPEND static_libraries -Wl,--as-needed -l:libunwind.so.8 -l:libmetis.so.5 -l:libgfortran.a -l:libquadmath.a -lgomp)
+# Of these there are no static ones that an executable takes, or that come with Ceres.
+list(APPEND static_libraries -Wl,--as-needed -l:libunwind.so.8 -l:libmetis.so.5 -l:libgfortran.so.5 -lgomp)
 
 set(CMAKE_REQUIRED_LIBRARIES ${static_libraries} -lstdc++ -lpthread -lm)
 set(CMAKE_REQUIRED_QUIET ON)

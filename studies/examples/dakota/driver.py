@@ -25,6 +25,13 @@ def read_sets(lines):
         yield inputs, responses
 
 
+def number_or_text(word):
+    try:
+        return float(word)
+    except ValueError:
+        return word
+
+
 def text_of(answer, responses):
     values = [answer.get(name) for name in responses]
     if answer.get("status") != "converged" or None in values:
@@ -34,8 +41,7 @@ def text_of(answer, responses):
 
 with open(parameters, encoding="utf-8") as file:
     sets = list(read_sets(file))
-given = dict(word.split("=", 1) for word in overrides)
-given = {key: float(value) if value.replace(".", "").replace("e-", "").isdigit() else value for key, value in given.items()}
+given = {key: number_or_text(value) for key, value in (word.split("=", 1) for word in overrides)}
 questions = "".join(json.dumps({**given, **inputs}) + "\n" for inputs, _ in sets)
 served = subprocess.run(["rollres", "serve", scene], input=questions, stdout=subprocess.PIPE, text=True, check=True)
 answers = [json.loads(line) for line in served.stdout.splitlines()]
