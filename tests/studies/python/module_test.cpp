@@ -1,4 +1,7 @@
-#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "core/solve/rolling_contact.hpp"
 #include "studies/scene_io/scene_file.hpp"

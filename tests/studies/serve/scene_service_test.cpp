@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
-#include <fstream>
+#include <filesystem>
 #include <sstream>
+#include <thread>
 
 #include "studies/serve/unix_socket.hpp"
 #include "studies/text/words.hpp"
