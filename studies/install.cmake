@@ -1,4 +1,5 @@
-# The program with its examples, schemas, manual page and completions, and the Debian package that `cpack` makes of all.
+# The program with its examples, schemas, manual page and completions, the reader of scenes for other programs, and the
+# Debian packages that `cpack` makes of all.
 
 # Written by the program itself, of what its commands declare. Debian wants manual pages and changes compressed.
 set(written ${CMAKE_BINARY_DIR}/generated)
@@ -32,6 +33,13 @@ install(FILES README.md CITATION.cff ${written}/changelog.gz ${written}/changelo
 install(FILES studies/guide.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/studies COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 
+# rollres::scene_io, for programs that read scene files as this one does.
+set_target_properties(rollres_scene_io PROPERTIES EXPORT_NAME scene_io)
+install(TARGETS rollres_scene_io EXPORT rollres-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+install(FILES studies/scene_io/scene_file.hpp studies/scene_io/solution_json.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollres/studies/scene_io COMPONENT library)
+install(FILES studies/text/units.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollres/studies/text COMPONENT library)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rollres)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
@@ -50,7 +58,32 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/studies/package_tools.cmake)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
+# Two packages: the program with the library, and the Python package.
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
+set(CPACK_DEBIAN_ROLLRES_PACKAGE_NAME rollres)
+set(CPACK_COMPONENT_GROUP_ROLLRES_DESCRIPTION "${CPACK_DEBIAN_PACKAGE_DESCRIPTION}")
+set(CPACK_DEBIAN_ROLLRES_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
 # For those who build on the library.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, pkg-config, libeigen3-dev, libfftw3-dev, libtbb-dev")
+set(CPACK_DEBIAN_ROLLRES_PACKAGE_SUGGESTS "cmake, pkg-config, libeigen3-dev, libfftw3-dev, libtbb-dev, libudunits2-dev")
+set(components program library)
+if(TARGET rollres_python)
+  list(APPEND components python)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rollres)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas")
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "rollres as a Python module: scenes, fields as arrays of numpy, many scenes by
+threads, gradients for optimisers, studies, fits and stored results.")
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-rollres RENAME copyright COMPONENT python)
+  install(FILES ${written}/changelog.gz ${written}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-rollres COMPONENT python)
+endif()
+set(CPACK_COMPONENTS_ALL ${components})
 include(CPack)
+cpack_add_component(program GROUP rollres)
+cpack_add_component(library GROUP rollres)
+cpack_add_component_group(rollres)
+if(TARGET rollres_python)
+  cpack_add_component(python)
+endif()

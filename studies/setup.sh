@@ -34,6 +34,11 @@ slurm-wlm: a cluster of one node
 munge: signs the cluster's messages
 sqlite3: the README's shell
 python3-pandas: the README's Python
+pybind11-dev: pybind11/pybind11.h, the Python package
+python3-dev: Python.h
+python3-scipy: an example of the Python package
+python3-matplotlib: an example of the Python package
+python3-lmfit: an example of the Python package
 r-cran-dbi: the README's R
 r-cran-rsqlite: the README's R
 r-base-core: the README's R

@@ -1,5 +1,5 @@
 # An outside program, built on the installed library, has the answer of the installed program; so builds the README's.
-# cmake -D BUILD=tree -D FOLDER=scratch -D CXX=compiler [-D FLAGS=...] -P install_test.cmake; BUILD must be built.
+# cmake -D BUILD=tree -D FOLDER=scratch -D CXX=compiler [-D FLAGS=...] [-D PYTHON=interpreter] -P install_test.cmake; BUILD must be built.
 
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
@@ -21,6 +21,21 @@ endforeach()
 run(${prefix}/bin/rollres solve ${prefix}/share/rollres/examples/paper_cylinder.json --json)
 string(JSON resistance GET "${output}" rolling_resistance)
 
+# Headers for others are those of scenes, solutions, `solve` and readers alone.
+file(GLOB_RECURSE headers RELATIVE ${prefix}/include/rollres ${prefix}/include/rollres/studies/* ${prefix}/include/rollres/db/*)
+if(NOT headers STREQUAL "studies/scene_io/scene_file.hpp;studies/scene_io/solution_json.hpp;studies/text/units.hpp")
+  message(FATAL_ERROR "installed headers of studies: ${headers}")
+endif()
+
+if(PYTHON)
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages ${PYTHON} -c
+      "print(repr(__import__('rollres').solve(__import__('sys').argv[1]).rolling_resistance), end='')"
+      ${prefix}/share/rollres/examples/paper_cylinder.json)
+  if(NOT output STREQUAL resistance)
+    message(FATAL_ERROR "Python says ${output}, the program ${resistance}")
+  endif()
+endif()
+
 # With the generator of our build: cmake's default one, make, need not be there.
 file(STRINGS ${BUILD}/CMakeCache.txt generator REGEX "^CMAKE_GENERATOR:")
 string(REGEX REPLACE ".*=" "" generator "${generator}")
@@ -32,8 +47,8 @@ run(${CMAKE_COMMAND} -G ${generator} -S ${CMAKE_CURRENT_LIST_DIR}/outside_progra
     -D README_PROGRAM=${FOLDER}/readme.cpp)
 run(${CMAKE_COMMAND} --build ${FOLDER}/outside)
 run(${FOLDER}/outside/outside_program ${resistance})
-run(${FOLDER}/outside/readme_program)
-if(NOT output MATCHES "^3[0-9.]+ N/m\n$")
+run(${FOLDER}/outside/readme_program ${prefix}/share/rollres/examples/paper_cylinder.json)
+if(NOT output MATCHES "^0.01 m/s: [0-9.]+ N/m\n0.1 m/s: [0-9.]+ N/m\n1 m/s: 20.276 N/m\n$")
   message(FATAL_ERROR "the README's program says ${output}")
 endif()
 file(REMOVE_RECURSE ${FOLDER})

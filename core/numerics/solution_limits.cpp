@@ -15,6 +15,7 @@ namespace rollres {
 namespace {
 
 thread_local SolutionLimits* limits = nullptr;
+thread_local Interruptible* interruptible = nullptr;
 thread_local double counted_until = 0;  // of this thread's processor time [s]
 thread_local double asked_at = 0;       // [s], when require_time last asked how much there was
 
@@ -38,7 +39,8 @@ double usual_memory_limit() {
   return std::min({4e9, 0.25 * machine, limited ? 0.5 * static_cast<double>(process.rlim_cur) : machine});
 }
 
-SolutionLimits::SolutionLimits(double bytes, double seconds) : bytes_(bytes), seconds_(seconds), before_(limits) {
+SolutionLimits::SolutionLimits(double bytes, double seconds)
+    : bytes_(bytes), seconds_(seconds), interruptible_(interruptible), before_(limits) {
   const double seconds_of_others = seconds_since_last_count();
   if (before_) before_->used_ += seconds_of_others;
   limits = this;
@@ -50,6 +52,11 @@ SolutionLimits::~SolutionLimits() {
   if (before_) before_->used_ += used_;
   limits = before_;
 }
+
+Interruptible::Interruptible(std::function<bool()> stop)
+    : stop_(std::move(stop)), before_(std::exchange(interruptible, this)) {}
+
+Interruptible::~Interruptible() { interruptible = before_; }
 
 SolutionLimits* limits_of_this_thread() { return limits; }
 
@@ -73,6 +80,7 @@ void require_time(double more) {
   const double now = seconds_of(CLOCK_MONOTONIC_COARSE);
   if (now < asked_at + seldom && more < seldom) return;
   asked_at = now;
+  if (limits->interruptible_ && limits->interruptible_->stop_()) throw Interrupted();
   const double seconds = seconds_since_last_count();
   const double used = limits->used_ += seconds;
   if (used > limits->seconds_)

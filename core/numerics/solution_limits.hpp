@@ -8,6 +8,7 @@
 /// says what to change; `solve` answers not_converged with its words.
 
 #include <atomic>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -18,10 +19,17 @@ struct BeyondLimits : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Thrown out of a solution or an evaluation by the wish to stop.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
 /// Limits of a scene that gives none: a quarter of the machine's memory, at most 4 GB and half of what the process may
 /// have [bytes]; processor time [s].
 double usual_memory_limit();
 inline constexpr double usual_time_limit = 60;
+
+class Interruptible;
 
 /// Limits for this thread while it lives; those before it come back afterwards.
 class SolutionLimits {
@@ -36,8 +44,26 @@ class SolutionLimits {
   friend void require_memory(double bytes, std::string_view what);
 
   double bytes_, seconds_;
+  Interruptible* interruptible_;
   std::atomic<double> used_ = 0;  // [s], up to when each thread last asked
   SolutionLimits* before_;
+};
+
+/// While it lives, solutions that this thread begins ask `stop` about a hundred times a second, on all threads that help
+/// them, and end with Interrupted once it says yes.
+class Interruptible {
+ public:
+  explicit Interruptible(std::function<bool()> stop);
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  friend class SolutionLimits;
+  friend void require_time(double more);
+
+  std::function<bool()> stop_;
+  Interruptible* before_;
 };
 
 /// The limits of the calling thread, null if none; and their hold on a thread that helps, while it lives.
@@ -55,6 +81,7 @@ class LimitsOfAnother {
 
 /// May be called every microsecond.
 /// @param more seconds that are certain to follow   @throws BeyondLimits if the solution's time is over, or too short
+/// @throws Interrupted see Interruptible
 void require_time(double more = 0);
 
 /// @param bytes that `what` needs   @throws BeyondLimits "what: ..." if that is more than the limit or no number

@@ -123,7 +123,7 @@ void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
   }
   double coating = 0;
   for (const BondedLayer& layer : scene.coating_layers) coating += layer.layer_thickness;
-  if (coating >= scene.radius) broken.add("coating_layers", coating, "must be thinner than the radius, together");
+  if (!scene.coating_layers.empty() && coating >= scene.radius) broken.add("coating_layers", coating, "must be thinner than the radius, together");
 }
 
 void check_alternatives(const RollingScene& scene, BrokenRules& broken) {

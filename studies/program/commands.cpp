@@ -18,11 +18,13 @@ namespace {
 
 /// Every command, in the order of the help text.
 constexpr AddCommand* commands[] = {
-    add_solve,    add_figures,   add_material, add_gradient, add_sensitivity, add_plan,   add_sweep,
-    add_optimise, add_fit,       add_status,   add_list,     add_show,        add_query,  add_compare,
-    add_chart,    add_report,    add_merge,    add_upkeep,   add_slurm,       add_export, add_import,
-    add_accuracy, add_stability, add_verify,   add_schema,   add_quantities,  add_manual, add_completion,
+    add_solve,    add_figures, add_material,   add_gradient, add_sensitivity, add_plan,   add_sweep,    add_serve,
+    add_optimise, add_fit,     add_status,     add_list,     add_show,        add_query,  add_compare,  add_chart,
+    add_report,   add_merge,   add_upkeep,     add_slurm,    add_export,      add_import, add_accuracy, add_stability,
+    add_verify,   add_schema,  add_quantities, add_manual,   add_completion,
 };
+
+constexpr const char* unwritable = "standard output: cannot be written";
 
 /// A message as one line.
 int complain(Session& session, std::string message, int status) {
@@ -48,9 +50,13 @@ void refuse_unknown_command(const Command& program, const std::vector<std::strin
 
 int run_program(std::vector<std::string> words, Session session) {
   const PrintableStream printable_out(session.out, false), printable_err(session.err, true);
+  constexpr const char* version = "rollres " ROLLRES_VERSION;
   try {
-    Command program("rollres", "Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.",
-                    "rollres " ROLLRES_VERSION);
+    if (words == std::vector<std::string>{"--version"}) {  // without declaring all commands first
+      session.out << version << std::endl;
+      return session.out ? ExitStatus::answered : complain(session, unwritable, ExitStatus::failure);
+    }
+    Command program("rollres", "Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.", version);
     program.footer(
         "Example: rollres solve studies/examples/paper_cylinder.json\n"
         "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
@@ -69,7 +75,7 @@ int run_program(std::vector<std::string> words, Session session) {
     refuse_unknown_command(program, words);
     program.parse(std::move(words), session.out, session.err);
     session.out.flush();
-    if (!session.out) return complain(session, "standard output: cannot be written", ExitStatus::failure);
+    if (!session.out) return complain(session, unwritable, ExitStatus::failure);
     return session.status;
   } catch (const std::invalid_argument& error) {
     return complain(session, error.what(), ExitStatus::wrong_input);

@@ -1,6 +1,7 @@
 #include "studies/run/stop_signal.hpp"
 
 #include <csignal>
+#include <iterator>
 
 namespace rollres {
 
@@ -10,6 +11,7 @@ std::atomic<bool> wish_to_stop = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
 constexpr int signals[] = {SIGINT, SIGTERM};
+void (*before[std::size(signals)])(int) = {};  // who had them
 
 extern "C" void note_wish(int signal) {
   wish_to_stop = true;
@@ -20,11 +22,11 @@ extern "C" void note_wish(int signal) {
 
 StopSignal::StopSignal() {
   wish_to_stop = false;
-  for (const int signal : signals) std::signal(signal, note_wish);
+  for (std::size_t i = 0; i < std::size(signals); ++i) before[i] = std::signal(signals[i], note_wish);
 }
 
 StopSignal::~StopSignal() {
-  for (const int signal : signals) std::signal(signal, SIG_DFL);
+  for (std::size_t i = 0; i < std::size(signals); ++i) std::signal(signals[i], before[i]);
 }
 
 const std::atomic<bool>& StopSignal::requested() { return wish_to_stop; }

@@ -7,6 +7,7 @@
 namespace rollres {
 
 /// While it lives, the first of these signals sets `requested`; the second ends the program at once, as usual.
+/// Afterwards they are as they were.
 class StopSignal {
  public:
   StopSignal();

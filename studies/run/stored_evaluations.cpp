@@ -114,6 +114,11 @@ void StoredEvaluations::flush() {
   if (store_) store_->flush();
 }
 
+void StoredEvaluations::forget() {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(answers_, [](const auto& one) { return one.second.has_value(); });
+}
+
 EvaluationCount StoredEvaluations::count() const {
   const std::lock_guard lock(mutex_);
   return count_;

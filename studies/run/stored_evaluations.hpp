@@ -9,10 +9,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <unordered_map>
 
+#include "core/numerics/solution_limits.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/run/result_writer.hpp"
@@ -29,11 +29,6 @@ struct EvaluationCount {
   EvaluationCount operator-(const EvaluationCount& earlier) const {
     return {solved - earlier.solved, recalled - earlier.recalled, failed - earlier.failed};
   }
-};
-
-/// Thrown out of an evaluation by the wish to stop.
-struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted") {}
 };
 
 /// Recalls a scene's stored answer, or solves and saves it, without its fields. A repeated question is answered from
@@ -59,6 +54,9 @@ class StoredEvaluations {
 
   /// Waits until everything is stored. @throws std::runtime_error if the store failed
   void flush();
+
+  /// Forgets the answers that it has: a question asked again is looked for in the store. After `flush`, it loses none.
+  void forget();
 
   EvaluationCount count() const;
 

@@ -149,6 +149,15 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
   return entries;
 }
 
+std::vector<SceneEntry> replacing_entries(const Json& object, const std::string& place) {
+  std::vector<SceneEntry> entries;
+  for (const auto& [key, value] : object.items()) {
+    if (!find_input(key)) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
+    entries.push_back({key, value, place});
+  }
+  return entries;
+}
+
 std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place) {
   std::vector<SceneEntry> entries;
   for (const std::string& word : words) {

@@ -30,6 +30,11 @@ inline constexpr std::array<std::string_view, 2> ignored_keys{"$schema", "commen
 std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,
                                       const std::string& place);
 
+/// The entries of an object of inputs that replace others, those of further layers among them; their values are checked
+/// where they are used.
+/// @throws std::invalid_argument for an unknown key
+std::vector<SceneEntry> replacing_entries(const Json& object, const std::string& place);
+
 /// The entries of a list of "KEY=VALUE"; a master_curve_file is relative to the working directory.
 /// @throws std::invalid_argument for an unknown key, one given twice, or a word without "="
 std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place = "--set");

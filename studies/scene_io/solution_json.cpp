@@ -40,6 +40,14 @@ Json inputs_json(const RollingScene& scene) {
   return object;
 }
 
+Json outputs_json(const RollingSolution& solution) {
+  Json object = Json::object();
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    object[std::string(quantity.key)] = json_of(value);
+  });
+  return object;
+}
+
 std::string text(const Json& object) { return object.dump(2, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
@@ -47,12 +55,13 @@ std::string text(const Json& object) { return object.dump(2, ' ', false, Json::e
 std::string scene_json(const RollingScene& scene) { return text(inputs_json(scene)); }
 
 std::string solution_json(const RollingScene& scene, const RollingSolution& solution) {
-  Json object = Json::object();
-  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
-    object[std::string(quantity.key)] = json_of(value);
-  });
+  Json object = outputs_json(solution);
   object["scene"] = inputs_json(scene);
   return text(object);
+}
+
+std::string solution_line(const RollingSolution& solution, const std::string& id) {
+  return "{\"id\":" + id + "," + outputs_json(solution).dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
 }
 
 }  // namespace rollres

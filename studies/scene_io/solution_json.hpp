@@ -15,4 +15,7 @@ std::string scene_json(const RollingScene& scene);
 /// One object: every output under its key (null where it is absent, a list for warnings), and the inputs under "scene".
 std::string solution_json(const RollingScene& scene, const RollingSolution& solution);
 
+/// The outputs alone on one line. @param id as JSON, the first member
+std::string solution_line(const RollingSolution& solution, const std::string& id);
+
 }  // namespace rollres

@@ -31,12 +31,7 @@ std::vector<SceneEntry> set_entries(const Json& object, const std::string& place
   const auto set = object.find("set");
   if (set == object.end()) return {};
   if (!set->is_object()) refuse(place, "set", *set, "must be an object { ... } of inputs");
-  std::vector<SceneEntry> entries;
-  for (const auto& [key, value] : set->items()) {
-    if (!find_input(key)) refuse(place + ": set", key, value, unknown("unknown key", keys_like(key), key));
-    entries.push_back({key, value, place + ": set"});
-  }
-  return entries;
+  return replacing_entries(*set, place + ": set");
 }
 
 RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vector<GivenAxis>& axes,

@@ -40,6 +40,20 @@ ut_system* unit_system() {
   return system.get();
 }
 
+/// A unit that is often given, and what one of it is in SI as the library says: to read its database takes longer than
+/// to solve a cylinder.
+struct UsualUnit {
+  std::string_view si, text;
+  double size;
+};
+constexpr std::array<UsualUnit, 24> usual_units{
+    {{"m", "m", 1},      {"m", "mm", 1e-3},     {"m", "cm", 1e-2},     {"m", "um", 1e-6},
+     {"m/s", "m/s", 1},  {"m/s", "mm/s", 1e-3}, {"m/s", "cm/s", 1e-2}, {"m/s", "km/h", 1 / 3.6},
+     {"s", "s", 1},      {"s", "ms", 1e-3},     {"s", "us", 1e-6},     {"s", "min", 60},
+     {"s", "h", 3600},   {"Pa", "Pa", 1},       {"Pa", "kPa", 1e3},    {"Pa", "MPa", 1e6},
+     {"Pa", "GPa", 1e9}, {"N", "N", 1},         {"N", "kN", 1e3},      {"N", "mN", 1e-3},
+     {"N/m", "N/m", 1},  {"N/m", "kN/m", 1e3},  {"N/m", "N/mm", 1e3},  {"kg/m3", "kg/m3", 1}}};
+
 /// A number at the start of a text and what follows it; `number` is NaN if the text does not start with one.
 struct Leading {
   double number = std::nan("");
@@ -147,6 +161,12 @@ std::string unit_in_words(std::string_view unit) {
 }
 
 double si_value(std::string_view text, std::string_view unit) {
+  if (const Leading leading = leading_number(text); !std::isnan(leading.number))
+    for (const UsualUnit& usual : usual_units)
+      if (usual.si == unit && usual.text == leading.rest) {
+        const double value = finite(leading.number * usual.size);
+        return usual.size == 1 ? value : with_15_digits(value);
+      }
   const std::string rule =
       unit == "1" ? std::string("must be a number without a unit") : "must have " + unit_in_words(unit);
   const auto [number, to_si] = number_with_unit(text, unit, rule);

@@ -2,6 +2,8 @@
 
 #include <time.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -84,6 +86,27 @@ TEST_CASE("a tolerance ends with the best answer within the time", "[core][limit
   REQUIRE(solution.status == Status::converged);
   REQUIRE(!solution.warnings.empty());
   CHECK_THAT(solution.warnings.front(), Contains("was not reached"));
+}
+
+TEST_CASE("a solution ends with Interrupted once it is asked to stop, and only while it may be", "[core][limits]") {
+  RollingScene scene = paper_sphere();
+  scene.spacing.reset();
+  scene.tolerance = 1e-6;
+  std::atomic<int> asked = 0;
+  {
+    const Interruptible interruptible([&] { return ++asked > 2; });
+    CHECK_THROWS_AS(solve(scene), Interrupted);
+  }
+  CHECK(asked == 3);
+  CHECK(solve(paper_cylinder()).status == Status::converged);
+}
+
+TEST_CASE("an empty scene's broken rules name what is missing and nothing that it has not", "[core][limits]") {
+  const std::vector<std::string> broken = check(RollingScene());
+  CHECK(broken.size() == 5);
+  for (const char* const key : {"radius", "layer_thickness", "speed", "static_shear_modulus", "load"})
+    CHECK(std::any_of(broken.begin(), broken.end(),
+                      [&](const std::string& line) { return line.starts_with(std::string(key) + " "); }));
 }
 
 TEST_CASE("sizes that no contact has are refused with the range", "[core][limits]") {

@@ -105,6 +105,11 @@ TEST_CASE("every command of the README and of the guide runs, and every file tha
   const std::string here =
       "cd " + shell_word(directory.path.string()) + " && PATH=\"$PWD/bin:$PATH\" && export PATH && ";
 
+#ifdef ROLLRES_PYTHON
+  const std::string own_python = "PYTHONPATH=" + shell_word(ROLLRES_PYTHON_FOLDER) + " " + shell_word(ROLLRES_PYTHON);
+#else
+  const std::string own_python = "false";
+#endif
   std::set<std::string> unused;
   for (const LeftOut& entry : left_out) unused.insert(entry.begin);
   int ran = 0;
@@ -123,9 +128,13 @@ TEST_CASE("every command of the README and of the guide runs, and every file tha
         CHECK(run.status == 0);
         ++ran;
       }
-    if (block.language == "python" && can_run("pandas", "/usr/bin/env python3 -c 'import pandas'")) {
+    if (block.language == "python") {
+      const bool own = block.text().find("import rollres") != std::string::npos;
+      const std::string python = own ? own_python : "/usr/bin/env python3";
+      if (!can_run(own ? "the Python package" : "pandas", python + " -c 'import " + (own ? "rollres" : "pandas") + "'"))
+        continue;
       directory.write("read.py", block.text());
-      const ShellRun run = run_shell(here + "python3 read.py");
+      const ShellRun run = run_shell(here + python + " read.py");
       INFO(run.out);
       CHECK(run.status == 0);
     }

@@ -93,3 +93,21 @@ TEST_CASE("a writer that fails tells those who add and those who wait", "[studie
   CHECK_THROWS_WITH(writer.flush(), "disk full");
   CHECK_THROWS_WITH(writer.add({}), "disk full");
 }
+
+TEST_CASE("an answer that was forgotten is recalled from the store", "[studies][stored_evaluations]") {
+  const TemporaryDirectory folder;
+  int solved = 0;
+  StoredEvaluations evaluations(
+      [&](const RollingScene& scene) {
+        ++solved;
+        return closed_form(scene);
+      },
+      folder / "results.db");
+  for (int time = 0; time < 2; ++time) {
+    CHECK(evaluations(scene_at(0.1)).rolling_resistance == closed_form(scene_at(0.1)).rolling_resistance);
+    evaluations.flush();
+    evaluations.forget();
+  }
+  CHECK(solved == 1);
+  CHECK(evaluations.count().recalled == 1);
+}

@@ -197,6 +197,12 @@ TEST_CASE("each answer is stored while the next point is being solved", "[studie
   CHECK(stored_in_time);
 }
 
+TEST_CASE("after a stop signal is waited for, signals are whose they were", "[studies][sweep]") {
+  std::signal(SIGTERM, SIG_IGN);
+  { const StopSignal stop; }
+  CHECK(std::signal(SIGTERM, SIG_DFL) == SIG_IGN);
+}
+
 TEST_CASE("a stop signal ends a sweep after the points in work, and the next run does the rest", "[studies][sweep]") {
   const TemporaryDirectory folder;
   for (const int signal : {SIGINT, SIGTERM}) {

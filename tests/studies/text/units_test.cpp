@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "studies/scene_io/scene_inputs.hpp"
@@ -130,4 +131,41 @@ TEST_CASE("readable numbers carry the prefix that leaves one to three digits bef
   CHECK(readable(std::numeric_limits<double>::quiet_NaN(), "m") == "-");
   CHECK(width("τ_xz") == 4);
   CHECK(padded("Ω", 3) == "Ω  ");
+}
+
+TEST_CASE("usual units are what the database of units says, to the last bit", "[studies][units]") {
+  // Names in full are looked up in the database.
+  const std::vector<std::tuple<std::string, std::string, std::string>> same{{"m", "mm", "millimeter"},
+                                                                            {"m", "cm", "centimeter"},
+                                                                            {"m", "um", "micrometer"},
+                                                                            {"m/s", "mm/s", "millimeter/s"},
+                                                                            {"m/s", "cm/s", "centimeter/s"},
+                                                                            {"m/s", "km/h", "kilometer/hour"},
+                                                                            {"s", "ms", "millisecond"},
+                                                                            {"s", "us", "microsecond"},
+                                                                            {"s", "min", "minute"},
+                                                                            {"s", "h", "hour"},
+                                                                            {"Pa", "kPa", "kilopascal"},
+                                                                            {"Pa", "MPa", "megapascal"},
+                                                                            {"Pa", "GPa", "gigapascal"},
+                                                                            {"N", "kN", "kilonewton"},
+                                                                            {"N", "mN", "millinewton"},
+                                                                            {"N/m", "kN/m", "kilonewton/m"},
+                                                                            {"N/m", "N/mm", "N/millimeter"},
+                                                                            {"m", "m", "meter"},
+                                                                            {"Pa", "Pa", "pascal"},
+                                                                            {"N", "N", "newton"},
+                                                                            {"s", "s", "second"},
+                                                                            {"m/s", "m/s", "meter/second"},
+                                                                            {"N/m", "N/m", "newton/meter"},
+                                                                            {"kg/m3", "kg/m3", "kilogram/m3"}};
+  double number = 0.1;
+  for (const auto& [si, usual, whole] : same)
+    for (int i = 0; i < 100; ++i) {
+      number = number > 1e6 ? number / 3e9 : number * 1.37;
+      const std::string text = std::to_string(number) + "7 ";
+      INFO(text << usual);
+      CHECK(si_value(text + usual, si) == si_value(text + whole, si));
+    }
+  CHECK_THROWS_AS(si_value("1e308 GPa", "Pa"), std::invalid_argument);
 }

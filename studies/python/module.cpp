@@ -1,0 +1,589 @@
+// The part of the Python package that is written in C++: rollres._rollres. What is for comfort stands in
+// package/__init__.py. Numbers and names go over one by one, so that they are the same to the last bit.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <sstream>
+#include <thread>
+
+#include "core/numerics/parallel.hpp"
+#include "core/numerics/solution_limits.hpp"
+#include "core/scene/scene_input.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "db/queries/query.hpp"
+#include "db/rows/layer_list.hpp"
+#include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
+#include "studies/program/commands.hpp"
+#include "studies/run/stop_signal.hpp"
+#include "studies/run/stored_evaluations.hpp"
+#include "studies/run/sweep.hpp"
+#include "studies/scene_io/scene_entries.hpp"
+#include "studies/scene_io/scene_file.hpp"
+#include "studies/scene_io/solution_json.hpp"
+#include "studies/scene_io/summary.hpp"
+#include "studies/sensitivity/gradient_report.hpp"
+#include "studies/stored/study_rows.hpp"
+#include "studies/study/study.hpp"
+#include "studies/study/study_scene.hpp"
+#include "studies/text/table_json.hpp"
+
+namespace py = pybind11;
+
+namespace rollres {
+
+namespace {
+
+const RollingScene no_scene;
+const RollingSolution no_solution;
+
+// Values of Python and of ours.
+
+Json json_of(const py::handle& value) {
+  if (value.is_none()) return nullptr;
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (py::isinstance<py::int_>(value)) return value.cast<std::int64_t>();
+  if (py::isinstance<py::dict>(value)) {
+    Json object = Json::object();
+    for (const auto& [key, item] : value.cast<py::dict>()) object[py::str(key).cast<std::string>()] = json_of(item);
+    return object;
+  }
+  if (PyFloat_Check(value.ptr()) ||
+      (PyNumber_Check(value.ptr()) && !py::isinstance<py::sequence>(value) && !py::hasattr(value, "__len__"))) {
+    const double number = py::float_(py::reinterpret_borrow<py::object>(value));
+    return std::isinf(number) && number > 0 ? Json("infinite") : Json(number);
+  }
+  if (py::hasattr(value, "__fspath__")) return py::str(value).cast<std::string>();
+  Json list = Json::array();
+  for (const py::handle item : py::iter(value)) list.push_back(json_of(item));
+  return list;
+}
+
+/// Those of the inputs that are not None.
+Json given_inputs(const py::dict& inputs) {
+  Json object = json_of(inputs);
+  for (auto item = object.begin(); item != object.end();) item = item->is_null() ? object.erase(item) : std::next(item);
+  return object;
+}
+
+py::object from_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }
+
+template <class Value>
+py::object to_python(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return py::cast(std::string(name_of(value)));
+  else if constexpr (std::is_same_v<Value, BondedLayers>)
+    return value.empty() ? py::object(py::list()) : from_json(text_of_layers(value));
+  else
+    return py::cast(value);
+}
+
+struct CellToPython {
+  py::object operator()(std::monostate) const { return py::none(); }
+  template <class Value>
+  py::object operator()(const Value& value) const {
+    return py::cast(value);
+  }
+};
+
+/// Columns by name, in their order.
+py::dict to_python(const Table& table) {
+  py::dict columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    py::list values;
+    for (const auto& row : table.rows) values.append(std::visit(CellToPython(), row[i]));
+    columns[py::str(table.columns[i])] = values;
+  }
+  return columns;
+}
+
+// Work without the interpreter's lock, which Ctrl-C ends.
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds glance{30};  // how often somebody looks whether Ctrl-C was pressed
+
+/// Solves in the calling thread, which asks for Ctrl-C now and then.
+RollingSolution solve_here(const RollingScene& scene) {
+  std::atomic<bool> stopped = false;
+  const std::thread::id caller = std::this_thread::get_id();
+  auto next = Clock::now() + glance;
+  const auto asked_to_stop = [&] {
+    if (std::this_thread::get_id() == caller && !stopped && Clock::now() >= next) {
+      const py::gil_scoped_acquire lock;
+      stopped = PyErr_CheckSignals() != 0;
+      next = Clock::now() + glance;
+    }
+    return stopped.load();
+  };
+  try {
+    const py::gil_scoped_release unlocked;
+    const Interruptible interruptible(asked_to_stop);
+    return solve(scene);
+  } catch (const Interrupted&) {
+    throw py::error_already_set();
+  }
+}
+
+/// `solve`, until `stop` is set.
+Evaluate solve_until(const std::atomic<bool>& stop) {
+  return [&stop](const RollingScene& scene) {
+    const Interruptible interruptible([&stop] { return stop.load(); });
+    return solve(scene);
+  };
+}
+
+/// Calls work(stop) on a thread of its own and waits for it; meanwhile `tick` is called now and then under the lock. On
+/// Ctrl-C, or where `tick` throws, sets `stop` and throws when the work has ended.
+template <class Work, class Tick>
+void watched(const Work& work, const Tick& tick) {
+  std::atomic<bool> stop = false;
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool over = false;
+  std::exception_ptr failure, refusal;
+  std::optional<py::gil_scoped_release> unlocked(std::in_place);
+  std::jthread thread([&] {
+    try {
+      work(stop);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const std::lock_guard lock(mutex);
+    over = true;
+    changed.notify_all();
+  });
+  for (std::unique_lock lock(mutex); !changed.wait_for(lock, glance, [&] { return over; });) {
+    lock.unlock();
+    if (!stop) try {
+        const py::gil_scoped_acquire locked;
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        tick();
+      } catch (...) {
+        refusal = std::current_exception();
+        stop = true;
+      }
+    lock.lock();
+  }
+  thread.join();
+  unlocked.reset();
+  if (refusal) std::rethrow_exception(refusal);
+  if (failure) std::rethrow_exception(failure);
+}
+
+// Scenes.
+
+/// An input's value, or an output's, by its key.
+template <class Walk>
+auto getter(std::string key, Walk walk) {
+  return [key = std::move(key), walk](py::object self) {
+    py::object found = py::none();
+    walk(self, [&](const Quantity& quantity, const auto& value) {
+      if (quantity.key == key) found = to_python(value);
+    });
+    return found;
+  };
+}
+
+std::string described(const Quantity& quantity) {
+  std::string text(quantity.meaning);
+  if (!quantity.symbol.empty()) text = std::string(quantity.symbol) + ": " + text;
+  const std::string_view line = quantity.unit_for(Indenter::cylinder), point = quantity.unit;
+  if (!point.empty()) text += " [" + std::string(line) + (line == point ? "" : ", sphere: " + std::string(point)) + "]";
+  return text;
+}
+
+/// Takes away what may be absent. @throws std::invalid_argument for another input
+void take_away(RollingScene& scene, const std::string& key) {
+  const SceneEntry entry{key, nullptr, "--set"};
+  if (const InputKind* const kind = find_input(key); kind && !kind->optional && !kind->list)
+    input_value(entry, *kind, scene.indenter);  // refuses null
+  replacing_entries({{key, nullptr}}, entry.place);
+  visit_input(scene, key, [](const Quantity&, auto& target) { target = {}; });
+}
+
+/// Another scene with some inputs replaced, as by --set; those that are None are taken away.
+RollingScene replaced(RollingScene scene, const py::dict& inputs) {
+  const std::string place = "--set";
+  for (const auto& [key, value] : inputs)
+    if (value.is_none()) take_away(scene, key.cast<std::string>());
+  const std::vector<SceneEntry> entries = replacing_entries(given_inputs(inputs), place);
+  const auto has = [&](std::string_view key) { return value_given(entries, key) != nullptr; };
+  const Indenter indenter = has("indenter") ? indenter_of(entries) : scene.indenter;
+  for (const SceneEntry& entry : entries) {
+    const InputValue value = input_value(entry, indenter);
+    assign_input(scene, entry.key, value);
+    for (const std::string_view other : replaced_inputs(entry.key, value))
+      if (!has(other))
+        visit_input(scene, other, [](const Quantity&, auto& target) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(target)>, std::optional<double>>) target.reset();
+        });
+  }
+  if (const auto broken = check(scene); !broken.empty()) throw std::invalid_argument(place + ": " + broken.front());
+  return scene;
+}
+
+/// @param base  a scene, a dict of inputs, the name of a file, or none
+RollingScene read(const py::args& base, const py::kwargs& inputs) {
+  if (base.size() > 1) throw py::type_error("a scene is made of one file, dict or scene, and of inputs by name");
+  if (!base.empty() && py::isinstance<RollingScene>(base[0]))
+    return inputs.empty() ? base[0].cast<RollingScene>() : replaced(base[0].cast<RollingScene>(), inputs);
+  if (base.empty() || base[0].is_none() || py::isinstance<py::dict>(base[0])) {
+    const std::string place = "scene";
+    Json object = base.empty() || base[0].is_none() ? Json::object() : given_inputs(base[0].cast<py::dict>());
+    object.update(given_inputs(inputs));
+    return scene_from(scene_entries(object, {}, place), place);
+  }
+  const std::string file = py::module_::import("os").attr("fspath")(base[0]).cast<std::string>();
+  if (inputs.empty()) return read_scene(file);
+  std::vector<SceneEntry> own = scene_entries(read_object(file), std::filesystem::path(file).parent_path(), file);
+  for (const auto& [key, value] : inputs)
+    if (value.is_none())
+      std::erase_if(own, [&](const SceneEntry& entry) { return entry.key == key.cast<std::string>(); });
+  return scene_from(overridden(own, replacing_entries(given_inputs(inputs), "--set")), file + " with --set");
+}
+
+void add_scene(py::module_& module) {
+  py::class_<RollingScene> scene(module, "Scene");
+  scene.def(py::init(&read))
+      .def("replaced", &replaced,
+           "The scene with other values of the inputs in a dict, as by --set; keys may be those of further "
+           "layers:\n{\"coating_layers[0].layer_thickness\": \"8 mm\"}.")
+      .def("json", &scene_json, "The scene as a scene file's text.");
+  const auto walk = [](const py::object& self, const auto& visitor) {
+    visit_inputs(self.cast<const RollingScene&>(), visitor);
+  };
+  visit_inputs(no_scene, [&](const Quantity& quantity, const auto&) {
+    scene.def_property_readonly(quantity.key.data(), getter(std::string(quantity.key), walk),
+                                described(quantity).c_str());
+  });
+}
+
+// Answers.
+
+struct Answer {
+  RollingScene scene;
+  RollingSolution solution;
+};
+using Answers = std::vector<std::shared_ptr<Answer>>;
+
+/// An array that shows numbers of the answer where they are; None if there are none.
+template <class Value, class Shown>
+py::object shown(const std::shared_ptr<Answer>& answer, const std::vector<Value>& values) {
+  if (values.empty()) return py::none();
+  const SurfaceGrid& grid = answer->solution.fields.grid;
+  const py::capsule owner(new std::shared_ptr<Answer>(answer),
+                          [](void* pointer) { delete static_cast<std::shared_ptr<Answer>*>(pointer); });
+  std::vector<py::ssize_t> shape{grid.columns};
+  if (answer->scene.indenter == Indenter::sphere) shape.insert(shape.begin(), grid.rows);
+  py::array_t<Shown> array(shape, reinterpret_cast<const Shown*>(values.data()), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+py::object positions(int count, const auto& position) {
+  py::array_t<double> array(count);
+  for (int i = 0; i < count; ++i) array.mutable_at(i) = position(i);
+  return array;
+}
+
+struct FieldArrays {
+  std::shared_ptr<Answer> answer;
+  const SurfaceFields& fields() const { return answer->solution.fields; }
+};
+
+void add_fields(py::module_& module) {
+  py::class_<FieldArrays> fields(module, "Fields");
+  const auto show = [&](const char* name, std::vector<double> SurfaceFields::*values, const char* meaning) {
+    fields.def_property_readonly(
+        name, [values](const FieldArrays& self) { return shown<double, double>(self.answer, self.fields().*values); },
+        meaning);
+  };
+  show("u", &SurfaceFields::u, "displacement of the surface along x [m]");
+  show("v", &SurfaceFields::v, "displacement of the surface along y [m]; None for a cylinder");
+  show("w", &SurfaceFields::w, "displacement of the surface along z [m]");
+  show("pressure", &SurfaceFields::pressure, "pressure on the layer [Pa]");
+  show("shear_x", &SurfaceFields::shear_x, "shear traction on the layer along x [Pa]");
+  show("shear_y", &SurfaceFields::shear_y, "shear traction on the layer along y [Pa]; None for a cylinder");
+  show("slip_x", &SurfaceFields::slip_x, "velocity of the body relative to the layer along x over speed [1]");
+  show("slip_y", &SurfaceFields::slip_y, "the same along y [1]; None for a cylinder");
+  fields.def_property_readonly(
+      "zone", [](const FieldArrays& self) { return shown<Zone, std::int8_t>(self.answer, self.fields().zone); },
+      "0: free, 1: stick, 2: slip");
+  fields.def_property_readonly(
+      "x",
+      [](const FieldArrays& self) {
+        const SurfaceGrid& grid = self.fields().grid;
+        return positions(grid.columns, [&](int i) { return grid.x(i); });
+      },
+      "positions of the nodes along x [m]");
+  fields.def_property_readonly(
+      "y",
+      [](const FieldArrays& self) {
+        const SurfaceGrid& grid = self.fields().grid;
+        return positions(grid.rows, [&](int i) { return grid.y(i); });
+      },
+      "positions of the nodes along y [m]");
+}
+
+void add_result(py::module_& module) {
+  py::class_<Answer, std::shared_ptr<Answer>> result(module, "Result");
+  result
+      .def_property_readonly(
+          "scene", [](const Answer& self) { return self.scene; }, "the scene that was solved")
+      .def_property_readonly(
+          "fields",
+          [](const std::shared_ptr<Answer>& self) {
+            return self->solution.fields.grid.size() == 0 ? py::none() : py::cast(FieldArrays{self});
+          },
+          "fields on the layer's surface as arrays, rows along y and columns along x, that share the answer's memory;\n"
+          "None where they were not kept")
+      .def(
+          "summary", [](const Answer& self) { return summary(self.scene, self.solution); },
+          "The text of `rollres solve`.")
+      .def(
+          "json", [](const Answer& self) { return solution_json(self.scene, self.solution); },
+          "The text of `rollres solve --json`.");
+  const auto walk = [](const py::object& self, const auto& visitor) {
+    visit_outputs(self.cast<const Answer&>().solution, visitor);
+  };
+  visit_outputs(no_solution, [&](const Quantity& quantity, const auto&) {
+    result.def_property_readonly(quantity.key.data(), getter(std::string(quantity.key), walk),
+                                 described(quantity).c_str());
+  });
+}
+
+Answers solve_many(const std::vector<RollingScene>& scenes, int threads, const py::object& progress, bool fields,
+                   const std::optional<std::string>& database) {
+  Answers answers(scenes.size());
+  std::atomic<std::size_t> answered = 0;
+  std::size_t told = 0;
+  const auto tell = [&] {
+    if (progress.is_none() || (answered == told && told > 0)) return;
+    told = answered;
+    progress(told, answers.size());
+  };
+  watched(
+      [&](const std::atomic<bool>& stop) {
+        const Evaluate evaluate = solve_until(stop);
+        std::optional<StoredEvaluations> stored;
+        if (database) stored.emplace(evaluate, *database);
+        for_each_piece(answers.size(), threads, [&](std::size_t i) {
+          if (stop) throw Interrupted();
+          answers[i] = std::make_shared<Answer>(Answer{
+              scenes[i], stored ? (*stored)(scenes[i])
+                                : evaluate_safely(evaluate, scenes[i], fields ? Fields::kept : Fields::dropped)});
+          ++answered;
+        });
+        if (stored) stored->flush();
+      },
+      tell);
+  tell();
+  return answers;
+}
+
+// Objectives.
+
+/// An output as a function of some inputs, with its gradient.
+class Function {
+ public:
+  using Choice = std::tuple<std::string, std::optional<double>, std::optional<double>>;
+
+  Function(const RollingScene& scene, const std::vector<Choice>& inputs, const std::string& output) {
+    std::vector<InputChoice> choices;
+    for (const auto& [key, lowest, highest] : inputs) choices.push_back({key, lowest, highest});
+    objective_ = objective(scene, choices, output, solve);
+  }
+
+  const Objective& objective_itself() const { return objective_; }
+
+  double value(const std::vector<double>& point) {
+    require_inside(objective_, point);
+    const RollingSolution solution = solve_here(scene_at(objective_, point));
+    double value = RollingSolution::absent;
+    if (solution.status != Status::converged) return value;
+    visit_outputs(solution, [&](const Quantity& quantity, const auto& number) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(number)>, double>)
+        if (quantity.key == objective_.output.key) value = number;
+    });
+    return value;
+  }
+
+  /// Value, derivatives and their estimated errors. What noise there is, is measured once, at the first point.
+  py::tuple gradient(const std::vector<double>& point, int order, int threads) {
+    Gradient found;
+    watched(
+        [&](const std::atomic<bool>& stop) {
+          Objective here = objective_;
+          here.evaluate = solve_until(stop);
+          if (!calibration_) calibration_ = calibrate(here, point, threads);
+          found = rollres::gradient(here, point, *calibration_, {order, threads});
+        },
+        [] {});
+    std::vector<double> derivatives, errors;
+    for (const InputGradient& input : found.inputs) {
+      derivatives.push_back(input.derivative);
+      errors.push_back(input.error());
+    }
+    return py::make_tuple(found.centre.value, derivatives, errors);
+  }
+
+ private:
+  Objective objective_;
+  std::optional<Calibration> calibration_;
+};
+
+void add_objective(py::module_& module) {
+  py::class_<Variable>(module, "Variable")
+      .def_property_readonly("key", [](const Variable& self) { return std::string(self.quantity.key); })
+      .def_readonly("lowest", &Variable::lowest)
+      .def_readonly("highest", &Variable::highest)
+      .def_readonly("logarithmic", &Variable::logarithmic)
+      .def_readonly("size", &Variable::size)
+      .def("scaled", &Variable::scaled)
+      .def("value", &Variable::value)
+      .def("slope", &Variable::slope);
+  py::class_<Function>(module, "Function")
+      .def(py::init<const RollingScene&, const std::vector<Function::Choice>&, const std::string&>())
+      .def_property_readonly("variables", [](const Function& self) { return self.objective_itself().variables; })
+      .def_property_readonly("base", [](const Function& self) { return base_point(self.objective_itself()); })
+      .def("scene",
+           [](const Function& self, const std::vector<double>& x) { return scene_at(self.objective_itself(), x); })
+      .def("value", &Function::value)
+      .def("gradient", &Function::gradient);
+}
+
+py::object gradient_of(const RollingScene& scene, const std::vector<std::string>& inputs, const std::string& output,
+                       int order, int threads) {
+  std::vector<InputChoice> choices;
+  for (const std::string& key : inputs) choices.push_back({key});
+  std::string report;
+  watched(
+      [&](const std::atomic<bool>& stop) {
+        report = text_of(
+            rollres::json_of(gradient_report(objective(scene, choices, output, solve_until(stop)), {order, threads})),
+            -1);
+      },
+      [] {});
+  return from_json(report);
+}
+
+// Studies and databases.
+
+py::dict sweep(const std::string& file, const std::string& database, int threads, const py::object& progress,
+               bool fields, const std::string& retry) {
+  const int chosen = find_name(ChoiceNames<Retry>::names, retry);
+  if (chosen < 0)
+    throw std::invalid_argument("retry = \"" + retry + "\": must be nothing, failed, not_converged or all");
+  SweepReport report;
+  std::atomic<std::size_t> solved = 0, to_solve = 0;
+  watched(
+      [&](const std::atomic<bool>& stop) {
+        const Study study = read_study(file);
+        SweepOptions options{.jobs = threads, .stop = &stop, .definition = standalone_study(file)};
+        options.retry = static_cast<Retry>(chosen);
+        options.fields = fields || study.fields ? Fields::kept : Fields::dropped;
+        options.report = [&](const SweepProgress& now) {
+          solved = now.solved;
+          to_solve = now.to_solve;
+        };
+        report = run_sweep(study, solve, database, options);
+      },
+      [&] {
+        if (!progress.is_none() && to_solve > 0) progress(solved.load(), to_solve.load());
+      });
+  if (!progress.is_none()) progress(report.solved, report.solved);
+  py::dict told;
+  told["study"] = report.study.name;
+  told["points"] = report.points;
+  told["dropped"] = report.dropped;
+  told["answered"] = report.answered;
+  told["recalled"] = report.recalled;
+  told["solved"] = report.solved;
+  told["failed"] = report.failed;
+  told["seconds"] = report.seconds;
+  return told;
+}
+
+py::dict query(const std::string& database, const std::vector<std::string>& filters,
+               const std::vector<std::string>& columns, const std::vector<std::string>& sort,
+               std::optional<std::int64_t> limit) {
+  Query question{.columns = columns, .sort = sort, .limit = limit};
+  for (const std::string& filter : filters) question.filters.push_back(read_filter(filter));
+  return to_python(run_query(open_database(database, Access::read), question));
+}
+
+/// A command of the program: its exit status, answer and messages. A signal that the command takes for itself
+/// (StopSignal) ends it early.
+py::tuple command(const std::vector<std::string>& words) {
+  std::ostringstream out, err;
+  int status = 0;
+  { const StopSignal forgotten; }  // of an earlier command
+  watched([&](const std::atomic<bool>& stop) { status = run_program(words, {out, err, solve_until(stop)}); }, [] {});
+  if (StopSignal::requested()) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+  }
+  return py::make_tuple(status, out.str(), err.str());
+}
+
+py::list quantities(bool outputs) {
+  py::list list;
+  const auto add = [&](const Quantity& quantity, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    py::list choices;
+    if constexpr (std::is_enum_v<Value>)
+      for (const std::string_view name : ChoiceNames<Value>::names) choices.append(std::string(name));
+    const char* kind = std::is_enum_v<Value> || std::is_same_v<Value, std::string> ? "str"
+                       : std::is_same_v<Value, int>                                ? "int"
+                       : std::is_same_v<Value, double>                             ? "float"
+                       : std::is_same_v<Value, std::optional<double>>              ? "float | None"
+                       : std::is_same_v<Value, std::vector<std::string>>           ? "list[str]"
+                       : std::is_same_v<Value, BondedLayers>                       ? "list[dict]"
+                                                                                   : "list[float]";
+    list.append(py::make_tuple(std::string(quantity.key), kind, described(quantity), choices));
+  };
+  if (outputs)
+    visit_outputs(no_solution, add);
+  else
+    visit_inputs(no_scene, add);
+  return list;
+}
+
+}  // namespace
+
+}  // namespace rollres
+
+PYBIND11_MODULE(_rollres, module) {
+  using namespace rollres;
+  module.attr("__version__") = ROLLRES_VERSION;
+  py::register_exception_translator([](std::exception_ptr error) {  // what the outside world does: files, databases
+    try {
+      std::rethrow_exception(error);
+    } catch (const py::builtin_exception&) {
+      throw;
+    } catch (const std::runtime_error& failure) {
+      PyErr_SetString(PyExc_OSError, failure.what());
+    }
+  });
+  add_scene(module);
+  add_fields(module);
+  add_result(module);
+  add_objective(module);
+  module.def("solve", [](const RollingScene& scene) {
+    return std::make_shared<Answer>(Answer{scene, solve_here(scene)});
+  });
+  module.def("solve_many", &solve_many);
+  module.def("gradient", &gradient_of);
+  module.def("sweep", &sweep);
+  module.def("query", &query);
+  module.def("sql", [](const std::string& database, const std::string& statement) {
+    return to_python(run_sql(open_database(database, Access::read), statement));
+  });
+  module.def("command", &command);
+  module.def("quantities", &quantities);
+}

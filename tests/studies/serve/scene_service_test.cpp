@@ -1,0 +1,214 @@
+#include "studies/serve/scene_service.hpp"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <thread>
+
+#include "studies/serve/unix_socket.hpp"
+#include "studies/text/words.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/shell.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+// Covers descriptor_buffer and command_serve, too.
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::string cylinder = (source_directory() / "studies/examples/paper_cylinder.json").string();
+
+std::vector<Json> lines_of(const std::string& text) {
+  std::vector<Json> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+  return lines;
+}
+
+/// What a service answers whose lines replace inputs of the paper's cylinder.
+std::vector<Json> served(const std::string& questions, int jobs = 4) {
+  StoredEvaluations evaluations(closed_form);
+  SceneService service(evaluations, replacing_inputs_of(cylinder), jobs);
+  std::istringstream in(questions);
+  std::ostringstream out;
+  service.serve(in, out);
+  return lines_of(out.str());
+}
+
+/// What a program hears that connects, says these lines and ends.
+std::string heard(const std::filesystem::path& socket, const std::string& lines) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strcpy(address.sun_path, socket.c_str());
+  const int connection = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  while (::connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) ::usleep(1000);
+  CHECK(::write(connection, lines.data(), lines.size()) == static_cast<ssize_t>(lines.size()));
+  ::shutdown(connection, SHUT_WR);
+  std::string text;
+  char buffer[4096];
+  for (ssize_t got; (got = ::read(connection, buffer, sizeof buffer)) > 0;)
+    text.append(buffer, static_cast<std::size_t>(got));
+  ::close(connection);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("each line has an answer with its id, an error where it cannot be read", "[studies][serve]") {
+  const auto answers = served(
+      "{\"id\": \"a\", \"speed\": 0.5}\n\n{\"speed\": \"1 m/s\"}\r\n{\"speed\": -1, \"id\": [7]}\nno JSON\n[1]\n"
+      "{\"speeed\": 1}\n{\"approach\": 1e-4, \"load\": 1}\n{\"speed\": 1, \"speed\": 2}\n{}");
+  REQUIRE(answers.size() == 9);
+  CHECK(answers[0]["id"] == "a");
+  RollingScene scene;
+  scene.speed = 0.5;
+  scene.load = 20e3;
+  CHECK(answers[0]["rolling_resistance"].get<double>() == closed_form(scene).rolling_resistance);
+  CHECK(answers[0]["half_width"].is_null());
+  CHECK(answers[1]["id"] == 3);
+  CHECK(answers[1]["status"] == "converged");
+  CHECK(answers[2].dump() == R"({"id":[7],"line":4,"error":"line 4: speed = -1: must be > 0"})");
+  CHECK(answers[3]["id"].is_null());
+  CHECK_THAT(answers[3]["error"].get<std::string>(), Contains("line 5: line 1, column 2: syntax error"));
+  CHECK(answers[4]["error"] == "line 6: [1]: must be an object { ... }");
+  CHECK(answers[5]["error"] == "line 7: speeed = 1: unknown key; did you mean speed?");
+  CHECK_THAT(answers[6]["error"].get<std::string>(), Contains("give load or approach, not both"));
+  CHECK_THAT(answers[7]["error"].get<std::string>(), Contains("key given twice"));
+  CHECK(answers[8]["id"] == 10);
+  CHECK(served(std::string(2'000'000, 'x') + "\n{}")[0]["error"] == "line 1: longer than 1 MB");
+  CHECK(served("").empty());
+}
+
+TEST_CASE("ten thousand lines, five hundred of them bad, are answered in their order by four threads",
+          "[studies][serve]") {
+  std::string questions;
+  for (int line = 1; line <= 10'000; ++line)
+    questions += line % 20 == 7 ? "{\"speed\": \"fast\"}\n" : "{\"speed\": " + std::to_string(line) + "}\n";
+  const std::vector<Json> answers = served(questions);
+  REQUIRE(answers.size() == 10'000);
+  int errors = 0, wrong = 0;
+  for (int line = 1; line <= 10'000; ++line) {
+    const Json& answer = answers[static_cast<std::size_t>(line - 1)];
+    wrong += answer["id"] != line;
+    if (const auto error = answer.find("error"); error != answer.end()) {
+      ++errors;
+      wrong += answer["line"] != line || error->get<std::string>().find("\"fast\": must be") == std::string::npos;
+    } else {
+      const double speed = line, resistance = 0.01 * 20e3 * speed / (1 + speed * speed);
+      wrong += answer["rolling_resistance"].get<double>() != resistance;
+    }
+  }
+  CHECK(errors == 500);
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("what is stored is recalled, and a store that cannot be opened ends the service", "[studies][serve]") {
+  const TemporaryDirectory folder;
+  int solved = 0;
+  for (int run = 0; run < 2; ++run) {
+    StoredEvaluations evaluations(
+        [&](const RollingScene& scene) {
+          ++solved;
+          return closed_form(scene);
+        },
+        folder / "results.db");
+    SceneService service(evaluations, replacing_inputs_of(cylinder), 1);
+    std::istringstream in("{\"speed\": 1}\n{\"speed\": 2}\n{\"speed\": 1}\n");
+    std::ostringstream out;
+    service.serve(in, out);
+    CHECK(lines_of(out.str()).size() == 3);
+    CHECK(solved == 2);
+  }
+  const std::string service = shell_word(ROLLRES_PROGRAM) + " serve " + shell_word(cylinder) + " --db ";
+  const ShellRun run = run_shell("echo '{\"speed\": 1}' | " + service + "/dev/full/x.db");
+  CHECK(run.status == 3);
+  CHECK_THAT(run.out, Contains("/dev/full/x.db"));
+}
+
+TEST_CASE("a service that is killed has stored whatever it answered", "[studies][serve]") {
+  const TemporaryDirectory folder;
+  const std::string program = shell_word(ROLLRES_PROGRAM), here = "cd " + shell_word(folder.path.string()) + " && ";
+  const std::string service = program + " serve " + shell_word(cylinder) + " --db results.db --jobs 2 <&3 >answers";
+  run_shell(here + "seq 1 5000 | sed 's/.*/{\"speed\": &e-3, \"tolerance\": 1e-3}/' | { exec 3<&0; " + service +
+            " & while [ $(grep -c . answers) -lt 50 ] && kill -0 $!; do sleep 0.05; done; kill -KILL $!; }");
+  const ShellRun stored = run_shell(here + program + " query --db results.db --aggregate count --format csv");
+  const std::string text = file_text(folder / "answers");
+  const long answered = std::count(text.begin(), text.end(), '\n');
+  CHECK(answered >= 50);
+  CHECK(answered < 5000);
+  INFO(stored.out);
+  CHECK(std::stol(stored.out.substr(stored.out.find('\n') + 1)) >= answered);
+}
+
+TEST_CASE("programs that connect to a socket are served side by side until the service is stopped",
+          "[studies][serve]") {
+  const TemporaryDirectory folder;
+  const std::filesystem::path socket = folder / "rollres.socket";
+  StoredEvaluations evaluations(closed_form);
+  SceneService service(evaluations, replacing_inputs_of(cylinder), 2);
+  std::atomic<bool> stop = false;
+  std::jthread listening(
+      [&] { serve_socket(socket, stop, [&](std::istream& in, std::ostream& out) { service.serve(in, out); }); });
+  std::string first, second;
+  {
+    const std::jthread one([&] { first = heard(socket, "{\"id\": 1, \"speed\": 1}\n{\"id\": 2}\n"); });
+    const std::jthread other([&] { second = heard(socket, "x\n{\"id\": 4}\n"); });
+  }
+  CHECK(lines_of(first).size() == 2);
+  CHECK(lines_of(first)[1]["id"] == 2);
+  CHECK(lines_of(second)[0].contains("error"));
+  CHECK(lines_of(second)[1]["id"] == 4);
+  CHECK_THAT(message_of([&] { serve_socket(socket, stop, [](std::istream&, std::ostream&) {}); }),
+             Contains(socket.string() + ": cannot be listened at: Address already in use"));
+  stop = true;
+  listening.join();
+  CHECK_FALSE(std::filesystem::exists(socket));
+}
+
+TEST_CASE("Dakota's batch of parameters comes back as its results file, in the order of the batch",
+          "[studies][serve][examples]") {
+  if (!installed("python3")) {
+    WARN("python3 is not installed");
+    return;
+  }
+  const TemporaryDirectory folder;
+  std::filesystem::create_symlink(ROLLRES_PROGRAM, folder / "rollres");
+  const auto set = [](const std::string& thickness, int number) {
+    return "      2 variables\n " + thickness +
+           " layer_thickness\n 3.0e+06 static_shear_modulus\n      2 functions\n"
+           "      1 ASV_1:rolling_resistance\n      1 ASV_2:peak_pressure\n      2 derivative_variables\n"
+           "      1 DVV_1:layer_thickness\n      2 DVV_2:static_shear_modulus\n      0 analysis_components\n      1:" +
+           std::to_string(number) + " eval_id\n      0 metadata\n";
+  };
+  folder.write("params.in", set("5.000000000000000e-03", 1) + set("-1.0e+00", 2) + set("1.0e-02", 3));
+  const std::string driver = (source_directory() / "studies/examples/dakota/driver.py").string();
+  const ShellRun run =
+      run_shell("cd " + shell_word(folder.path.string()) + " && PATH=\"$PWD:$PATH\" python3 " + shell_word(driver) +
+                " " + shell_word(cylinder) + " tolerance=1e-6 params.in results.out");
+  INFO(run.out);
+  REQUIRE(run.status == 0);
+  const Json alone = Json::parse(run_rollres({"solve", cylinder, "--set", "tolerance=1e-6", "--json"},
+                                             static_cast<RollingSolution (*)(const RollingScene&)>(solve))
+                                     .out);
+  std::istringstream results(file_text(folder / "results.out"));
+  double resistance, pressure;
+  std::string name, fail, separator;
+  results >> resistance >> name >> pressure >> name >> separator >> fail;
+  CHECK(resistance == alone["rolling_resistance"].get<double>());
+  CHECK(pressure == alone["peak_pressure"].get<double>());
+  CHECK(separator + fail == "#FAIL");
+  results >> separator >> resistance >> name;
+  CHECK(name == "rolling_resistance");
+  CHECK(resistance > alone["rolling_resistance"].get<double>());
+}
