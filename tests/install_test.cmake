@@ -32,6 +32,7 @@ run(${CMAKE_COMMAND} -G ${generator} -S ${CMAKE_CURRENT_LIST_DIR}/outside_progra
     -D README_PROGRAM=${FOLDER}/readme.cpp)
 run(${CMAKE_COMMAND} --build ${FOLDER}/outside)
 run(${FOLDER}/outside/outside_program ${resistance})
+run(${FOLDER}/outside/other_eigen)
 run(${FOLDER}/outside/readme_program)
 if(NOT output MATCHES "^3[0-9.]+ N/m\n$")
   message(FATAL_ERROR "the README's program says ${output}")

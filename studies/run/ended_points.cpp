@@ -2,13 +2,23 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
 namespace rollres {
+
+/// Where a thread says, to other processes too, which point it solves.
+struct PointSlot {
+  std::atomic<bool> taken;
+  char key[127];
+};
 
 namespace {
 
@@ -20,24 +30,63 @@ thread_local const std::string* point_in_work = nullptr;
 
 std::filesystem::path notes_beside(const std::filesystem::path& database) { return database.string() + ".ended"; }
 
-/// Calls only what may be called in a signal handler (signal-safety(7)).
+constexpr std::size_t slot_count = 1024;  // no more jobs than that
+PointSlot* slots = nullptr;               // null: nobody waits for the end by the system
+
+// What follows until `watch` calls only what may be called in a signal handler, and in a child of a process with
+// threads (signal-safety(7)).
+
+void note(const char* key, int signal) {
+  const int file = ::open(notes_file.data(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) return;
+  const std::size_t length = std::strlen(key);
+  const char number[] = {' ', static_cast<char>('0' + signal / 10), static_cast<char>('0' + signal % 10), '\n'};
+  if (::write(file, key, length) < 0 || ::write(file, number, sizeof number) < 0) ::unlink(notes_file.data());
+  ::close(file);
+}
+
 void note_and_end(int signal) {
-  if (point_in_work && notes_file[0] != '\0') {
-    const int file = ::open(notes_file.data(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (file >= 0) {
-      const char number[] = {' ', static_cast<char>('0' + signal / 10), static_cast<char>('0' + signal % 10), '\n'};
-      if (::write(file, point_in_work->data(), point_in_work->size()) < 0 || ::write(file, number, sizeof number) < 0)
-        ::unlink(notes_file.data());
-      ::close(file);
-    }
-  }
+  if (point_in_work && notes_file[0] != '\0') note(point_in_work->c_str(), signal);
   ::signal(signal, SIG_DFL);
   ::raise(signal);
 }
 
+/// How many processes the system has ended for want of memory; negative if it does not say.
+long ended_for_memory(const char* counters) {
+  std::array<char, 32768> text{};
+  const int file = ::open(counters, O_RDONLY | O_CLOEXEC);
+  if (file < 0) return -1;
+  for (std::size_t size = 0; size + 1 < text.size();) {
+    const ssize_t got = ::read(file, text.data() + size, text.size() - 1 - size);
+    if (got <= 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  ::close(file);
+  constexpr char name[] = "oom_kill ";
+  const char* line = text.data();
+  while (line && std::strncmp(line, name, sizeof name - 1) != 0)
+    if ((line = std::strchr(line, '\n'))) ++line;
+  return line ? std::atol(line + sizeof name - 1) : -1;
+}
+
+/// Waits until the other end of the pipe is closed: by the end of the process that solves, if points are in work then.
+[[noreturn]] void watch(int pipe, const char* counters, long ended_before) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
+  for (const int signal : fatal_signals) ::signal(signal, SIG_DFL);
+  ::dup2(pipe, 0);
+  ::close_range(1, ~0U, 0);
+  char nothing = 0;
+  while (::read(0, &nothing, 1) < 0) {
+  }
+  if (ended_for_memory(counters) > ended_before)
+    for (std::size_t slot = 0; slot < slot_count; ++slot)
+      if (slots[slot].taken) note(slots[slot].key, SIGKILL);
+  ::_exit(0);
+}
+
 }  // namespace
 
-FatalSignalNotes::FatalSignalNotes(const std::filesystem::path& database) {
+FatalSignalNotes::FatalSignalNotes(const std::filesystem::path& database, const std::filesystem::path& counters) {
   const std::string file = std::filesystem::absolute(notes_beside(database)).string();
   if (file.size() >= notes_file.size()) return;
   std::memcpy(notes_file.data(), file.c_str(), file.size() + 1);
@@ -45,22 +94,46 @@ FatalSignalNotes::FatalSignalNotes(const std::filesystem::path& database) {
   action.sa_handler = note_and_end;
   action.sa_flags = SA_ONSTACK;
   for (std::size_t i = 0; i < fatal_signals.size(); ++i) ::sigaction(fatal_signals[i], &action, &handlers_before[i]);
+
+  const long ended_before = ended_for_memory(counters.c_str());
+  int ends[2];
+  if (ended_before < 0 || ::pipe2(ends, O_CLOEXEC) != 0) return;
+  void* const shared =
+      ::mmap(nullptr, slot_count * sizeof(PointSlot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared != MAP_FAILED) slots = static_cast<PointSlot*>(shared);
+  if (slots && (watcher_ = ::fork()) == 0) watch(ends[0], counters.c_str(), ended_before);
+  ::close(ends[0]);
+  pipe_ = ends[1];
 }
 
 FatalSignalNotes::~FatalSignalNotes() {
+  if (pipe_ >= 0) ::close(pipe_);
+  if (watcher_ > 0) ::waitpid(watcher_, nullptr, 0);
+  if (slots) ::munmap(slots, slot_count * sizeof(PointSlot));
+  slots = nullptr;
   if (notes_file[0] == '\0') return;
   for (std::size_t i = 0; i < fatal_signals.size(); ++i) ::sigaction(fatal_signals[i], &handlers_before[i], nullptr);
   notes_file[0] = '\0';
 }
 
-PointInWork::PointInWork(const std::string& key) {
+PointInWork::PointInWork(const std::string& key) : slot_(nullptr) {
   // The handler needs one where the thread's own stack has overflown.
   thread_local std::array<char, 16384> spare;
   const stack_t stack{.ss_sp = spare.data(), .ss_flags = 0, .ss_size = spare.size()};
   ::sigaltstack(&stack, nullptr);
   point_in_work = &key;
+  if (!slots || key.size() >= sizeof slots->key) return;
+  for (slot_ = slots; slot_->taken.exchange(true);)
+    if (++slot_ == slots + slot_count) {
+      slot_ = nullptr;
+      return;
+    }
+  std::memcpy(slot_->key, key.c_str(), key.size() + 1);
 }
-PointInWork::~PointInWork() { point_in_work = nullptr; }
+PointInWork::~PointInWork() {
+  point_in_work = nullptr;
+  if (slot_) slot_->taken = false;
+}
 
 std::vector<EndedPoint> ended_points(const std::filesystem::path& database) {
   std::vector<EndedPoint> points;
@@ -69,9 +142,14 @@ std::vector<EndedPoint> ended_points(const std::filesystem::path& database) {
   return points;
 }
 
-void forget_ended_points(const std::filesystem::path& database) {
+void keep_ended_points(const std::filesystem::path& database, const std::vector<EndedPoint>& points) {
   std::error_code ignored;
-  std::filesystem::remove(notes_beside(database), ignored);
+  if (points.empty()) {
+    std::filesystem::remove(notes_beside(database), ignored);
+    return;
+  }
+  std::ofstream notes(notes_beside(database));
+  for (const EndedPoint& point : points) notes << point.key << ' ' << point.signal << '\n';
 }
 
 }  // namespace rollres
