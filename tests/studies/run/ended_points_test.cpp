@@ -115,7 +115,7 @@ TEST_CASE("what ended for want of memory is solved alone and first, and failed a
   const Study study = study_with_crashes();
   const std::vector<std::string> keys = StudyPlan(study).keys();
   const std::vector<EndedPoint> noted{
-      {keys[69], SIGKILL}, {keys[4], SIGKILL}, {keys[7], SIGKILL}, {keys[4], SIGKILL}, {"of another study", SIGKILL}};
+      {keys[69], SIGKILL}, {keys[4], SIGKILL}, {keys[7], SIGKILL}, {keys[4], SIGKILL}, {"of_another_study", SIGKILL}};
   keep_ended_points(database, noted);
   std::atomic<int> at_work = 0, begun = 0;
   std::vector<double> first_speeds(2);
@@ -139,5 +139,5 @@ TEST_CASE("what ended for want of memory is solved alone and first, and failed a
         "ended the program (signal 9: the system had no memory left)");
   const std::vector<EndedPoint> left = ended_points(database);
   REQUIRE(left.size() == 1);
-  CHECK(left.front().key == "of another study");
+  CHECK(left.front().key == "of_another_study");
 }
