@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -69,15 +70,17 @@ long ended_for_memory(const char* counters) {
   return line ? std::atol(line + sizeof name - 1) : -1;
 }
 
-/// Waits until the other end of the pipe is closed: by the end of the process that solves, if points are in work then.
-[[noreturn]] void watch(int pipe, const char* counters, long ended_before) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
-  for (const int signal : fatal_signals) ::signal(signal, SIG_DFL);
-  ::dup2(pipe, 0);
-  ::close_range(1, ~0U, 0);
-  char nothing = 0;
-  while (::read(0, &nothing, 1) < 0) {
-  }
+/// Waits for the end of the process that solves; notes what it has in work then if the system ended one for want of
+/// memory.
+[[noreturn]] void watch(pid_t parent, const char* counters, long ended_before) {
+  sigset_t all, end;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
+  ::prctl(PR_SET_PDEATHSIG, SIGUSR1);
+  ::close_range(0, ~0U, 0);
+  ::sigemptyset(&end);
+  ::sigaddset(&end, SIGUSR1);
+  for (int signal = 0; ::getppid() == parent && signal != SIGUSR1;) ::sigwait(&end, &signal);
   if (ended_for_memory(counters) > ended_before)
     for (std::size_t slot = 0; slot < slot_count; ++slot)
       if (slots[slot].taken) note(slots[slot].key, SIGKILL);
@@ -96,19 +99,21 @@ FatalSignalNotes::FatalSignalNotes(const std::filesystem::path& database, const 
   for (std::size_t i = 0; i < fatal_signals.size(); ++i) ::sigaction(fatal_signals[i], &action, &handlers_before[i]);
 
   const long ended_before = ended_for_memory(counters.c_str());
-  int ends[2];
-  if (ended_before < 0 || ::pipe2(ends, O_CLOEXEC) != 0) return;
+  if (ended_before < 0) return;
   void* const shared =
       ::mmap(nullptr, slot_count * sizeof(PointSlot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared != MAP_FAILED) slots = static_cast<PointSlot*>(shared);
-  if (slots && (watcher_ = ::fork()) == 0) watch(ends[0], counters.c_str(), ended_before);
-  ::close(ends[0]);
-  pipe_ = ends[1];
+  if (shared == MAP_FAILED) return;
+  slots = static_cast<PointSlot*>(shared);
+  const pid_t parent = ::getpid();
+  watcher_ = ::fork();
+  if (watcher_ == 0) watch(parent, counters.c_str(), ended_before);
 }
 
 FatalSignalNotes::~FatalSignalNotes() {
-  if (pipe_ >= 0) ::close(pipe_);
-  if (watcher_ > 0) ::waitpid(watcher_, nullptr, 0);
+  if (watcher_ > 0) {
+    ::kill(watcher_, SIGKILL);
+    ::waitpid(watcher_, nullptr, 0);
+  }
   if (slots) ::munmap(slots, slot_count * sizeof(PointSlot));
   slots = nullptr;
   if (notes_file[0] == '\0') return;

@@ -24,8 +24,7 @@ class FatalSignalNotes {
   FatalSignalNotes& operator=(const FatalSignalNotes&) = delete;
 
  private:
-  int pipe_ = -1;  ///< the waiting process hears from it that this one has ended
-  int watcher_ = -1;
+  int watcher_ = -1;  ///< the process that waits
 };
 
 /// Says which point this thread solves while it lives.
