@@ -125,7 +125,7 @@ PointInWork::PointInWork(const std::string& key) : slot_(nullptr) {
   // The handler needs one where the thread's own stack has overflown.
   thread_local std::array<char, 16384> spare;
   const stack_t stack{.ss_sp = spare.data(), .ss_flags = 0, .ss_size = spare.size()};
-  ::sigaltstack(&stack, nullptr);
+  ::sigaltstack(&stack, &stack_before_);
   point_in_work = &key;
   if (!slots || key.size() >= sizeof slots->key) return;
   for (slot_ = slots; slot_->taken.exchange(true);)
@@ -137,6 +137,7 @@ PointInWork::PointInWork(const std::string& key) : slot_(nullptr) {
 }
 PointInWork::~PointInWork() {
   point_in_work = nullptr;
+  ::sigaltstack(&stack_before_, nullptr);
   if (slot_) slot_->taken = false;
 }
 

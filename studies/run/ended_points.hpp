@@ -7,6 +7,8 @@
 /// memory (SIGKILL, proc(5): oom_kill in /proc/vmstat), a small process that waits for that end notes all points in
 /// work.
 
+#include <signal.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,6 +39,7 @@ class PointInWork {
 
  private:
   struct PointSlot* slot_;
+  stack_t stack_before_{};  ///< the thread's own for signal handlers
 };
 
 struct EndedPoint {

@@ -141,3 +141,12 @@ TEST_CASE("what ended for want of memory is solved alone and first, and failed a
   REQUIRE(left.size() == 1);
   CHECK(left.front().key == "of_another_study");
 }
+
+TEST_CASE("a thread that has solved a point has the stack for signals that it had before", "[studies][ended_points]") {
+  stack_t before{}, after{};
+  ::sigaltstack(nullptr, &before);
+  { const PointInWork in_work("a"); }
+  ::sigaltstack(nullptr, &after);
+  CHECK(after.ss_sp == before.ss_sp);
+  CHECK(after.ss_flags == before.ss_flags);
+}
