@@ -10,6 +10,10 @@ target_compile_features(rollres_core INTERFACE cxx_std_20)
 set_target_properties(rollres_core PROPERTIES EXPORT_NAME core)
 
 install(TARGETS rollres_core EXPORT rollres-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+install(CODE "set(LIBRARY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/librollres_core.a\")
+  set(NM \"${CMAKE_NM}\")
+  set(OBJCOPY \"${CMAKE_OBJCOPY}\")
+  include(\"${CMAKE_CURRENT_LIST_DIR}/own_eigen.cmake\")" COMPONENT library)
 # What a program needs to ask: a scene, its solution and `solve`. The other headers stay inside.
 install(FILES core/rolling_contact.hpp core/scene.hpp core/solution.hpp
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollres/core COMPONENT library)

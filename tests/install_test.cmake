@@ -47,6 +47,7 @@ run(${CMAKE_COMMAND} -G ${generator} -S ${CMAKE_CURRENT_LIST_DIR}/outside_progra
     -D README_PROGRAM=${FOLDER}/readme.cpp)
 run(${CMAKE_COMMAND} --build ${FOLDER}/outside)
 run(${FOLDER}/outside/outside_program ${resistance})
+run(${FOLDER}/outside/other_eigen)
 run(${FOLDER}/outside/readme_program ${prefix}/share/rollres/examples/paper_cylinder.json)
 if(NOT output MATCHES "^0.01 m/s: [0-9.]+ N/m\n0.1 m/s: [0-9.]+ N/m\n1 m/s: 20.276 N/m\n$")
   message(FATAL_ERROR "the README's program says ${output}")

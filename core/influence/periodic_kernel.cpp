@@ -24,17 +24,24 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   const bool sphere = reach_y > 0;
   const int columns = std::max(checked_count(period / cell_x, "cells of the period"), 2 * reach_x + 1);
   const int rows = sphere ? std::max(checked_count(period / cell_y, "cells of the period"), 2 * reach_y + 1) : 1;
-  require_memory(60.0 * columns * rows, message_text("the period needs ", columns, " x ", rows, " cells"));
-  require_time(2.5e-6 * columns * rows);  // transforms of a length that is a prime number
+  const int components = sphere ? 6 : 3;
+  const double cells = static_cast<double>(columns) * rows;
+  // A length that is a prime number takes FFTW (3.3.10) the most of both.
+  const double bytes_per_cell = 8.0 * components + (sphere ? 12 : 60), seconds_per_cell = 0.85e-6;
+  require_memory(bytes_per_cell * cells, message_text("the period needs ", columns, " x ", rows, " cells"));
+  require_time(seconds_per_cell * cells * components);
   const double step_x = 2 * M_PI / (columns * cell_x), step_y = sphere ? 2 * M_PI / (rows * cell_y) : 0;
   const int half = columns / 2 + 1, terms_y = sphere ? terms : 0;
 
   // Spectra by rows of ky; kx >= 0 only, as the coefficients are real.
   std::array<FftBuffer<complex>, 6> spectra;
-  const int components = sphere ? 6 : 3;
-  for (auto& spectrum : spectra)
-    spectrum = FftBuffer<complex>(static_cast<std::size_t>(rows) * static_cast<std::size_t>(half));
   constexpr std::array<std::size_t, 3> line_components{coefficient::ww, coefficient::uu, coefficient::uw};
+  const auto component_at = [&](int component) {
+    return sphere ? static_cast<std::size_t>(component) : line_components[static_cast<std::size_t>(component)];
+  };
+  for (int component = 0; component < components; ++component)
+    spectra[component_at(component)] =
+        FftBuffer<complex>(static_cast<std::size_t>(rows) * static_cast<std::size_t>(half));
   const double area = columns * cell_x * (sphere ? rows * cell_y : 1.0);
 
   for (int n = -terms; n <= terms; ++n) {
@@ -66,9 +73,8 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   const std::array<std::vector<double>*, 6> targets{&table.ww, &table.uu, &table.vv, &table.uv, &table.uw, &table.vw};
   FftBuffer<double> field(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
   for (int component = 0; component < components; ++component) {
-    const std::size_t c =
-        sphere ? static_cast<std::size_t>(component) : line_components[static_cast<std::size_t>(component)];
-    require_time();
+    const std::size_t c = component_at(component);
+    require_time(seconds_per_cell * cells * (components - component));
     inverse_plane(columns, rows, spectra[c], field);
     for (int row = 0; row <= reach_y; ++row)
       for (int column = -reach_x; column <= reach_x; ++column)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <csignal>
 #include <exception>
 #include <mutex>
 #include <numeric>
@@ -66,6 +67,18 @@ struct Part {
   std::vector<std::string> keys;
 };
 
+/// Solves one point and hands its answer to `store`.
+template <class Store>
+void work_on(Run& run, std::size_t point, const StudyPlan& plan, const Part& part, const Evaluate& evaluate,
+             Fields fields, const Store& store) {
+  const PointInWork in_work(part.keys[point]);
+  Evaluation answer{part.keys[point], plan.scene(part.points[point]), {}};
+  answer.solution = evaluate_safely(evaluate, answer.scene, fields);
+  if (answer.solution.status != Status::converged) ++run.failed;
+  store(std::move(answer));
+  ++run.solved;
+}
+
 void work(Run& run, WorkList& list, const StudyPlan& plan, const Part& part, const Evaluate& evaluate, Fields fields,
           ResultWriter& writer, int cores) {
   limit_threads(cores);
@@ -73,12 +86,7 @@ void work(Run& run, WorkList& list, const StudyPlan& plan, const Part& part, con
     while (!run.broken && !run.asked_to_stop()) {
       const std::optional<std::size_t> next = list.next();
       if (!next) break;
-      const PointInWork in_work(part.keys[*next]);
-      Evaluation answer{part.keys[*next], plan.scene(part.points[*next]), {}};
-      answer.solution = evaluate_safely(evaluate, answer.scene, fields);
-      if (answer.solution.status != Status::converged) ++run.failed;
-      writer.add(std::move(answer));
-      ++run.solved;
+      work_on(run, *next, plan, part, evaluate, fields, [&](Evaluation&& answer) { writer.add(std::move(answer)); });
     }
   } catch (...) {
     run.fail(std::current_exception());
@@ -88,19 +96,31 @@ void work(Run& run, WorkList& list, const StudyPlan& plan, const Part& part, con
   run.changed.notify_one();
 }
 
-/// Stores points at which an earlier start ended as failed, so that this one goes on to the others.
-void store_ended_points(ResultStore& store, const std::filesystem::path& database, const std::vector<std::string>& keys,
-                        const StudyPlan& plan) {
+/// Stores points at which an earlier start ended as failed, so that this one goes on to the others. Which point it was
+/// that took the memory is not known when several were in work: each is tried once more. Returns those.
+std::vector<std::string> store_ended_points(ResultStore& store, const std::filesystem::path& database,
+                                            const std::vector<std::string>& keys, const StudyPlan& plan) {
   const std::vector<EndedPoint> ended = ended_points(database);
+  std::vector<EndedPoint> kept;
+  std::vector<std::string> again;
   for (const EndedPoint& point : ended) {
     const auto place = std::find(keys.begin(), keys.end(), point.key);
+    const auto times = std::count_if(ended.begin(), ended.end(), [&](const auto& one) { return one.key == point.key; });
+    const bool out_of_memory = point.signal == SIGKILL;
+    if (place == keys.end() || (out_of_memory && times == 1)) kept.push_back(point);
     if (place == keys.end()) continue;
+    if (out_of_memory && times == 1) {
+      again.push_back(point.key);
+      continue;
+    }
     Evaluation answer{point.key, plan.scene(static_cast<std::size_t>(place - keys.begin())), {}};
     answer.solution.method = resolved_method(answer.scene);
-    answer.solution.reason = "ended the program (signal " + std::to_string(point.signal) + ")";
+    answer.solution.reason = "ended the program (signal " + std::to_string(point.signal) +
+                             (out_of_memory ? ": the system had no memory left)" : ")");
     store.save({&answer, 1});
   }
-  if (!ended.empty()) forget_ended_points(database);
+  if (!ended.empty()) keep_ended_points(database, kept);
+  return again;
 }
 
 /// The points of one shard.
@@ -141,7 +161,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   const std::optional<Redefinition> redefined = start_again(store, record, all_keys, options.replace);
   if (redefined && options.redefined) options.redefined(*redefined);
   store.start_study(record, all_keys);
-  store_ended_points(store, database, all_keys, plan);
+  const std::vector<std::string> again_alone = store_ended_points(store, database, all_keys, plan);
   const FatalSignalNotes notes(database);
   const Part part = part_of(plan, std::move(all_keys), options.shard);
   const std::vector<std::string>& keys = part.keys;
@@ -155,15 +175,27 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
 
   Run run;
   run.stop_from_outside = options.stop;
+  if (options.ready) options.ready();
+  const Existing existing = options.retry == Retry::nothing ? Existing::kept : Existing::replaced;
+  for (const std::string& key : again_alone) {
+    const auto point = static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
+    if (point == keys.size() || run.asked_to_stop()) continue;
+    if (!known[point])
+      work_on(run, point, plan, part, evaluate, options.fields, [&](Evaluation&& answer) {
+        store.save({&answer, 1}, existing);
+      });
+    known[point] = true;
+    std::vector<EndedPoint> others = ended_points(database);
+    std::erase_if(others, [&](const EndedPoint& other) { return other.key == key; });
+    keep_ended_points(database, others);
+  }
   WorkList list(keys, known, [&](const std::string& key) {
     const auto answer = reader.find_answer(key);
     const auto was = old.find(key);
     return answer && (was == old.end() || *answer != was->second);
   });
   const std::size_t to_solve = list.open();
-  if (options.ready) options.ready();
   {
-    const Existing existing = options.retry == Retry::nothing ? Existing::kept : Existing::replaced;
     ResultWriter writer(
         [&](const std::vector<Evaluation>& answers) {
           // Those that are there already were stored by another process meanwhile.

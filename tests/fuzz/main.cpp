@@ -162,7 +162,7 @@ std::size_t read_all(std::size_t pieces, const CaseOf& case_of, const More& more
 void replay(const std::filesystem::path& corpus) {
   const std::vector<Sample> samples = samples_in(corpus);
   const auto done = read_all(
-      samples.size(), [&](std::size_t piece) { return samples[piece]; }, [] { return true; }, 60);
+      samples.size(), [&](std::size_t piece) { return samples[piece]; }, [] { return true; }, 600);
   std::cout << done << " files replayed, " << complaints << " complaints" << std::endl;
 }
 
@@ -179,7 +179,7 @@ void mutate(const std::filesystem::path& corpus, double seconds, std::uint64_t s
           if (samples[i].target == &target) own.push_back(i);
         return Sample{&target, "", mutated(samples, own[random() % own.size()], random)};
       },
-      [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds; }, 20);
+      [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds; }, 600);
   std::cout << done << " mutations, " << complaints << " complaints" << std::endl;
 }
 
