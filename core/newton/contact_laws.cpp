@@ -24,6 +24,13 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
     maps.largest = std::max(maps.largest, relative);
     maps.mean_square += relative * relative;
   };
+  for (int row = 0; problem.friction && row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
+      maps.slip_x(i) = problem.slip_x(i, (maps.moved.u(at + 1) - maps.moved.u(at)) / grid.spacing_x, x.rotation_ratio);
+      if (problem.lateral) maps.slip_y(i) = (maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x;
+    }
+  if (problem.friction) problem.edge.add(x.shear_x, x.shear_y, maps.slip_x, maps.slip_y);
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
@@ -40,8 +47,6 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
         count(pressure - std::max(0.0, pressure - gap));
       }
       if (!problem.friction) continue;
-      maps.slip_x(i) = problem.slip_x(i, (maps.moved.u(at + 1) - maps.moved.u(at)) / grid.spacing_x, x.rotation_ratio);
-      if (problem.lateral) maps.slip_y(i) = (maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x;
       if (pressure == 0 && x.shear_x(i) == 0) continue;
       const double qx = x.shear_x(i) + maps.slip_x(i) / influence.self_slip();
       const bool sideways = problem.lateral && !problem.on_axis(i);

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "core/edge/contact_edge.hpp"
 #include "core/numerics/vector.hpp"
 #include "core/scene/contact_state.hpp"
 #include "core/scene/friction_law.hpp"
@@ -38,6 +39,16 @@ struct ContactProblem {
   Resultant load, torque, driving_force;  // (N3): P [N], T [N m], Q [N] (per metre for a cylinder)
   Resultant drive;                        // row that the drive sets to `drive_target`; unused with drive "rotation"
   double drive_target = 0;
+  EdgeSlip edge;  // none where it is not known
+
+  /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the paper's.
+  bool follows_edge() const {
+    return friction && lateral && scene.kinematics == Kinematics::consistent && scene.adhesion_threshold == 0;
+  }
+  /// @param in_contact a flag for each node
+  void take_edge(const EdgeCurve& curve, const std::vector<char>& in_contact) {
+    edge = {scene, grid, curve, in_contact};
+  }
 
   bool load_given() const { return scene.load.has_value(); }
   bool rotation_given() const { return scene.drive == Drive::rotation; }

@@ -109,6 +109,7 @@ class Assessment {
       slip_x_(i) = problem_.slip_x(i, (moved_.u(right) - moved_.u(left)) / distance, unknowns_.rotation_ratio);
       if (problem_.lateral) slip_y_(i) = (moved_.v(right) - moved_.v(left)) / distance;
     }
+    if (problem_.lateral) problem_.edge.add(unknowns_.shear_x, unknowns_.shear_y, slip_x_, slip_y_);
   }
 
   void check_laws() {

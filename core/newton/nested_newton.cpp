@@ -58,6 +58,19 @@ void measure(ContactLevel& level) {
   level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone);
 }
 
+/// A solution of even cells becomes one with the edge that its pressure tells, if there is one.
+void find_edge(ContactLevel& level, const NewtonOptions& options) {
+  ContactProblem& problem = *level.problem;
+  const ContactUnknowns& start = level.outcome.unknowns;
+  problem.take_edge(edge_curve(problem.grid, start.pressure), loaded_nodes(start));
+  if (!problem.edge.curve().known()) return;
+  NewtonOutcome found = newton_along_edge(problem, *level.table, *level.influence, start, options);
+  if (found.converged && !found.reached_border)
+    level.outcome = std::move(found);
+  else
+    problem.edge = {};
+}
+
 /// The smallest grid that holds two of the same spacing: a window may grow, but never moves away from what it held.
 SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
   SurfaceGrid both = a;
@@ -77,9 +90,14 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
   ContactLevel level;
   for (int growth = 0; growth < 12; ++growth) {
     level = make_level(scene, grid);
-    const ContactProblem& problem = *level.problem;
-    if (coarser && scene.adhesion_threshold == 0)
-      level.outcome = newton_contact(problem, *level.table, *level.influence, transfer(*coarser, grid), options);
+    ContactProblem& problem = *level.problem;
+    if (coarser && scene.adhesion_threshold == 0) {
+      const ContactUnknowns start = transfer(*coarser, grid);
+      if (problem.follows_edge())
+        problem.take_edge(edge_curve(coarser->problem->grid, coarser->outcome.unknowns.pressure), loaded_nodes(start));
+      level.outcome = newton_along_edge(problem, *level.table, *level.influence, start, options);
+      if (!level.outcome.converged) problem.edge = {};
+    }
     // Safer and slower, one after the other.
     const ContactUnknowns guess = first_guess(problem, estimate);
     const double reach = -grid.x(0);
@@ -98,6 +116,8 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
       if (problem.lateral) attempt(solve_by_friction);
       attempt(solve_by_pivots);
     }
+    if (level.outcome.converged && effort != Effort::start && problem.follows_edge() && !problem.edge.curve().known())
+      find_edge(level, options);
     if (!level.outcome.reached_border || widest) break;
     grid = cover(grid, follow(level, grid, std::max(4 * grid.spacing_x, 0.4 * reach)));
   }

@@ -42,8 +42,9 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 class NewtonIteration {
  public:
   NewtonIteration(const ContactProblem& problem, const InfluenceTable& table, const InfluenceOperator& influence,
-                  const ContactUnknowns& start, const NewtonOptions& options)
+                  const ContactUnknowns& start, const NewtonOptions& options, ContactProblem* edged)
       : problem_(problem),
+        edged_(edged),
         table_(table),
         influence_(influence),
         options_(options),
@@ -70,7 +71,9 @@ class NewtonIteration {
     ContactMask chosen = first_ ? contact_ : choose_contact(problem_, influence_, x_, maps_, contact_);
     ContactUnknowns base = x_;
     std::optional<NaturalMaps> released;
-    if (release(base, chosen)) released = natural_maps(problem_, influence_, base, chosen);
+    const bool following = edge_follows() && chosen != contact_;
+    if (following) follow_edge(chosen);
+    if (release(base, chosen) || following) released = natural_maps(problem_, influence_, base, chosen);
     const NaturalMaps& base_maps = released ? *released : maps_;
     const ActiveLaws laws =
         choose_laws(problem_, influence_, base, base_maps, chosen, first_ && options_.first_all_stick);
@@ -79,6 +82,11 @@ class NewtonIteration {
     if (!increment || !accept_part(base, *increment, chosen)) return false;
     contact_ = std::move(chosen);
     first_ = false;
+    if (edge_follows() && maps_.largest < options_.edge_follows) {
+      follow_edge(contact_);
+      maps_ = natural_maps(problem_, influence_, x_, contact_);
+      edge_rests_ = maps_.largest < options_.edge_rests;
+    }
     ++stays_;
     if (maps_.largest < 0.5 * best_residual_) stays_ = 0;
     if (maps_.largest < best_residual_) {
@@ -86,6 +94,15 @@ class NewtonIteration {
       best_ = x_;
     }
     return true;
+  }
+
+  /// Whether the edge still follows the pressure. It hardly depends on the shear, and needs no derivative.
+  bool edge_follows() const { return edged_ && !edge_rests_ && problem_.edge.curve().known(); }
+
+  /// The cells at the edge are those of the contact; once that is known, its curve is that of the pressure.
+  void follow_edge(const ContactMask& contact) {
+    const bool settled = maps_.largest < options_.edge_follows;
+    edged_->take_edge(settled ? edge_curve(problem_.grid, x_.pressure) : problem_.edge.curve(), contact);
   }
 
   /// Solution of the linearised laws (N8), by factors or by GMRES.
@@ -108,7 +125,8 @@ class NewtonIteration {
   /// last step needs (N9).
   double forcing() const {
     const double last = 0.05 * options_.tolerance / maps_.largest;
-    return std::clamp(std::max(maps_.largest, last), options_.least_forcing, options_.most_forcing);
+    const double least = edge_follows() ? options_.edge_follows : options_.least_forcing;
+    return std::clamp(std::max(maps_.largest, last), least, options_.most_forcing);
   }
 
   /// The full step, shortened while the maps grow beyond what they were lately; the best of those tried is taken.
@@ -161,6 +179,7 @@ class NewtonIteration {
   }
 
   const ContactProblem& problem_;
+  ContactProblem* edged_;  // the same, if its edge follows the pressure
   const InfluenceTable& table_;
   const InfluenceOperator& influence_;
   const NewtonOptions& options_;
@@ -172,6 +191,7 @@ class NewtonIteration {
   int stays_ = 0;              // steps since it was halved
   std::deque<double> recent_;  // mean squares of the maps
   bool first_ = true;
+  bool edge_rests_ = false;  // from then on all residuals are those of one edge
 };
 
 }  // namespace
@@ -179,7 +199,13 @@ class NewtonIteration {
 NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable& table,
                              const InfluenceOperator& influence, const ContactUnknowns& start,
                              const NewtonOptions& options) {
-  return NewtonIteration(problem, table, influence, start, options).run();
+  return NewtonIteration(problem, table, influence, start, options, nullptr).run();
+}
+
+NewtonOutcome newton_along_edge(ContactProblem& problem, const InfluenceTable& table,
+                                const InfluenceOperator& influence, const ContactUnknowns& start,
+                                const NewtonOptions& options) {
+  return NewtonIteration(problem, table, influence, start, options, &problem).run();
 }
 
 }  // namespace rollres

@@ -33,6 +33,8 @@ struct NewtonOptions {
   bool first_all_stick = false;      ///< whether the first step holds every contact node sticking
   std::size_t remembered_steps = 4;  ///< whose largest norm a step may reach: more lets sets change, fewer is safer
   double shortest_step = 0.05;       ///< part of a step below which it is not shortened
+  /// Residuals between which the edge follows the pressure: above, contacts change; below, it moves R_r by 1e-9.
+  double edge_follows = 1e-2, edge_rests = 1e-6;
 
   // The path over the rotation (rotation_path.hpp).
   int path_iterations = 20;  ///< for one point: a step in omega that needs more is too long
@@ -57,5 +59,10 @@ struct NewtonOutcome {
 NewtonOutcome newton_contact(const ContactProblem& problem, const InfluenceTable& table,
                              const InfluenceOperator& influence, const ContactUnknowns& start,
                              const NewtonOptions& options);
+
+/// The same where the problem's edge, if it is known, follows the pressure (core/newton/README.md, section 8).
+NewtonOutcome newton_along_edge(ContactProblem& problem, const InfluenceTable& table,
+                                const InfluenceOperator& influence, const ContactUnknowns& start,
+                                const NewtonOptions& options);
 
 }  // namespace rollres

@@ -34,6 +34,7 @@ class KrylovRows {
   KrylovRows(const ContactProblem& problem, const InfluenceOperator& influence, const ActiveLaws& laws)
       : rows_(problem, laws),
         laws_(laws),
+        edge_(problem.edge),
         influence_(influence.krylov<Real>()),
         per_normal_(static_cast<Real>(1 / influence.self_normal())),
         per_slip_(static_cast<Real>(1 / influence.self_slip())) {
@@ -50,6 +51,7 @@ class KrylovRows {
     if (rows_.components() > 1) scatter(x.segment(n, n), tractions_.shear_x, Real(1));
     if (rows_.components() > 2) scatter(x.segment(2 * n, n), tractions_.shear_y, Real(1));
     influence_.apply(tractions_, moved_);
+    if (rows_.components() > 2) edge_.add(tractions_.shear_x, tractions_.shear_y, moved_.slip_x, moved_.slip_y);
     gather(moved_.w, scaled_.w, per_normal_);
     if (rows_.components() > 1) gather(moved_.slip_x, scaled_.slip_x, per_slip_);
     if (rows_.components() > 2) gather(moved_.slip_y, scaled_.slip_y, per_slip_);
@@ -124,6 +126,7 @@ class KrylovRows {
 
   LawRows<Real> rows_;
   const ActiveLaws& laws_;
+  const EdgeSlip& edge_;
   KrylovOperator<Real>& influence_;
   Real per_normal_, per_slip_;
   typename KrylovOperator<Real>::Tractions tractions_, inverse_;
@@ -196,6 +199,16 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
         if (components > 1) response.slip_x(i) = (moved(u, column + 1, row) - moved(u, column, row)) * per_slip;
         if (components > 2) response.slip_y(i) = (moved(v, column + 1, row) - moved(v, column, row)) * per_slip;
       }
+      if (component > 0 && problem_.edge.curve().known()) {
+        Vector along = Vector::Zero(grid.size()), aside = along, of_edge_x = along, of_edge_y = along;
+        (component == 1 ? along : aside)(source) = 1 / influence_.self_slip();
+        problem_.edge.add(along, aside, of_edge_x, of_edge_y);
+        for (Eigen::Index i = 0; i < n; ++i) {
+          const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
+          response.slip_x(i) += of_edge_x(node);
+          response.slip_y(i) += of_edge_y(node);
+        }
+      }
       matrix.col(component * n + j) = rows(Vector::Unit(size, component * n + j), response);
     }
   }
@@ -228,16 +241,23 @@ Vector NewtonSystem::apply(const Vector& x, const LawRows<double>& rows) const {
   const ContactUnknowns increment = unpack(x, rows);
   const Displacements moved = influence_.apply(increment.pressure, increment.shear_x, increment.shear_y);
   const SurfaceGrid& grid = problem_.grid;
-  const double per_normal = 1 / influence_.self_normal();
-  const double per_slip = 1 / (influence_.self_slip() * grid.spacing_x);
+  const double per_normal = 1 / influence_.self_normal(), per_slip = 1 / influence_.self_slip();
   const Eigen::Index n = rows.contacts();
   ScaledResponse<double> response{Vector(n), Vector(n), Vector(n)};
+  Displacements slip;  // on all nodes, as the edge's
+  for (Vector* field : {&slip.u, &slip.v}) field->setZero(grid.size());
+  const auto at_node = [&](Eigen::Index node) { return node + node / grid.columns; };  // a row has one column more
+  for (const Eigen::Index node : laws_.contact) {
+    const Eigen::Index at = at_node(node);
+    if (rows.components() > 1) slip.u(node) = (moved.u(at + 1) - moved.u(at)) / grid.spacing_x;
+    if (rows.components() > 2) slip.v(node) = (moved.v(at + 1) - moved.v(at)) / grid.spacing_x;
+  }
+  if (rows.components() > 2) problem_.edge.add(increment.shear_x, increment.shear_y, slip.u, slip.v);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
-    const Eigen::Index at = node + node / grid.columns;  // rows of displacements are one column longer
-    response.w(i) = moved.w(at) * per_normal;
-    if (rows.components() > 1) response.slip_x(i) = (moved.u(at + 1) - moved.u(at)) * per_slip;
-    if (rows.components() > 2) response.slip_y(i) = (moved.v(at + 1) - moved.v(at)) * per_slip;
+    response.w(i) = moved.w(at_node(node)) * per_normal;
+    response.slip_x(i) = slip.u(node) * per_slip;
+    response.slip_y(i) = slip.v(node) * per_slip;
   }
   return rows(x, response);
 }
