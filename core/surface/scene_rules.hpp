@@ -13,7 +13,8 @@ namespace rollres {
 /// load or approach, spacing or tolerance, driving_torque with drive torque, ...). Empty: the scene can be solved.
 std::vector<std::string> check(const RollingScene& scene);
 
-/// Whether method spectral can be asked: a single cylinder on an incompressible layer.
+/// Why method spectral cannot be asked, as the rule that the scene breaks; empty if it can.
+std::string spectral_refusal(const RollingScene& scene);
 bool spectral_applies(const RollingScene& scene);
 
 /// The method that solves the scene first: its own, or what `automatic` stands for.
