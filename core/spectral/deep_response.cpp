@@ -106,7 +106,8 @@ DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, cons
       add(rayleigh, residue);
       // The cut, with roots of the distance from its ends.
       const auto cut = [&](double from, double to) {
-        constexpr int points = 10;
+        const double reach = -0.5 * (from + to) / (0.5 * (to - from)), rate = reach + std::sqrt(reach * reach - 1);
+        const int points = std::min(2 + static_cast<int>(14 / std::log(rate)), 40);  // to rate^(-2 points) = 1e-12
         for (int k = 0; k < points; ++k) {
           const double angle = M_PI * (k + 0.5) / points, half = 0.5 * (to - from);
           const double at = from + 2 * half * std::pow(std::sin(0.5 * angle), 2);
@@ -126,6 +127,13 @@ DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, cons
   weights_.resize(3, static_cast<Eigen::Index>(weights.size()));
   for (std::size_t c = 0; c < weights.size(); ++c) weights_.col(static_cast<Eigen::Index>(c)) = weights[c];
   if (lengths_.empty()) return;
+  shortest_length_ = *std::min_element(lengths_.begin(), lengths_.end());
+  moments_ = Eigen::Array3Xd::Zero(3, 10);
+  for (std::size_t c = 0; c < lengths_.size(); ++c) {
+    Eigen::Array3d term = weights[c] / lengths_[c];
+    for (Eigen::Index k = 0; k < moments_.cols(); term /= lengths_[c] * static_cast<double>(++k))
+      moments_.col(k) += term;
+  }
   shortest_ = std::log(1e-13 * length);
   longest_ = std::log(1e3 * length);
   std::vector<double> borders;
@@ -165,18 +173,14 @@ LayerSlopes DeepResponse::slope(double x) const {
   return x > 0 ? LayerSlopes(values(0), values(1), 0, 0) : LayerSlopes(values(2), values(3), values(4), 0);
 }
 
-LayerSlopes DeepResponse::logarithm(double x) const {
-  LayerSlopes sum = LayerSlopes::Zero();
+Eigen::Array3d DeepResponse::growing(double x) const {
+  Eigen::Array3d sum = Eigen::Array3d::Zero();
+  if (std::abs(x) < 0.3 * shortest_length_) {
+    for (Eigen::Index k = moments_.cols() - 1; k >= 0; --k) sum = moments_.col(k) + x * sum;
+    return sum;
+  }
   for (std::size_t c = 0; c < lengths_.size(); ++c)
-    sum.head<2>() +=
-        weights_.col(static_cast<Eigen::Index>(c)).head<2>() * std::exp(std::min(x / lengths_[c], 30.0)) / lengths_[c];
-  return sum / (2 * M_PI);
-}
-
-double DeepResponse::jump(double x) const {
-  double sum = 0;
-  for (std::size_t c = 0; c < lengths_.size(); ++c)
-    sum -= weights_(2, static_cast<Eigen::Index>(c)) * std::exp(std::min(x / lengths_[c], 30.0)) / lengths_[c];
+    sum += weights_.col(static_cast<Eigen::Index>(c)) * std::exp(std::min(x / lengths_[c], 30.0)) / lengths_[c];
   return sum;
 }
 
@@ -198,7 +202,7 @@ LayerSlopes DeepResponse::displacement(double x) const {
   Eigen::Array3d sum = at_rest() * std::log(x);
   for (std::size_t c = 0; c < lengths_.size(); ++c)
     sum += weights_.col(static_cast<Eigen::Index>(c)) * lengths_[c] * remembered_pole(x, lengths_[c]);
-  return {-sum(0) / (2 * M_PI), -sum(1) / (2 * M_PI), 0, 0};
+  return {-sum(0) / (2 * M_PI), -sum(1) / (2 * M_PI), -0.5 * at_rest()(2), 0};
 }
 
 }  // namespace rollres

@@ -33,10 +33,9 @@ class DeepResponse {
 
   /// Slopes under unit line forces by the retarded parts alone, as in layer_slopes.hpp, (S30) [1/m].
   LayerSlopes slope(double x) const;
-  /// -1/(2 pi) times the strength of the logarithm ln|x| in them [1/m].
-  LayerSlopes logarithm(double x) const;
-  /// What crosses them at x = 0 from ahead to behind, continued to x [1/m].
-  double jump(double x) const;
+  /// Sum of weights e^(x/T)/T: over 2 pi what goes with ln|x| in them (normal, along), and minus what crosses them from
+  /// ahead to behind (cross) [1/m].
+  Eigen::Array3d growing(double x) const;
   /// Means R_T of all slopes, those at once with them [1/m].
   LayerSlopes mean(double memory_length, double x) const;
   /// Displacements under unit line forces, -ln|x| times what acts at rest and what memories lack of it, x > 0 [1].
@@ -48,6 +47,8 @@ class DeepResponse {
   Eigen::Array3d at_once_;
   std::vector<double> lengths_;                     // T_c of the retarded parts [m]
   Eigen::Array3Xd weights_;                         // and what they weigh
+  double shortest_length_ = 0;                      // of them; much below it powers of x stand for the exponentials
+  Eigen::Array3Xd moments_;                         // factors of the powers
   std::shared_ptr<const ChebyshevTable<5>> table_;  // normal and along ahead and behind, cross behind, times |x|
   double shortest_ = 0, longest_ = 0;               // ln |x| of the table's ends
 };

@@ -131,8 +131,9 @@ class GradedSystem {
         if (i > zone.first && i < zone.first + zone.count && std::abs(2 * (j - i) + 1) < 60) {
           const double rate = zone.step * zone.rate(static_cast<double>(j - zone.first) * zone.step - zone.reach);
           const Mend& m = mend_at_half(j >= i ? j - i : i - j - 1);
-          k += rate * m.logarithm * deep_.logarithm(x);
-          k(layer_slope::cross) += rate * (j >= i ? m.jump : -m.jump) * deep_.jump(x);
+          const Eigen::Array3d growing = rate * deep_.growing(x);
+          k.head<2>() += m.logarithm / (2 * M_PI) * growing.head<2>();
+          k(layer_slope::cross) -= (j >= i ? m.jump : -m.jump) * growing(2);
         }
         retarded_normal_(i, j) = k(layer_slope::normal);
         retarded_along_(i, j) = k(layer_slope::tangential);
