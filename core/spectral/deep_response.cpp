@@ -6,6 +6,7 @@
 
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/memory_functions.hpp"
+#include "core/numerics/quadrature.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {
@@ -14,6 +15,9 @@ namespace {
 
 using complex = std::complex<double>;
 using Ratios = Eigen::Array3cd;
+
+/// Of the shortest of the memories, up to where powers of the distance stand for exponentials.
+constexpr double series_reach = 0.3;
 
 /// PV int_0^inf e^{-s/T}/T /(x + s) ds
 double remembered_pole(double x, double length) {
@@ -96,7 +100,7 @@ DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, cons
       const double pole = -1 / creep_length[m], shear = medium.rate_of(m, medium.shear_wave()),
                    rayleigh = medium.rate_of(m, medium.rayleigh_wave());
       // The residue, by the mean over a circle around it.
-      constexpr int around = 24;
+      constexpr int around = 48;
       const double radius = 0.5 * (rayleigh - shear);
       Eigen::Array3d residue = Eigen::Array3d::Zero();
       for (int k = 0; k < around; ++k) {
@@ -104,16 +108,27 @@ DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, cons
         residue += (medium(rayleigh + arm) * arm).real() / around;
       }
       add(rayleigh, residue);
-      // The cut, with roots of the distance from its ends.
+      // The cut, whose density is smooth in the angle. Many points, for zeros of Rayleigh's function lie near it on
+      // the other sheet; what stands for them at a distance is smooth along it, and needs few.
       const auto cut = [&](double from, double to) {
-        const double reach = -0.5 * (from + to) / (0.5 * (to - from)), rate = reach + std::sqrt(reach * reach - 1);
-        const int points = std::min(2 + static_cast<int>(14 / std::log(rate)), 40);  // to rate^(-2 points) = 1e-12
-        for (int k = 0; k < points; ++k) {
-          const double angle = M_PI * (k + 0.5) / points, half = 0.5 * (to - from);
-          const double at = from + 2 * half * std::pow(std::sin(0.5 * angle), 2);
-          const complex above(medium.compliance(at), 0);
-          const complex j = above * complex(1, -1e-40);
-          add(at, -medium.at_compliance(j).imag() * half * std::sin(angle) / points);
+        constexpr int fine = 64;
+        const double middle = 0.5 * (from + to), half = 0.5 * (to - from), apart = -middle / half;
+        const double rate = apart + std::sqrt(apart * apart - 1);
+        const int few = std::clamp(2 + static_cast<int>(28 / std::log(rate)), 3, fine);  // to rate^-few = 1e-12
+        Eigen::Array3Xd series = Eigen::Array3Xd::Zero(3, few);                          // sums with T_k along the cut
+        const QuadratureRule& rule = gauss_rule(fine);
+        for (std::size_t j = 0; j < fine; ++j) {
+          const double angle = M_PI * rule.nodes[j];
+          const complex on_cut(medium.compliance(middle + half * std::cos(angle)), 0);
+          const Eigen::Array3d density = medium.at_compliance(on_cut * complex(1, -1e-40)).imag();
+          for (int k = 0; k < few; ++k)
+            series.col(k) -= density * (half * std::sin(angle) * rule.weights[j] * std::cos(k * angle));
+        }
+        for (int i = 0; i < few; ++i) {
+          const double angle = M_PI * (i + 0.5) / few;
+          Eigen::Array3d part = series.col(0) / few;
+          for (int k = 1; k < few; ++k) part += series.col(k) * (2 * std::cos(k * angle) / few);
+          add(middle + half * std::cos(angle), part);
         }
       };
       if (std::isfinite(medium.pressure_wave())) {
@@ -128,11 +143,20 @@ DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, cons
   for (std::size_t c = 0; c < weights.size(); ++c) weights_.col(static_cast<Eigen::Index>(c)) = weights[c];
   if (lengths_.empty()) return;
   shortest_length_ = *std::min_element(lengths_.begin(), lengths_.end());
-  moments_ = Eigen::Array3Xd::Zero(3, 10);
+  moments_ = Eigen::Array3Xd::Zero(3, 12);
+  rests_ = Eigen::Array2Xd::Zero(2, 12);
   for (std::size_t c = 0; c < lengths_.size(); ++c) {
     Eigen::Array3d term = weights[c] / lengths_[c];
     for (Eigen::Index k = 0; k < moments_.cols(); term /= lengths_[c] * static_cast<double>(++k))
       moments_.col(k) += term;
+    // R_T [1/x] = -e^y ln|x|/T + e^y [ln T - gamma - sum (-y)^i/(i i!)]/T, y = x/T.
+    constexpr double euler = 0.57721566490153286;
+    for (Eigen::Index k = 0; k < rests_.cols(); ++k) {
+      double sum = (std::log(lengths_[c]) - euler) / std::tgamma(k + 1.0);
+      for (Eigen::Index i = 1; i <= k; ++i)
+        sum += (i % 2 ? 1 : -1) / (static_cast<double>(i) * std::tgamma(i + 1.0) * std::tgamma(k - i + 1.0));
+      rests_.col(k) += weights[c].head<2>() * sum / std::pow(lengths_[c], k + 1.0);
+    }
   }
   shortest_ = std::log(1e-13 * length);
   longest_ = std::log(1e3 * length);
@@ -168,6 +192,13 @@ LayerSlopes DeepResponse::summed(double x) const {
 LayerSlopes DeepResponse::slope(double x) const {
   if (lengths_.empty()) return LayerSlopes::Zero();
   const double distance = std::abs(x), logarithm = std::log(distance);
+  if (distance < series_reach * shortest_length_) {
+    const Eigen::Array3d growing_part = growing(x);
+    Eigen::Array2d sum = Eigen::Array2d::Zero();
+    for (Eigen::Index k = rests_.cols() - 1; k >= 0; --k) sum = rests_.col(k) + x * sum;
+    sum = (logarithm * growing_part.head<2>() - sum) / (2 * M_PI);
+    return {sum(0), sum(1), x < 0 ? -growing_part(2) : 0, 0};
+  }
   if (!(logarithm > shortest_ && logarithm < longest_)) return summed(x);
   const Eigen::Array<double, 5, 1> values = (*table_)(logarithm) / distance;
   return x > 0 ? LayerSlopes(values(0), values(1), 0, 0) : LayerSlopes(values(2), values(3), values(4), 0);
@@ -175,7 +206,7 @@ LayerSlopes DeepResponse::slope(double x) const {
 
 Eigen::Array3d DeepResponse::growing(double x) const {
   Eigen::Array3d sum = Eigen::Array3d::Zero();
-  if (std::abs(x) < 0.3 * shortest_length_) {
+  if (std::abs(x) < series_reach * shortest_length_) {
     for (Eigen::Index k = moments_.cols() - 1; k >= 0; --k) sum = moments_.col(k) + x * sum;
     return sum;
   }

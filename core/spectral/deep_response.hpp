@@ -49,6 +49,7 @@ class DeepResponse {
   Eigen::Array3Xd weights_;                         // and what they weigh
   double shortest_length_ = 0;                      // of them; much below it powers of x stand for the exponentials
   Eigen::Array3Xd moments_;                         // factors of the powers
+  Eigen::Array2Xd rests_;                           // and those of what goes without the logarithm, normal and along
   std::shared_ptr<const ChebyshevTable<5>> table_;  // normal and along ahead and behind, cross behind, times |x|
   double shortest_ = 0, longest_ = 0;               // ln |x| of the table's ends
 };

@@ -19,10 +19,19 @@ GradedStencil lagrange(double at, Index least, Index most) {
   // Near the end of a zone fewer nodes, not more on one side: their weights would grow.
   const auto before = static_cast<Index>(std::floor(at));
   const Index begin = std::max(least, before - interpolated + 1), end = std::min(most, before + interpolated);
-  GradedStencil stencil{begin, Eigen::VectorXd::Ones(end - begin + 1)};
-  for (Index j = begin; j <= end; ++j)
-    for (Index i = begin; i <= end; ++i)
-      if (i != j) stencil.weights(j - begin) *= (at - static_cast<double>(i)) / static_cast<double>(j - i);
+  GradedStencil stencil{begin, Eigen::VectorXd::Zero(end - begin + 1)};
+  double binomial = 1, sum = 0;  // the barycentric weights of even steps
+  for (Index j = begin; j <= end; ++j) {
+    const double distance = at - static_cast<double>(j);
+    if (distance == 0) {
+      stencil.weights.setZero();
+      stencil.weights(j - begin) = 1;
+      return stencil;
+    }
+    sum += stencil.weights(j - begin) = binomial / distance;
+    binomial *= -static_cast<double>(end - j) / static_cast<double>(j - begin + 1);
+  }
+  stencil.weights /= sum;
   return stencil;
 }
 
