@@ -195,9 +195,12 @@ class SpectralContact {
       const double lever = state->load * edges.contact.half_length() / scene_.radius;
       const double scale = std::max(std::abs(resistance), 1e-6 * lever);
       const double change = std::abs(resistance - before) / scale;
+      // Of graded points the changes may pass through zero.
+      const double expected =
+          graded && change_before < 1 ? std::max(change, change_before * tail / tail_before) : change;
       const double reachable = std::max(tolerance_, smallest_tolerance * lever / scale);
-      double error =
-          change * std::min(1.0, tail / tail_before) + (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+      double error = expected * std::min(1.0, tail / tail_before) +
+                     (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
       // With all coefficients there, repeated changes tell better what residuals at the limit of rounding do.
       if (std::max(tail, tail_before) < rounded_tail) error = std::min(error, 10 * std::max(change, change_before));
       residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/material/lumped_spectrum.hpp"
-#include "core/spectral/passage_slopes.hpp"
 #include "core/surface/contact_surface.hpp"
+#include "core/surface/passage_slopes.hpp"
 
 namespace rollres {
 

@@ -7,8 +7,8 @@
 
 #include "core/material/relaxation.hpp"
 #include "core/scene/indenter_shape.hpp"
-#include "core/spectral/deep_response.hpp"
-#include "core/spectral/slope_correction.hpp"
+#include "core/surface/deep_response.hpp"
+#include "core/surface/slope_correction.hpp"
 
 namespace rollres {
 

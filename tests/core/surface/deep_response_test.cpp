@@ -1,4 +1,4 @@
-#include "core/spectral/deep_response.hpp"
+#include "core/surface/deep_response.hpp"
 
 #include <cmath>
 

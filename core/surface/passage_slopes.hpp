@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "core/spectral/slope_correction.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/fourier_table.hpp"
+#include "core/surface/slope_correction.hpp"
 
 namespace rollres {
 

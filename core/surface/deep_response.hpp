@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/numerics/chebyshev.hpp"
-#include "core/spectral/layer_slopes.hpp"
+#include "core/surface/layer_slopes.hpp"
 
 namespace rollres {
 
