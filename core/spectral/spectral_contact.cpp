@@ -26,9 +26,11 @@ constexpr double largest_violation = 5e-9;    // of any law
 constexpr double rounded_tail = 1e-12;        // last coefficients, relative to the largest
 constexpr double wrong_pattern = 1e-7;        // violation of an inequality that no order mends
 constexpr double plainly_wrong = 0.01;        // the same, seen at once
-constexpr int most_mended = 4;                // patterns that follow from one another
-constexpr int most_stays = 3;                 // checks of all laws that find no smaller violation
-constexpr double slowest_fall = 0.9;          // of the last coefficients, from one order to the next
+/// Memories with inertia, in half-widths: logarithms beside shorter ones are not resolved.
+constexpr double shortest_with_inertia = 0.1;
+constexpr int most_mended = 4;        // patterns that follow from one another
+constexpr int most_stays = 3;         // checks of all laws that find no smaller violation
+constexpr double slowest_fall = 0.9;  // of the last coefficients, from one order to the next
 
 /// The error estimate (core/spectral/README.md, (S27)). The change from one order to the next, times how fast
 /// coefficients fall, is often too hopeful; the laws between the points are taken into account too. A
@@ -73,6 +75,9 @@ class SpectralContact {
 
   SpectralOutcome run() {
     if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
+    if (problem_.inertia && !problem_.creep_length.empty() &&
+        problem_.creep_length.front() < shortest_with_inertia * estimate_contact(scene_).half_width)
+      return {{}, "inertia, and memories much shorter than the contact"};
     const std::optional<SpectralState> smooth = frictionless_start(problem_);
     if (!smooth) return {{}, "no contact found without friction"};
     if (scene_.friction_coefficient == 0) {
