@@ -1,6 +1,7 @@
 #include "core/numerics/memory_functions.hpp"
 
 #include <cmath>
+#include <complex>
 #include <vector>
 
 #include "core/numerics/solution_limits.hpp"
@@ -105,6 +106,33 @@ double scaled_exponential_integral(double x) {
   double tail = 0;
   for (int k = 20 + static_cast<int>(80 / x); k >= 1; --k) tail = k * k / (x + 2 * k + 1 - tail);
   return 1 / (x + 1 - tail);
+}
+
+double scaled_growing_integral(double x) {
+  if (x < 40) return std::exp(-x) * std::expint(x);
+  double term = 1 / x, sum = 0;
+  for (int k = 1; k < 40 && std::abs(term) > 1e-18 * sum; ++k, term *= (k - 1) / x) sum += term;
+  return sum;
+}
+
+TrigonometricIntegrals trigonometric_integrals(double x) {
+  if (x < 4) {
+    double sine = 0, cosine = 0.57721566490153286 + std::log(x), power = 1;
+    for (int k = 1; k < 40; ++k) {  // x^k/k!, signs + - - +
+      power *= x / k;
+      const double sign = k % 4 < 2 ? 1 : -1;
+      (k % 2 ? sine : cosine) += sign * power / k;
+    }
+    return {cosine, sine};
+  }
+  // E_1(i x) by its continued fraction, from below.
+  using complex = std::complex<double>;
+  const complex z(0, x);
+  complex tail = 0;
+  for (int k = 20 + static_cast<int>(160 / x); k >= 1; --k)
+    tail = static_cast<double>(k) * static_cast<double>(k) / (z + 2.0 * k + 1.0 - tail);
+  const complex integral = std::polar(1.0, -x) / (z + 1.0 - tail);
+  return {-integral.real(), M_PI / 2 + integral.imag()};
 }
 
 }  // namespace rollres

@@ -24,5 +24,13 @@ Eigen::VectorXd edge_memory(double x, int count, const ScaledBesselK& k);
 
 /// e^{x} E_1(x), x > 0.
 double scaled_exponential_integral(double x);
+/// e^{-x} Ei(x), x > 0, the principal value.
+double scaled_growing_integral(double x);
+
+/// Ci(x) and Si(x), x > 0 (Abramowitz and Stegun, section 5.2).
+struct TrigonometricIntegrals {
+  double cosine, sine;
+};
+TrigonometricIntegrals trigonometric_integrals(double x);
 
 }  // namespace rollres

@@ -208,6 +208,9 @@ RollingSolution solve_by_method(const RollingScene& scene) {
     note = "; solved on a grid, not with continuous edges: " + found.reason;
   }
   if (method == Method::active_set) return solve_paper(scene);
+  const bool asked = scene.method != Method::automatic || scene.indenter == Indenter::sphere || scene.spacing;
+  if (const std::string refusal = asked ? "" : spectral_refusal(scene); !refusal.empty())
+    note = "; solved on a grid, not with continuous edges: " + refusal;
   RollingScene gridded = scene;
   int most_nodes = dimensions(scene) == 3 ? most_nodes_3d : most_nodes_2d;
   if (method == Method::spectral && !scene.tolerance) {
@@ -241,7 +244,8 @@ constexpr double trusted_balance = 0.01;
 
 /// Why an answer that its method calls converged is none; empty if it is one.
 std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
-  if (!(solution.law_violation <= trusted_violation))
+  // Method spectral gives no answer that is not within its own bounds.
+  if (on_grid(solution.method) && !(solution.law_violation <= trusted_violation))
     return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);
   if (!(solution.rolling_resistance_error >= 0)) return "the error of the rolling resistance cannot be estimated";
   const double length = solution.leading_edge - solution.trailing_edge;

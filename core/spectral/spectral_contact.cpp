@@ -7,6 +7,7 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/spectral/graded_system.hpp"
 #include "core/spectral/spectral_field.hpp"
 #include "core/spectral/spectral_friction_limit.hpp"
 #include "core/spectral/spectral_search.hpp"
@@ -25,8 +26,11 @@ constexpr double largest_violation = 5e-9;    // of any law
 constexpr double rounded_tail = 1e-12;        // last coefficients, relative to the largest
 constexpr double wrong_pattern = 1e-7;        // violation of an inequality that no order mends
 constexpr double plainly_wrong = 0.01;        // the same, seen at once
-constexpr int most_stays = 3;                 // checks of all laws that find no smaller violation
-constexpr double slowest_fall = 0.9;          // of the last coefficients, from one order to the next
+/// Memories with inertia, in half-widths: logarithms beside shorter ones are not resolved.
+constexpr double shortest_with_inertia = 0.1;
+constexpr int most_mended = 4;        // patterns that follow from one another
+constexpr int most_stays = 3;         // checks of all laws that find no smaller violation
+constexpr double slowest_fall = 0.9;  // of the last coefficients, from one order to the next
 
 /// The error estimate (core/spectral/README.md, (S27)). The change from one order to the next, times how fast
 /// coefficients fall, is often too hopeful; the laws between the points are taken into account too. A
@@ -40,10 +44,16 @@ double cautious(double error, double violation, Drive drive) {
 /// Work that is spent before the scene is left to the grids, in evaluations of a system of 100 unknowns with slip in
 /// one direction: 0.1 to 0.2 s. Counted and not timed, so that the answer is the same on any machine.
 constexpr double most_work = 800;
+/// Times as much where a grid would need so much more: compressible layers and inertia.
+constexpr double graded_share = 4;
 
 /// Work of an evaluation. Systems with slip in both directions take a base of their own (sliding_base.hpp) and, for the
 /// resultants, several times as many sources.
-double work_of(const SlipPattern& pattern, int order) {
+double work_of(const SpectralProblem& problem, const SlipPattern& pattern, int order) {
+  if (problem.graded(pattern.shear)) {
+    const double nodes = order * (1 + 2.5 * static_cast<double>(pattern.sticks())) / 100;
+    return 2 * nodes * nodes * (nodes + 1);
+  }
   const double unknowns = order * (1 + static_cast<double>(pattern.sticks())) / 100;
   return (pattern.one_direction() ? 1.5 : 8) * unknowns * (unknowns + 0.5);
 }
@@ -53,7 +63,7 @@ double work_of(const SlipPattern& pattern, int order) {
 double work_of_check(const SpectralProblem& problem, const SlipPattern& pattern, int order, double half_length) {
   double rate = 0;
   for (const double length : problem.relaxation_length) rate = std::max(rate, half_length / length);
-  return 2 * work_of(pattern, order) + std::min(0.3 * std::sqrt(rate), 150.0);
+  return 2 * work_of(problem, pattern, order) + std::min(0.3 * std::sqrt(rate), 150.0);
 }
 
 class SpectralContact {
@@ -65,6 +75,9 @@ class SpectralContact {
 
   SpectralOutcome run() {
     if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
+    if (problem_.inertia && !problem_.creep_length.empty() &&
+        problem_.creep_length.front() < shortest_with_inertia * estimate_contact(scene_).half_width)
+      return {{}, "inertia, and memories much shorter than the contact"};
     const std::optional<SpectralState> smooth = frictionless_start(problem_);
     if (!smooth) return {{}, "no contact found without friction"};
     if (scene_.friction_coefficient == 0) {
@@ -83,7 +96,8 @@ class SpectralContact {
         return {solution, {}};
       }
     std::vector<int> tried;
-    for (const double nodes : {60.0, 240.0}) {
+    for (const double nodes : {60.0, 240.0, 960.0}) {
+      if (nodes > 240 && !problem_.graded(true)) break;
       const std::optional<PatternStart> start = pattern_on_grid(scene_, smooth->edges.contact.half_length() / nodes);
       if (!start || start->pattern.slips == tried) continue;
       if (refine(start->pattern, start->edges)) return finished();
@@ -112,14 +126,29 @@ class SpectralContact {
     }
     const std::optional<PatternStart> start = one_border_start(problem_, smooth.edges.contact);
     if (!start) return false;
-    if (refine(start->pattern, start->edges)) return true;
-    // Overloaded ahead of the border: slip at the leading edge from there on.
-    if (!last_ || !std::isfinite(overloaded_)) return false;
-    SlipPattern pattern = start->pattern;
-    pattern.slips.back() = overload_direction_;
-    SpectralEdges edges = last_->edges;
-    edges.sticks[0].to = overload_start(edges.sticks[0]);
-    return refine(pattern, edges);
+    PatternStart next = *start;
+    for (int mended = 0; mended < most_mended; ++mended) {
+      if (refine(next.pattern, next.edges)) return true;
+      if (!last_ || !mend(next)) return false;
+    }
+    return false;
+  }
+
+  /// The pattern that the last state's violations ask for: slip at the leading edge where the stick would be
+  /// overloaded; at the trailing edge, slip the other way behind a short stick where it would be against the shear.
+  bool mend(PatternStart& start) const {
+    SlipPattern& pattern = start.pattern;
+    start.edges = last_->edges;
+    if (std::isfinite(overloaded_) && pattern.slips.back() == 0) {
+      pattern.slips.back() = overload_direction_;
+      start.edges.sticks.back().to = overload_start(start.edges.sticks.back());
+      return true;
+    }
+    if (!last_->graded || !std::isfinite(reversed_) || pattern.slips.front() == 0) return false;
+    const double behind = start.edges.contact.from, turn = 0.3 * (reversed_ - behind);
+    pattern.slips.insert(pattern.slips.begin(), -pattern.slips.front());
+    start.edges.sticks.insert(start.edges.sticks.begin(), {reversed_ - turn, reversed_ + turn});
+    return true;
   }
 
   /// The point of the stick from which on the last state's shear is too large.
@@ -131,6 +160,11 @@ class SpectralContact {
       const double x = stick.to - k * step;
       if (std::abs(field.shear(x)) > scene_.friction_coefficient * field.pressure(x)) start = x;
     }
+    if (!last_->graded || start < stick.to - step) return start;
+    for (double distance = step; distance > 1e-7 * step; distance *= 0.8) {
+      const double x = stick.to - distance;
+      if (std::abs(field.shear(x)) > scene_.friction_coefficient * field.pressure(x)) return x;
+    }
     return start;
   }
 
@@ -138,36 +172,40 @@ class SpectralContact {
   /// orders will not help: the pattern is wrong, a violation stays, coefficients do not fall, or work is used up.
   bool refine(const SlipPattern& pattern, SpectralEdges edges) {
     last_.reset();
-    overloaded_ = RollingSolution::absent;
+    overloaded_ = reversed_ = RollingSolution::absent;
     EdgeSearch search(problem_, pattern);
-    const bool costly = !pattern.one_direction();
+    const bool costly = !pattern.one_direction(), graded = problem_.graded(pattern.shear);
+    const double most = (graded ? graded_share : 1) * most_work;
     // The laws are held to 5e-9 whatever the tolerance: fewer coefficients only cost another round.
-    double coefficients = first_order(problem_, edges, std::min(tolerance_, 1e-8));
+    double coefficients = first_order(problem_, edges, graded ? tolerance_ : std::min(tolerance_, 1e-8), pattern.shear);
     double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
     double residual = std::min(1e-9, 0.01 * tolerance_);
     int stays = 0;
-    bool done = false, checked = !costly;
+    bool done = false, checked = !costly && !graded;
     while (coefficients <= most_coefficients) {
       require_time();
       const auto order = static_cast<int>(coefficients);
-      const double work = work_of(pattern, order);
-      if (work_ + 3 * work > most_work) return false;
+      const double work = work_of(problem_, pattern, order);
+      if (work_ + 3 * work > most) return false;
       const int used = search.evaluations();
       std::optional<SpectralState> state =
-          search.find(edges, {order, order}, residual, static_cast<int>((most_work - work_) / work));
+          search.find(edges, {order, order}, residual, static_cast<int>((most - work_) / work));
       evaluations_ += search.evaluations() - used;
       work_ += work * (search.evaluations() - used);
       if (!state) break;
       edges = state->edges;
       const double resistance = state->driving_force + state->driving_torque * state->rotation_ratio / scene_.radius;
-      const double tail = relative_tail(*state);
+      const double tail = state->graded ? graded_tail(order) : relative_tail(*state);
       // Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
       const double lever = state->load * edges.contact.half_length() / scene_.radius;
       const double scale = std::max(std::abs(resistance), 1e-6 * lever);
       const double change = std::abs(resistance - before) / scale;
+      // Of graded points the changes may pass through zero.
+      const double expected =
+          graded && change_before < 1 ? std::max(change, change_before * tail / tail_before) : change;
       const double reachable = std::max(tolerance_, smallest_tolerance * lever / scale);
-      double error =
-          change * std::min(1.0, tail / tail_before) + (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+      double error = expected * std::min(1.0, tail / tail_before) +
+                     (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
       // With all coefficients there, repeated changes tell better what residuals at the limit of rounding do.
       if (std::max(tail, tail_before) < rounded_tail) error = std::min(error, 10 * std::max(change, change_before));
       residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);
@@ -180,15 +218,17 @@ class SpectralContact {
         checked = true;
         work_ += work_of_check(problem_, pattern, order, edges.contact.half_length());
         AssessedSpectral assessed = assess(problem_, *last_);
-        const double violation = assessed.solution.law_violation;
-        const bool lawful = assessed.wrong_zone < wrong_pattern;
+        const double violation = assessed.violation;
+        const double between = (last_->graded ? graded_field_error(order) : 0);
+        const bool lawful = assessed.wrong_zone < std::max(wrong_pattern, between);
         if (!lawful) {
+          reversed_ = assessed.reversed;
           overloaded_ = assessed.overloaded;
           overload_direction_ = assessed.overload_direction;
         }
-        if (assessed.wrong_zone > plainly_wrong) return false;
-        if (error <= reachable && violation < largest_violation) {
-          const double relative = cautious(error, violation, scene_.drive);
+        if (!lawful && (last_->graded || assessed.wrong_zone > plainly_wrong)) return false;
+        if (error <= reachable && lawful && violation < std::max(largest_violation, between)) {
+          const double relative = cautious(error, last_->graded ? 0 : violation, scene_.drive);
           assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
           assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
           scale_ = scale;
@@ -208,7 +248,7 @@ class SpectralContact {
       } else if (costly && order >= 30 && !falling) {
         return false;
       }
-      coefficients = 1.4 * coefficients + 2;
+      coefficients = (graded ? 1.25 : 1.4) * coefficients + 2;
     }
     return false;
   }
@@ -225,7 +265,7 @@ class SpectralContact {
   SpectralProblem problem_;
   std::optional<SpectralState> last_;
   std::optional<AssessedSpectral> best_;
-  double overloaded_ = RollingSolution::absent;
+  double overloaded_ = RollingSolution::absent, reversed_ = RollingSolution::absent;
   int overload_direction_ = 0;
   int evaluations_ = 0;
   double work_ = 0;

@@ -5,6 +5,7 @@
 
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
+#include "core/spectral/graded_system.hpp"
 #include "core/surface/contact_surface.hpp"
 
 namespace rollres {
@@ -80,7 +81,8 @@ SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState
     : problem_(problem),
       state_(state),
       friction_(state.pattern.shear ? problem.scene.friction_coefficient : 0),
-      contact_tails_(tails_of(problem, state.pressure, state.edges.contact.half_length())) {
+      contact_tails_(state.graded ? Tails{} : tails_of(problem, state.pressure, state.edges.contact.half_length())) {
+  if (state.graded) return;
   for (std::size_t z = 0; z < state.sticks.size(); ++z)
     stick_tails_.push_back(tails_of(problem, state.sticks[z], state.edges.sticks[z].half_length()));
   if (state.pattern.shear)
@@ -109,6 +111,7 @@ double SpectralField::tail_image(const Tails& tails, double t) const {
 }
 
 double SpectralField::pressure(double x) const {
+  if (state_.graded) return state_.graded->pressure_at(x);
   const double t = place_in(state_.edges.contact, x);
   return density_sum(state_.pressure.coefficients, t, 1) + tail_density(contact_tails_, t);
 }
@@ -117,6 +120,7 @@ double SpectralField::shear(double x) const { return shear(x, pressure(x)); }
 
 double SpectralField::shear(double x, double pressure_there) const {
   if (!state_.pattern.shear) return 0;
+  if (state_.graded) return state_.graded->shear_at(x);
   double sum = friction_ * base_->direction(x) * pressure_there;
   for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
     const double t = place_in(state_.edges.sticks[z], x);
@@ -150,6 +154,10 @@ SpectralField::Slopes SpectralField::added_slopes(double x) const {
 }
 
 SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& added) const {
+  if (state_.graded) {
+    const Eigen::Array2d near = state_.graded->near_slopes(problem_, x);
+    return {near(0) + added.w, near(1) + added.u};
+  }
   const double t = place_in(state_.edges.contact, x);
   const double tail = tail_image(contact_tails_, t);
   const VectorXd& phi = state_.pressure.coefficients;
@@ -166,15 +174,14 @@ SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& adde
       g.u += tail_image(stick_tails_[z], s) - 0.5 * image_sum(state_.sticks[z].coefficients, s, 1);
     }
   }
-  if (problem_.local_cross != 0 && std::abs(t) < 1) g.u += problem_.local_cross * pressure(x);
+  if (problem_.deep->cross() != 0 && std::abs(t) < 1) g.u += problem_.deep->cross() * pressure(x);
   return g;
 }
 
 SpectralField::Slopes SpectralField::remembered_ahead(std::size_t term, double x) const {
   const double length = problem_.creep_length[term];
   return sum_of_sources(x, [&](double r) -> LayerSlopes {
-    const double half_space = -scaled_exponential_integral(r / length) / (2 * M_PI * length);
-    LayerSlopes k(half_space, half_space, 0, 0);
+    LayerSlopes k = problem_.deep->mean(length, r);
     if (problem_.layered()) k += problem_.correction->memory(term, r);
     return k;
   });
@@ -183,8 +190,7 @@ SpectralField::Slopes SpectralField::remembered_ahead(std::size_t term, double x
 double SpectralField::displacement_ahead(double x) const {
   if (!problem_.layered() || !has_rigid_base(problem_.scene)) return 0;
   const Slopes elastic = sum_of_sources(x, [&](double r) -> LayerSlopes {
-    const double half_space = -std::log(r) / (2 * M_PI);
-    return problem_.correction->displacement(r) + LayerSlopes(half_space, half_space, 0, 0);
+    return problem_.correction->displacement(r) + problem_.deep->displacement(r);
   });
   double u = problem_.rubbery_compliance * elastic.u;
   for (std::size_t m = 0; m < problem_.creep_length.size(); ++m)

@@ -17,7 +17,7 @@ double sliding_surplus(const SpectralProblem& given, const Interval& contact, do
   problem.scene.friction_coefficient = friction;
   const SlipPattern sliding{.shear = true, .slips = {-direction}};
   const SpectralEdges start{contact, {}};
-  const int order = first_order(problem, start, 1e-8);
+  const int order = first_order(problem, start, 1e-8, true);
   const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
   if (!state) return NAN;
   return direction *

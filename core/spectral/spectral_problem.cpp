@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/material/lumped_spectrum.hpp"
-#include "core/spectral/passage_slopes.hpp"
 #include "core/surface/contact_surface.hpp"
+#include "core/surface/passage_slopes.hpp"
 
 namespace rollres {
 
@@ -85,8 +85,8 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
     rubbery_compliance += term.compliance;
   }
   rubbery = 1 / rubbery_compliance;
-  // u' = c_x/c_ww p where they are local, both in the half-space's ratio
-  local_cross = -0.5 * (1 - 2 * scene.poisson_ratio) / (2 * (1 - scene.poisson_ratio));
+  inertia = inertia_included(scene);
+  deep = std::make_shared<DeepResponse>(scene, glassy_compliance, creep_length, creep_compliance, half_width);
   if (single_incompressible(scene)) {
     if (std::isfinite(scene.layer_thickness))
       correction = std::make_shared<LayerSlopeCorrection>(scene.layer_thickness, creep_length);

@@ -7,7 +7,8 @@
 
 #include "core/material/prony_series.hpp"
 #include "core/scene/indenter_shape.hpp"
-#include "core/spectral/slope_correction.hpp"
+#include "core/surface/deep_response.hpp"
+#include "core/surface/slope_correction.hpp"
 
 namespace rollres {
 
@@ -30,9 +31,12 @@ struct SpectralProblem {
   std::vector<double> creep_length, creep_compliance;         // T_m, C_m
   std::vector<double> relaxation_length, relaxation_modulus;  // rho_j, g_j
   Eigen::MatrixXd memory_factor;                              // [j, m]: F_jm of (S5)
-  double local_cross;  // slope u' of unit modulus under unit pressure, there only (section 6) [1]
-  std::shared_ptr<const SlopeCorrection> correction;  // none for a half-space
+  std::shared_ptr<const DeepResponse> deep;                   // what short waves make of tractions
+  bool inertia;                                               // of the layers, is part of it
+  std::shared_ptr<const SlopeCorrection> correction;          // none for a half-space
 
+  /// Whether pressure and shear, if there is any, are coupled in short waves, or these remember (section 9).
+  bool graded(bool shear) const { return inertia || (shear && deep->cross() != 0); }
   bool layered() const { return correction != nullptr; }
   Eigen::Index terms() const { return static_cast<Eigen::Index>(creep_length.size()); }
 };

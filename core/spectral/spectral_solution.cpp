@@ -6,6 +6,7 @@
 #include "core/newton/surface_window.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/friction_law.hpp"
+#include "core/spectral/graded_system.hpp"
 #include "core/spectral/surface_panels.hpp"
 
 namespace rollres {
@@ -13,6 +14,7 @@ namespace rollres {
 namespace {
 
 constexpr int intervals_per_half_length = 30;
+constexpr double least_reversal = 1e-6;  // of the slip, relative
 
 class SpectralAssessment {
  public:
@@ -131,6 +133,7 @@ class SpectralAssessment {
         load += panel.weights(k) * problem_.shape.load(x)(p, shear);
         torque += panel.weights(k) * problem_.shape.torque(x)(p, shear);
         force += panel.weights(k) * problem_.shape.driving_force(x)(p, shear);
+        if (state_.graded && state_.graded->near_end(x)) continue;
         violated(std::abs(panel.gap(k)) / gap_scale);
         wrong(-p / pressure_scale);
         if (!sheared()) continue;
@@ -147,6 +150,8 @@ class SpectralAssessment {
         } else {
           violated(friction.shear);
           wrong(friction.slip);
+          const bool trailing = !state_.edges.sticks.empty() && x < state_.edges.sticks.front().from;
+          if (trailing && friction.slip > least_reversal && !(x <= assessed_.reversed)) assessed_.reversed = x;
         }
       }
     }
@@ -157,7 +162,23 @@ class SpectralAssessment {
     if (!state_.sticks.empty() && scene.drive != Drive::rotation) {
       violated(std::abs(drive_row(scene, torque, force) - drive_target(scene)) / load);
     }
-    s_.law_violation = worst;
+    assessed_.violation = worst;
+    s_.law_violation = state_.graded ? violated_at_nodes(shear_scale) : worst;
+  }
+
+  /// Where the laws are imposed: at the middles by a linear system, of which the residuals are left, and at nodes but
+  /// for the last ones at the ends of zones (section 9).
+  double violated_at_nodes(double shear_scale) const {
+    const GradedTractions& graded = *state_.graded;
+    constexpr double last_ones = 6;  // in s
+    double worst = state_.residuals.cwiseAbs().maxCoeff();
+    for (Eigen::Index j = 0; j < graded.grid.size(); ++j) {
+      if (graded.near_end(graded.grid.nodes()[static_cast<std::size_t>(j)].x(), last_ones)) continue;
+      worst = std::max(worst, -graded.pressure(j) / s_.peak_pressure);
+      if (sheared())
+        worst = std::max(worst, (std::abs(graded.shear(j)) - law_.bound(graded.pressure(j))) / shear_scale);
+    }
+    return worst;
   }
 
   void balance_power() {

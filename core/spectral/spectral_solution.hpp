@@ -19,11 +19,15 @@ struct AssessedSpectral {
   /// All outputs but those that only the caller knows (status, reason, iterations, seconds, method, model, warnings,
   /// error_estimate). The fields stand on a uniform grid, 30 intervals per half-length.
   RollingSolution solution;
-  /// The largest violation of an inequality: what another pattern would mend. The rest is a matter of the orders.
+  /// The largest violation of any law between the points at which they are imposed.
+  double violation = 0;
+  /// The largest of an inequality: what another pattern would mend. The rest is a matter of the orders.
   double wrong_zone = 0;
   /// Place of the largest shear beyond friction's bound in the stick, if any [m], and the direction of shear there.
   double overloaded = RollingSolution::absent;
   int overload_direction = 0;
+  /// Up to where from the trailing edge the body slips against the shear there, if at all [m].
+  double reversed = RollingSolution::absent;
 };
 
 AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state);

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/spectral/layer_slopes.hpp"
 #include "core/spectral/sliding_base.hpp"
+#include "core/surface/layer_slopes.hpp"
 
 namespace rollres {
 
@@ -24,7 +24,7 @@ TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges
                                  const SlidingBase* base, double friction,
                                  const std::vector<Eigen::Index>& stick_places, Eigen::Index unknowns);
 
-/// Slopes of the surface under unit forces at a distance [m], as those of core/spectral/layer_slopes.hpp.
+/// Slopes of the surface under unit forces at a distance [m], as those of core/surface/layer_slopes.hpp.
 using LayerKernel = std::function<LayerSlopes(double)>;
 
 /// What the layer adds to the elastic slopes g_w and g_u of unit modulus at points x [m], by unknown: [point, unknown]

@@ -16,7 +16,12 @@ constexpr std::size_t most_sticks = 3;
 
 }  // namespace
 
-int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance) {
+int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance, bool shear) {
+  if (problem.graded(shear)) {
+    const double strip =
+        problem.layered() ? 2 / M_PI * std::atan(2 * problem.correction->depth() / edges.contact.half_length()) : 1;
+    return std::clamp(static_cast<int>(std::pow(4.6 - std::log(tolerance), 2) / (1.5 * M_PI * M_PI * strip)), 6, 80);
+  }
   // The corrections are singular at twice their depth from the surface: coefficients fall like rate^{-n}.
   const double distance = problem.layered() ? 2 * problem.correction->depth() / edges.contact.half_length() : INFINITY;
   const double rate = std::isfinite(distance) ? std::log(distance + std::sqrt(distance * distance + 1)) : 5;
@@ -31,7 +36,7 @@ std::optional<SpectralState> frictionless_start(const SpectralProblem& problem) 
       const double l = std::min(size * half, 0.7 * widest), c = shift * l;
       EdgeSearch search(problem, {});
       const SpectralEdges start{{c - l, c + l}, {}};
-      const int order = first_order(problem, start, 1e-3);
+      const int order = first_order(problem, start, 1e-3, false);
       if (std::optional<SpectralState> state = search.find(start, {order, order}, 1e-4)) return state;
     }
   return {};
@@ -39,14 +44,14 @@ std::optional<SpectralState> frictionless_start(const SpectralProblem& problem) 
 
 std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const Interval& contact) {
   SpectralEdges edges{contact, {contact}};
-  const int order = first_order(problem, edges, 1e-4);
+  const int order = first_order(problem, edges, 1e-4, true);
   SlipPattern pattern{.shear = true, .slips = {1, 0}};
   const auto missing = [&](double place) {  // root of the slipping part
     edges.sticks[0].from = contact.from + 2 * contact.half_length() * place * place;
     return solve_inside(problem, pattern, edges, {order, order}).residuals(2);
   };
   // With next to no slip the shear would be singular at the trailing edge, in the direction of the slip to come.
-  double low = 1e-7, at_low = missing(low);
+  double low = problem.graded(true) ? 1e-3 : 1e-7, at_low = missing(low);
   if (!std::isfinite(at_low)) return {};
   if (std::abs(at_low) < 1e-9) {
     edges.sticks[0] = contact;
@@ -55,7 +60,8 @@ std::optional<PatternStart> one_border_start(const SpectralProblem& problem, con
   }
   pattern.slips[0] = at_low < 0 ? 1 : -1;
   at_low = missing(low);
-  for (const double high : {1e-5, 1e-3, 0.03, 0.2, 0.45, 0.63, 0.8, 0.92, 0.97, 0.99}) {
+  for (const double high : {1e-5, 2e-3, 0.03, 0.2, 0.45, 0.63, 0.8, 0.92, 0.97, 0.99}) {
+    if (high < low) continue;
     const double at_high = missing(high);
     if (!std::isfinite(at_high)) return {};
     if (std::signbit(at_high) != std::signbit(at_low)) {

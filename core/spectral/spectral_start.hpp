@@ -14,7 +14,8 @@ struct PatternStart {
 };
 
 /// Coefficients that resolve a layer, for a first try (core/spectral/README.md, (S26)).
-int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance);
+/// @param shear whether there is friction
+int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance, bool shear);
 
 /// The contact without friction, roughly. With long steps of the stiffening if need be.
 std::optional<SpectralState> frictionless_start(const SpectralProblem& problem);

@@ -7,6 +7,7 @@
 
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
+#include "core/spectral/graded_system.hpp"
 #include "core/spectral/sliding_base.hpp"
 #include "core/spectral/spectral_memory.hpp"
 #include "core/spectral/spectral_sources.hpp"
@@ -283,23 +284,13 @@ class System {
     if (scene.drive == Drive::rotation) {
       row(rotation_) = 1;
       right_(rotation_) = problem_.rubbery * (*scene.rotation_ratio - 1);
-    } else if (const std::optional<std::size_t> zone = redundant_slack()) {
+    } else if (const std::optional<std::size_t> zone = redundant_slack(problem_, pattern_)) {
       row(zones_[*zone].slack()) = 1;
     } else {
       const auto [asked, wanted] = drive_row();
       row = asked;
       right_(rotation_) = wanted;
     }
-  }
-
-  /// On a surface next to which nothing creeps, the slack of a zone of stick and the rotation are the same to it:
-  /// bounded tractions fix the rotation, and what the slack is elsewhere, the residual of its zone, is what the drive
-  /// lacks.
-  std::optional<std::size_t> redundant_slack() const {
-    if (terms_ > 0 || zones_.empty() || problem_.scene.drive == Drive::rotation) return {};
-    for (std::size_t z = 0; z < zones_.size(); ++z)
-      if (pattern_.slips[z] != 0) return z;
-    return 0;
   }
 
   /// (S23)
@@ -355,7 +346,8 @@ class System {
       const Stick& zone = zones_[z];
       state.sticks.push_back({solution_.segment(zone.psi, stick_n_), solution_.segment(zone.amplitude(), terms_)});
       if (pattern_.slips[z] != 0)
-        state.residuals(residual++) = (redundant_slack() == z ? lacking_drive() : solution_(zone.slack())) / scale;
+        state.residuals(residual++) =
+            (redundant_slack(problem_, pattern_) == z ? lacking_drive() : solution_(zone.slack())) / scale;
       if (pattern_.slips[z + 1] != 0) state.residuals(residual++) = root_at_leading_end(z) / scale;
     }
     return state;
@@ -407,8 +399,16 @@ class System {
 
 }  // namespace
 
+std::optional<std::size_t> redundant_slack(const SpectralProblem& problem, const SlipPattern& pattern) {
+  if (problem.terms() > 0 || pattern.sticks() == 0 || problem.scene.drive == Drive::rotation) return {};
+  for (std::size_t z = 0; z < pattern.sticks(); ++z)
+    if (pattern.slips[z] != 0) return z;
+  return 0;
+}
+
 SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
                            const SpectralOrders& orders) {
+  if (problem.graded(pattern.shear)) return solve_graded(problem, pattern, edges, orders);
   return System(problem, pattern, edges, orders).solve();
 }
 

@@ -11,6 +11,8 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/spectral/spectral_problem.hpp"
@@ -66,6 +68,8 @@ struct SpectralDensity {
   Eigen::VectorXd amplitudes;    // of the exponentials in the elastic slope, Z_j of (S7) [Pa]
 };
 
+struct GradedTractions;
+
 struct SpectralState {
   SlipPattern pattern;
   SpectralEdges edges{};
@@ -78,7 +82,13 @@ struct SpectralState {
   Eigen::VectorXd sources, pressure_forces, shear_forces;  // points and forces that stand for the tractions at a
                                                            // distance [m], [N/m]
   Eigen::VectorXd residuals;                               // relative, one for each edge and border
+  std::shared_ptr<const GradedTractions> graded;           // in place of densities (graded_system.hpp)
 };
+
+/// On a surface next to which nothing creeps, the slack of a zone of stick and the rotation are the same to it: bounded
+/// tractions fix the rotation, and what the slack is elsewhere, the residual of its zone, is what the drive lacks.
+/// @return the zone of stick whose slack is left out, if any
+std::optional<std::size_t> redundant_slack(const SpectralProblem& problem, const SlipPattern& pattern);
 
 /// @param edges with the pattern's zones of stick, inside the contact
 SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,

@@ -19,6 +19,8 @@ namespace {
 
 /// From the contact, in half-lengths, where forces at points stand for the tractions.
 constexpr double distance_of_points = 2;
+/// Panels' width at the ends of zones whose tractions have any exponents, in half-lengths.
+constexpr double smallest_graded = 1e-6;
 
 /// Chebyshev-Lobatto nodes s_k = cos(pi k/last) with everything a panel needs.
 struct PanelRule {
@@ -138,6 +140,7 @@ std::vector<double> panel_borders(const SpectralProblem& problem, const Spectral
   // Towards the ends, down to layers as thin as the shortest memory.
   double shortest = half;
   for (const double length : problem.relaxation_length) shortest = std::min(shortest, length);
+  if (state.graded) shortest = std::min(shortest, smallest_graded * half);  // where exponents are no halves
   for (const double end : ends)
     for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= 0.25)
       for (const double border : {end - distance, end + distance})

@@ -113,7 +113,8 @@ double negligible_inertia(const RollingScene& scene) {
 
 bool inertia_included(const RollingScene& scene) {
   if (scene.inertia != Inertia::automatic) return scene.inertia == Inertia::on;
-  if (!scene.tolerance || scene.method == Method::spectral) return false;
+  // Method spectral, asked for, has none of coatings.
+  if (!scene.tolerance || (scene.method == Method::spectral && !scene.coating_layers.empty())) return false;
   const double number = rayleigh_number(scene);
   return number > negligible_inertia(scene) && number < 1;
 }

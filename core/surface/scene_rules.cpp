@@ -18,19 +18,17 @@ namespace {
 std::string broken_for_spectral(const RollingScene& scene) {
   if (scene.indenter == Indenter::sphere) return "method = spectral: only for a cylinder";
   if (scene.period) return message_text("period = ", *scene.period, ": not with method \"spectral\"");
-  if (inertia_included(scene)) return "inertia = on: not with method \"spectral\"";
+  if (inertia_included(scene) && !scene.coating_layers.empty())
+    return "inertia: not with method \"spectral\" and a coating";
   if (coating_remembers_ahead(scene))
     return message_text("rotation_ratio = ", flow_of_coating(scene),
                         ": must be >= 0 with method \"spectral\" and a viscoelastic coating");
-  // Half-spaces whose pressure moves the surface sideways oscillate at the edges of their sticking contact; and two of
-  // them do so with memories of their own.
+  // Two half-spaces whose pressure moves the surface sideways do so with memories of their own.
   const auto compressible = [](const MaterialInputs& material) { return material.poisson_ratio < 0.5; };
   const bool on_body = !scene.coating_layers.empty() && compressible(scene.coating_layers.front());
   if (!compressible(scene) && !on_body) return {};
   const std::string key = on_body ? "coating_layers[0].poisson_ratio" : "poisson_ratio";
   const double value = on_body ? scene.coating_layers.front().poisson_ratio : scene.poisson_ratio;
-  if (scene.friction_coefficient > 0)
-    return message_text(key, " = ", value, ": must be 0.5 with method \"spectral\" and friction");
   if (!scene.coating_layers.empty())
     return message_text(key, " = ", value, ": must be 0.5 with method \"spectral\" and a coating");
   return {};
@@ -168,6 +166,8 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 }
 
 }  // namespace
+
+std::string spectral_refusal(const RollingScene& scene) { return broken_for_spectral(scene); }
 
 bool spectral_applies(const RollingScene& scene) { return broken_for_spectral(scene).empty(); }
 

@@ -18,7 +18,8 @@ std::vector<std::string> check(const RollingScene& scene);
 /// if it is not.
 std::string why_absent(const RollingScene& scene, std::string_view output);
 
-/// Whether method spectral can be asked: a single cylinder on an incompressible layer.
+/// Why method spectral cannot be asked, as the rule that the scene breaks; empty if it can.
+std::string spectral_refusal(const RollingScene& scene);
 bool spectral_applies(const RollingScene& scene);
 
 /// The method that solves the scene first: its own, or what `automatic` stands for.

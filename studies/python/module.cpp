@@ -29,7 +29,6 @@
 #include "studies/sensitivity/gradient_report.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/study.hpp"
-#include "studies/study/study_scene.hpp"
 #include "studies/text/table_json.hpp"
 
 namespace py = pybind11;
@@ -484,7 +483,7 @@ py::dict sweep(const std::string& file, const std::string& database, int threads
   watched(
       [&](const std::atomic<bool>& stop) {
         const Study study = read_study(file);
-        SweepOptions options{.jobs = threads, .stop = &stop, .definition = standalone_study(file)};
+        SweepOptions options{.jobs = threads, .stop = &stop};
         options.retry = static_cast<Retry>(chosen);
         options.fields = fields || study.fields ? Fields::kept : Fields::dropped;
         options.report = [&](const SweepProgress& now) {

@@ -54,3 +54,15 @@ TEST_CASE("the scaled exponential integral is the standard library's", "[core][m
     CHECK(scaled_exponential_integral(x) == Approx(-std::exp(x) * std::expint(-x)).epsilon(1e-12));
   CHECK(scaled_exponential_integral(1e6) == Approx(1e-6 * (1 - 1e-6)).epsilon(1e-11));
 }
+
+TEST_CASE("the growing exponential integral and those of cosine and sine have their tabulated values",
+          "[core][memory_functions]") {
+  CHECK(scaled_growing_integral(1.0) == Approx(std::exp(-1.0) * 1.8951178163559368).epsilon(1e-13));
+  CHECK(scaled_growing_integral(39.999) == Approx(scaled_growing_integral(40.001)).epsilon(1e-4));
+  CHECK(scaled_growing_integral(1e4) == Approx(1e-4 * (1 + 1e-4 + 2e-8)).epsilon(1e-11));
+  // Abramowitz and Stegun, tables 5.1 and 5.3.
+  CHECK(trigonometric_integrals(1).cosine == Approx(0.3374039229009681).epsilon(1e-13));
+  CHECK(trigonometric_integrals(1).sine == Approx(0.9460830703671830).epsilon(1e-13));
+  CHECK(trigonometric_integrals(10).cosine == Approx(-0.0454564330044554).epsilon(1e-11));
+  CHECK(trigonometric_integrals(10).sine == Approx(1.6583475942188740).epsilon(1e-13));
+}

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "core/spectral/slope_correction.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/fourier_table.hpp"
+#include "core/surface/slope_correction.hpp"
 
 namespace rollres {
 
@@ -40,6 +40,7 @@ class PassageSlopes final : public SlopeCorrection {
   CreepSpectrum deep_;
   std::vector<double> memory_lengths_;  // over the depth
   double depth_;                        // [m]
+  Eigen::Array2d at_rest_;              // 2 k c_ww/D and 2 k c_ll/D of the half-spaces under long waves [1]
   bool rigid_base_;
   FourierTable table_;
 };

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "core/spectral/layer_slopes.hpp"
+#include "core/surface/layer_slopes.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "core/spectral/layer_slopes.hpp"
+#include "core/surface/layer_slopes.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "core/spectral/passage_slopes.hpp"
+#include "core/surface/passage_slopes.hpp"
 
 #include <cmath>
 
@@ -6,13 +6,26 @@ namespace rollres {
 
 using complex = std::complex<double>;
 
+namespace {
+
+/// Of waves in the layers over that at rest: e^{-k beta z} in the layer of the scene where inertia counts most.
+double slowest_decay(const RollingScene& scene) {
+  if (!inertia_included(scene)) return 1;
+  constexpr double rayleigh = 0.9;  // rho V^2/G of Rayleigh waves, about
+  return std::sqrt(1 - rayleigh * std::min(rayleigh_number(scene), 1.0));
+}
+
+}  // namespace
+
 PassageSlopes::PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep)
     : surface_(scene),
       deep_(deep),
-      depth_(nearest_interface(scene)),
+      depth_(nearest_interface(scene) * slowest_decay(scene)),
       rigid_base_(has_rigid_base(scene)),
       table_(first_memory_ + deep.terms.size(), 0.1 * depth_ / surface_.longest_wave(),
              [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {
+  const SurfaceCompliance at_rest = surface_.half_spaces(surface_.moduli(0));
+  at_rest_ = 2 / deep_.at_rest() * Eigen::Array2d(at_rest.normal.real(), at_rest.longitudinal.real());
   for (const CreepSpectrum::Term& term : deep.terms) memory_lengths_.push_back(scene.speed * term.time / depth_);
 }
 
@@ -33,7 +46,8 @@ void PassageSlopes::transform(double k, std::span<complex> values) const {
   put(slopes_, i * normal, i * tangential, -cross);
   // With the half-space's -ln|x|/(2 pi) but for its long waves, which ln(x^2 + 4 depth^2)/(4 pi) takes.
   const double half_space = 0.5 / M_PI * std::exp(-2 * k);
-  put(displacements_, (normal + half_space) / k, (tangential + half_space) / k, i * cross / k);
+  put(displacements_, (normal + at_rest_(0) * half_space) / k, (tangential + at_rest_(1) * half_space) / k,
+      i * cross / k);
   for (std::size_t m = 0; m < memory_lengths_.size(); ++m) {
     const complex mean = 1.0 / (1.0 - i * k * memory_lengths_[m]);
     put(first_memory_ + m, i * mean * normal, i * mean * tangential, -mean * cross);
@@ -43,7 +57,7 @@ void PassageSlopes::transform(double k, std::span<complex> values) const {
 LayerSlopes PassageSlopes::displacement(double x) const {
   if (!rigid_base_) return LayerSlopes::Constant(NAN);
   LayerSlopes sum = table_(displacements_, x / depth_);
-  sum.head<2>() += std::log(x * x + 4 * depth_ * depth_) / (4 * M_PI);
+  sum.head<2>() += at_rest_ * std::log(x * x + 4 * depth_ * depth_) / (4 * M_PI);
   return sum;
 }
 

@@ -1,4 +1,4 @@
-#include "core/spectral/layer_slopes.hpp"
+#include "core/surface/layer_slopes.hpp"
 
 #include <Eigen/LU>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 // The corrections are singular at x/H = +-2i only, so that panels may widen with the distance.
 constexpr std::array<double, 8> borders{0, 1.2, 3, 6, 11, 19, 31, layer_reach};
-constexpr int panels = static_cast<int>(borders.size()) - 1, degree = 19, terms = degree + 1;
+constexpr int panels = static_cast<int>(borders.size()) - 1, degree = 19, coefficients_of_panel = degree + 1;
 
 struct Panel {
   int index;
@@ -30,7 +30,7 @@ Panel find_panel(double r) {
 }
 
 LayerSlopes clenshaw(const LayerSlopes* c, double t) {
-  return chebyshev_sum(std::span<const LayerSlopes>(c, terms), t);
+  return chebyshev_sum(std::span<const LayerSlopes>(c, coefficients_of_panel), t);
 }
 
 /// The corrections for H = 1, r > 0, by quadrature over wavenumbers.
@@ -47,27 +47,28 @@ LayerSlopes transformed(double r) {
 }
 
 struct SlopeTable {
-  std::array<LayerSlopes, panels * terms> slopes, displacements;  // d displacement/dx = slope
+  std::array<LayerSlopes, panels * coefficients_of_panel> slopes, displacements;  // d displacement/dx = slope
 
   SlopeTable() {
     for (int panel = 0; panel < panels; ++panel) {
       const auto p = static_cast<std::size_t>(panel);
       const double middle = 0.5 * (borders[p] + borders[p + 1]), half = 0.5 * (borders[p + 1] - borders[p]);
-      const std::vector<LayerSlopes> c =
-          chebyshev_fit(terms).series<LayerSlopes>([&](double t) { return transformed(middle + half * t); });
-      std::copy(c.begin(), c.end(), slopes.begin() + static_cast<std::ptrdiff_t>(p * terms));
+      const std::vector<LayerSlopes> c = chebyshev_fit(coefficients_of_panel).series<LayerSlopes>([&](double t) {
+        return transformed(middle + half * t);
+      });
+      std::copy(c.begin(), c.end(), slopes.begin() + static_cast<std::ptrdiff_t>(p * coefficients_of_panel));
     }
     const double ahead = std::log(layer_reach) / (2 * M_PI);
     LayerSlopes end_value(ahead, ahead, 0, 0);
     for (int panel = panels - 1; panel >= 0; --panel) {
       const auto p = static_cast<std::size_t>(panel);
       const double half = 0.5 * (borders[p + 1] - borders[p]);
-      const LayerSlopes* slope = &slopes[p * terms];
-      LayerSlopes* c = &displacements[p * terms];
+      const LayerSlopes* slope = &slopes[p * coefficients_of_panel];
+      LayerSlopes* c = &displacements[p * coefficients_of_panel];
       LayerSlopes at_end = LayerSlopes::Zero(), at_start = LayerSlopes::Zero();
-      for (int k = 1; k < terms; ++k) {
+      for (int k = 1; k < coefficients_of_panel; ++k) {
         c[k] = half / (2 * k) * (k == 1 ? 2 * slope[0] : slope[k - 1]);
-        if (k + 1 < terms) c[k] -= half / (2 * k) * slope[k + 1];
+        if (k + 1 < coefficients_of_panel) c[k] -= half / (2 * k) * slope[k + 1];
         at_end += c[k];
         at_start += k % 2 ? LayerSlopes(-c[k]) : c[k];
       }
@@ -94,7 +95,8 @@ class FastTable {
       Eigen::Matrix<double, count, 4> values;
       for (int node = 0; node < count; ++node) {
         const auto [wide, place] = find_panel((panel + 0.5 + 0.5 * nodes(node)) * width);
-        values.row(node) = clenshaw(&slope_table().slopes[static_cast<std::size_t>(wide * terms)], place).transpose();
+        values.row(node) =
+            clenshaw(&slope_table().slopes[static_cast<std::size_t>(wide * coefficients_of_panel)], place).transpose();
       }
       const Eigen::Matrix<double, count, 4> c = to_powers.solve(values);
       for (int k = 0; k < count; ++k) coefficients_[static_cast<std::size_t>(panel * count + k)] = c.row(k).transpose();
@@ -133,7 +135,7 @@ LayerSlopes layer_displacement_correction(double x, double thickness) {
   LayerSlopes values(std::log(r) / (2 * M_PI), std::log(r) / (2 * M_PI), 0, 0);
   if (r < layer_reach) {
     const auto [panel, place] = find_panel(r);
-    values = clenshaw(&slope_table().displacements[static_cast<std::size_t>(panel * terms)], place);
+    values = clenshaw(&slope_table().displacements[static_cast<std::size_t>(panel * coefficients_of_panel)], place);
   }
   values.head<2>() += std::log(thickness) / (2 * M_PI);
   if (x < 0) values(layer_slope::cross) = -values(layer_slope::cross);
@@ -141,7 +143,7 @@ LayerSlopes layer_displacement_correction(double x, double thickness) {
 }
 
 LayerMemory::LayerMemory(double thickness, double memory_length)
-    : thickness_(thickness), memory_length_(memory_length), coefficients_(panels * terms) {
+    : thickness_(thickness), memory_length_(memory_length), coefficients_(panels * coefficients_of_panel) {
   const double length = memory_length / thickness;
   const double ahead = scaled_exponential_integral(layer_reach / length) / (2 * M_PI * length);
   LayerSlopes end_value(ahead, ahead, 0, 0);
@@ -151,36 +153,36 @@ LayerMemory::LayerMemory(double thickness, double memory_length)
 /// F - T F' = f from ahead to behind, panel by panel (negative numbers: the mirrored ones), in Chebyshev coefficients:
 /// those of F' are the unknowns v, F_k = (v_{k-1} - v_{k+1})/2k, and F is continuous.
 void LayerMemory::march(LayerSlopes end_value, int first, int last) {
-  using Matrix = Eigen::Matrix<double, terms, terms>;
+  using Matrix = Eigen::Matrix<double, coefficients_of_panel, coefficients_of_panel>;
   const SlopeTable& table = slope_table();
   const double length = memory_length_ / thickness_;
   for (int panel = first; panel >= last; --panel) {
     const bool mirrored = panel < 0;
     const auto p = static_cast<std::size_t>(mirrored ? -1 - panel : panel);
     const double half = 0.5 * (borders[p + 1] - borders[p]), ratio = length / half;
-    Eigen::Matrix<double, terms, 4> right;
-    for (int k = 0; k < terms; ++k) {
+    Eigen::Matrix<double, coefficients_of_panel, 4> right;
+    for (int k = 0; k < coefficients_of_panel; ++k) {
       // Mirrored: normal and tangential odd in x, cross even, T_k(-t) = (-1)^k T_k(t).
       const double parity = mirrored && k % 2 ? -1 : 1, odd = mirrored ? -1 : 1;
-      const LayerSlopes& c = table.slopes[p * terms + static_cast<std::size_t>(k)];
+      const LayerSlopes& c = table.slopes[p * coefficients_of_panel + static_cast<std::size_t>(k)];
       right.row(k) << parity * odd * c(layer_slope::normal), parity * odd * c(layer_slope::tangential),
           parity * c(layer_slope::cross), 0;
     }
     Matrix integration = Matrix::Zero();  // F_k from v for k >= 1; F_0 makes F(1) the value at the end
-    for (int k = 1; k < terms; ++k) {
+    for (int k = 1; k < coefficients_of_panel; ++k) {
       integration(k, k - 1) += (k == 1 ? 2.0 : 1.0) / (2 * k);
-      if (k + 1 < terms) integration(k, k + 1) -= 1.0 / (2 * k);
+      if (k + 1 < coefficients_of_panel) integration(k, k + 1) -= 1.0 / (2 * k);
     }
     integration.row(0) = -integration.bottomRows<degree>().colwise().sum();
     Matrix system = integration;
     system.diagonal().array() -= ratio;
     right.row(0) -= end_value.matrix().transpose();
-    const Eigen::Matrix<double, terms, 4> slope = system.partialPivLu().solve(right);
-    Eigen::Matrix<double, terms, 4> value = integration * slope;
+    const Eigen::Matrix<double, coefficients_of_panel, 4> slope = system.partialPivLu().solve(right);
+    Eigen::Matrix<double, coefficients_of_panel, 4> value = integration * slope;
     value.row(0) += end_value.matrix().transpose();
-    LayerSlopes* c = mirrored ? &behind_[p * terms] : &coefficients_[p * terms];
+    LayerSlopes* c = mirrored ? &behind_[p * coefficients_of_panel] : &coefficients_[p * coefficients_of_panel];
     LayerSlopes at_start = LayerSlopes::Zero();
-    for (int k = 0; k < terms; ++k) {
+    for (int k = 0; k < coefficients_of_panel; ++k) {
       c[k] = value.row(k).transpose().array();
       at_start += k % 2 ? LayerSlopes(-c[k]) : c[k];
     }
@@ -195,13 +197,14 @@ LayerSlopes LayerMemory::operator()(double x) const {
     return {ahead, ahead, 0, 0};
   }
   const auto [panel, place] = find_panel(std::abs(r));
-  const auto first = static_cast<std::size_t>(panel * terms);
+  const auto first = static_cast<std::size_t>(panel * coefficients_of_panel);
   if (r >= 0) return clenshaw(&coefficients_[first], place) / thickness_;
   if (behind_.empty()) {
     LayerMemory complete = *this;
-    complete.behind_.resize(panels * terms);
+    complete.behind_.resize(panels * coefficients_of_panel);
     LayerSlopes at_zero = LayerSlopes::Zero();
-    for (int k = 0; k < terms; ++k) at_zero += (k % 2 ? -1 : 1) * coefficients_[static_cast<std::size_t>(k)];
+    for (int k = 0; k < coefficients_of_panel; ++k)
+      at_zero += (k % 2 ? -1 : 1) * coefficients_[static_cast<std::size_t>(k)];
     complete.march(at_zero, -1, -panels);
     behind_ = std::move(complete.behind_);
   }

@@ -1,0 +1,38 @@
+#pragma once
+
+/// The linear problem inside given edges and borders where pressure and shear are coupled in short waves: compressible
+/// layers with friction, and inertia (core/spectral/README.md, section 9).
+
+#include "core/spectral/graded_grid.hpp"
+
+namespace rollres {
+
+/// Tractions at the nodes of a graded grid.
+struct GradedTractions {
+  GradedGrid grid;
+  Eigen::VectorXd pressure, shear;         // at nodes [Pa]
+  Eigen::VectorXd retarded_w, retarded_u;  // slopes by the retarded parts of the half-space, at middles [Pa]
+
+  /// At x, 0 outside the contact [Pa].
+  double pressure_at(double x) const { return value_at(pressure, x); }
+  double shear_at(double x) const { return value_at(shear, x); }
+  /// Slopes of unit modulus by all but layers: half-space at once and retarded, dw/dx and du/dx [Pa].
+  Eigen::Array2d near_slopes(const SpectralProblem& problem, double x) const;
+
+  /// Whether x is within so much of s of the last nodes at an end of its zone.
+  bool near_end(double x, double nearest = 3.5) const;
+
+ private:
+  Eigen::Array2d slopes_between_nodes(const SpectralProblem& problem, const GradedZone* zone, double x) const;
+  double value_at(const Eigen::VectorXd& values, double x) const;
+};
+
+SpectralState solve_graded(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
+                           const SpectralOrders& orders);
+
+/// How the rule's error falls with the order, in proportion [1].
+double graded_tail(int order);
+/// Violation of laws between the nodes at an order, at most, as met with in solutions [1].
+double graded_field_error(int order);
+
+}  // namespace rollres

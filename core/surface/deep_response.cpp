@@ -1,0 +1,239 @@
+#include "core/surface/deep_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "core/numerics/bracketed_root.hpp"
+#include "core/numerics/memory_functions.hpp"
+#include "core/numerics/quadrature.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+namespace {
+
+using complex = std::complex<double>;
+using Ratios = Eigen::Array3cd;
+
+/// Of the shortest of the memories, up to where powers of the distance stand for exponentials.
+constexpr double series_reach = 0.3;
+
+/// PV int_0^inf e^{-s/T}/T /(x + s) ds
+double remembered_pole(double x, double length) {
+  return (x > 0 ? scaled_exponential_integral(x / length) : -scaled_growing_integral(-x / length)) / length;
+}
+
+/// The half-space next to the contact at rates s per length: J = J_inf + sum C/(1 + s T).
+class DeepMedium {
+ public:
+  DeepMedium(const RollingScene& scene, double instantaneous, const std::vector<double>& lengths,
+             const std::vector<double>& compliances)
+      : layer_(foundation_of(scene).front()),
+        speed_(scene.speed),
+        share_(2 * (1 - scene.poisson_ratio)),
+        instantaneous_(instantaneous / share_),
+        lengths_(lengths) {
+    for (const double compliance : compliances) compliances_.push_back(compliance / share_);
+    layer_.thickness = INFINITY;
+  }
+
+  template <class Number>
+  Number compliance(const Number& s) const {
+    Number sum = instantaneous_;
+    for (std::size_t m = 0; m < lengths_.size(); ++m) sum += compliances_[m] / (1.0 + s * lengths_[m]);
+    return sum;
+  }
+  double instantaneous() const { return instantaneous_; }
+
+  Ratios at_compliance(const complex& j) const {
+    const SurfaceCompliance c = half_space_compliance(layer_, 1.0 / j, speed_);
+    const complex d = share_ * j;
+    return {2.0 * c.normal / d, 2.0 * c.longitudinal / d, c.cross / d};
+  }
+  Ratios operator()(const complex& s) const { return at_compliance(compliance(s)); }
+
+  /// J at which shear waves, waves of pressure and Rayleigh waves are as fast as the body; infinite: none.
+  double shear_wave() const { return 1 / (layer_.density * speed_ * speed_); }
+  double pressure_wave() const { return shear_wave() * share_ / (1 - 2 * layer_.poisson_ratio); }
+  double rayleigh_wave() const {
+    const auto stiffness = [&](double part) {
+      return (1.0 / half_space_compliance(layer_, 1 / (part * shear_wave()), speed_).normal).real();
+    };
+    return shear_wave() * bracketed_root(stiffness, 0.3, 1 - 1e-12);
+  }
+
+  /// The s between -1/T of a term and that of the next longer where J has a value.
+  double rate_of(std::size_t term, double value) const {
+    // With y = 1/(1 + s T) the compliance rises from one pole to the other.
+    const double length = lengths_[term];
+    const auto rate = [&](double y) { return (1 / y - 1) / length; };
+    double low = 1, high = 2;
+    if (term + 1 < lengths_.size()) low = (1 + 1e-13) / (1 - length / lengths_[term + 1]);
+    const auto excess = [&](double y) { return compliance(rate(y)) - value; };
+    high = 2 * low;
+    while (excess(high) < 0) high *= 2;
+    return rate(bracketed_root(excess, low, high));
+  }
+
+ private:
+  MediumLayer layer_;
+  double speed_, share_, instantaneous_;
+  std::vector<double> lengths_, compliances_;
+};
+
+}  // namespace
+
+DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, const std::vector<double>& creep_length,
+                           const std::vector<double>& creep_compliance, double length) {
+  at_once_ << 1, 1, -0.25 * (1 - 2 * scene.poisson_ratio) / (1 - scene.poisson_ratio);
+  if (!inertia_included(scene)) return;
+  const DeepMedium medium(scene, instantaneous, creep_length, creep_compliance);
+  at_once_ = medium.at_compliance(medium.instantaneous()).real();
+  std::vector<Eigen::Array3d> weights;
+  const auto add = [&](double rate, const Eigen::Array3d& part) {  // part/(s - rate)
+    lengths_.push_back(-1 / rate);
+    weights.push_back(-part / rate);
+  };
+  if (scene.layer_density > 0)
+    for (std::size_t m = 0; m < creep_length.size(); ++m) {
+      const double pole = -1 / creep_length[m], shear = medium.rate_of(m, medium.shear_wave()),
+                   rayleigh = medium.rate_of(m, medium.rayleigh_wave());
+      // The residue, by the mean over a circle around it.
+      constexpr int around = 48;
+      const double radius = 0.5 * (rayleigh - shear);
+      Eigen::Array3d residue = Eigen::Array3d::Zero();
+      for (int k = 0; k < around; ++k) {
+        const complex arm = std::polar(radius, 2 * M_PI * (k + 0.5) / around);
+        residue += (medium(rayleigh + arm) * arm).real() / around;
+      }
+      add(rayleigh, residue);
+      // The cut, whose density is smooth in the angle. Many points, for zeros of Rayleigh's function lie near it on
+      // the other sheet; what stands for them at a distance is smooth along it, and needs few.
+      const auto cut = [&](double from, double to) {
+        constexpr int fine = 64;
+        const double middle = 0.5 * (from + to), half = 0.5 * (to - from), apart = -middle / half;
+        const double rate = apart + std::sqrt(apart * apart - 1);
+        const int few = std::clamp(2 + static_cast<int>(28 / std::log(rate)), 3, fine);  // to rate^-few = 1e-12
+        Eigen::Array3Xd series = Eigen::Array3Xd::Zero(3, few);                          // sums with T_k along the cut
+        const QuadratureRule& rule = gauss_rule(fine);
+        for (std::size_t j = 0; j < fine; ++j) {
+          const double angle = M_PI * rule.nodes[j];
+          const complex on_cut(medium.compliance(middle + half * std::cos(angle)), 0);
+          const Eigen::Array3d density = medium.at_compliance(on_cut * complex(1, -1e-40)).imag();
+          for (int k = 0; k < few; ++k)
+            series.col(k) -= density * (half * std::sin(angle) * rule.weights[j] * std::cos(k * angle));
+        }
+        for (int i = 0; i < few; ++i) {
+          const double angle = M_PI * (i + 0.5) / few;
+          Eigen::Array3d part = series.col(0) / few;
+          for (int k = 1; k < few; ++k) part += series.col(k) * (2 * std::cos(k * angle) / few);
+          add(middle + half * std::cos(angle), part);
+        }
+      };
+      if (std::isfinite(medium.pressure_wave())) {
+        const double pressure = medium.rate_of(m, medium.pressure_wave());
+        cut(pole, pressure);
+        cut(pressure, shear);
+      } else {
+        cut(pole, shear);
+      }
+    }
+  weights_.resize(3, static_cast<Eigen::Index>(weights.size()));
+  for (std::size_t c = 0; c < weights.size(); ++c) weights_.col(static_cast<Eigen::Index>(c)) = weights[c];
+  if (lengths_.empty()) return;
+  shortest_length_ = *std::min_element(lengths_.begin(), lengths_.end());
+  moments_ = Eigen::Array3Xd::Zero(3, 12);
+  rests_ = Eigen::Array2Xd::Zero(2, 12);
+  for (std::size_t c = 0; c < lengths_.size(); ++c) {
+    Eigen::Array3d term = weights[c] / lengths_[c];
+    for (Eigen::Index k = 0; k < moments_.cols(); term /= lengths_[c] * static_cast<double>(++k))
+      moments_.col(k) += term;
+    // R_T [1/x] = -e^y ln|x|/T + e^y [ln T - gamma - sum (-y)^i/(i i!)]/T, y = x/T.
+    constexpr double euler = 0.57721566490153286;
+    for (Eigen::Index k = 0; k < rests_.cols(); ++k) {
+      double sum = (std::log(lengths_[c]) - euler) / std::tgamma(k + 1.0);
+      for (Eigen::Index i = 1; i <= k; ++i)
+        sum += (i % 2 ? 1 : -1) / (static_cast<double>(i) * std::tgamma(i + 1.0) * std::tgamma(k - i + 1.0));
+      rests_.col(k) += weights[c].head<2>() * sum / std::pow(lengths_[c], k + 1.0);
+    }
+  }
+  shortest_ = std::log(1e-13 * length);
+  longest_ = std::log(1e3 * length);
+  std::vector<double> borders;
+  const int panels = static_cast<int>((longest_ - shortest_) / 1.2) + 1;
+  for (int i = 0; i <= panels; ++i) borders.push_back(shortest_ + (longest_ - shortest_) * i / panels);
+  table_ = std::make_shared<ChebyshevTable<5>>(std::move(borders), 13, [&](double logarithm) {
+    const double x = std::exp(logarithm);
+    const LayerSlopes ahead = summed(x), behind = summed(-x);
+    Eigen::Array<double, 5, 1> values;
+    values << ahead.head<2>(), behind.head<3>();
+    return Eigen::Array<double, 5, 1>(values * x);
+  });
+}
+
+Eigen::Array3cd DeepResponse::at(double wavenumber) const {
+  Eigen::Array3cd sum = at_once_.cast<complex>();
+  for (std::size_t c = 0; c < lengths_.size(); ++c)
+    sum += weights_.col(static_cast<Eigen::Index>(c)) / complex(1, -wavenumber * lengths_[c]);
+  return sum;
+}
+
+LayerSlopes DeepResponse::summed(double x) const {
+  LayerSlopes sum = LayerSlopes::Zero();
+  for (std::size_t c = 0; c < lengths_.size(); ++c) {
+    const auto weight = weights_.col(static_cast<Eigen::Index>(c));
+    sum.head<2>() -= weight.head<2>() * remembered_pole(x, lengths_[c]) / (2 * M_PI);
+    if (x < 0) sum(layer_slope::cross) -= weight(2) * std::exp(x / lengths_[c]) / lengths_[c];
+  }
+  return sum;
+}
+
+LayerSlopes DeepResponse::slope(double x) const {
+  if (lengths_.empty()) return LayerSlopes::Zero();
+  const double distance = std::abs(x), logarithm = std::log(distance);
+  if (distance < series_reach * shortest_length_) {
+    const Eigen::Array3d growing_part = growing(x);
+    Eigen::Array2d sum = Eigen::Array2d::Zero();
+    for (Eigen::Index k = rests_.cols() - 1; k >= 0; --k) sum = rests_.col(k) + x * sum;
+    sum = (logarithm * growing_part.head<2>() - sum) / (2 * M_PI);
+    return {sum(0), sum(1), x < 0 ? -growing_part(2) : 0, 0};
+  }
+  if (!(logarithm > shortest_ && logarithm < longest_)) return summed(x);
+  const Eigen::Array<double, 5, 1> values = (*table_)(logarithm) / distance;
+  return x > 0 ? LayerSlopes(values(0), values(1), 0, 0) : LayerSlopes(values(2), values(3), values(4), 0);
+}
+
+Eigen::Array3d DeepResponse::growing(double x) const {
+  Eigen::Array3d sum = Eigen::Array3d::Zero();
+  if (std::abs(x) < series_reach * shortest_length_) {
+    for (Eigen::Index k = moments_.cols() - 1; k >= 0; --k) sum = moments_.col(k) + x * sum;
+    return sum;
+  }
+  for (std::size_t c = 0; c < lengths_.size(); ++c)
+    sum += weights_.col(static_cast<Eigen::Index>(c)) * std::exp(std::min(x / lengths_[c], 30.0)) / lengths_[c];
+  return sum;
+}
+
+LayerSlopes DeepResponse::mean(double memory_length, double x) const {
+  const double pole = remembered_pole(x, memory_length);
+  const double wake = x < 0 ? std::exp(x / memory_length) / memory_length : 0;
+  Eigen::Array3d sum = at_once_ * Eigen::Array3d(pole, pole, wake);
+  for (std::size_t c = 0; c < lengths_.size(); ++c) {
+    const double length = lengths_[c], apart = memory_length - length;
+    const auto both = [&](double one, double other) { return (memory_length * one - length * other) / apart; };
+    const double poles = both(pole, remembered_pole(x, length));
+    const double wakes = x < 0 ? both(wake, std::exp(x / length) / length) : 0;
+    sum += weights_.col(static_cast<Eigen::Index>(c)) * Eigen::Array3d(poles, poles, wakes);
+  }
+  return {-sum(0) / (2 * M_PI), -sum(1) / (2 * M_PI), -sum(2), 0};
+}
+
+LayerSlopes DeepResponse::displacement(double x) const {
+  Eigen::Array3d sum = at_rest() * std::log(x);
+  for (std::size_t c = 0; c < lengths_.size(); ++c)
+    sum += weights_.col(static_cast<Eigen::Index>(c)) * lengths_[c] * remembered_pole(x, lengths_[c]);
+  return {-sum(0) / (2 * M_PI), -sum(1) / (2 * M_PI), -0.5 * at_rest()(2), 0};
+}
+
+}  // namespace rollres
