@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int most_steps = 30;
+constexpr int most_steps = 20;
 /// What a step may make of a cell's volume.
 constexpr double least_volume = 0.45, largest_volume = 2.2;
 /// All equations at the end, each in its own scale, and the volumes of cells.

@@ -44,34 +44,40 @@ class FiniteStrainSolution {
     return true;
   }
 
-  /// Loads or approaches in so many equal steps, on coarse meshes. @return whether the last is the scene's
-  bool press_in_steps(int steps) {
+  /// Loads or approaches step by step on coarse meshes, each from the answer before. @return whether the whole is
+  /// reached
+  bool press_gradually() {
     const FiniteProblem whole = problem_;
-    level_.reset();
-    bool solved = true;
-    for (int k = 1; k <= steps && solved; ++k) {
-      const double share = static_cast<double>(k) / steps;
-      const double wider = std::sqrt(k > 1 ? share * steps / (k - 1) : share);
+    constexpr double least_step = 1.0 / 64;
+    double reached = 0;
+    for (double step = 1.0 / 3; reached < 1 && step >= least_step;) {
+      const double share = std::min(1.0, reached + step);
       for (auto input : {&RollingScene::load, &RollingScene::approach, &RollingScene::driving_torque})
         if (whole.scene.*input) problem_.scene.*input = share * *(whole.scene.*input);
       problem_.approach = share * whole.approach;
       ContactEdges edges = level_ ? level_->edges() : ContactEdges{};
+      const double wider = std::sqrt(reached > 0 ? share / reached : share);
       edges.leading *= wider;
       edges.trailing *= wider;
-      solved = advance(edges, meshes[0]);
+      if (advance(edges, meshes[0])) {
+        reached = share;
+        step *= 1.5;
+      } else {
+        step /= 2;
+      }
     }
     problem_.scene = whole.scene;
     problem_.approach = whole.approach;
-    if (!solved) level_.reset();
-    return solved;
+    if (reached < 1)
+      outcome_.reason += message_text("; of the ", scene_.load ? "load" : "approach", " ", 100 * reached,
+                                      " % have an answer");
+    return reached == 1;
   }
 
   /// A coarse mesh, made anew for the edges that it finds.
   bool find_contact() {
     ContactEdges edges;
-    if (!advance(edges, meshes[0])) {
-      if (!press_in_steps(3) && !press_in_steps(8)) return false;
-    }
+    if (!advance(edges, meshes[0]) && !press_gradually()) return false;
     edges = level_->edges();
     constexpr int most_passes = 6;
     for (int pass = 0; pass < most_passes; ++pass) {
@@ -248,9 +254,11 @@ class FiniteStrainSolution {
     RollingScene smooth = problem_.scene;
     smooth.friction_coefficient = 0;
     problem_.scene = smooth;
-    MeshLevel level(problem_, {}, meshes[0]);
-    if (!level.solve(nullptr).converged) return 0;
-    return std::abs(level.contact().driving_force()) / (2 * level.contact().load());
+    level_.reset();
+    // The second mesh is made for the edges found on the first.
+    for (const int cells : {meshes[0], meshes[1]})
+      if (!advance(level_ ? level_->edges() : ContactEdges{}, cells)) return 0;
+    return std::abs(level_->contact().driving_force()) / (2 * level_->contact().load());
   }
 
   RollingSolution refuse() {

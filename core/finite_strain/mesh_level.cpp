@@ -119,7 +119,7 @@ FiniteOutcome MeshLevel::solve(const MeshLevel* start) {
     state_.unknowns = Vector::Zero(layer_.numbering().size());
     state_.pressures = Eigen::Matrix3Xd::Zero(3, layer_.cells());
     state_.approach = problem_.approach;
-    state_.rotation_ratio = 1;
+    state_.rotation_ratio = problem_.scene.rotation_ratio.value_or(1);
   };
   rest();
   int steps = 0;
