@@ -175,3 +175,12 @@ TEST_CASE("a drive that asks for more than friction has no steady state at finit
   CHECK(solution.status == Status::no_steady_state);
   CHECK(relative(solution.friction_needed, 372.9 / 40e3) < 0.02);
 }
+
+TEST_CASE("a mesh keeps the limits of time and memory", "[core][finite][limits]") {
+  RollingScene scene = finite_cylinder(20e3, 0.2);
+  scene.time_limit = 1e-9;
+  CHECK_THAT(solve(scene).reason, Contains("time_limit"));
+  scene.time_limit.reset();
+  scene.memory_limit = 1e4;
+  CHECK_THAT(solve(scene).reason, Contains("the mesh"));
+}
