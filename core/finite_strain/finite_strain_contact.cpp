@@ -69,8 +69,8 @@ class FiniteStrainSolution {
     problem_.scene = whole.scene;
     problem_.approach = whole.approach;
     if (reached < 1)
-      outcome_.reason += message_text("; of the ", scene_.load ? "load" : "approach", " ", 100 * reached,
-                                      " % have an answer");
+      outcome_.reason +=
+          message_text("; of the ", scene_.load ? "load" : "approach", " ", 100 * reached, " % have an answer");
     return reached == 1;
   }
 

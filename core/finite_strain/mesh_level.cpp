@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/estimate/grid_choice.hpp"
-#include "core/material/relaxation.hpp"
+#include "core/material/prony_series.hpp"
 
 namespace rollres {
 
