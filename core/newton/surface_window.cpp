@@ -58,7 +58,7 @@ SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, 
 
 SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& solution, double margin) {
   const SurfaceFields& given = solution.fields;
-  if (solution.method == Method::spectral) return given;
+  if (!on_grid(solution.method)) return given;
   const SurfaceGrid half = half_window(scene, given, margin);
 
   SurfaceFields wide;

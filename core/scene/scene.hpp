@@ -31,16 +31,19 @@ enum class Method {
   newton,        ///< coupled semi-smooth Newton method (newton_contact.hpp)
   newton_dense,  ///< the same with dense linear algebra: the second route
   active_set,    ///< the algorithms of Zehil and Gavin (2013), normal and tangential problem in turn
-  spectral       ///< continuous edges of contact, without a grid (spectral_contact.hpp); cylinder
+  spectral,      ///< continuous edges of contact, without a grid (spectral_contact.hpp); cylinder
+  finite_strain  ///< displacements and strains that are not small, on a mesh of the layers (finite_strain_contact.hpp)
 };
 template <>
 struct ChoiceNames<Method> {
-  static constexpr std::array<std::string_view, 5> names{"automatic", "newton", "newton_dense", "active_set",
-                                                         "spectral"};
+  static constexpr std::array<std::string_view, 6> names{"automatic",  "newton",   "newton_dense",
+                                                         "active_set", "spectral", "finite_strain"};
 };
 
 /// Whether the method solves on a grid, and takes a spacing.
-inline bool on_grid(Method method) { return method != Method::automatic && method != Method::spectral; }
+inline bool on_grid(Method method) {
+  return method == Method::newton || method == Method::newton_dense || method == Method::active_set;
+}
 
 /// Difference that turns surface displacements into slip along a row of nodes.
 enum class SlipStencil { forward, central, backward };

@@ -52,17 +52,18 @@ std::string unanswered_inertia(const RollingScene& scene, const RollingSolution&
 
 std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
   std::vector<std::string> warnings;
+  const bool linear = solution.method != Method::finite_strain;
   const double strain = solution.approach / total_thickness(scene);
-  if (strain > 0.1)
+  if (linear && strain > 0.1)
     warnings.push_back(message_text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
   const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
-  if (slope > 0.3)
+  if (linear && slope > 0.3)
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
                                     " is not small: displacements are taken as small"));
   const double mach = inertia(scene, solution);
   if (mach > 0.01 && !inertia_included(scene))
     warnings.push_back(message_text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
-  if (is_composite(scene) && !scene.period && solution.method != Method::spectral)
+  if (is_composite(scene) && !scene.period && on_grid(solution.method))
     if (const double error = expansion_error(scene); error > 1e-4)
       warnings.push_back(message_text("the layers' compliance is expanded in retardation times and directions to ",
                                       error, " only",
@@ -81,7 +82,7 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
                                       ": pressure is taken to pass through its axis, which may change R_r by ",
                                       100 * open, " %, and viscous_loss is that of a coating at RΩ = V"));
   }
-  if (scene.kinematics == Kinematics::printed) {
+  if (linear && scene.kinematics == Kinematics::printed) {
     const double power = solution.rolling_resistance * scene.speed;
     const double left = std::abs(power - solution.viscous_loss - solution.frictional_loss) / std::abs(power);
     if (constexpr double noticeable = 0.02; left > noticeable + solution.energy_residual)
@@ -90,9 +91,9 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
                                       "\"consistent\" balances it"));
   }
   for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
-  if (scene.spacing && solution.method == Method::spectral)
-    warnings.push_back(
-        message_text("spacing = ", *scene.spacing, " m is not used by method spectral, which has no grid"));
+  if (scene.spacing && !on_grid(solution.method))
+    warnings.push_back(message_text("spacing = ", *scene.spacing, " m is not used by method ", name_of(solution.method),
+                                    ", which has no grid"));
   if (scene.period)
     for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
       const double left = std::exp(-*scene.period / (scene.speed * term.time));
@@ -108,7 +109,8 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
       message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
                    inertia(scene, solution));
   const bool sphere = dimensions(scene) == 3, spectral = solution.method == Method::spectral;
-  if (is_composite(scene) && !scene.period && !spectral)
+  const bool gridded = on_grid(solution.method);
+  if (is_composite(scene) && !scene.period && gridded)
     if (const double error = expansion_error(scene); error > 0)
       model += message_text("; memories expanded in fixed retardation times, to ", error);
   if (!sphere)
@@ -126,7 +128,7 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
     model += flow == 0 ? "; the body is locked: its coating is at rest"
                        : message_text<6>("; the coating flows at ", flow, " V", flow < 0 ? ", backwards" : "");
   if (spectral) model += "; continuous edges of contact, no grid";
-  if (!spectral && !scene.spacing && sphere && solution.method != Method::active_set)
+  if (gridded && !scene.spacing && sphere && solution.method != Method::active_set)
     model += "; grid tied to the contact";
   model += scene.period ? message_text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
   if (!scene.tolerance) return model;
@@ -135,6 +137,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   if (spectral)
     model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
                           *scene.tolerance);
+  else if (!gridded)
+    model +=
+        message_text("; ", solution.contact_nodes, " nodes of a mesh in contact for an error below ", *scene.tolerance);
   else
     model += message_text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
                           " along the contact, in a window ",

@@ -10,6 +10,7 @@
 
 #include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
+#include "core/finite_strain/finite_strain_contact.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/grid_solution.hpp"
@@ -208,6 +209,7 @@ RollingSolution solve_by_method(const RollingScene& scene) {
     note = "; solved on a grid, not with continuous edges: " + found.reason;
   }
   if (method == Method::active_set) return solve_paper(scene);
+  if (method == Method::finite_strain) return solve_finite_strain(scene);
   const bool asked = scene.method != Method::automatic || scene.indenter == Indenter::sphere || scene.spacing;
   if (const std::string refusal = asked ? "" : spectral_refusal(scene); !refusal.empty())
     note = "; solved on a grid, not with continuous edges: " + refusal;

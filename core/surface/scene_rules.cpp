@@ -34,6 +34,20 @@ std::string broken_for_spectral(const RollingScene& scene) {
   return {};
 }
 
+/// The same for method finite_strain.
+std::string broken_for_finite_strain(const RollingScene& scene) {
+  if (scene.indenter == Indenter::sphere) return "method = finite_strain: only for a cylinder";
+  if (!scene.coating_layers.empty()) return "coating_layers: not with method \"finite_strain\", whose body is rigid";
+  if (!has_rigid_base(scene))
+    return message_text(scene.lower_layers.empty() ? "layer_thickness" : "lower_layers",
+                        " = \"infinite\": must be finite with method \"finite_strain\"");
+  if (scene.period) return message_text("period = ", *scene.period, ": not with method \"finite_strain\"");
+  if (scene.adhesion_threshold > 0)
+    return message_text("adhesion_threshold = ", scene.adhesion_threshold, ": must be 0 with method \"finite_strain\"");
+  if (inertia_included(scene)) return "inertia = on: not with method \"finite_strain\"";
+  return {};
+}
+
 /// Lines "key = value: rule" and "key is missing: rule".
 struct BrokenRules {
   std::vector<std::string> lines = {};
@@ -155,6 +169,8 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
     broken.add("approach", *scene.approach, why + ", or a load");
   if (scene.method == Method::spectral && in_range)
     if (std::string rule = broken_for_spectral(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
+  if (scene.method == Method::finite_strain && in_range)
+    if (std::string rule = broken_for_finite_strain(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
   if (scene.period && half_space) broken.add("period", *scene.period, "needs a layer of finite thickness");
   if (scene.inertia != Inertia::on || !in_range) return;
   if (const double number = rayleigh_number(scene); number >= 1)

@@ -35,7 +35,8 @@ std::vector<Method> methods_to_try(const std::vector<std::string>& names) {
   std::vector<Method> methods = methods_named(names);
   if (names.empty())
     for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
-      if (static_cast<Method>(i) != Method::automatic) methods.push_back(static_cast<Method>(i));
+      if (const auto method = static_cast<Method>(i); on_grid(method) || method == Method::spectral)
+        methods.push_back(method);
   std::sort(methods.begin(), methods.end());
   return methods;
 }

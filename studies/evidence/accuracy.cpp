@@ -133,6 +133,8 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
     if (found < 0)
       throw std::invalid_argument("--methods = \"" + name +
                                   "\": " + unknown("unknown method", ChoiceNames<Method>::names, name));
+    if (static_cast<Method>(found) == Method::finite_strain)
+      throw std::invalid_argument("--methods = \"" + name + "\": the methods compared here solve the linear model");
     if (std::find(methods.begin(), methods.end(), static_cast<Method>(found)) == methods.end())
       methods.push_back(static_cast<Method>(found));
   }

@@ -18,7 +18,7 @@ struct FieldLine {
 };
 
 /// Whether the edges of the contact are known better than its nodes tell.
-bool exact_edges(const FigureSource& source) { return source.solution.method == Method::spectral; }
+bool exact_edges(const FigureSource& source) { return !on_grid(source.solution.method); }
 
 /// Runs of neighbouring nodes of one zone, from border to border [m].
 std::vector<std::array<double, 2>> runs_of(Zone zone, const FigureSource& source) {

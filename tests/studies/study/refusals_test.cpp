@@ -70,9 +70,9 @@ const std::vector<Wrong> wrong_scenes{
      R"(: load = "150 N": must have a unit of force per length (N/m) for a cylinder)"},
     {scene_with(R"("indenter": "ball")"), R"(: indenter = "ball": must be one of cylinder, sphere)"},
     {scene_with(R"("method": "newtn")"),
-     R"(: method = "newtn": must be one of automatic, newton, newton_dense, active_set, spectral; did you mean newton?)"},
+     R"(: method = "newtn": must be one of automatic, newton, newton_dense, active_set, spectral, finite_strain; did you mean newton?)"},
     {scene_with(R"("method": 1)"),
-     R"(: method = 1: must be one of automatic, newton, newton_dense, active_set, spectral)"},
+     R"(: method = 1: must be one of automatic, newton, newton_dense, active_set, spectral, finite_strain)"},
     {scene_with(R"("period": 0.2, "series_terms": 1000.5)"), R"(: series_terms = 1000.5: must be a whole number)"},
     {scene_with(R"("series_terms": 1e300)"), R"(: series_terms = 1e+300: must be a whole number)"},
     {scene_with(R"("friction_coefficient": "5 N")"),
@@ -149,7 +149,7 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"method": {"from": 1, "to": 2, "points": 3}})"),
      ": axes: method: method = {\"from\":1,\"to\":2,\"points\":3}: must be a list of names"},
     {study_with(R"({"method": ["newton", "euler"]})"),
-     ": axes: method = \"euler\": must be one of automatic, newton, newton_dense, active_set, spectral"},
+     ": axes: method = \"euler\": must be one of automatic, newton, newton_dense, active_set, spectral, finite_strain"},
     {study_with(R"({"drive": ["free", "torque"]})"),
      ": axes at drive = \"torque\": driving_torque is missing: drive \"torque\" needs it"},
     {study_with(R"({"load": [1], "approach": [1e-3]})"),
@@ -283,7 +283,8 @@ TEST_CASE("every wrong override is refused in one line, with exit status 2", "[s
       {{"speed=-1"}, "--set: speed = -1: must be > 0"},
       {{"speed=1", "speed=2"}, "--set: speed = 2: key given twice"},
       {{"method=secant"},
-       "--set: method = \"secant\": must be one of automatic, newton, newton_dense, active_set, spectral"},
+       "--set: method = \"secant\": must be one of automatic, newton, newton_dense, active_set, spectral, "
+       "finite_strain"},
       {{"drive=torque"}, file + " with --set: driving_torque is missing: drive \"torque\" needs it"},
       {{"spacing=5 mm"}, file + " with --set: spacing = 0.005: must be at most a fifth of the radius"}};
   for (const auto& [words, message] : overrides) {

@@ -1,0 +1,329 @@
+#include "core/finite_strain/finite_newton.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/messages/message_text.hpp"
+#include "core/numerics/krylov.hpp"
+#include "core/scene/friction_law.hpp"
+#include "core/scene/indenter_shape.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int most_steps = 20;
+/// What a step may make of a cell's volume.
+constexpr double least_volume = 0.45, largest_volume = 2.2;
+/// All equations at the end, each in its own scale, and the volumes of cells.
+constexpr double solved = 1e-9;
+/// Of the norm of all equations, for a linear step.
+constexpr double solved_linearly = 1e-6;
+constexpr int most_vectors = 300;
+/// c of (C2) over the unit of stress and the length that a node stands for.
+constexpr double slip_weight = 1;
+
+}  // namespace
+
+FiniteContact::FiniteContact(const RollingScene& scene, FlowingLayer& layer)
+    : scene_(scene),
+      layer_(layer),
+      nodes_(static_cast<std::size_t>(layer.numbering().columns)),
+      local_(layer.mesh().cells_along() + 1, 2 * layer.numbering().stride(), layer.numbering().stride(),
+             layer.numbering().stride()) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    nodes_[i].place = layer_.mesh().node_x(static_cast<int>(i));
+    nodes_[i].share = layer_.mesh().share(static_cast<int>(i));
+  }
+}
+
+void FiniteContact::place_nodes(const FiniteState& state) {
+  rotation_ratio_ = state.rotation_ratio;
+  approach_ = state.approach;
+  const Vector2d axis(0, scene_.radius - approach_);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    SurfaceNode& node = nodes_[i];
+    node.position = Vector2d(node.place, 0) + state.unknowns.segment<2>(displacement(i));
+    const Vector2d arm = node.position - axis;
+    node.distance = arm.norm();
+    node.outward = arm / node.distance;
+    node.tangent = Vector2d(-node.outward.y(), node.outward.x());
+    node.angle = std::atan2(arm.x(), -arm.y());
+    node.gap = node.distance - scene_.radius;
+    node.normal = state.unknowns(normal(i));
+    if (!sheared()) continue;
+    node.shear = state.unknowns(shear(i));
+    if (i > 0)
+      node.slip =
+          scene_.radius * (node.angle - nodes_[i - 1].angle) / (node.place - nodes_[i - 1].place) - rotation_ratio_;
+  }
+}
+
+bool FiniteContact::choose_zones() {
+  bool changed = false;
+  const FrictionLaw law{scene_.friction_coefficient};
+  for (std::size_t i = 1; i < nodes_.size(); ++i) {
+    SurfaceNode& node = nodes_[i];
+    Zone zone = Zone::free;
+    if (node.normal - node.gap > 0 && node.outward.y() < 0) {
+      zone = Zone::slip;
+      if (with_friction_) {
+        const FrictionProjection shear =
+            law.project(std::max(node.normal, 0.0), node.shear + slip_weight * node.share * node.slip);
+        if (!shear.slips())
+          zone = Zone::stick;
+        else {
+          changed = changed || shear.direction_x() != node.direction;
+          node.direction = shear.direction_x();
+        }
+      }
+    }
+    changed = changed || zone != node.zone;
+    node.zone = zone;
+  }
+  return changed;
+}
+
+double FiniteContact::load() const {
+  double sum = 0;
+  for (const SurfaceNode& node : nodes_) sum -= node.normal * node.outward.y() + node.shear * node.tangent.y();
+  return sum;
+}
+
+double FiniteContact::driving_force() const {
+  double sum = 0;
+  for (const SurfaceNode& node : nodes_) sum += node.normal * node.outward.x() + node.shear * node.tangent.x();
+  return sum;
+}
+
+double FiniteContact::torque() const {
+  double sum = 0;
+  for (const SurfaceNode& node : nodes_) sum -= node.shear * scene_.radius;
+  return sum;
+}
+
+double FiniteContact::slip(std::size_t node) const {
+  if (node == 0 || node + 1 >= nodes_.size()) return 0;
+  const SurfaceNode &before = nodes_[node - 1], &at = nodes_[node], &after = nodes_[node + 1];
+  const double a = at.place - before.place, b = after.place - at.place;
+  const double into = (at.angle - before.angle) / a, out = (after.angle - at.angle) / b;
+  return scene_.radius * (into * b + out * a) / (a + b) - rotation_ratio_;
+}
+
+double FiniteContact::friction_power() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (with_friction_ && nodes_[i].zone == Zone::slip) sum += nodes_[i].shear * slip(i);
+  return sum;
+}
+
+Vector FiniteContact::residual() const {
+  Vector rows = Vector::Zero(size() + 2);
+  rows.head(size()) = layer_.forces();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const SurfaceNode& node = nodes_[i];
+    const bool contact = node.zone != Zone::free;
+    if (i > 0) rows.segment<2>(displacement(i)) -= node.normal * node.outward + node.shear * node.tangent;
+    rows(normal(i)) = contact ? node.gap : node.normal;
+    if (!sheared()) continue;
+    if (node.zone == Zone::free || !with_friction_)
+      rows(shear(i)) = node.shear;
+    else if (node.zone == Zone::stick)
+      rows(shear(i)) = node.slip;
+    else
+      rows(shear(i)) = node.shear - node.direction * scene_.friction_coefficient * node.normal;
+  }
+  rows(size()) = scene_.load ? load() - *scene_.load : approach_ - *scene_.approach;
+  if (with_friction_)
+    rows(size() + 1) = scene_.drive == Drive::rotation
+                           ? rotation_ratio_ - *scene_.rotation_ratio
+                           : drive_row(scene_, torque(), driving_force()) - drive_target(scene_);
+  return rows;
+}
+
+void FiniteContact::add_along_tangent(Eigen::Index row, std::size_t node, double factor) {
+  const Vector2d& tangent = nodes_[node].tangent;
+  for (int c = 0; c < 2; ++c) add(row, displacement(node) + c, factor * tangent(c));
+  add(row, size(), factor * tangent.y());
+}
+
+void FiniteContact::linearise() {
+  entries_.clear();
+  const Eigen::Index approach = size(), rotation = size() + 1;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const SurfaceNode& node = nodes_[i];
+    const Vector2d turning = (node.normal * node.tangent - node.shear * node.outward) / node.distance;
+    const bool loaded = node.normal != 0 || node.shear != 0 || node.zone != Zone::free;
+    for (int c = 0; c < 2 && i > 0 && loaded; ++c) {
+      const Eigen::Index row = displacement(i) + c;
+      add_along_tangent(row, i, -turning(c));
+      add(row, normal(i), -node.outward(c));
+      if (sheared()) add(row, shear(i), -node.tangent(c));
+    }
+    if (node.zone == Zone::free) {
+      add(normal(i), normal(i), 1);
+    } else {
+      for (int c = 0; c < 2; ++c) add(normal(i), displacement(i) + c, node.outward(c));
+      add(normal(i), approach, node.outward.y());
+    }
+    if (loaded && scene_.load) {
+      add_along_tangent(approach, i, -turning.y());
+      add(approach, normal(i), -node.outward.y());
+      if (sheared()) add(approach, shear(i), -node.tangent.y());
+    }
+    if (!sheared()) continue;
+    if (with_friction_ && node.zone == Zone::stick) {
+      const double step = scene_.radius / (node.place - nodes_[i - 1].place);
+      add_along_tangent(shear(i), i, step / node.distance);
+      add_along_tangent(shear(i), i - 1, -step / nodes_[i - 1].distance);
+      add(shear(i), rotation, -1);
+    } else {
+      add(shear(i), shear(i), 1);
+      if (with_friction_ && node.zone == Zone::slip)
+        add(shear(i), normal(i), -node.direction * scene_.friction_coefficient);
+    }
+    if (scene_.drive == Drive::rotation || !loaded || !with_friction_) continue;
+    const double pushed = scene_.drive == Drive::top_force ? 1 : 0;
+    add(rotation, shear(i), -1 - pushed * node.tangent.x());
+    add(rotation, normal(i), -pushed * node.outward.x());
+    add_along_tangent(rotation, i, -pushed * turning.x());
+  }
+  if (!scene_.load) add(approach, approach, 1);
+  if (!with_friction_ || scene_.drive == Drive::rotation) add(rotation, rotation, 1);
+}
+
+Vector FiniteContact::multiply(const Vector& change) const {
+  Vector rows = Vector::Zero(size() + 2);
+  rows.head(size()) = layer_.apply(change.head(size()));
+  const Eigen::Index clamped = 2 * layer_.numbering().free_rows;
+  rows.head(clamped) = change.head(clamped);
+  for (const Entry& entry : entries_) rows(entry.row) += entry.value * change(entry.column);
+  return rows;
+}
+
+void FiniteContact::prepare() {
+  local_.set_zero();
+  layer_.add_local(local_);
+  border_columns_ = decltype(border_columns_)::Zero(size(), 2);
+  border_rows_ = decltype(border_rows_)::Zero(2, size());
+  corner_.setZero();
+  for (const Entry& entry : entries_) {
+    const bool row = entry.row < size(), column = entry.column < size();
+    if (row && column)
+      local_.add(entry.row, entry.column, entry.value);
+    else if (row)
+      border_columns_(entry.row, entry.column - size()) += entry.value;
+    else if (column)
+      border_rows_(entry.row - size(), entry.column) += entry.value;
+    else
+      corner_(entry.row - size(), entry.column - size()) += entry.value;
+  }
+  local_.factorise();
+  solved_columns_.resize(size(), 2);
+  for (int c = 0; c < 2; ++c) solved_columns_.col(c) = local_.solve(border_columns_.col(c));
+  corner_inverse_ = (corner_ - border_rows_ * solved_columns_).inverse();
+}
+
+Vector FiniteContact::precondition(const Vector& right_side) const {
+  Vector x(size() + 2);
+  const Vector inside = local_.solve(right_side.head(size()));
+  x.tail<2>() = corner_inverse_ * (right_side.tail<2>() - border_rows_ * inside);
+  x.head(size()) = inside - solved_columns_ * x.tail<2>();
+  return x;
+}
+
+double FiniteContact::left(const Vector& missing) const {
+  const double force = load(), height = 0.5 / scene_.radius;
+  double worst = layer_.volume_defect();
+  const auto take = [&](double amount, double scale) { worst = std::max(worst, std::abs(amount) / scale); };
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto column = static_cast<int>(i);
+    for (Eigen::Index k = 0; k < 2 * layer_.numbering().free_rows; ++k)
+      take(missing(layer_.numbering().node(column, 0) + k), force);
+    const bool contact = nodes_[i].zone != Zone::free;
+    take(missing(normal(i)), contact ? height : force);
+    if (sheared()) take(missing(shear(i)), contact && nodes_[i].zone == Zone::stick ? 2 * height : force);
+  }
+  take(missing(size()), scene_.load ? *scene_.load : *scene_.approach);
+  take(missing(size() + 1), scene_.drive == Drive::rotation ? 1 : force);
+  return worst;
+}
+
+double FiniteContact::law_violation() const {
+  const Vector missing = residual();
+  double worst = left(missing), peak = 0;
+  const FrictionLaw law{with_friction_ ? scene_.friction_coefficient : 0};
+  for (const SurfaceNode& node : nodes_) peak = std::max(peak, node.normal / node.share);
+  for (const SurfaceNode& node : nodes_) {
+    const double force = peak * node.share;
+    worst = std::max({worst, -node.normal / force, -node.gap * 2 * scene_.radius});
+    if (with_friction_ && node.zone == Zone::stick)
+      worst = std::max(worst, (std::abs(node.shear) - law.bound(node.normal)) / law.bound(force));
+    if (with_friction_ && node.zone == Zone::slip)
+      worst = std::max(worst, -node.direction * node.slip * scene_.radius / 2);
+  }
+  return std::isnan(worst) ? INFINITY : worst;
+}
+
+double FiniteContact::step(const Vector& change, FiniteState& state, FiniteOutcome& outcome) {
+  const Vector moved = change.head(size());
+  double length = 1;
+  for (;; length *= 0.6) {
+    const FlowingLayer::Folding folding = layer_.folding(length * moved);
+    if (folding.least >= least_volume && folding.largest <= largest_volume) break;
+    if (length < 1e-3) {
+      outcome.reason = message_text("the mesh folds at x = ", folding.x, ", z = ", folding.z);
+      return 0;
+    }
+  }
+  state.pressures += length * layer_.pressure_change(moved);
+  state.unknowns += length * moved;
+  state.approach += length * change(size());
+  state.rotation_ratio += length * change(size() + 1);
+  if (layer_.evaluate(state.unknowns, state.pressures)) return length;
+  outcome.reason = "the mesh folds";
+  return 0;
+}
+
+FiniteOutcome FiniteContact::solve(FiniteState& state, bool with_friction, bool sticking) {
+  FiniteOutcome outcome;
+  with_friction_ = with_friction;
+  if (!layer_.evaluate(state.unknowns, state.pressures)) {
+    outcome.reason = "the mesh is folded at the start";
+    return outcome;
+  }
+  place_nodes(state);
+  choose_zones();
+  for (SurfaceNode& node : nodes_)
+    if (sticking && node.zone == Zone::slip) node.zone = Zone::stick;
+  Vector missing = residual();
+  while (outcome.steps < most_steps) {
+    ++outcome.steps;
+    linearise();
+    prepare();
+    Vector right_side = -missing;
+    right_side.head(size()) -= layer_.pressure_defect();
+    const auto solution =
+        gmres<double>([&](const Vector& v) { return multiply(v); }, [&](const Vector& v) { return precondition(v); },
+                      right_side, solved_linearly, most_vectors);
+    if (!solution.x.allFinite()) {
+      outcome.reason = "a linear step has no solution";
+      return outcome;
+    }
+    const double length = step(solution.x, state, outcome);
+    if (length == 0) return outcome;
+    place_nodes(state);
+    const bool changed = choose_zones();
+    missing = residual();
+    if (changed || length < 1 || !(left(missing) <= solved)) continue;
+    outcome.converged = true;
+    return outcome;
+  }
+  outcome.reason = message_text("Newton's method has no answer after ", most_steps, " steps");
+  return outcome;
+}
+
+}  // namespace rollres

@@ -1,0 +1,344 @@
+#include "core/finite_strain/flowing_layer.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/finite_strain/neo_hooke.hpp"
+#include "core/numerics/solution_limits.hpp"
+
+namespace rollres {
+
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Nodes = Eigen::Matrix<double, 9, 1>;
+
+/// Values and derivatives of the quadratics that are 1 at one of 0, 1/2, 1.
+struct Quadratics {
+  Vector3d value, slope;
+};
+Quadratics quadratics(double s) {
+  return {{(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)}, {4 * s - 3, 4 - 8 * s, 4 * s - 1}};
+}
+
+/// Products of these at the nine Gauss points (3 times the point along, plus the point down), for the nine nodes alike;
+/// along and down count from the leading face and from the top.
+struct PointShapes {
+  std::array<Nodes, 9> along, down;
+  std::array<Vector3d, 9> pressure;  // 1, xi, eta from -1 to 1
+  std::array<double, 9> weight;
+};
+const PointShapes& point_shapes() {
+  static const PointShapes shapes = [] {
+    PointShapes made;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const auto g = static_cast<std::size_t>(3 * i + k);
+        const Quadratics a = quadratics(gauss_places[i]), d = quadratics(gauss_places[k]);
+        for (int n = 0; n < 9; ++n) {
+          made.along[g](n) = a.slope(n / 3) * d.value(n % 3);
+          made.down[g](n) = a.value(n / 3) * d.slope(n % 3);
+        }
+        made.pressure[g] = {1, 2 * gauss_places[i] - 1, 2 * gauss_places[k] - 1};
+        made.weight[g] = gauss_weights[i] * gauss_weights[k];
+      }
+    return made;
+  }();
+  return shapes;
+}
+
+/// int psi^2 over a cell by its area.
+const Vector3d pressure_masses(1, 1.0 / 3, 1.0 / 3);
+
+/// dE for displacements of the nine nodes (x and z in turn).
+Eigen::Matrix<double, 3, 18> strain_rows(const Matrix2d& f, const Nodes& x, const Nodes& z) {
+  Eigen::Matrix<double, 3, 18> rows;
+  for (int n = 0; n < 9; ++n)
+    for (int c = 0; c < 2; ++c) {
+      rows(0, 2 * n + c) = f(c, 0) * x(n);
+      rows(1, 2 * n + c) = f(c, 1) * z(n);
+      rows(2, 2 * n + c) = f(c, 0) * z(n) + f(c, 1) * x(n);
+    }
+  return rows;
+}
+
+/// Gradient of a field with components (x, z) given at nine nodes.
+Matrix2d gradient_of(const Eigen::Matrix<double, 18, 1>& field, const Nodes& x, const Nodes& z) {
+  Matrix2d gradient = Matrix2d::Zero();
+  for (int n = 0; n < 9; ++n)
+    for (int c = 0; c < 2; ++c) {
+      gradient(c, 0) += field(2 * n + c) * x(n);
+      gradient(c, 1) += field(2 * n + c) * z(n);
+    }
+  return gradient;
+}
+
+}  // namespace
+
+FlowingLayer::FlowingLayer(LayerMesh mesh, std::vector<FlowingMaterial> materials, int extra)
+    : mesh_(std::move(mesh)),
+      materials_(std::move(materials)),
+      numbering_{mesh_.free_rows(), extra, mesh_.columns()},
+      forces_(Vector::Zero(numbering_.size())) {
+  const std::size_t cells =
+      static_cast<std::size_t>(mesh_.cells_along()) * static_cast<std::size_t>(mesh_.cells_down());
+  require_memory(static_cast<double>(cells) * sizeof(Cell), "the mesh");
+  cells_.resize(cells);
+  for (const FlowingMaterial& solid : materials_) {
+    auto& terms = memories_.emplace_back();
+    for (const FlowingMaterial::Term& term : solid.terms) {
+      auto& along = terms.emplace_back();
+      for (int e = 0; e < mesh_.cells_along(); ++e) along.push_back(cell_memory(mesh_.length(e) / term.memory_length));
+    }
+  }
+}
+
+Eigen::Matrix<double, 18, 1> FlowingLayer::gathered(const Vector& all, int r, int e) const {
+  Eigen::Matrix<double, 18, 1> part = Eigen::Matrix<double, 18, 1>::Zero();
+  const bool base = r + 1 == mesh_.cells_down();
+  for (int i = 0; i < 3; ++i)
+    part.segment(6 * i, base ? 4 : 6) = all.segment(numbering_.node(2 * e + i, 2 * r), base ? 4 : 6);
+  return part;
+}
+
+void FlowingLayer::scatter(const Eigen::Matrix<double, 18, 1>& part, int r, int e, Vector& all) const {
+  const bool base = r + 1 == mesh_.cells_down();
+  for (int i = e == 0 ? 1 : 0; i < 3; ++i)
+    all.segment(numbering_.node(2 * e + i, 2 * r), base ? 4 : 6) += part.segment(6 * i, base ? 4 : 6);
+}
+
+bool FlowingLayer::evaluate(const Vector& displacements, const Eigen::Matrix3Xd& pressures) {
+  forces_.setZero();
+  bool whole = true;
+  for (int r = 0; r < mesh_.cells_down(); ++r) whole = evaluate_row(r, displacements, pressures) && whole;
+  return whole;
+}
+
+bool FlowingLayer::evaluate_row(int r, const Vector& displacements, const Eigen::Matrix3Xd& pressures) {
+  require_time();
+  const PointShapes& shapes = point_shapes();
+  const FlowingMaterial& solid = material(r);
+  // What flows in: mean stresses and pressure at the three lines of points, for each term.
+  std::vector<Eigen::Matrix<double, 4, 3>> inflow(solid.terms.size(), Eigen::Matrix<double, 4, 3>::Zero());
+  bool whole = true;
+  for (int e = 0; e < mesh_.cells_along(); ++e) {
+    Cell& at = cell(r, e);
+    at.length = mesh_.length(e);
+    at.height = mesh_.height(r);
+    const Eigen::Matrix<double, 18, 1> moved = gathered(displacements, r, e);
+    const Vector3d pressure = pressures.col(r * mesh_.cells_along() + e);
+    const double area = at.length * at.height;
+    std::array<NeoHookean, 9> solid_at;
+    Eigen::Matrix<double, 4, 9> own;  // stress and pressure by unit modulus
+    std::array<Nodes, 9> slope_x, slope_z;
+    at.lack = -area * pressure_masses.cwiseProduct(pressure) / solid.bulk_ratio;
+    for (std::size_t g = 0; g < 9; ++g) {
+      const auto i = static_cast<Eigen::Index>(g);
+      slope_x[g] = -shapes.along[g] / at.length;
+      slope_z[g] = -shapes.down[g] / at.height;
+      at.gradient[g] = Matrix2d::Identity() + gradient_of(moved, slope_x[g], slope_z[g]);
+      solid_at[g] = neo_hookean(at.gradient[g]);
+      whole = whole && solid_at[g].volume > 0;
+      at.strain.middleRows<3>(3 * i) = strain_rows(at.gradient[g], slope_x[g], slope_z[g]);
+      at.own_stress.middleRows<3>(3 * i).noalias() = solid_at[g].tangent * at.strain.middleRows<3>(3 * i);
+      at.dilatation.segment<3>(3 * i) = solid_at[g].dilatation;
+      own.col(i) << solid_at[g].stress, shapes.pressure[g].dot(pressure);
+      at.lack += area * shapes.weight[g] * (solid_at[g].volume - 1) * shapes.pressure[g];
+    }
+    if (!whole) return false;
+
+    // Stress with memory, and its derivative by the points of this cell: A of (H6).
+    Eigen::Matrix<double, 4, 9> total = solid.modulus * own;
+    Matrix3d within = solid.modulus * Matrix3d::Identity();
+    for (std::size_t j = 0; j < solid.terms.size(); ++j) {
+      const CellMemory& past = memory(r, e, j);
+      const double modulus = solid.terms[j].modulus;
+      within -= modulus * past.weight;
+      for (int k = 0; k < 3; ++k) {
+        const auto line = [&](int i) { return own.col(3 * i + k); };
+        for (int i = 0; i < 3; ++i)
+          total.col(3 * i + k) -= modulus * (past.decay(i) * inflow[j].col(k) + past.weight(i, 0) * line(0) +
+                                             past.weight(i, 1) * line(1) + past.weight(i, 2) * line(2));
+        inflow[j].col(k) =
+            past.through * inflow[j].col(k) + past.out(0) * line(0) + past.out(1) * line(1) + past.out(2) * line(2);
+      }
+    }
+    const Matrix3d pressure_within = solid.bulk_relaxes ? within : Matrix3d(solid.modulus * Matrix3d::Identity());
+    if (!solid.bulk_relaxes) total.row(3) = solid.modulus * own.row(3);
+
+    Eigen::Matrix<double, 18, 1> force = Eigen::Matrix<double, 18, 1>::Zero();
+    at.local.setZero();
+    at.of_pressure.setZero();
+    at.volume.setZero();
+    for (int g = 0; g < 9; ++g) {
+      const auto point = static_cast<std::size_t>(g);
+      const int i = g / 3, k = g % 3;
+      const double weight = area * shapes.weight[point];
+      const Vector3d v = solid_at[point].dilatation;
+      const Vector3d stress = total.col(g).head<3>() + total(3, g) * v;
+      const auto strain = at.strain.middleRows<3>(3 * g);
+      at.total.segment<3>(3 * g) = stress;
+      force.noalias() += weight * strain.transpose() * stress;
+      Eigen::Matrix<double, 3, 18> change = total(3, g) * solid_at[point].of_pressure * strain;
+      Vector3d of_pressure = Vector3d::Zero();
+      for (int n = 0; n < 3; ++n) {
+        if (within(i, n) != 0) change.noalias() += within(i, n) * at.own_stress.middleRows<3>(3 * (3 * n + k));
+        of_pressure += pressure_within(i, n) * shapes.pressure[static_cast<std::size_t>(3 * n + k)];
+      }
+      at.local.noalias() += weight * strain.transpose() * change;
+      const Eigen::Matrix<double, 18, 1> widened = strain.transpose() * v;
+      at.of_pressure.noalias() += weight * widened * of_pressure.transpose();
+      at.volume.noalias() += weight * shapes.pressure[point] * widened.transpose();
+      const Nodes &x = slope_x[point], &z = slope_z[point];
+      const Nodes along = stress(0) * x + stress(2) * z, down = stress(2) * x + stress(1) * z;
+      for (int n = 0; n < 9; ++n)
+        for (int m = 0; m < 9; ++m) {
+          const double geometric = weight * (x(m) * along(n) + z(m) * down(n));
+          at.local(2 * m, 2 * n) += geometric;
+          at.local(2 * m + 1, 2 * n + 1) += geometric;
+        }
+    }
+    const Vector3d compliance = solid.bulk_ratio / area * pressure_masses.cwiseInverse();
+    at.local.noalias() += at.of_pressure * compliance.asDiagonal() * at.volume;
+    scatter(force, r, e, forces_);
+  }
+  return true;
+}
+
+Vector3d FlowingLayer::pressure_change(const Cell& at, const Eigen::Matrix<double, 18, 1>& moved, double bulk,
+                                       bool with_lack) const {
+  Vector3d widened = at.volume * moved;
+  if (with_lack) widened += at.lack;
+  return bulk / (at.length * at.height) * widened.cwiseQuotient(pressure_masses);
+}
+
+Eigen::Matrix3Xd FlowingLayer::pressure_change(const Vector& change) const {
+  Eigen::Matrix3Xd changes(3, cells());
+  for (int r = 0; r < mesh_.cells_down(); ++r)
+    for (int e = 0; e < mesh_.cells_along(); ++e)
+      changes.col(r * mesh_.cells_along() + e) =
+          pressure_change(cell(r, e), gathered(change, r, e), material(r).bulk_ratio, true);
+  return changes;
+}
+
+double FlowingLayer::volume_defect() const {
+  double worst = 0;
+  for (const Cell& at : cells_) worst = std::max(worst, at.lack.cwiseAbs().maxCoeff() / (at.length * at.height));
+  return worst;
+}
+
+Vector FlowingLayer::sweep(const Vector& change, bool with_lack) const {
+  require_time();
+  const PointShapes& shapes = point_shapes();
+  Vector forces = Vector::Zero(numbering_.size());
+  for (int r = 0; r < mesh_.cells_down(); ++r) {
+    const FlowingMaterial& solid = material(r);
+    std::vector<Eigen::Matrix<double, 4, 3>> inflow(solid.terms.size(), Eigen::Matrix<double, 4, 3>::Zero());
+    for (int e = 0; e < mesh_.cells_along(); ++e) {
+      const Cell& at = cell(r, e);
+      const Eigen::Matrix<double, 18, 1> moved = gathered(change, r, e);
+      Eigen::Matrix<double, 18, 1> force = at.local * moved;
+      if (with_lack) force += at.of_pressure * pressure_change(at, 0 * moved, solid.bulk_ratio, true);
+      if (!solid.terms.empty()) {
+        Eigen::Matrix<double, 27, 1> remembered = Eigen::Matrix<double, 27, 1>::Zero();
+        const Eigen::Matrix<double, 27, 1> stress = at.own_stress * moved;
+        Vector3d pressure = Vector3d::Zero();
+        if (solid.bulk_relaxes) pressure = pressure_change(at, moved, solid.bulk_ratio, with_lack);
+        for (int k = 0; k < 3; ++k) {
+          Eigen::Matrix<double, 4, 3> line;
+          for (int i = 0; i < 3; ++i)
+            line.col(i) << stress.segment<3>(3 * (3 * i + k)),
+                shapes.pressure[static_cast<std::size_t>(3 * i + k)].dot(pressure);
+          Eigen::Matrix<double, 4, 3> past = Eigen::Matrix<double, 4, 3>::Zero();
+          for (std::size_t j = 0; j < solid.terms.size(); ++j) {
+            const CellMemory& of_cell = memory(r, e, j);
+            past.noalias() += solid.terms[j].modulus * inflow[j].col(k) * of_cell.decay.transpose();
+            inflow[j].col(k) = of_cell.through * inflow[j].col(k) + line * of_cell.out;
+          }
+          for (int i = 0; i < 3; ++i) {
+            const int g = 3 * i + k;
+            const double weight = at.length * at.height * shapes.weight[static_cast<std::size_t>(g)];
+            remembered.segment<3>(3 * g) =
+                weight * (past.col(i).head<3>() + past(3, i) * at.dilatation.segment<3>(3 * g));
+          }
+        }
+        force.noalias() -= at.strain.transpose() * remembered;
+      }
+      scatter(force, r, e, forces);
+    }
+  }
+  return forces;
+}
+
+void FlowingLayer::add_local(BlockTridiagonal& matrix) const {
+  for (int r = 0; r < mesh_.cells_down(); ++r) {
+    const int rows = r + 1 == mesh_.cells_down() ? 2 : 3;
+    for (int e = 0; e < mesh_.cells_along(); ++e) {
+      const Cell& at = cell(r, e);
+      for (int i = e == 0 ? 1 : 0; i < 3; ++i)
+        for (int j = e == 0 ? 1 : 0; j < 3; ++j)
+          for (int a = 0; a < 2 * rows; ++a)
+            for (int b = 0; b < 2 * rows; ++b)
+              matrix.add(numbering_.node(2 * e + i, 2 * r) + a, numbering_.node(2 * e + j, 2 * r) + b,
+                         at.local(6 * i + a, 6 * j + b));
+    }
+  }
+  for (int row = 0; row < numbering_.free_rows; ++row)
+    for (int c = 0; c < 2; ++c) matrix.add(numbering_.node(0, row) + c, numbering_.node(0, row) + c, 1);
+}
+
+FlowingLayer::Folding FlowingLayer::folding(const Vector& change) const {
+  const PointShapes& shapes = point_shapes();
+  Folding found;
+  for (int r = 0; r < mesh_.cells_down(); ++r)
+    for (int e = 0; e < mesh_.cells_along(); ++e) {
+      const Cell& at = cell(r, e);
+      const Eigen::Matrix<double, 18, 1> moved = gathered(change, r, e);
+      for (std::size_t g = 0; g < 9; ++g) {
+        const Matrix2d& f = at.gradient[g];
+        const Matrix2d after = f + gradient_of(moved, -shapes.along[g] / at.length, -shapes.down[g] / at.height);
+        const double ratio = after.determinant() / f.determinant();
+        found.largest = std::max(found.largest, ratio);
+        if (ratio >= found.least) continue;
+        found.least = ratio;
+        found.x = mesh_.node_x(2 * e + 1);
+        found.z = mesh_.node_z(2 * r + 1);
+      }
+    }
+  return found;
+}
+
+double FlowingLayer::taken_power() const {
+  double power = 0;
+  for (int r = 0; r < mesh_.cells_down(); ++r)
+    for (int k = 0; k < 3; ++k) {
+      double line = 0;
+      Vector3d last_strain = Vector3d::Zero(), last_stress = Vector3d::Zero();
+      for (int e = 0; e < mesh_.cells_along(); ++e) {
+        const Cell& at = cell(r, e);
+        std::array<Vector3d, 3> strain, stress;
+        for (int i = 0; i < 3; ++i) {
+          const int g = 3 * i + k;
+          const auto n = static_cast<std::size_t>(i);
+          const Matrix2d& f = at.gradient[static_cast<std::size_t>(g)];
+          const Matrix2d c = f.transpose() * f;
+          strain[n] = {0.5 * (c(0, 0) - 1), 0.5 * (c(1, 1) - 1), c(0, 1)};
+          stress[n] = at.total.segment<3>(3 * g);
+        }
+        // Quadratics between the cell's points, straight lines between cells.
+        const Vector3d rise = 0.5 * (strain[2] - strain[0]), bend = strain[2] - 2 * strain[1] + strain[0];
+        line += 0.5 * (stress[0] + last_stress).dot(strain[0] - last_strain) + 2 * stress[1].dot(rise) +
+                ((stress[2] - stress[0]).dot(bend) + (stress[2] - 2 * stress[1] + stress[0]).dot(rise)) / 3;
+        last_strain = strain[2];
+        last_stress = stress[2];
+      }
+      power += mesh_.height(r) * gauss_weights[k] * line;
+    }
+  return power;
+}
+
+}  // namespace rollres

@@ -1,0 +1,186 @@
+// Covers finite_newton, mesh_level too.
+
+#include "core/finite_strain/finite_strain_contact.hpp"
+
+#include <cmath>
+
+#include "core/solve/rolling_contact.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+namespace {
+
+RollingScene finite_cylinder(double load, double friction) {
+  RollingScene scene = with_method(paper_cylinder(), Method::finite_strain);
+  scene.spacing.reset();
+  scene.kinematics = Kinematics::consistent;
+  scene.load = load;
+  scene.friction_coefficient = friction;
+  return scene;
+}
+
+RollingSolution answered(const RollingScene& scene) {
+  const RollingSolution solution = solve(scene);
+  INFO(solution.reason << solution.model);
+  REQUIRE(solution.status == Status::converged);
+  CHECK(solution.method == Method::finite_strain);
+  CHECK(solution.law_violation < 1e-8);
+  CHECK(solution.energy_residual < 1e-3);
+  return solution;
+}
+
+double relative(double value, double expected) { return std::abs(value / expected - 1); }
+
+}  // namespace
+
+TEST_CASE("a cylinder at finite strain has the numbers of an independent program", "[core][finite]") {
+  // Computed with a program of its own in Python, to 1e-3: paper_cylinder without friction.
+  struct Row {
+    double load, resistance, approach, contact, peak;
+  };
+  for (const Row& row :
+       {Row{20e3, 372.87, 0.3709e-3, 7.447e-3, 3.5245e6}, Row{60e3, 1902.5, 0.6929e-3, 11.024e-3, 7.4206e6}}) {
+    const RollingSolution solution = answered(finite_cylinder(row.load, 0));
+    CHECK(relative(solution.rolling_resistance, row.resistance) < 1e-3);
+    CHECK(relative(solution.approach, row.approach) < 1e-3);
+    CHECK(relative(solution.contact_area, row.contact) < 1e-3);
+    CHECK(relative(solution.peak_pressure, row.peak) < 1e-3);
+    CHECK(solution.error_estimate < 1e-3);
+  }
+}
+
+TEST_CASE("finite strain tends to the linear theory at small loads", "[core][finite]") {
+  const auto compare = [](RollingScene scene, double bound) {
+    INFO(scene.poisson_ratio << ' ' << scene.friction_coefficient);
+    const RollingSolution finite = answered(scene);
+    scene.method = Method::automatic;
+    const RollingSolution linear = solve(scene);
+    REQUIRE(linear.status == Status::converged);
+    CHECK(relative(finite.rolling_resistance, linear.rolling_resistance) < bound);
+    CHECK(relative(finite.approach, linear.approach) < bound);
+  };
+  // d/H = 1e-3; what is of second order in it and the mesh's error.
+  for (const double friction : {0.0, 0.2}) {
+    compare(finite_cylinder(60, friction), 1e-3);
+    RollingScene prony = finite_cylinder(60, friction);
+    prony.material = MaterialModel::prony;
+    prony.relaxation_times = {0.004, 0.05, 1};
+    prony.relaxation_moduli = {2e6, 1e6, 1.5e6};
+    compare(prony, 1e-3);
+  }
+  RollingScene compressible = finite_cylinder(60, 0);
+  compressible.poisson_ratio = 0.45;
+  compare(compressible, 1e-3);
+  RollingScene layered = finite_cylinder(60, 0);
+  layered.layer_thickness = 2e-4;
+  layered.lower_layers.push_back({});
+  layered.lower_layers[0].static_shear_modulus = 6e6;
+  layered.lower_layers[0].stiffening = 0.5;
+  layered.lower_layers[0].creep_time = 0.1;
+  layered.lower_layers[0].layer_thickness = 3e-3;
+  compare(layered, 1e-3);
+}
+
+TEST_CASE("an elastic layer at finite strain resists with nothing, whatever its load", "[core][finite]") {
+  for (const double friction : {0.0, 0.2}) {
+    RollingScene scene = finite_cylinder(120e3, friction);
+    scene.material = MaterialModel::elastic;
+    scene.drive = Drive::free;
+    const RollingSolution solution = solve(scene);
+    INFO(solution.reason);
+    REQUIRE(solution.status == Status::converged);
+    const double lever = solution.load * solution.leading_edge / scene.radius;
+    // Without friction nothing of it is left but the mesh; with it a little is lost in slip.
+    CHECK(std::abs(solution.rolling_resistance) < (friction > 0 ? 3e-3 : 1e-5) * lever);
+    CHECK(std::abs(solution.viscous_loss) < 1e-3 * lever * scene.speed);
+  }
+}
+
+TEST_CASE("friction at finite strain obeys the drive, and braking balances its power", "[core][finite]") {
+  const RollingSolution top = answered(finite_cylinder(20e3, 0.2));
+  CHECK(std::abs(top.driving_torque / 0.02 - top.driving_force) < 1e-8 * top.load);
+  RollingScene scene = finite_cylinder(20e3, 0.2);
+  scene.drive = Drive::torque;
+  scene.driving_torque = -60;
+  const RollingSolution braked = answered(scene);
+  CHECK(relative(braked.driving_torque, -60) < 1e-9);
+  CHECK(braked.rotation_ratio < top.rotation_ratio);
+  CHECK(braked.frictional_loss > 0.1 * braked.rolling_resistance * scene.speed);
+  // The same state, its rotation given.
+  scene.drive = Drive::rotation;
+  scene.driving_torque.reset();
+  scene.rotation_ratio = braked.rotation_ratio;
+  const RollingSolution turned = answered(scene);
+  CHECK(relative(turned.driving_torque, -60) < 2e-3);  // of the meshes
+  scene.rotation_ratio = 0;
+  const RollingSolution locked = answered(scene);
+  CHECK(locked.slip_nodes == locked.contact_nodes);
+  CHECK(relative(locked.driving_torque, -0.2 * 20e3 * 0.02) < 0.2);
+}
+
+TEST_CASE("loads and approaches agree, up to a third of the layer", "[core][finite]") {
+  for (const double share : {0.1, 0.3}) {
+    RollingScene scene = finite_cylinder(1, 0);
+    scene.load.reset();
+    scene.approach = share * scene.layer_thickness;
+    const RollingSolution pressed = answered(scene);
+    scene.load = pressed.load;
+    scene.approach.reset();
+    const RollingSolution loaded = answered(scene);
+    CHECK(relative(loaded.approach, pressed.approach) < 1e-4);
+    CHECK(relative(loaded.rolling_resistance, pressed.rolling_resistance) < 1e-3);
+  }
+}
+
+TEST_CASE("finite strain has fields that add up to the load", "[core][finite]") {
+  const RollingSolution solution = answered(finite_cylinder(20e3, 0.2));
+  const SurfaceFields& fields = solution.fields;
+  double load = 0, largest = 0;
+  for (std::size_t i = 0; i < fields.pressure.size(); ++i) {
+    load += fields.pressure[i] * fields.grid.spacing_x;
+    largest = std::max(largest, fields.pressure[i]);
+    CHECK(std::abs(fields.shear_x[i]) <= 0.2 * fields.pressure[i] + 0.02 * solution.peak_pressure);
+    CHECK((fields.pressure[i] > 0) == (fields.zone[i] != Zone::free));
+  }
+  CHECK(relative(load, 20e3) < 0.1);  // by undeformed length; the surface is stretched
+  CHECK(relative(largest, solution.peak_pressure) < 0.01);
+}
+
+TEST_CASE("what finite strain does not model is refused in one line", "[core][finite]") {
+  const auto refused = [](auto change) {
+    RollingScene scene = finite_cylinder(20e3, 0);
+    change(scene);
+    const std::vector<std::string> broken = check(scene);
+    REQUIRE(broken.size() == 1);
+    CHECK_THAT(broken.front(), Contains("finite_strain"));
+  };
+  refused([](RollingScene& s) { s.indenter = Indenter::sphere; });
+  refused([](RollingScene& s) { s.layer_thickness = INFINITY; });
+  refused([](RollingScene& s) { s.period = 1; });
+  refused([](RollingScene& s) { s.adhesion_threshold = 1e3; });
+  refused([](RollingScene& s) { s.inertia = Inertia::on; });
+  refused([](RollingScene& s) {
+    s.coating_layers.push_back({});
+    s.coating_layers[0].static_shear_modulus = 1e6;
+    s.coating_layers[0].layer_thickness = 1e-3;
+  });
+}
+
+TEST_CASE("a drive that asks for more than friction has no steady state at finite strain", "[core][finite]") {
+  const RollingSolution solution = solve(finite_cylinder(20e3, 0.005));
+  CHECK(solution.status == Status::no_steady_state);
+  CHECK(relative(solution.friction_needed, 372.9 / 40e3) < 0.02);
+}
+
+TEST_CASE("a mesh keeps the limits of time and memory", "[core][finite][limits]") {
+  RollingScene scene = finite_cylinder(20e3, 0.2);
+  scene.time_limit = 1e-9;
+  CHECK_THAT(solve(scene).reason, Contains("time_limit"));
+  scene.time_limit.reset();
+  scene.memory_limit = 1e4;
+  CHECK_THAT(solve(scene).reason, Contains("the mesh"));
+}
