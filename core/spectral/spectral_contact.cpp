@@ -277,7 +277,13 @@ class SpectralContact {
 SpectralOutcome solve_spectral(const RollingScene& scene) { return solve_spectral(scene, near_spectrum(scene)); }
 
 SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
-  return SpectralContact(scene, creep).run();
+  std::optional<SpectralContact> contact;
+  try {
+    contact.emplace(scene, creep);
+  } catch (const std::domain_error& error) {
+    return {{}, error.what()};
+  }
+  return contact->run();
 }
 
 }  // namespace rollres

@@ -72,7 +72,8 @@ class DeepMedium {
     if (term + 1 < lengths_.size()) low = (1 + 1e-13) / (1 - length / lengths_[term + 1]);
     const auto excess = [&](double y) { return compliance(rate(y)) - value; };
     high = 2 * low;
-    while (excess(high) < 0) high *= 2;
+    constexpr double highest = 1e15;  // beyond, 1/y is lost beside 1
+    while (excess(high) < 0 && high < highest) high *= 2;
     return rate(bracketed_root(excess, low, high));
   }
 
