@@ -246,8 +246,7 @@ constexpr double trusted_balance = 0.01;
 
 /// Why an answer that its method calls converged is none; empty if it is one.
 std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
-  // Method spectral gives no answer that is not within its own bounds.
-  if (on_grid(solution.method) && !(solution.law_violation <= trusted_violation))
+  if (!(solution.law_violation <= trusted_violation))
     return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);
   if (!(solution.rolling_resistance_error >= 0)) return "the error of the rolling resistance cannot be estimated";
   const double length = solution.leading_edge - solution.trailing_edge;

@@ -227,7 +227,10 @@ class SpectralContact {
           overload_direction_ = assessed.overload_direction;
         }
         if (!lawful && (last_->graded || assessed.wrong_zone > plainly_wrong)) return false;
-        if (error <= reachable && lawful && violation < std::max(largest_violation, between)) {
+        // Of graded points the laws hold where they are imposed, and in between to what their number allows.
+        const double imposed = last_->graded ? assessed.solution.law_violation : violation;
+        if (error <= reachable && lawful && imposed < largest_violation &&
+            violation < std::max(largest_violation, between)) {
           const double relative = cautious(error, last_->graded ? 0 : violation, scene_.drive);
           assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
           assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
@@ -240,9 +243,9 @@ class SpectralContact {
           done = true;
           residual =
               std::max(0.01 * residual, smallest_residual);  // where edges that are not quite in place break laws
-          if (violation < 0.5 * least_violation)
-            least_violation = violation;
-          else if (++stays == most_stays || violation > 1e-6)
+          if (imposed < 0.5 * least_violation)
+            least_violation = imposed;
+          else if (++stays == most_stays || imposed > 1e-6)
             return false;
         }
       } else if (costly && order >= 30 && !falling) {
