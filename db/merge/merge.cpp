@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <unordered_set>
 
 #include "db/file/sqlite.hpp"
 #include "db/merge/copied_table.hpp"
