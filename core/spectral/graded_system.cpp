@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
-#include <utility>
 
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/memory_functions.hpp"
-#include "core/spectral/spectral_memory.hpp"
+#include "core/spectral/zoned_system.hpp"
 
 namespace rollres {
 
@@ -46,57 +43,50 @@ const Mend& mend_at_half(Index steps) {  // distance steps + 1/2 >= 0
   return table[static_cast<std::size_t>(std::min<Index>(steps, 39))];
 }
 
-class GradedSystem {
+class GradedSystem : private ZonedSystem {
  public:
   GradedSystem(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
                const SpectralOrders& orders)
-      : problem_(problem),
+      : ZonedSystem(problem, pattern, edges),
         deep_(*problem.deep),
-        pattern_(pattern),
-        edges_(edges),
-        friction_(pattern.shear ? problem.scene.friction_coefficient : 0),
         grid_(pattern, edges, orders.contact),
-        n_(grid_.size()),
-        terms_(problem.terms()),
-        slack_(n_),
-        amplitude_(n_ + 1) {
-    Index next = n_ + 1 + terms_;
+        n_(grid_.size()) {
+    std::vector<Index> counts;
     for (const GradedZone& zone : grid_.zones()) {
       if (!zone.stick) continue;
-      sticks_.push_back({&zone, next});
-      next += zone.count + 1 + terms_;
+      counts.push_back(zone.count);
+      stick_zones_.push_back(&zone);
     }
-    rotation_ = next;
-    size_ = rotation_ + (sticks_.empty() ? 0 : 1);
+    place_unknowns(n_, counts);
     x_.resize(n_);
     for (Index j = 0; j < n_; ++j) x_(j) = grid_.nodes()[static_cast<std::size_t>(j)].x();
     shear_of_ = MatrixXd::Zero(n_, size_);
     for (const GradedZone& zone : grid_.zones())
       if (!zone.stick)
         for (Index j = zone.first; j < zone.first + zone.count; ++j) shear_of_(j, j) = friction_ * zone.direction;
-    for (const Stick& stick : sticks_)
-      for (Index j = 0; j < stick.zone->count; ++j) shear_of_(stick.zone->first + j, stick.shear + j) = 1;
+    for (std::size_t z = 0; z < sticks_.size(); ++z)
+      for (Index j = 0; j < sticks_[z].count; ++j) shear_of_(stick_zones_[z]->first + j, sticks_[z].first + j) = 1;
   }
 
   SpectralState solve() {
     measure_slopes();
-    matrix_ = MatrixXd::Zero(size_, size_);
-    right_ = VectorXd::Zero(size_);
     collocate_normal();
     for (std::size_t z = 0; z < sticks_.size(); ++z) collocate_stick(z);
     if (!sticks_.empty()) drive();
     solution_ = SquareSystem(matrix_).solve(right_);
-    return state();
+    pressure_ = solution_.head(n_);
+    shear_ = shear_of_ * solution_;
+    SpectralState state = ZonedSystem::state(approach());
+    state.sources = x_;
+    state.pressure_forces = grid_.weight().cwiseProduct(pressure_);
+    state.shear_forces = grid_.weight().cwiseProduct(shear_);
+    state.graded = std::make_shared<const GradedTractions>(
+        GradedTractions{grid_, pressure_, shear_, -retarded_normal_ * pressure_ - retarded_cross_ * shear_,
+                        retarded_along_ * shear_ - retarded_cross_ * pressure_});
+    return state;
   }
 
  private:
-  struct Stick {
-    const GradedZone* zone;
-    Index shear;  // place of its first unknown
-    Index slack() const { return shear + zone->count; }
-    Index amplitude() const { return slack() + 1; }
-  };
-
   /// Slopes at the middles by values at nodes: dw/dx under pressure, du/dx under shear, dw/dx under shear and du/dx
   /// under pressure.
   void measure_slopes() {
@@ -213,14 +203,6 @@ class GradedSystem {
     }
     return means;
   }
-  void remember(Index amplitude, const MatrixXd& means) {
-    for (Index j = 0; j < terms_; ++j) {
-      auto row = matrix_.row(amplitude + j);
-      row += problem_.relaxation_modulus[static_cast<std::size_t>(j)] * (problem_.memory_factor.row(j) * means);
-      row(amplitude + j) += 1;
-    }
-  }
-
   /// (S7) and (S8) with all slopes.
   void collocate_normal() {
     const VectorXd x = middles(0, n_ + 1);
@@ -228,9 +210,7 @@ class GradedSystem {
     if (pattern_.shear) matrix_.topRows(n_ + 1) += cross_ * shear_of_;
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
     matrix_.block(0, amplitude_, n_ + 1, terms_) -= exponentials(x, edges_.contact.to);
-    const PrescribedSlope body(problem_, edges_.contact, x, [&](double at) { return problem_.shape.slope(at); });
-    right_.head(n_ + 1) = body.elastic;
-    right_.segment(amplitude_, terms_) = body.amplitude;
+    prescribe_contact(x);
     means_ = means_at(edges_.contact.to, true);
     remember(amplitude_, means_);
   }
@@ -238,33 +218,18 @@ class GradedSystem {
   /// (S14) with all slopes.
   void collocate_stick(std::size_t z) {
     const Stick& stick = sticks_[z];
-    const Index rows = stick.zone->count + 1;
-    const Interval& interval = stick.zone->interval;
-    const VectorXd x = middles(stick.zone->first, rows);
-    auto block = matrix_.middleRows(stick.shear, rows);
-    block += along_.middleRows(stick.zone->first, rows) * shear_of_;
-    block.leftCols(n_) += cross_.middleRows(stick.zone->first, rows);
+    const Index rows = stick.count + 1, first = stick_zones_[z]->first;
+    const VectorXd x = middles(first, rows);
+    auto block = matrix_.middleRows(stick.first, rows);
+    block += along_.middleRows(first, rows) * shear_of_;
+    block.leftCols(n_) += cross_.middleRows(first, rows);
     block.col(stick.slack()).setOnes();
-    block.middleCols(stick.amplitude(), terms_) -= exponentials(x, interval.to);
-    remember(stick.amplitude(), means_at(interval.to, false));
-    auto column = matrix_.col(rotation_);
-    column.segment(stick.shear, rows).setConstant(-1);
-    for (Index j = 0; j < terms_; ++j)
-      column(stick.amplitude() + j) = -problem_.relaxation_modulus[static_cast<std::size_t>(j)] / problem_.rubbery;
-    if (problem_.shape.slips_evenly()) return;
-    const PrescribedSlope turning(problem_, interval, x,
-                                  [&](double at) { return problem_.shape.slip(at).turning - 1; });
-    column.segment(stick.shear, rows) -= turning.elastic / problem_.rubbery;
-    column.segment(stick.amplitude(), terms_) -= turning.amplitude / problem_.rubbery;
-    const PrescribedSlope known(problem_, interval, x, [&](double at) {
-      const RigidSlip rigid = problem_.shape.slip(at);
-      return rigid.turning - rigid.forward;
-    });
-    right_.segment(stick.shear, rows) += known.elastic;
-    right_.segment(stick.amplitude(), terms_) += known.amplitude;
+    block.middleCols(stick.amplitude(), terms_) -= exponentials(x, stick.interval.to);
+    remember(stick.amplitude(), means_at(stick.interval.to, false));
+    prescribe_stick(stick, x);
   }
 
-  RowVectorXd resultant(LeverArm (IndenterShape::*arm)(double, double) const) const {
+  RowVectorXd resultant(LeverArm (IndenterShape::*arm)(double, double) const) const override {
     RowVectorXd of_pressure(n_), of_shear(n_);
     for (Index j = 0; j < n_; ++j) {
       const LeverArm at = (problem_.shape.*arm)(x_(j), 0);
@@ -276,94 +241,20 @@ class GradedSystem {
     return row;
   }
 
-  std::pair<RowVectorXd, double> drive_row() const {
-    const double half = edges_.contact.half_length();
-    const RowVectorXd row =
-        rollres::drive_row(problem_.scene, resultant(&IndenterShape::torque), resultant(&IndenterShape::driving_force));
-    return {row / half, drive_target(problem_.scene) / half};
-  }
-
-  void drive() {
-    auto row = matrix_.row(rotation_);
-    if (problem_.scene.drive == Drive::rotation) {
-      row(rotation_) = 1;
-      right_(rotation_) = problem_.rubbery * (*problem_.scene.rotation_ratio - 1);
-    } else if (const std::optional<std::size_t> zone = redundant_slack(problem_, pattern_)) {
-      row(sticks_[*zone].slack()) = 1;
-    } else {
-      const auto [asked, wanted] = drive_row();
-      row = asked;
-      right_(rotation_) = wanted;
-    }
-  }
-
-  /// (S23)
-  double approach(const VectorXd& pressure, const VectorXd& shear) const {
+  double approach() const {
     if (!problem_.layered()) return NAN;
-    const double leading = edges_.contact.to;
     double w = 0;
     for (Index j = 0; j < n_; ++j) {
-      const double x = leading - x_(j);
+      const double x = edges_.contact.to - x_(j);
       const LayerSlopes k = problem_.correction->displacement(x) + deep_.displacement(x);
-      w -= grid_.weight()(j) * (k(layer_slope::normal) * pressure(j) + k(layer_slope::cross) * shear(j));
+      w -= grid_.weight()(j) * (k(layer_slope::normal) * pressure_(j) + k(layer_slope::cross) * shear_(j));
     }
-    w *= problem_.rubbery_compliance;
-    const VectorXd means = means_ * solution_;
-    for (Index m = 0; m < terms_; ++m) {
-      const auto i = static_cast<std::size_t>(m);
-      w += problem_.creep_compliance[i] * problem_.creep_length[i] * means(m);
-    }
-    return problem_.shape.profile(leading) - w;
-  }
-
-  SpectralState state() const {
-    const RollingScene& scene = problem_.scene;
-    SpectralState state;
-    state.pattern = pattern_;
-    state.edges = edges_;
-    const VectorXd pressure = solution_.head(n_), shear = shear_of_ * solution_;
-    state.pressure = {pressure, solution_.segment(amplitude_, terms_)};
-    state.load = resultant(&IndenterShape::load).dot(solution_);
-    state.driving_force = resultant(&IndenterShape::driving_force).dot(solution_);
-    state.driving_torque = resultant(&IndenterShape::torque).dot(solution_);
-    state.approach = approach(pressure, shear);
-    state.edge_means = means_ * solution_;
-    state.sources = x_;
-    state.pressure_forces = grid_.weight().cwiseProduct(pressure);
-    state.shear_forces = grid_.weight().cwiseProduct(shear);
-    const double scale = state.load / edges_.contact.half_length();
-    state.residuals.resize(pattern_.unknowns());
-    state.residuals(0) = solution_(slack_) / scale;
-    state.residuals(1) =
-        scene.load ? (state.load - *scene.load) / *scene.load : (state.approach - *scene.approach) / *scene.approach;
-    if (!sticks_.empty())
-      state.rotation_ratio = 1 + solution_(rotation_) / problem_.rubbery;
-    else if (scene.drive == Drive::rotation)
-      state.rotation_ratio = *scene.rotation_ratio;
-    Index residual = 2;
-    const std::optional<std::size_t> redundant = redundant_slack(problem_, pattern_);
-    for (std::size_t z = 0; z < sticks_.size(); ++z) {
-      state.sticks.push_back({solution_.segment(sticks_[z].shear, sticks_[z].zone->count),
-                              solution_.segment(sticks_[z].amplitude(), terms_)});
-      if (pattern_.slips[z] != 0)
-        state.residuals(residual++) =
-            (redundant && *redundant == z ? lacking_drive() : solution_(sticks_[z].slack())) / scale;
-      if (pattern_.slips[z + 1] != 0) state.residuals(residual++) = root_at_leading_end(z, pressure, shear) / scale;
-    }
-    state.graded = std::make_shared<const GradedTractions>(
-        GradedTractions{grid_, pressure, shear, -retarded_normal_ * pressure - retarded_cross_ * shear,
-                        retarded_along_ * shear - retarded_cross_ * pressure});
-    return state;
-  }
-
-  double lacking_drive() const {
-    const auto [row, wanted] = drive_row();
-    return wanted - row.dot(solution_);
+    return ZonedSystem::approach(w);
   }
 
   /// (S33)
-  double root_at_leading_end(std::size_t z, const VectorXd& pressure, const VectorXd& shear) const {
-    const GradedZone &stick = *sticks_[z].zone, &slip = grid_.zones()[grid_.zone_of(stick.first) + 1];
+  double root_at_leading_end(std::size_t z) const override {
+    const GradedZone &stick = *stick_zones_[z], &slip = grid_.zones()[grid_.zone_of(stick.first) + 1];
     const double bound = friction_ * slip.direction;
     const double power = 0.5 + std::atan(2 * deep_.cross() * bound / deep_.normal()) / M_PI;
     const double scale = std::min(stick.interval.to - stick.interval.from, slip.interval.to - slip.interval.from);
@@ -374,30 +265,24 @@ class GradedSystem {
     for (int k = 0; k < fitted; ++k) {
       const double wanted = std::exp(2.0 * k - 7);
       const auto distance = [&] { return -grid_.nodes()[static_cast<std::size_t>(node)].offset / scale; };
-      while (node > stick.first + fitted - k && (k > 0 ? distance() < wanted : distance() < wanted)) --node;
+      while (node > stick.first + fitted - k && distance() < wanted) --node;
       double power_of_distance = 1;
       const double d = distance();
       for (int i = 0; i < fitted; ++i, power_of_distance *= d) powers(k, i) = power_of_distance;
-      roots(k) = (shear(node) - bound * pressure(node)) / std::pow(d, power);
+      roots(k) = (shear_(node) - bound * pressure_(node)) / std::pow(d, power);
       --node;
     }
     return SquareSystem(powers).solve(roots)(0) * std::pow((stick.interval.to - stick.interval.from) / scale, power);
   }
 
-  const SpectralProblem& problem_;
   const DeepResponse& deep_;
-  SlipPattern pattern_;
-  SpectralEdges edges_;
-  double friction_;
   GradedGrid grid_;
-  Index n_, terms_, slack_, amplitude_, rotation_, size_;
-  std::vector<Stick> sticks_;
-  VectorXd x_;
+  Index n_;
+  std::vector<const GradedZone*> stick_zones_;
+  VectorXd x_, pressure_, shear_;                               // at nodes
   MatrixXd shear_of_;                                           // shear at nodes by unknown
   MatrixXd normal_, along_, cross_;                             // slopes at middles by values at nodes
   MatrixXd retarded_normal_, retarded_along_, retarded_cross_;  // kernels of the retarded parts alone
-  MatrixXd matrix_, means_;
-  VectorXd right_, solution_;
 };
 
 /// Whether every zone of the pattern has a length.
