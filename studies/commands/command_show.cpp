@@ -161,9 +161,8 @@ void show(const ShowArguments& arguments, Session& session) {
     }
   const std::vector<std::string> all = store.study_names();
   const std::vector<std::string_view> names(all.begin(), all.end());
-  const std::string nearest = nearest_name(names, arguments.what);
-  throw std::invalid_argument(arguments.database + ": " + arguments.what + ": no such study or evaluation" +
-                              (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+  throw std::invalid_argument(
+      unknown(arguments.database + ": " + arguments.what + ": no such study or evaluation", names, arguments.what));
 }
 
 }  // namespace

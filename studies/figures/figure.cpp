@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "studies/figures/figure_map.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -37,9 +38,8 @@ const Figure& figure_named(const std::string& wish) {
     if ((is_number && figure.number == number) || figure.name == wish) return figure;
     names.push_back(figure.name);
   }
-  const std::string nearest = is_number ? "" : nearest_name(names, wish);
-  throw std::invalid_argument("--figure = " + wish + ": no such figure" +
-                              (nearest.empty() ? "; there are 3 to 15" : "; did you mean " + nearest + "?"));
+  if (is_number) names.clear();
+  throw std::invalid_argument(unknown("--figure = " + wish + ": no such figure", names, wish, "there are 3 to 15"));
 }
 
 /// Why a scene has no such figure; empty if it has.

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "core/scene/quantity.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -126,10 +126,8 @@ void Command::refuse_unknown_options(std::span<const std::string> words) const {
     if (word == "--") return;
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || find_name(known, name) >= 0) continue;
-    const std::string nearest = nearest_name(known, name);
     throw std::invalid_argument(
-        name + ": unknown option of " + this->name() +
-        (nearest.empty() ? "; see rollres help " + this->name() : "; did you mean " + nearest + "?"));
+        unknown(name + ": unknown option of " + this->name(), known, name, "see rollres help " + this->name()));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "studies/program/completion.hpp"
 #include "studies/text/printable.hpp"
+#include "studies/text/words.hpp"
 
 #ifndef ROLLRES_VERSION
 #define ROLLRES_VERSION "0.1.0"
@@ -41,9 +42,7 @@ void refuse_unknown_command(const Command& program, const std::vector<std::strin
   for (const auto& command : program.subcommands()) names.push_back(command->name());
   const std::vector<std::string_view> known(names.begin(), names.end());
   if (find_name(known, words.front()) >= 0) return;
-  const std::string nearest = nearest_name(known, words.front());
-  throw std::invalid_argument(words.front() + ": unknown command" +
-                              (nearest.empty() ? "; see rollres --help" : "; did you mean " + nearest + "?"));
+  throw std::invalid_argument(unknown(words.front() + ": unknown command", known, words.front(), "see rollres --help"));
 }
 
 }  // namespace
@@ -52,6 +51,8 @@ int run_program(std::vector<std::string> words, Session session) {
   const PrintableStream printable_out(session.out, false), printable_err(session.err, true);
   constexpr const char* version = "rollres " ROLLRES_VERSION;
   try {
+    if (words.empty()) words = {"--help"};
+    if (words.front() == "version") words.front() = "--version";
     if (words == std::vector<std::string>{"--version"}) {  // without declaring all commands first
       session.out << version << std::endl;
       return session.out ? ExitStatus::answered : complain(session, unwritable, ExitStatus::failure);
@@ -61,13 +62,11 @@ int run_program(std::vector<std::string> words, Session session) {
         "Example: rollres solve studies/examples/paper_cylinder.json\n"
         "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
     for (AddCommand* const add : commands) add(program, session);
-    if (!words.empty() && words.front() == "complete") {
+    if (words.front() == "complete") {
       words.erase(words.begin());
       session.out << completions(program.words(), words);
       return ExitStatus::answered;
     }
-    if (words.empty()) words = {"--help"};
-    if (words.front() == "version") words.front() = "--version";
     if (words.front() == "help") {
       words.erase(words.begin());
       words.emplace_back("--help");

@@ -120,9 +120,8 @@ struct Formula::Parts {
       std::vector<std::string_view> known = parts.known;
       for (const std::string_view key : keys_like(name))
         if (is_number_of_layer(key)) known.push_back(key);
-      const std::string nearest = nearest_name(known, name);
-      throw std::invalid_argument(parts.text + ": " + name + ": unknown key" +
-                                  (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
+      throw std::invalid_argument(
+          unknown(parts.text + ": " + name + ": unknown key", known, name, "see rollres quantities"));
     }
     parts.keys.emplace_back(name);
     parts.values.push_back(1);

@@ -91,11 +91,6 @@ void refuse(const std::string& place, std::string_view key, const Json& value, c
   throw std::invalid_argument(place + ": " + std::string(key) + " = " + shown(value) + ": " + rule);
 }
 
-std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name) {
-  const std::string nearest = nearest_name(known, name);
-  return nearest.empty() ? what : what + "; did you mean " + nearest + "?";
-}
-
 void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place) {
   for (const auto& [key, value] : object.items())
     if (find_name(known, key) < 0) refuse(place, key, value, unknown("unknown key", known, key));

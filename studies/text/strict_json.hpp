@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene/quantity.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -31,9 +31,6 @@ std::string shown(const Json& value);
 
 /// Throws std::invalid_argument with the one line "place: key = value: rule".
 [[noreturn]] void refuse(const std::string& place, std::string_view key, const Json& value, const std::string& rule);
-
-/// The rule for an unknown key or name: `what`, then the nearest known one.
-std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name);
 
 /// Refuses keys of `object` that are not among `known`.
 void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place);

@@ -32,6 +32,13 @@ std::string replaced(std::string_view text, std::initializer_list<std::pair<char
   return out;
 }
 
+std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name,
+                    const std::string& otherwise) {
+  const std::string nearest = nearest_name(known, name);
+  if (!nearest.empty()) return what + "; did you mean " + nearest + "?";
+  return otherwise.empty() ? what : what + "; " + otherwise;
+}
+
 std::string shell_word(std::string_view text) { return "'" + replaced(text, {{'\'', "'\\''"}}) + "'"; }
 
 std::string file_name(std::string name) {

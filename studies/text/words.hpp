@@ -3,6 +3,7 @@
 /// Words taken out of texts and put together to such, for files, shells and refusals; keys as people read them.
 
 #include <initializer_list>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ std::vector<std::string> split_at_commas(std::string_view text);
 
 /// The text with some letters replaced by others. @param by  each of these letters with what stands for it
 std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by);
+
+/// What is unknown, then the nearest known name or, where none is near, what else to do.
+std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name,
+                    const std::string& otherwise = "");
 
 /// A text as one word of the shell.
 std::string shell_word(std::string_view text);

@@ -3,17 +3,11 @@
 #include <cstdlib>
 #include <rollres/core/rolling_contact.hpp>
 
+#include "paper_cylinder.hpp"
+
 /// Prints the rolling resistance [N/m] of the paper's cylinder; its only word is the number expected.
 int main(int, char** words) {
-  rollres::RollingScene scene;
-  scene.radius = 0.02;
-  scene.layer_thickness = 0.005;
-  scene.static_shear_modulus = 3e6;
-  scene.stiffening = 1;
-  scene.creep_time = 0.25;
-  scene.speed = 0.05;
-  scene.load = 20e3;
-  scene.friction_coefficient = 0.2;
+  rollres::RollingScene scene = paper_cylinder();
   scene.spacing = 0.25e-3;
   scene.kinematics = rollres::Kinematics::printed;
   const rollres::RollingSolution solution = rollres::solve(scene);

@@ -6,19 +6,13 @@
 #include <cstdlib>
 #include <rollres/core/rolling_contact.hpp>
 
+#include "paper_cylinder.hpp"
+
 int main() {
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(150, 150) + 20 * Eigen::MatrixXd::Identity(150, 150);
   const Eigen::VectorXd right = Eigen::VectorXd::Random(150);
   const double residual = (matrix * matrix.partialPivLu().solve(right) - right).norm();
-  rollres::RollingScene scene;
-  scene.radius = 0.02;
-  scene.layer_thickness = 0.005;
-  scene.static_shear_modulus = 3e6;
-  scene.stiffening = 1;
-  scene.creep_time = 0.25;
-  scene.speed = 0.05;
-  scene.load = 20e3;
-  scene.friction_coefficient = 0.2;
+  rollres::RollingScene scene = paper_cylinder();
   for (const rollres::Method method : {rollres::Method::spectral, rollres::Method::newton_dense}) {
     scene.method = method;
     const rollres::RollingSolution solution = rollres::solve(scene);
