@@ -20,6 +20,8 @@ foreach(file man/man1/rollres.1.gz bash-completion/completions/rollres zsh/vendo
 endforeach()
 run(${prefix}/bin/rollres solve ${prefix}/share/rollres/examples/paper_cylinder.json --json)
 string(JSON resistance GET "${output}" rolling_resistance)
+# By the library that the first fit loads.
+run(${prefix}/bin/rollres fit ${prefix}/share/rollres/examples/fit_cylinder.json --db ${FOLDER}/fit.db)
 
 # Headers for others are those of scenes, solutions, `solve` and readers alone.
 file(GLOB_RECURSE headers RELATIVE ${prefix}/include/rollres ${prefix}/include/rollres/studies/* ${prefix}/include/rollres/db/*)
@@ -34,6 +36,8 @@ if(PYTHON)
   if(NOT output STREQUAL resistance)
     message(FATAL_ERROR "Python says ${output}, the program ${resistance}")
   endif()
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages ${PYTHON} -c
+      "__import__('rollres').fit(__import__('sys').argv[1])" ${prefix}/share/rollres/examples/fit_cylinder.json)
 endif()
 
 # With the generator of our build: cmake's default one, make, need not be there.

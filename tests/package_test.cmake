@@ -37,6 +37,6 @@ check(rollres depends libc6 libfftw3-double3 libnlopt0 libsqlite3-0 libtbb12 lib
       holds bin/rollres share/rollres/examples/paper_cylinder.json share/man/man1/rollres.1.gz include/rollres/core/scene.hpp)
 if(PYTHON)
   check(python3-rollres depends libc6 libfftw3-double3 python3 python3-numpy
-        holds lib/python3/dist-packages/rollres/__init__.py share/doc/python3-rollres/copyright)
+        holds lib/python3/dist-packages/rollres/__init__.py lib/python3/dist-packages/rollres/librollres_ceres.so share/doc/python3-rollres/copyright)
 endif()
 file(REMOVE_RECURSE ${FOLDER})

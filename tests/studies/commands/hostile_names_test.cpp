@@ -156,6 +156,15 @@ TEST_CASE("a program that gets too little memory says so", "[studies][hostile]")
 }
 #endif
 
+TEST_CASE("a fit by a program that was copied without its library says what is missing", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  std::filesystem::copy_file(ROLLRES_PROGRAM, folder / "rollres");
+  const ShellRun run = run_shell("'" + (folder / "rollres").string() + "' fit " + example("fit_cylinder.json") +
+                                 " --db '" + (folder / "f.db").string() + "' 2>&1");
+  CHECK(run.status == 3);
+  CHECK_THAT(run.out, Contains("librollres_ceres.so: cannot open shared object file"));
+}
+
 TEST_CASE("a database that is deleted during a sweep ends it with status 3 and what is lost", "[studies][hostile]") {
   const TemporaryDirectory folder;
   const std::string database = (folder / "a.db").string();

@@ -1,0 +1,122 @@
+// All of ours that needs Ceres, a library by itself (least_squares.hpp).
+
+#include <ceres/ceres.h>
+#if __has_include(<glog/logging.h>)
+#include <glog/logging.h>
+#endif
+
+#include "fitting/descent/least_squares.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// All residuals' parameters are single blocks, in the order of the problem.
+class Position : public ceres::EvaluationCallback {
+ public:
+  explicit Position(LeastSquares& problem) : problem_(problem) {
+    for (const LeastSquares::Parameter& parameter : problem.parameters) parameters_.push_back(parameter.start);
+  }
+  void PrepareForEvaluation(bool with_slopes, bool /*moved*/) final {
+    problem_.move_to(parameters_.data(), with_slopes);
+  }
+  std::vector<double*> blocks() {
+    std::vector<double*> blocks;
+    for (double& parameter : parameters_) blocks.push_back(&parameter);
+    return blocks;
+  }
+
+ private:
+  LeastSquares& problem_;
+  std::vector<double> parameters_;
+};
+
+class OneResidual : public ceres::CostFunction {
+ public:
+  OneResidual(const LeastSquares& problem, std::size_t row) : problem_(problem), row_(row) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->assign(problem.parameters.size(), 1);
+  }
+  bool Evaluate(double const* const*, double* residual, double** jacobians) const final {
+    if (!jacobians) return problem_.residual(row_, *residual, nullptr);
+    std::vector<double> slopes(problem_.parameters.size());
+    if (!problem_.residual(row_, *residual, slopes.data())) return false;
+    for (std::size_t j = 0; j < slopes.size(); ++j)
+      if (jacobians[j]) *jacobians[j] = slopes[j];
+    return true;
+  }
+
+ private:
+  const LeastSquares& problem_;
+  std::size_t row_;
+};
+
+class Stop : public ceres::IterationCallback {
+ public:
+  explicit Stop(const std::atomic<bool>* stop) : stop_(stop) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) final {
+    return stop_ && stop_->load() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const std::atomic<bool>* stop_;
+};
+
+ceres::LossFunction* ceres_loss(const LeastSquares& problem) {
+  if (problem.loss == Loss::huber) return new ceres::HuberLoss(problem.loss_scale);
+  if (problem.loss == Loss::cauchy) return new ceres::CauchyLoss(problem.loss_scale);
+  return nullptr;
+}
+
+/// Ceres writes to standard error where it steps back from a failed prediction: nothing that a user can use.
+void silence_ceres() {
+#if __has_include(<glog/logging.h>)
+  constexpr int fatal = 3;
+  FLAGS_minloglevel = fatal;
+#endif
+}
+
+ceres::Solver::Options solver_options(const LeastSquares& problem) {
+  ceres::Solver::Options options;
+  options.max_num_iterations = problem.most_iterations;
+  options.function_tolerance = problem.tolerance;
+  options.parameter_tolerance = 1e-10;
+  options.gradient_tolerance = 0;
+  options.initial_trust_region_radius = problem.radius;
+  options.min_trust_region_radius = 1e-14;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.line_search_interpolation_type = ceres::BISECTION;  // within bounds: the others want slopes
+  options.logging_type = ceres::SILENT;
+  return options;
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) void rollres_minimise_by_ceres(LeastSquares& problem,
+                                                                                 LeastSquaresEnd& end) {
+  silence_ceres();
+  Position position(problem);
+  ceres::Problem::Options ownership;
+  ownership.evaluation_callback = &position;
+  ceres::Problem task(ownership);
+  const std::vector<double*> blocks = position.blocks();
+  for (std::size_t row = 0; row < problem.residuals; ++row)
+    task.AddResidualBlock(new OneResidual(problem, row), ceres_loss(problem), blocks);
+  for (std::size_t j = 0; j < blocks.size(); ++j) {
+    const LeastSquares::Parameter& parameter = problem.parameters[j];
+    if (parameter.held) {
+      task.SetParameterBlockConstant(blocks[j]);
+    } else {
+      task.SetParameterLowerBound(blocks[j], 0, parameter.lowest);
+      task.SetParameterUpperBound(blocks[j], 0, parameter.highest);
+    }
+  }
+  Stop stop(problem.stop);
+  ceres::Solver::Options options = solver_options(problem);
+  options.callbacks.push_back(&stop);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &task, &summary);
+  end = {summary.termination_type == ceres::CONVERGENCE, summary.message, static_cast<int>(summary.iterations.size())};
+}
+
+}  // namespace rollres
