@@ -51,7 +51,8 @@ bool better_from_summary(SQLite::Database& connection, const Query& query) {
   return points * points > static_cast<double>(*query.limit) * all;  // points to read, or limit / points of all rows
 }
 constexpr const char* result_from_summary =
-    "(SELECT study.name AS study, study_point.position AS position, evaluation.* FROM study CROSS JOIN evaluation "
+    "(SELECT study.name AS study, study_point.position AS position, study_point.variant AS variant, evaluation.* "
+    "FROM study CROSS JOIN evaluation "
     "CROSS JOIN study_point ON study_point.key = evaluation.key AND study_point.study = study.id)";
 
 constexpr std::array<std::string_view, ChoiceNames<Statistic>::names.size()> sql_names{"count",  "min",    "max", "avg",
@@ -121,7 +122,8 @@ Table run_query(const Database& database, const Query& query) {
     const std::string select = "SELECT " + (columns.empty() ? "*" : columns) + " FROM ";
     std::string sql;
     if (with_study) {
-      const bool from_summary = better_from_summary(connection, query);
+      const bool older = !has_column(known, std::string(variant_key));  // a file that is read as it is
+      const bool from_summary = !older && better_from_summary(connection, query);
       sql = select + (from_summary ? result_from_summary : view) + where + " ORDER BY " + order + "study, position" +
             limit;
     } else if (query.limit && !where.empty() && summary_decides(query)) {

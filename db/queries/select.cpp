@@ -135,6 +135,10 @@ std::string condition(const Filter& filter, const Column& column, std::vector<Ce
 
 }  // namespace
 
+bool has_column(const Columns& columns, const std::string& name) {
+  return std::any_of(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
+}
+
 const Column& column_named(const Columns& columns, const std::string& name) {
   const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
   if (found != columns.end()) return *found;
@@ -150,7 +154,7 @@ const Column& column_named(const Columns& columns, const std::string& name) {
                               (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
 }
 
-bool of_study(const std::string& column) { return column == "study" || column == "position"; }
+bool of_study(const std::string& column) { return column == "study" || column == "position" || column == variant_key; }
 
 bool any_of_study(const std::vector<Filter>& filters) {
   return std::any_of(filters.begin(), filters.end(), [](const Filter& one) { return of_study(one.column); });

@@ -17,6 +17,8 @@ using Columns = std::vector<Column>;
 /// @throws std::invalid_argument naming the unknown column and the nearest known one
 const Column& column_named(const Columns& columns, const std::string& name);
 
+bool has_column(const Columns& columns, const std::string& name);
+
 /// Whether a column is one of the view result only.
 bool of_study(const std::string& column);
 bool any_of_study(const std::vector<Filter>& filters);

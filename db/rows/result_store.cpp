@@ -140,17 +140,23 @@ struct ResultStore::Parts {
     }
   }
 
-  bool has_points(std::int64_t study, std::span<const std::string> keys) {
-    SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
+  bool has_points(std::int64_t study, std::span<const std::string> keys, std::span<const std::string> variants) {
+    SQLite::Statement row(connection(),
+                          "SELECT key, coalesce(variant, '') FROM study_point WHERE study = ? ORDER BY position");
     row.bind(1, study);
     std::size_t same = 0;
-    while (row.executeStep())
-      if (same == keys.size() || keys[same++] != row.getColumn(0).getText()) return false;
+    for (; row.executeStep(); ++same) {
+      if (same == keys.size() || keys[same] != row.getColumn(0).getText()) return false;
+      if ((variants.empty() ? "" : variants[same]) != row.getColumn(1).getString()) return false;
+    }
     return same == keys.size();
   }
 
-  std::vector<std::string> keys_of(std::int64_t study) {
-    SQLite::Statement row(connection(), "SELECT key FROM study_point WHERE study = ? ORDER BY position");
+  /// What stands under `column` for the points of a study, in their order.
+  std::vector<std::string> of_points(const std::string& study, const std::string& column) {
+    SQLite::Statement row(connection(), "SELECT " + column +
+                                            " FROM study_point WHERE study = (SELECT id FROM study "
+                                            "WHERE name = ?) ORDER BY position");
     row.bind(1, study);
     return texts_of(row);
   }
@@ -258,7 +264,8 @@ std::optional<StoredEvaluation> ResultStore::find(std::int64_t id) {
   return naming(database().name(), [&] { return parts_->find("evaluation.id = ?", id); });
 }
 
-void ResultStore::start_study(const StudyRecord& study, std::span<const std::string> keys) {
+void ResultStore::start_study(const StudyRecord& study, std::span<const std::string> keys,
+                              std::span<const std::string> variants) {
   naming(database().name(), [&] {
     SQLite::Database& connection = parts_->connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
@@ -274,7 +281,7 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
     record.executeStep();
     const std::int64_t id = record.getColumn(0).getInt64();
     record.reset();
-    if (parts_->has_points(id, keys)) {
+    if (parts_->has_points(id, keys, variants)) {
       transaction.commit();
       return;
     }
@@ -286,13 +293,14 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
     const auto others = connection.execAndGet("SELECT count(*) FROM study_point").getInt64();
     const bool anew = others < static_cast<std::int64_t>(keys.size());
     if (anew) connection.exec("DROP INDEX study_point_key");
-    SQLite::Statement add(connection, "INSERT INTO study_point(study, position, key) VALUES (?, ?, ?)");
+    SQLite::Statement add(connection,
+                          "INSERT INTO study_point(study, position, key, variant) VALUES (?, ?, ?, nullif(?, ''))");
     add.bind(1, id);
-    std::int64_t position = 0;
-    for (const std::string& key : keys) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
       add.reset();
-      add.bind(2, ++position);
-      add.bindNoCopy(3, key);
+      add.bind(2, static_cast<std::int64_t>(i + 1));
+      add.bindNoCopy(3, keys[i]);
+      if (!variants.empty()) add.bindNoCopy(4, variants[i]);
       add.exec();
     }
     add.reset();
@@ -301,19 +309,24 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
   });
 }
 
-void ResultStore::add_points(const std::string& study, std::span<const std::string> keys) {
+void ResultStore::add_points(const std::string& study, std::span<const std::string> keys,
+                             std::span<const std::string> variants) {
   naming(database().name(), [&] {
     SQLite::Database& connection = parts_->connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
     SQLite::Statement add(connection,
-                          "INSERT INTO study_point(study, position, key) "
-                          "SELECT id, 1 + coalesce((SELECT max(position) FROM study_point WHERE study = id), 0), ?1 "
+                          "INSERT INTO study_point(study, position, key, variant) SELECT id, "
+                          "1 + coalesce((SELECT max(position) FROM study_point WHERE study = id), 0), ?1, ?3 "
                           "FROM study WHERE name = ?2 "
                           "AND NOT EXISTS (SELECT 1 FROM study_point WHERE key = ?1 AND study = id)");
-    for (const std::string& key : keys) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
       add.reset();
-      add.bind(1, key);
+      add.bind(1, keys[i]);
       add.bind(2, study);
+      if (i < variants.size() && !variants[i].empty())
+        add.bind(3, variants[i]);
+      else
+        add.bind(3);
       add.exec();
     }
     add.reset();
@@ -322,11 +335,11 @@ void ResultStore::add_points(const std::string& study, std::span<const std::stri
 }
 
 std::vector<std::string> ResultStore::points(const std::string& study) {
-  return naming(database().name(), [&] {
-    SQLite::Statement row(parts_->connection(), "SELECT id FROM study WHERE name = ?");
-    row.bind(1, study);
-    return row.executeStep() ? parts_->keys_of(row.getColumn(0).getInt64()) : std::vector<std::string>();
-  });
+  return naming(database().name(), [&] { return parts_->of_points(study, "key"); });
+}
+
+std::vector<std::string> ResultStore::variants(const std::string& study) {
+  return naming(database().name(), [&] { return parts_->of_points(study, "coalesce(variant, '')"); });
 }
 
 std::vector<StudySummary> ResultStore::studies() {

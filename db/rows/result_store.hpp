@@ -108,12 +108,16 @@ class ResultStore {
   std::optional<StoredEvaluation> find(std::int64_t id);
 
   /// Records that a study starts (again) with these points, in this order, in place of those it had.
-  void start_study(const StudyRecord& study, std::span<const std::string> keys);
+  /// @param variants  of the points, one for each; empty: they have none
+  void start_study(const StudyRecord& study, std::span<const std::string> keys,
+                   std::span<const std::string> variants = {});
 
   /// Makes `keys` the next points of a study that has been started, but for those that are its points already.
-  void add_points(const std::string& study, std::span<const std::string> keys);
+  void add_points(const std::string& study, std::span<const std::string> keys,
+                  std::span<const std::string> variants = {});
   /// Keys of a study's points, in order; empty if there is no such study.
   std::vector<std::string> points(const std::string& study);
+  std::vector<std::string> variants(const std::string& study);  ///< of these; empty texts where they have none
 
   std::vector<StudySummary> studies();  ///< by name
   std::optional<StudySummary> study(const std::string& name);

@@ -87,6 +87,17 @@ void add_notes(SQLite::Database& connection) {
   connection.exec("ALTER TABLE study ADD COLUMN note TEXT NOT NULL DEFAULT ''");
 }
 
+/// A point bears the name of the variant (named set of inputs) of its study that it is of.
+void add_variants(SQLite::Database& connection) {
+  connection.exec(R"(
+    ALTER TABLE study_point ADD COLUMN variant TEXT;
+    DROP VIEW IF EXISTS result;
+    CREATE VIEW result AS
+      SELECT study.name AS study, study_point.position AS position, study_point.variant AS variant, evaluation.*
+      FROM study_point JOIN study ON study.id = study_point.study JOIN evaluation ON evaluation.key = study_point.key
+  )");
+}
+
 std::vector<Column> missing_columns(SQLite::Database& connection) {
   const std::set<std::string> present = column_names(connection, "evaluation");
   std::vector<Column> missing;
@@ -173,6 +184,11 @@ const std::vector<QuantityColumn>& quantity_columns() {
 
 const QuantityColumn* find_quantity_column(std::string_view name) {
   if (layer_key(name)) return layer_column(name);
+  if (name == variant_key) {
+    static const QuantityColumn variant{
+        {std::string(variant_key), "TEXT"}, {variant_key, "", "", "named set of inputs of the study"}, true};
+    return &variant;
+  }
   const auto& all = quantity_columns();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
   return found == all.end() ? nullptr : &*found;
@@ -195,7 +211,8 @@ std::set<std::string> column_names(SQLite::Database& connection, const std::stri
 
 std::span<const Migration> schema_migrations() {
   static constexpr Migration migrations[] = {
-      create_first_tables, create_summary_and_fields, create_fit_tables, add_kinematics, show_as_asked, add_notes};
+      create_first_tables, create_summary_and_fields, create_fit_tables, add_kinematics, show_as_asked, add_notes,
+      add_variants};
   return migrations;
 }
 

@@ -9,8 +9,9 @@
 ///     provenance    what computed an evaluation
 ///     study         a name, its axes, the text of its file, and a note
 ///     study_point   the points of a study, in order, by the key of their evaluation: one that has no evaluation yet is
-///                   missing, and an evaluation serves every study that has its key
-///     result        a view ready to plot: study, position, and all columns of evaluation
+///                   missing, and an evaluation serves every study that has its key; and by the name of their variant,
+///                   which is the study's word for some inputs and so no part of the evaluation
+///     result        a view ready to plot: study, position, variant, and all columns of evaluation
 ///     converged     the same, only rows with an answer
 ///     resistance    of these the few columns that are plotted most
 ///
@@ -52,8 +53,11 @@ struct QuantityColumn : Column {
 /// Columns of evaluation that hold quantities, inputs first, in the order of the lists.
 const std::vector<QuantityColumn>& quantity_columns();
 
+/// Column of study_point and of result: the variant of a study that a point is of.
+inline constexpr std::string_view variant_key = "variant";
+
 /// What stands in a column, or nullptr if it is none of these. An input of a further layer counts as one: what
-/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers.
+/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers. So does the variant.
 const QuantityColumn* find_quantity_column(std::string_view name);
 
 /// Columns of the index evaluation_summary. Changing them needs a migration.

@@ -2,6 +2,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "studies/optimise/design_choices.hpp"
 #include "studies/optimise/design_file.hpp"
 #include "studies/optimise/optimise_report.hpp"
 #include "studies/program/commands.hpp"
@@ -23,16 +24,19 @@ struct OptimiseArguments {
   bool json = false, replace = false;
 };
 
-DesignProblem problem_of(const OptimiseArguments& arguments) {
-  DesignProblem problem = read_design_problem(arguments.study);
-  if (arguments.evaluations > 0) problem.stop.evaluations = arguments.evaluations;
-  if (arguments.algorithm.empty()) return problem;
-  const auto& names = ChoiceNames<Algorithm>::names;
-  const auto algorithm = static_cast<Algorithm>(find_name(names, arguments.algorithm));
-  if (problem.variables.size() < traits(algorithm).fewest_variables)
-    throw std::invalid_argument("--algorithm = " + arguments.algorithm + ": needs at least two variables");
-  problem.algorithm = algorithm;
-  return problem;
+/// One, or one of each combination of what is chosen from lists.
+std::vector<DesignProblem> problems_of(const OptimiseArguments& arguments) {
+  std::vector<DesignProblem> problems = read_design_problems(arguments.study);
+  for (DesignProblem& problem : problems) {
+    if (arguments.evaluations > 0) problem.stop.evaluations = arguments.evaluations;
+    if (arguments.algorithm.empty()) continue;
+    const auto& names = ChoiceNames<Algorithm>::names;
+    const auto algorithm = static_cast<Algorithm>(find_name(names, arguments.algorithm));
+    if (problem.variables.size() < traits(algorithm).fewest_variables)
+      throw std::invalid_argument("--algorithm = " + arguments.algorithm + ": needs at least two variables");
+    problem.algorithm = algorithm;
+  }
+  return problems;
 }
 
 /// The designs of the front as a study of their own, so that it can be listed, shown and drawn.
@@ -56,9 +60,11 @@ void draw(const ChartRequest& request, const OptimiseArguments& arguments, Sessi
 }
 
 void run_optimise(const OptimiseArguments& arguments, Session& session) {
-  const DesignProblem problem = problem_of(arguments);
+  const std::vector<DesignProblem> problems = problems_of(arguments);
+  const DesignProblem& problem = problems.front();
   if (!arguments.out.empty()) chart_files(arguments.out);  // a wrong name is told before the work
   StudyRecord study{problem.name, {}, standalone_study(arguments.study)};
+  for (const ChosenValue& chosen : problem.chosen) study.axes.push_back(chosen.key);
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
   {
     ResultStore store(arguments.database);
@@ -72,6 +78,18 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
   StatusLine line(session.err);
   if (line) options.report = [&](const OptimiseProgress& progress) { line.show(in_words(problem, progress)); };
 
+  if (!problem.chosen.empty()) {
+    const ChoicesReport report = optimise_choices(problems, evaluations, options);
+    line.clear();
+    if (arguments.json)
+      session.out << text_of(json_of(problems, report), 2) << '\n';
+    else
+      print_text(problems, report, session.out);
+    if (!arguments.out.empty() && report.best)
+      draw(course_chart(problems[*report.best], report.reports[*report.best]), arguments, session);
+    if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
+    return;
+  }
   const auto print = [&](const auto& report) {
     if (arguments.json)
       session.out << text_of(json_of(problem, report), 2) << '\n';

@@ -1,6 +1,7 @@
 #include "studies/file_schema/json_schema.hpp"
 
 #include "core/scene/solution.hpp"
+#include "db/rows/schema.hpp"
 #include "studies/file_schema/schema_parts.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design_keys.hpp"
@@ -58,10 +59,26 @@ Json axis(const InputKind& kind) {
   return kind.choices.empty() ? Json{{"anyOf", {list, reference(interval_name)}}} : list;
 }
 
+/// Named sets of inputs, and what is short for them.
+void add_variants(Json& properties) {
+  Json inputs = inputs_and_layers(input_reference, any_input);
+  inputs["minProperties"] = 1;
+  inputs["properties"][std::string(master_curve_key)] = name();
+  properties[std::string(variant_key)] = {{"type", "object"},
+                                          {"minProperties", 2},
+                                          {"additionalProperties", inputs},
+                                          {"description", "named sets of inputs that go together"}};
+  Json files = list_of(name());
+  files["minItems"] = 2;
+  files["description"] = "CSV files, each a variant of its name";
+  properties[std::string(master_curve_key)] = files;
+}
+
 Json axes() {
   Json schema = inputs_and_layers(axis, no_list);
   Json together = schema;
   together["minProperties"] = 2;
+  add_variants(schema["properties"]);
   schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}});
   schema["minProperties"] = 1;
   return schema;
@@ -74,7 +91,9 @@ Json sample() {
 }
 
 Json chart() {
-  const Json numbers = names(number_outputs()), varied = input_key(any_input), either{{"anyOf", {varied, numbers}}};
+  const Json numbers = names(number_outputs()), either{{"anyOf", {input_key(any_input), numbers}}};
+  Json varied = input_key(any_input);
+  varied["anyOf"].push_back({{"const", variant_key}});
   return object_of(chart_keys, {{"x", either}, {"y", either}, {"family", varied}, {"map", numbers}});
 }
 
@@ -163,8 +182,15 @@ std::string fit_schema() {
 
 std::string optimisation_schema() {
   const Json set = inputs_and_layers(input_reference, any_input);
-  Json variables = inputs_and_layers([](const InputKind&) { return reference(variable_name); }, real_input);
+  Json variables = inputs_and_layers(
+      [](const InputKind& kind) {
+        const Json list = list_of(input_reference(kind));
+        return kind.real() ? Json{{"anyOf", {reference(variable_name), list}}} : list;
+      },
+      no_list);
+  variables["properties"].erase("indenter");
   variables["minProperties"] = 1;
+  add_variants(variables["properties"]);
   Json pareto = object_of(pareto_keys);
   pareto["oneOf"] = one_goal();
   const Json tolerance{{"type", "number"}, {"minimum", 1e-8}, {"maximum", 0.1}};

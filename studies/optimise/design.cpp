@@ -5,6 +5,7 @@
 
 #include "core/numerics/parallel.hpp"
 #include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
@@ -39,6 +40,12 @@ double logarithm(double x) {
 double size_or_one(double size) { return size > 0 ? size : 1; }
 
 }  // namespace
+
+std::string DesignProblem::variant() const {
+  for (const ChosenValue& one : chosen)
+    if (one.key == variant_key) return std::get<std::string>(one.value);
+  return {};
+}
 
 bool Design::feasible() const {
   return found() && std::all_of(constraints.begin(), constraints.end(), [](const auto& sides) { return sides.holds; });

@@ -14,6 +14,7 @@
 
 #include "core/derivatives/objective.hpp"
 #include "studies/scene_io/formula.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
 
 namespace rollres {
 
@@ -64,6 +65,12 @@ struct ParetoWish {
   int points = 0;
 };
 
+/// A value of a variable that is a list.
+struct ChosenValue {
+  std::string key;  ///< of an input, or "variant"
+  InputValue value;
+};
+
 struct DesignProblem {
   std::string name;
   std::vector<DutyScene> scenes;  ///< at least one; the variables hold their start
@@ -77,7 +84,9 @@ struct DesignProblem {
   bool global = false;  ///< look for the best of several optima
   DesignStop stop = {};
   std::optional<ParetoWish> pareto = {};
+  std::vector<ChosenValue> chosen = {};  ///< what this problem takes from the lists of its file
 
+  std::string variant() const;  ///< of `chosen`; empty if there is none
   Indenter indenter() const { return scenes.front().scene.indenter; }
   /// Of a value, or of a formula's, in the scenes.
   std::string_view unit(const Quantity& quantity) const { return quantity.unit_for(indenter()); }

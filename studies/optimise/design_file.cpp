@@ -6,10 +6,13 @@
 
 #include "core/scene/scene_input.hpp"
 #include "core/surface/scene_rules.hpp"
+#include "db/rows/schema.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/optimise/design_search.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/study/study_variants.hpp"
 #include "studies/text/file_kind.hpp"
+#include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -65,22 +68,75 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
   return {{key, start, place}, {key, from, to, logarithmic}};
 }
 
-void refuse_set_variables(const std::vector<SceneEntry>& set, const Json& variables) {
-  for (const SceneEntry& entry : set)
+/// One value of a variable that is a list.
+struct Alternative {
+  std::vector<SceneEntry> entries;  ///< of a variant several
+  std::string name = {};            ///< of a variant
+};
+
+/// What may be chosen, key by key.
+struct Choices {
+  std::vector<GivenVariant> variants;
+  std::vector<std::pair<std::string, std::vector<Alternative>>> lists = {};
+};
+
+std::vector<Alternative> alternatives_of(const std::string& key, const Json& list, const std::string& place) {
+  if (!find_input(key)) refuse(place, key, list, unknown("unknown key", keys_like(key), key));
+  if (find_input(key)->list) refuse(place, key, list, "a list cannot be chosen by itself; give each list in a variant");
+  if (key == "indenter") refuse(place, key, list, "must be the same in all designs");
+  if (list.empty()) refuse(place, key, list, "must be a list of values, or an object with from and to");
+  std::vector<Alternative> all;
+  for (const Json& value : list) {
+    for (const Alternative& other : all)
+      if (other.entries.front().value == value) refuse(place, key, value, "value given twice");
+    all.push_back({{{key, value, place}}});
+  }
+  return all;
+}
+
+Choices choices_in(const Json& variables, const std::filesystem::path& path, const std::string& place) {
+  Choices choices{given_variants(variables, path.parent_path(), place)};
+  std::vector<Alternative> named;
+  for (const GivenVariant& variant : choices.variants) {
+    for (const SceneEntry& entry : variant.entries)
+      if (entry.key == "indenter") refuse(entry.place, entry.key, entry.value, "must be the same in all designs");
+    named.push_back({variant.entries, variant.name});
+  }
+  if (!named.empty()) choices.lists.emplace_back(variant_key, std::move(named));
+  double count = static_cast<double>(std::max<std::size_t>(choices.variants.size(), 1));
+  for (const auto& [key, value] : variables.items()) {
+    if (is_of_variants(key)) continue;
+    refuse_given_twice(choices.variants, key, "is a variable too");
+    if (!value.is_array()) continue;
+    choices.lists.emplace_back(key, alternatives_of(key, value, place));
+    count *= static_cast<double>(value.size());
+  }
+  constexpr double most_choices = 1000;
+  if (count > most_choices)
+    throw std::invalid_argument(place + ": more than " + shortest(most_choices) + " combinations of choices");
+  return choices;
+}
+
+void refuse_set_variables(const std::vector<SceneEntry>& set, const Json& variables, const Choices& choices) {
+  for (const SceneEntry& entry : set) {
     if (variables.contains(entry.key)) refuse(entry.place, entry.key, entry.value, "is a variable too");
+    refuse_given_twice(choices.variants, entry.key, "is in \"set\" too");
+  }
 }
 
 /// The inputs of one scene of a duty cycle.
-std::vector<SceneEntry> duty_entries(const Json& duty, const Json& variables, const std::string& place) {
+std::vector<SceneEntry> duty_entries(const Json& duty, const Json& variables, const Choices& choices,
+                                     const std::string& place) {
   const std::vector<SceneEntry> set = set_entries(duty, place);
-  refuse_set_variables(set, variables);
+  refuse_set_variables(set, variables, choices);
   for (const SceneEntry& entry : set)
     if (entry.key == "indenter") refuse(entry.place, entry.key, entry.value, "must be the same in all scenes");
   return set;
 }
 
 std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntry>& base,
-                                   const std::vector<GivenVariable>& variables, const std::string& place) {
+                                   const std::vector<GivenVariable>& variables, const Choices& choices,
+                                   const std::string& place) {
   std::vector<SceneEntry> starts;
   for (const GivenVariable& variable : variables) starts.push_back(variable.start);
   if (!file.contains("scenes")) return {{scene_from(overridden(base, starts), place), 1}};
@@ -93,7 +149,7 @@ std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntr
     refuse_unknown_keys(item, duty_keys, item_place);
     DutyScene duty;
     duty.weight = positive_or(item, "weight", duty.weight, item_place);
-    const auto own = overridden(base, duty_entries(item, file["variables"], item_place));
+    const auto own = overridden(base, duty_entries(item, file["variables"], choices, item_place));
     duty.scene = scene_from(overridden(own, starts), item_place);
     scenes.push_back(std::move(duty));
   }
@@ -157,31 +213,24 @@ void refuse_absent(const Formula& formula, const RollingScene& scene, const std:
       throw std::invalid_argument(place + ": " + formula.text() + ": " + key + " is never there: " + why);
 }
 
-DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
-  const std::string place = path.string();
-  require_kind(FileKind::design, file, place);
-  refuse_unknown_keys(file, design_keys, place);
-  refuse_ignored_other_than_texts(file, place);
-
+/// The problem with what is chosen. @param base  entries of the scene with these choices
+DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, const Choices& choices,
+                         const std::string& place) {
   const std::string variables_place = place + ": variables";
-  const std::string rule = "must be an object with at least one input";
-  const Json& given = needed(file, "variables", place, rule);
-  if (!given.is_object() || given.empty()) refuse(place, "variables", given, rule);
-  const std::vector<SceneEntry> set = set_entries(file, place);
-  refuse_set_variables(set, given);
-  const std::vector<SceneEntry> base = overridden(scene_entries_of(file, path, place), set);
   std::vector<GivenVariable> variables;
-  for (const auto& [key, value] : given.items()) variables.push_back(given_variable(key, value, base, variables_place));
+  for (const auto& [key, value] : file["variables"].items())
+    if (!value.is_array() && !is_of_variants(key))
+      variables.push_back(given_variable(key, value, base, variables_place));
 
   DesignProblem problem{.name = needed_text(file, "study", place, "must be the name of the study"),
-                        .scenes = duty_scenes(file, base, variables, place),
+                        .scenes = duty_scenes(file, base, variables, choices, place),
                         .variables = {},
                         .start = {},
                         .goal = goal_of(file, place)};
-  std::vector<InputChoice> choices;
-  for (const GivenVariable& variable : variables) choices.push_back(variable.choice);
+  std::vector<InputChoice> inputs;
+  for (const GivenVariable& variable : variables) inputs.push_back(variable.choice);
   refusing_at(variables_place, [&] {
-    for (const DutyScene& duty : problem.scenes) problem.variables = variables_of(duty.scene, choices);
+    for (const DutyScene& duty : problem.scenes) problem.variables = variables_of(duty.scene, inputs);
   });
   problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
   problem.over_scenes = choice_or_first<OverScenes>(file, "over_scenes", place);
@@ -203,14 +252,59 @@ DesignProblem problem_in(const Json& file, const std::filesystem::path& path) {
   return problem;
 }
 
-}  // namespace
+/// The problems of all combinations, the last list varying fastest.
+std::vector<DesignProblem> problems_in(const Json& file, const std::filesystem::path& path) {
+  const std::string place = path.string();
+  require_kind(FileKind::design, file, place);
+  refuse_unknown_keys(file, design_keys, place);
+  refuse_ignored_other_than_texts(file, place);
+  const std::string rule = "must be an object with at least one input";
+  const Json& given = needed(file, "variables", place, rule);
+  if (!given.is_object() || given.empty()) refuse(place, "variables", given, rule);
+  const Choices choices = choices_in(given, path, place + ": variables");
+  const std::vector<SceneEntry> set = set_entries(file, place);
+  refuse_set_variables(set, given, choices);
+  const std::vector<SceneEntry> base = overridden(scene_entries_of(file, path, place), set);
 
-DesignProblem read_design_problem(const std::filesystem::path& path) {
-  return problem_in(read_object(path.string()), path);
+  std::size_t combinations = 1;
+  for (const auto& [key, alternatives] : choices.lists) combinations *= alternatives.size();
+  std::vector<DesignProblem> problems;
+  for (std::size_t combination = 0; combination < combinations; ++combination) {
+    std::vector<SceneEntry> entries = base;
+    std::vector<ChosenValue> chosen;
+    std::size_t of_each = combinations;
+    for (const auto& [key, alternatives] : choices.lists) {
+      of_each /= alternatives.size();
+      const Alternative& one = alternatives[combination / of_each % alternatives.size()];
+      entries = overridden(std::move(entries), one.entries);
+      chosen.push_back(
+          {key, key == variant_key ? InputValue(one.name) : input_value(one.entries.front(), indenter_of(base))});
+    }
+    problems.push_back(problem_in(file, entries, choices, place));
+    problems.back().chosen = std::move(chosen);
+  }
+  if (problems.size() > 1 && problems.front().pareto)
+    refuse(place, "pareto", file["pareto"],
+           "stands beside no variable that is a list; give each choice a file of its own");
+  return problems;
 }
 
-DesignProblem parse_design_problem(const std::string& text, const std::filesystem::path& path) {
-  return problem_in(parse_object(text, path.string()), path);
+}  // namespace
+
+std::vector<DesignProblem> read_design_problems(const std::filesystem::path& path) {
+  return problems_in(read_object(path.string()), path);
+}
+
+DesignProblem read_design_problem(const std::filesystem::path& path) {
+  std::vector<DesignProblem> problems = read_design_problems(path);
+  for (const ChosenValue& chosen : problems.front().chosen)
+    throw std::invalid_argument(path.string() + ": variables: " + chosen.key +
+                                ": is chosen from a list, which has no range; give one of its values in set");
+  return std::move(problems.front());
+}
+
+std::vector<DesignProblem> parse_design_problems(const std::string& text, const std::filesystem::path& path) {
+  return problems_in(parse_object(text, path.string()), path);
 }
 
 }  // namespace rollres

@@ -10,7 +10,13 @@
 ///
 /// "study", "scene", "set", "comment" are those of a study (study.hpp). A variable has bounds "from" and "to", "scale"
 /// linear or logarithmic (the default where both bounds are positive) and "start" (default: the scene's value if it is
-/// between the bounds, else their middle). "minimise" or "maximise" is a formula (formula.hpp), and so are the sides of
+/// between the bounds, else their middle). A variable that is a list is chosen from it, and so is a variant
+/// (study_variants.hpp): every combination of such choices is a problem of its own (design_choices.hpp).
+///
+///     "variables": {"variant": {"soft": {"static_shear_modulus": "1 MPa"}, "hard": {"static_shear_modulus": "4 MPa"}},
+///                   "radius": ["20 mm", "25 mm"], "layer_thickness": {"from": "1 mm", "to": "20 mm"}}
+///
+/// "minimise" or "maximise" is a formula (formula.hpp), and so are the sides of
 /// the constraints. What may be added:
 ///
 ///     "scenes": [{"set": {"speed": "1 m/s"}, "weight": 0.3}, {"set": {"speed": "5 m/s"}, "weight": 0.7}],
@@ -25,13 +31,16 @@
 
 namespace rollres {
 
-/// Reads the file and checks the scenes at the start.
+/// Reads the file and checks the scenes at the start: one problem for each combination of what is chosen from lists.
 /// @throws std::invalid_argument one line naming file, key, value and the rule that is broken
 /// @throws std::runtime_error if the study file or its scene file cannot be read
+std::vector<DesignProblem> read_design_problems(const std::filesystem::path& file);
+
+/// The same of a file from which nothing is chosen. @throws std::invalid_argument if something is
 DesignProblem read_design_problem(const std::filesystem::path& file);
 
 /// The same for the text of a file, as a database keeps it.
 /// @param file  for messages, and where the name of a scene file is relative to
-DesignProblem parse_design_problem(const std::string& text, const std::filesystem::path& file);
+std::vector<DesignProblem> parse_design_problems(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace rollres

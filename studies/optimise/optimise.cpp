@@ -110,6 +110,10 @@ class Optimisation {
     const std::optional<Design> start = first_found();
     if (!start) return;
     scale_.emplace(problem_, *start);
+    if (problem_.variables.empty()) {  // everything is chosen from lists
+      if (evaluator_.best()) report_.status = DesignStatus::optimum;
+      return;
+    }
     const Algorithm algorithm = problem_.algorithm.value_or(default_algorithm(problem_));
     if (global_search(problem_, algorithm)) {
       const bool global = traits(algorithm).global;

@@ -21,7 +21,8 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
   const std::string place = store.database().name() + ": " + study;
   if (!is_optimisation(text, place)) return std::nullopt;
 
-  StoredOptimum found{parse_design_problem(text, place), {}, {}};
+  const std::vector<DesignProblem> problems = parse_design_problems(text, place);
+  StoredOptimum found{problems.front(), {}, {}};
   const StudyRows rows(store, study);
   std::set<std::vector<double>> points;
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -39,13 +40,16 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
     const auto answer = answers.find(evaluation_key(scene, ""));
     return answer == answers.end() ? RollingSolution() : answer->second;
   };
-  for (const std::vector<double>& point : points) {
-    Design design = evaluate_design(found.problem, point, recall);
-    if (!design.found()) continue;
-    if (design.feasible() && (!found.best || found.problem.goal.better(design.value, found.best->value)))
-      found.best = design;
-    found.designs.push_back(std::move(design));
-  }
+  for (const DesignProblem& problem : problems)
+    for (const std::vector<double>& point : points) {
+      Design design = evaluate_design(problem, point, recall);
+      if (!design.found()) continue;
+      if (design.feasible() && (!found.best || problem.goal.better(design.value, found.best->value))) {
+        found.best = design;
+        found.problem = problem;
+      }
+      found.designs.push_back(std::move(design));
+    }
   return found;
 }
 

@@ -8,7 +8,7 @@
 namespace rollres {
 
 struct StoredOptimum {
-  DesignProblem problem;
+  DesignProblem problem;        ///< of several, from which a choice is made, that of the best design
   std::vector<Design> designs;  ///< that have a value, feasible or not
   std::optional<Design> best;   ///< the best feasible one
 

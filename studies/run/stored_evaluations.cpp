@@ -13,24 +13,30 @@ struct StoredEvaluations::Store {
 
   void start(const StudyRecord& record) {
     study = record.name;
-    std::vector<std::string> known;
-    if (writing.definition(study) == record.definition) known = writing.points(study);
-    writing.start_study(record, known);
+    std::vector<std::string> known, known_variants;
+    if (writing.definition(study) == record.definition) {
+      known = writing.points(study);
+      known_variants = writing.variants(study);
+    }
+    writing.start_study(record, known, known_variants);
     points.insert(known.begin(), known.end());
   }
 
   void add_point(const std::string& key) {
     const std::lock_guard lock(mutex);
-    if (!study.empty() && points.insert(key).second) new_points.push_back(key);
+    if (study.empty() || !points.insert(key).second) return;
+    new_points.push_back(key);
+    new_variants.push_back(variant);
   }
 
   void add_new_points() {
-    std::vector<std::string> keys;
+    std::vector<std::string> keys, variants;
     {
       const std::lock_guard lock(mutex);
       keys.swap(new_points);
+      variants.swap(new_variants);
     }
-    if (!keys.empty()) writing.add_points(study, keys);
+    if (!keys.empty()) writing.add_points(study, keys, variants);
   }
 
   void save(const std::vector<Evaluation>& answers) {
@@ -46,9 +52,9 @@ struct StoredEvaluations::Store {
 
   ResultStore writing, reading;
   std::mutex writing_mutex, mutex;  // of `writing`; of `reading` and all below
-  std::string study;
-  std::unordered_set<std::string> points;  // of the study
-  std::vector<std::string> new_points;     // to become such
+  std::string study, variant;                         // variant: of new points
+  std::unordered_set<std::string> points;             // of the study
+  std::vector<std::string> new_points, new_variants;  // to become such
   ResultWriter writer{[this](const std::vector<Evaluation>& answers) { save(answers); }};
 };
 
@@ -108,6 +114,12 @@ RollingSolution StoredEvaluations::operator()(const RollingScene& scene) {
   answers_[key] = answer;
   answered_.notify_all();
   return *answer;
+}
+
+void StoredEvaluations::be_of_variant(const std::string& variant) {
+  if (!store_) return;
+  const std::lock_guard lock(store_->mutex);
+  store_->variant = variant;
 }
 
 void StoredEvaluations::flush() {

@@ -52,6 +52,9 @@ class StoredEvaluations {
   /// @throws std::runtime_error if the store failed
   RollingSolution operator()(const RollingScene& scene);
 
+  /// From here on new points of the study are of this variant; of none if it is empty.
+  void be_of_variant(const std::string& variant);
+
   /// Waits until everything is stored. @throws std::runtime_error if the store failed
   void flush();
 

@@ -160,7 +160,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   ResultStore store(database), reader(database, Access::read);
   const std::optional<Redefinition> redefined = start_again(store, record, all_keys, options.replace);
   if (redefined && options.redefined) options.redefined(*redefined);
-  store.start_study(record, all_keys);
+  store.start_study(record, all_keys, plan.variants());
   const std::vector<std::string> again_alone = store_ended_points(store, database, all_keys, plan);
   const FatalSignalNotes notes(database);
   const Part part = part_of(plan, std::move(all_keys), options.shard);

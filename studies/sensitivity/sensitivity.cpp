@@ -114,6 +114,8 @@ DesignProblem read_ranges(const std::filesystem::path& file, const std::vector<s
   }
   if (study) {
     const Study read = read_study(file);
+    if (!read.variants.empty())
+      throw std::invalid_argument(place + ": axes: variant: a name has no range; give the inputs of one variant in set");
     StudyPlan{read};  // refuses a point that breaks a rule
     DesignProblem problem = problem_of(read.base, ranges_of_study(object, place), formula);
     problem.name = read.name;

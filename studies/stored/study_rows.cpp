@@ -54,12 +54,15 @@ StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::ve
   Query query{.filters = filters, .sort = {"position"}};
   query.filters.push_back({"study", Comparison::equal, study});
   columns_ = quantity_columns_of(store.database(), query.filters);
+  const bool named = column_names(store.database().connection(), "result").contains(std::string(variant_key));
+  if (named) columns_.push_back(find_quantity_column(variant_key));
   for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
   table_ = run_query(store.database(), query);
   for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
   if (table_.rows.empty())
     throw std::invalid_argument(store.database().name() + ": " + study + ": " +
                                 (filters.empty() ? "no point is computed yet" : "no point matches"));
+  if (named && values(*columns_.back()) == std::set<Cell>{Cell()}) columns_.pop_back();  // no point is of a variant
 }
 
 const Cell& StudyRows::cell(std::size_t row, const Column& column) const {

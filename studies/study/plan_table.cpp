@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "db/rows/schema.hpp"
 #include "studies/scene_io/cells.hpp"
 
 namespace rollres {
@@ -29,10 +30,12 @@ Table plan_table(const Study& study, const StudyPlan& plan, const std::vector<Ce
   Table table{{"position"}, {}};
   for (const Axis& axis : study.axes) table.columns.push_back(axis.key);
   if (!status.empty()) table.columns.push_back("status");
+  const std::vector<std::string> variants = plan.variants();
   for (std::size_t point = 0; point < std::min(limit, plan.size()); ++point) {
     table.rows.push_back({static_cast<std::int64_t>(point + 1)});
     const RollingScene scene = plan.scene(point);
-    for (const Axis& axis : study.axes) table.rows.back().push_back(input_of(scene, axis.key));
+    for (const Axis& axis : study.axes)
+      table.rows.back().push_back(axis.key == variant_key ? Cell(variants[point]) : input_of(scene, axis.key));
     if (!status.empty()) table.rows.back().push_back(status[point]);
   }
   return table;

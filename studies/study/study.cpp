@@ -1,9 +1,11 @@
 #include "studies/study/study.hpp"
 
+#include "db/rows/schema.hpp"
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/study/study_variants.hpp"
 #include "studies/text/file_kind.hpp"
 #include "studies/text/files.hpp"
 
@@ -11,15 +13,38 @@ namespace rollres {
 
 namespace {
 
-void refuse_set_axes(const std::vector<SceneEntry>& set, const std::vector<GivenAxis>& axes) {
+void refuse_given_twice(const std::vector<SceneEntry>& set, const std::vector<GivenAxis>& axes,
+                        const std::vector<GivenVariant>& variants) {
   for (const SceneEntry& entry : set)
     for (const GivenAxis& axis : axes)
       if (axis.key == entry.key) refuse(entry.place, entry.key, entry.value, "is an axis of the study too");
+  for (const SceneEntry& entry : set) refuse_given_twice(variants, entry.key, "is in \"set\" too");
+  for (const GivenAxis& axis : axes) refuse_given_twice(variants, axis.key, "is an axis of the study too");
+}
+
+/// What varies, with its base or with that of each variant.
+void add_scenes(Study& study, const std::vector<SceneEntry>& entries, const std::vector<GivenAxis>& axes,
+                const std::vector<GivenVariant>& variants, const std::string& place) {
+  if (variants.empty()) {
+    study.base = base_scene(entries, axes, place);
+    study.axes = axes_of(axes, study.base.indenter);
+    return;
+  }
+  Axis names{.key = std::string(variant_key)};
+  for (const GivenVariant& variant : variants) {
+    study.variants.push_back(
+        {variant.name, base_scene(overridden(entries, variant.entries), axes, variant.entries.front().place)});
+    study.axes = axes_of(axes, study.variants.back().base.indenter);
+    names.texts.push_back(variant.name);
+  }
+  study.axes.insert(study.axes.begin(), names);
+  study.base = study.variants.front().base;
 }
 
 /// The bodies of the study.
 std::vector<Indenter> indenters_of(const Study& study) {
   std::vector<Indenter> indenters{study.base.indenter};
+  for (const Variant& variant : study.variants) indenters.push_back(variant.base.indenter);
   for (const Axis& axis : study.axes)
     if (axis.key == "indenter")
       for (const std::string& name : axis.texts)
@@ -40,13 +65,14 @@ Study read_study(const std::filesystem::path& file) {
   Study study;
   study.name = needed_name(object, "study", place, "must be the name of the study");
   study.source = place;
-  const std::vector<GivenAxis> given = given_axes(object, place);
+  const std::vector<GivenVariant> variants =
+      given_variants(object.contains("axes") ? object["axes"] : Json(), file.parent_path(), place + ": axes");
+  const std::vector<GivenAxis> given = given_axes(object, place, variants.size());
   const std::vector<SceneEntry> set = set_entries(object, place);
-  refuse_set_axes(set, given);
+  refuse_given_twice(set, given, variants);
   const CompleteScene scene = complete_scene(object, file, place);
-  study.definition = standalone_text(object, text, scene);
-  study.base = base_scene(overridden(scene_entries(scene.inputs, {}, scene.place), set), given, place);
-  study.axes = axes_of(given, study.base.indenter);
+  study.definition = standalone_text(object, text, scene, file);
+  add_scenes(study, overridden(scene_entries(scene.inputs, {}, scene.place), set), given, variants, place);
   study.constraints = study_constraints(object, indenters_of(study), place);
   study.compute = study_outputs(object, place);
   study.fields = is_true(object, "fields", place);

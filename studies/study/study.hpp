@@ -14,6 +14,12 @@
 ///
 ///     "axes": {"layer": {"zip": {"layer_thickness": ["5 mm", "10 mm"], "static_shear_modulus": ["1 MPa", "2 MPa"]}}}
 ///
+/// Inputs that go together and need a name are the variants of an axis of their own, which varies slowest; its values
+/// are their names (study_variants.hpp):
+///
+///     "axes": {"variant": {"soft": {"static_shear_modulus": "1 MPa", "creep_time": "1 ms"},
+///                          "hard": {"material": "master_curve", "master_curve_file": "hard.csv"}}, "speed": [1, 2]}
+///
 /// Inputs of further layers are "coating_layers[0].layer_thickness", counted from 0; the scene must have the layer.
 ///
 /// A sample spreads points over a box, in place of axes or beside them; every point of the sample is then combined with
@@ -63,10 +69,17 @@ struct StudyChart {
   std::string map = {};  ///< an output: a contour map of it over x and y, two axes, in place of curves
 };
 
+/// A named set of inputs that go together, with all others.
+struct Variant {
+  std::string name;
+  RollingScene base;  ///< as that of a study
+};
+
 struct Study {
   std::string name;
   RollingScene base;  ///< inputs that are axes hold one of their values; what only some drives of an axis use is kept
-  std::vector<Axis> axes;
+  std::vector<Axis> axes;                   ///< if there are variants, the first is "variant"
+  std::vector<Variant> variants = {};       ///< empty where the file has none; the base is then that of the first
   std::vector<Condition> constraints = {};  ///< of inputs
   std::vector<std::string> compute = {};    ///< outputs; empty where the file says nothing
   bool fields = false;                      ///< keep the fields of every solution
@@ -95,13 +108,15 @@ class StudyPlan {
   void for_each(const std::function<void(std::size_t point, const RollingScene& scene)>& visit) const;
   /// evaluation_key of every point.
   std::vector<std::string> keys() const;
+  /// Name of every point's variant; empty if the study has none.
+  std::vector<std::string> variants() const;
 
   /// At each constraint, in their order: how many combinations break it that meet those before it.
   const std::vector<std::size_t>& dropped() const { return dropped_; }
   std::size_t all_dropped() const;
 
  private:
-  RollingScene base_;
+  std::vector<RollingScene> bases_;  // one, or of each variant
   std::vector<Axis> axes_;
   std::vector<std::uint32_t> combinations_ = {};  // of the points, counted from 0
   std::vector<std::size_t> dropped_;

@@ -7,6 +7,7 @@
 #include "core/scene/scene_input.hpp"
 #include "studies/study/sampling.hpp"
 #include "studies/study/study_keys.hpp"
+#include "studies/study/study_variants.hpp"
 
 namespace rollres {
 
@@ -37,8 +38,10 @@ GivenAxis interval(const std::string& key, const Json& object, const std::string
 
 /// A list or an interval of one input.
 GivenAxis single_axis(const std::string& key, const Json& value, const std::string& place) {
+  if (is_of_variants(key))
+    refuse(place, key, value, "cannot be zipped; what goes together with it belongs into the variants");
   if (!find_input(key)) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
-  if (find_input(key)->list) refuse(place, key, value, "a list of numbers cannot vary; vary a number, or the scene");
+  if (find_input(key)->list) refuse(place, key, value, "a list cannot vary by itself; give each list in a variant");
   if (value.is_object()) return interval(key, value, place + ": " + key);
   if (value.is_array() && value.empty()) refuse(place, key, value, "has no value: leave the axis out, or give it one");
   if (!value.is_array()) refuse(place, key, value, "must be a list of values, or an object with from, to and points");
@@ -175,7 +178,7 @@ void refuse_repeated_values(const std::vector<GivenAxis>& given, const std::vect
 
 }  // namespace
 
-std::vector<GivenAxis> given_axes(const Json& study, const std::string& place) {
+std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, std::size_t variants) {
   const auto axes = study.find("axes"), box = study.find("sample");
   if (axes == study.end() && box == study.end())
     throw std::invalid_argument(place + ": axes is missing: a study needs axes or a sample");
@@ -183,6 +186,7 @@ std::vector<GivenAxis> given_axes(const Json& study, const std::string& place) {
   if (axes != study.end()) {
     if (!axes->is_object() || axes->empty()) refuse(place, "axes", *axes, "must be an object with at least one input");
     for (const auto& [key, value] : axes->items()) {
+      if (is_of_variants(key)) continue;
       if (value.is_object() && value.contains("zip"))
         for (GivenAxis& axis : zip(key, value, place + ": axes")) given.push_back(std::move(axis));
       else
@@ -192,7 +196,7 @@ std::vector<GivenAxis> given_axes(const Json& study, const std::string& place) {
   if (box != study.end())
     for (GivenAxis& axis : sample(*box, place + ": sample")) given.push_back(std::move(axis));
   refuse_axes_that_exclude_each_other(given);
-  double count = 1;
+  double count = static_cast<double>(std::max<std::size_t>(variants, 1));
   for (const auto& group : groups_of(given)) count *= static_cast<double>(given[group.front()].size());
   if (count > most_points)
     throw std::invalid_argument(place + ": axes: more than " + std::to_string(most_points) + " points");

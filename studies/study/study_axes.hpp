@@ -30,10 +30,10 @@ struct GivenAxis {
 /// Group of the axes of a sample.
 inline constexpr const char* sample_group = "sample";
 
-/// What the file varies, the sample last.
-/// @param place the file
+/// What the file varies but for its variants, the sample last.
+/// @param place the file   @param variants  how many variants each combination is met with
 /// @throws std::invalid_argument naming place, key, value and rule; values are read later, by `axes_of`
-std::vector<GivenAxis> given_axes(const Json& study, const std::string& place);
+std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, std::size_t variants = 1);
 
 /// The neighbours that vary together, as places in `axes`.
 template <class AnyAxis>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "studies/study/study_variants.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/words.hpp"
 
@@ -74,6 +75,7 @@ StudyDefinition definition_in(const std::string& text, const std::string& place)
     if (output.is_string()) definition.compute.push_back(output.get<std::string>());
   if (const Json& axes = under(study, "axes"); axes.is_object())
     for (const auto& [key, axis] : axes.items()) {
+      if (is_of_variants(key)) continue;
       add_axis(definition, key, axis);
       if (axis.is_object()) add_group(definition, under(axis, "zip"));
     }

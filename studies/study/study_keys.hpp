@@ -47,7 +47,8 @@ inline constexpr std::array study_keys{
     FileKey{"scene", "name of a scene file, relative to this file, or a scene; what the axes give may be missing in it",
             KeyForm{}, is_needed},
     FileKey{"set", "inputs that replace those of the scene"},
-    FileKey{"axes", "inputs that vary; every combination of their values is one point"},
+    FileKey{"axes",
+            "inputs that vary, and under variant named sets of them; every combination of their values is one point"},
     FileKey{"sample", "points spread over ranges of inputs; each is combined with every combination of the axes"},
     FileKey{"constraints", "conditions between inputs; points that break one are dropped"},
     FileKey{"compute", "outputs that the study is about, in the order of its tables"},
@@ -85,7 +86,7 @@ inline constexpr std::array chart_keys{
     FileKey{"name", "by which rollres chart --chart asks for it", a_name},
     FileKey{"x", "an input that varies, or an output"},
     FileKey{"y", "an output; with map an input that varies"},
-    FileKey{"family", "an input that varies; one curve for each of its values"},
+    FileKey{"family", "an input that varies, or variant; one curve for each of its values"},
     FileKey{"map", "an output: a contour map of it over the inputs x and y, in place of curves"},
 };
 

@@ -6,6 +6,7 @@
 #include "core/numerics/parallel.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study.hpp"
 #include "studies/study/study_axes.hpp"
@@ -25,8 +26,12 @@ std::string place_of(const Study& study) { return study.source.empty() ? study.n
 /// The scenes of combinations, each made from the one before: only groups of axes that move on are set anew.
 class CombinationScenes {
  public:
-  CombinationScenes(const RollingScene& base, const std::vector<Axis>& axes)
-      : axes_(axes), groups_(groups_of(axes)), at_(groups_.size(), 0), scenes_(groups_.size() + 1, base) {}
+  CombinationScenes(const std::vector<RollingScene>& bases, const std::vector<Axis>& axes)
+      : bases_(bases),
+        axes_(axes),
+        groups_(groups_of(axes)),
+        at_(groups_.size(), 0),
+        scenes_(groups_.size() + 1, bases.front()) {}
 
   /// How many combinations there are.
   std::size_t count() const {
@@ -46,6 +51,10 @@ class CombinationScenes {
     }
     made_ = true;
     for (std::size_t group = first_changed; group < groups_.size(); ++group) {
+      if (axes_[groups_[group].front()].key == variant_key) {  // the first of all
+        scenes_[group + 1] = bases_[at_[group]];
+        continue;
+      }
       scenes_[group + 1] = scenes_[group];
       for (const std::size_t axis : groups_[group])
         set_input(scenes_[group + 1], axes_[axis].key, value_of(axes_[axis], at_[group]));
@@ -63,6 +72,7 @@ class CombinationScenes {
   }
 
  private:
+  const std::vector<RollingScene>& bases_;
   const std::vector<Axis>& axes_;
   std::vector<std::vector<std::size_t>> groups_;  // of axes that vary together
   std::vector<std::size_t> at_;                   // place of each group in its values
@@ -83,6 +93,13 @@ std::size_t first_broken(const std::vector<Condition>& constraints, const Rollin
   return broken;
 }
 
+std::vector<RollingScene> bases_of(const Study& study) {
+  std::vector<RollingScene> bases;
+  for (const Variant& variant : study.variants) bases.push_back(variant.base);
+  if (bases.empty()) bases.push_back(study.base);
+  return bases;
+}
+
 void refuse_groups_of_different_sizes(const Study& study) {
   for (const auto& group : groups_of(study.axes))
     for (const std::size_t axis : group)
@@ -93,9 +110,10 @@ void refuse_groups_of_different_sizes(const Study& study) {
 
 }  // namespace
 
-StudyPlan::StudyPlan(const Study& study) : base_(study.base), axes_(study.axes), dropped_(study.constraints.size(), 0) {
+StudyPlan::StudyPlan(const Study& study)
+    : bases_(bases_of(study)), axes_(study.axes), dropped_(study.constraints.size(), 0) {
   refuse_groups_of_different_sizes(study);
-  CombinationScenes scenes(base_, axes_);
+  CombinationScenes scenes(bases_, axes_);
   try {
     for (std::size_t combination = 0; combination < scenes.count(); ++combination) {
       const RollingScene& scene = scenes(combination);
@@ -118,11 +136,11 @@ StudyPlan::StudyPlan(const Study& study) : base_(study.base), axes_(study.axes),
 }
 
 RollingScene StudyPlan::scene(std::size_t point) const {
-  return CombinationScenes(base_, axes_)(combinations_.at(point));
+  return CombinationScenes(bases_, axes_)(combinations_.at(point));
 }
 
 void StudyPlan::for_each(const std::function<void(std::size_t, const RollingScene&)>& visit) const {
-  CombinationScenes scenes(base_, axes_);
+  CombinationScenes scenes(bases_, axes_);
   for (std::size_t point = 0; point < combinations_.size(); ++point) visit(point, scenes(combinations_[point]));
 }
 
@@ -130,11 +148,19 @@ std::vector<std::string> StudyPlan::keys() const {
   constexpr std::size_t together = 4096;
   std::vector<std::string> keys(size());
   for_each_piece((size() + together - 1) / together, 0, [&](std::size_t piece) {
-    CombinationScenes scenes(base_, axes_);
+    CombinationScenes scenes(bases_, axes_);
     for (std::size_t point = piece * together; point < std::min(size(), (piece + 1) * together); ++point)
       keys[point] = evaluation_key(scenes(combinations_[point]));
   });
   return keys;
+}
+
+std::vector<std::string> StudyPlan::variants() const {
+  std::vector<std::string> names;
+  if (axes_.empty() || axes_.front().key != variant_key) return names;
+  const std::size_t of_each = CombinationScenes(bases_, axes_).count() / bases_.size();
+  for (const std::uint32_t combination : combinations_) names.push_back(axes_.front().texts[combination / of_each]);
+  return names;
 }
 
 std::size_t StudyPlan::all_dropped() const { return std::accumulate(dropped_.begin(), dropped_.end(), std::size_t{0}); }

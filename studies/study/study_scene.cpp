@@ -6,6 +6,7 @@
 
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/study/study_variants.hpp"
 #include "studies/text/files.hpp"
 
 namespace rollres {
@@ -56,8 +57,13 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
   return *first;
 }
 
-std::string standalone_text(Json study, const std::string& text, const CompleteScene& scene) {
-  if (scene.stood_alone) return text;
+std::string standalone_text(Json study, const std::string& text, const CompleteScene& scene,
+                            const std::filesystem::path& file) {
+  bool stood_alone = scene.stood_alone;
+  for (const char* const varied : {"axes", "variables"})
+    if (study.contains(varied) && inline_variants(study[varied], file.parent_path(), file.string() + ": " + varied))
+      stood_alone = false;
+  if (stood_alone) return text;
   study["scene"] = scene.inputs;
   return study.dump(2) + "\n";
 }
@@ -65,7 +71,7 @@ std::string standalone_text(Json study, const std::string& text, const CompleteS
 std::string standalone_study(const std::filesystem::path& file) {
   const std::string text = whole_file(file, largest_json), place = file.string();
   const Json study = parse_object(text, place);
-  return study.contains("scene") ? standalone_text(study, text, complete_scene(study, file, place)) : text;
+  return study.contains("scene") ? standalone_text(study, text, complete_scene(study, file, place), file) : text;
 }
 
 }  // namespace rollres

@@ -40,7 +40,9 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
 
 /// Text of a study file that needs no other file: the scene stands in it, in full. `text`, which is that of `study`, is
 /// left as it is if it does already.
-std::string standalone_text(Json study, const std::string& text, const CompleteScene& scene);
+/// @param file  that names of files are relative to
+std::string standalone_text(Json study, const std::string& text, const CompleteScene& scene,
+                            const std::filesystem::path& file);
 
 /// The same of a file that is not read otherwise. @throws as read_study, of which this is no check
 std::string standalone_study(const std::filesystem::path& file);

@@ -62,7 +62,7 @@ void read_scene_bytes(std::string_view bytes) { parse_scene(bytes, "scene"); }
 
 void read_study_bytes(std::string_view bytes) {
   const auto file = written("study.json", bytes);
-  each([&] { StudyPlan(read_study(file)).keys(); }, [&] { read_design_problem(file); });
+  each([&] { StudyPlan(read_study(file)).keys(); }, [&] { read_design_problems(file); });
 }
 
 void read_fit_bytes(std::string_view bytes) { read_fit(written("fit.json", bytes)); }
