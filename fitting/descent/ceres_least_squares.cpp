@@ -25,6 +25,7 @@ class Position : public ceres::EvaluationCallback {
     for (double& parameter : parameters_) blocks.push_back(&parameter);
     return blocks;
   }
+  const std::vector<double>& parameters() const { return parameters_; }
 
  private:
   LeastSquares& problem_;
@@ -51,18 +52,28 @@ class OneResidual : public ceres::CostFunction {
   std::size_t row_;
 };
 
-class Stop : public ceres::IterationCallback {
+class AfterIteration : public ceres::IterationCallback {
  public:
-  explicit Stop(const std::atomic<bool>* stop) : stop_(stop) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) final {
-    return stop_ && stop_->load() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  AfterIteration(LeastSquares& problem, const Position& position) : problem_(problem), position_(position) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) final {
+    const bool moved = summary.iteration > 0 && summary.step_is_successful;
+    switch (problem_.after_iteration(summary.iteration, 2 * summary.cost, moved, position_.parameters().data())) {
+      case LeastSquares::Next::end:
+        return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+      case LeastSquares::Next::give_up:
+        return ceres::SOLVER_ABORT;
+      default:
+        return ceres::SOLVER_CONTINUE;
+    }
   }
 
  private:
-  const std::atomic<bool>* stop_;
+  LeastSquares& problem_;
+  const Position& position_;
 };
 
-ceres::LossFunction* ceres_loss(const LeastSquares& problem) {
+ceres::LossFunction* ceres_loss(const LeastSquares& problem, std::size_t row) {
+  if (!problem.has_loss(row)) return nullptr;
   if (problem.loss == Loss::huber) return new ceres::HuberLoss(problem.loss_scale);
   if (problem.loss == Loss::cauchy) return new ceres::CauchyLoss(problem.loss_scale);
   return nullptr;
@@ -87,6 +98,7 @@ ceres::Solver::Options solver_options(const LeastSquares& problem) {
   options.linear_solver_type = ceres::DENSE_QR;
   options.line_search_interpolation_type = ceres::BISECTION;  // within bounds: the others want slopes
   options.logging_type = ceres::SILENT;
+  options.update_state_every_iteration = true;
   return options;
 }
 
@@ -101,7 +113,7 @@ extern "C" __attribute__((visibility("default"))) void rollres_minimise_by_ceres
   ceres::Problem task(ownership);
   const std::vector<double*> blocks = position.blocks();
   for (std::size_t row = 0; row < problem.residuals; ++row)
-    task.AddResidualBlock(new OneResidual(problem, row), ceres_loss(problem), blocks);
+    task.AddResidualBlock(new OneResidual(problem, row), ceres_loss(problem, row), blocks);
   for (std::size_t j = 0; j < blocks.size(); ++j) {
     const LeastSquares::Parameter& parameter = problem.parameters[j];
     if (parameter.held) {
@@ -111,12 +123,18 @@ extern "C" __attribute__((visibility("default"))) void rollres_minimise_by_ceres
       task.SetParameterUpperBound(blocks[j], 0, parameter.highest);
     }
   }
-  Stop stop(problem.stop);
+  AfterIteration after(problem, position);
   ceres::Solver::Options options = solver_options(problem);
-  options.callbacks.push_back(&stop);
+  options.callbacks.push_back(&after);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &task, &summary);
-  end = {summary.termination_type == ceres::CONVERGENCE, summary.message, static_cast<int>(summary.iterations.size())};
+  end = {summary.termination_type == ceres::CONVERGENCE,
+         summary.message,
+         static_cast<int>(summary.iterations.size()),
+         position.parameters(),
+         2 * summary.initial_cost,
+         2 * summary.final_cost,
+         summary.iterations.empty() ? problem.radius : summary.iterations.back().trust_region_radius};
 }
 
 }  // namespace rollres

@@ -23,7 +23,7 @@ class Position : public LeastSquares {
     most_iterations = options.most_iterations;
     tolerance = options.tolerance;
     radius = options.radius;
-    stop = options.stop;
+    stop_ = options.stop;
     for (std::size_t j = 0; j < problem.size(); ++j)
       parameters.push_back(within_reach(problem.parameters[j].variable, start_[static_cast<Eigen::Index>(j)]));
     for (const std::size_t j : options.held) parameters[j].held = true;
@@ -70,6 +70,10 @@ class Position : public LeastSquares {
     return true;
   }
 
+  Next after_iteration(int, double, bool, const double*) final {
+    return stop_ && stop_->load() ? Next::give_up : Next::step;
+  }
+
   /// Whether the descent can begin.
   bool starts() {
     move_to(start_.data(), true);
@@ -93,6 +97,7 @@ class Position : public LeastSquares {
   }
 
   const FitProblem& problem_;
+  const std::atomic<bool>* stop_;
   const Eigen::VectorXd start_;
   Eigen::VectorXd at_, residuals_;
   Prediction prediction_;

@@ -30,6 +30,16 @@ class Parabola : public LeastSquares {
     return b < 5;
   }
 
+  bool has_loss(std::size_t row) const final { return row < fully_counted; }
+  Next after_iteration(int iteration, double sum, bool, const double* at) final {
+    if (iteration == 0) first_sum = sum;
+    CHECK(at[1] < 5);
+    return iteration < most ? Next::step : Next::end;
+  }
+
+  std::size_t fully_counted = 5;
+  int most = 60;
+  double first_sum = 0;
   const std::vector<double> x{0, 1, 2, 3, 4}, y{1, 3, 9, 19, 83};  // 1 + 2 x^2 but for the last
   double a = 0, b = 0, least = 1e9, best_a = 0, best_b = 0;
 };
@@ -41,6 +51,10 @@ TEST_CASE("least squares of a linear problem are those of its normal equations",
   const LeastSquaresEnd end = minimise(problem);
   CHECK(end.converged);
   CHECK(end.iterations > 0);
+  CHECK(end.parameters[1] == Approx(4240.0 / 870).epsilon(1e-6));
+  CHECK(end.first_sum == Approx(1 + 9 + 81 + 361 + 83 * 83));
+  CHECK(problem.first_sum == Approx(end.first_sum));
+  CHECK(end.last_sum == Approx(problem.least));
   // 5 a + 30 b = 115 and 30 a + 354 b = 1538
   CHECK(problem.a == Approx(-5430.0 / 870).epsilon(1e-6));
   CHECK(problem.b == Approx(4240.0 / 870).epsilon(1e-6));
@@ -70,5 +84,15 @@ TEST_CASE("bounds, held parameters and losses are kept", "[fitting][least_square
     minimise(problem);
     CHECK(problem.a == Approx(1).margin(1e-4));
     CHECK(problem.b == Approx(2).margin(1e-4));
+    problem.fully_counted = 0;
+    CHECK(minimise(problem).parameters[1] == Approx(4240.0 / 870).epsilon(1e-6));
+  }
+  SECTION("an end that is asked for") {
+    problem.most = 1;
+    problem.tolerance = 1e-14;
+    const LeastSquaresEnd end = minimise(problem);
+    CHECK(end.iterations == 2);  // the start and a step
+    CHECK(end.last_sum < end.first_sum);
+    CHECK(end.radius > 0);
   }
 }
