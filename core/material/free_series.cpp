@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/numerics/dense_algebra.hpp"
-
 namespace rollres {
 
 namespace {
@@ -88,7 +86,7 @@ class FreeSeries {
     std::vector<double> times;
     for (int j = 0; j <= count; ++j)
       times.push_back(shortest() * std::pow(longest() / shortest(), static_cast<double>(j) / count));
-    const VectorXd moduli = moduli_at(times);
+    const VectorXd moduli = nonnegative_moduli(rows_, times);
     series_.static_modulus = rows_.least_rest() + (rows_.free_rest() ? moduli(count + 1) : 0);
     bool neighbour = false;  // of a term that is not yet one of two
     for (int j = 0; j <= count; ++j) {
@@ -113,20 +111,6 @@ class FreeSeries {
   void join_at(std::size_t j) {
     series_.terms[j] = one_of(series_.terms[j], series_.terms[j + 1]);
     series_.terms.erase(series_.terms.begin() + static_cast<std::ptrdiff_t>(j) + 1);
-  }
-
-  /// The non-negative moduli of least misfit at fixed times.
-  VectorXd moduli_at(const std::vector<double>& times) const {
-    const MatrixXd responses = rows_.responses(times);
-    MatrixXd a(responses.rows(), responses.cols() + 1);
-    a << responses, rows_.wanted();
-    if (a.rows() > a.cols()) {  // a triangle has the same least squares
-      const Eigen::HouseholderQR<MatrixXd> qr(a);
-      a = qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>();
-    }
-    const VectorXd norms = a.leftCols(a.cols() - 1).colwise().norm();
-    return nonnegative_least_squares(a.leftCols(a.cols() - 1) * norms.cwiseInverse().asDiagonal(), a.col(a.cols() - 1))
-        .cwiseQuotient(norms);
   }
 
   static PronySeries::Term one_of(const PronySeries::Term& a, const PronySeries::Term& b) {

@@ -7,6 +7,7 @@
 
 #include "core/material/free_series.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/material/passivity.hpp"
 #include "core/material/relative_rows.hpp"
 #include "core/material/smooth_spectrum.hpp"
 #include "core/messages/message_text.hpp"
@@ -31,54 +32,46 @@ std::string row_name(const MasterCurve& curve, std::size_t row) {
   return message_text("row ", row + 1, " (", curve.frequencies[row], " Hz)");
 }
 
-/// Rows by frequency.
-std::vector<std::size_t> rows_in_order(const MasterCurve& curve) {
-  std::vector<std::size_t> order(curve.frequencies.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return curve.frequencies[a] < curve.frequencies[b]; });
-  return order;
+/// Adds a line for each of some rows, or one for all where they are many.
+void add_lines(std::vector<std::string>& remarks, const std::vector<std::string>& lines) {
+  constexpr std::size_t few = 3;
+  if (lines.size() <= few)
+    remarks.insert(remarks.end(), lines.begin(), lines.end());
+  else
+    remarks.push_back(lines.front() + message_text("; likewise at ", lines.size() - 1, " other rows"));
 }
 
-std::vector<std::string> remarks_on_rows(const MasterCurve& curve) {
+/// @param falls  whether falling storage moduli are told
+std::vector<std::string> remarks_on_rows(const MasterCurve& curve, bool falls) {
   const std::vector<std::size_t> order = rows_in_order(curve);
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks, moved, repeated, falling;
   for (std::size_t row = 1; row < curve.frequencies.size(); ++row)
     if (curve.frequencies[row] < curve.frequencies[row - 1])
-      remarks.push_back("master curve: " + row_name(curve, row) + " is out of the order of frequencies");
+      moved.push_back("master curve: " + row_name(curve, row) + " is out of the order of frequencies");
   for (std::size_t i = 1; i < order.size(); ++i) {
     const std::size_t before = order[i - 1], row = order[i];
     if (curve.frequencies[row] == curve.frequencies[before])
-      remarks.push_back("master curve: " + row_name(curve, row) + " has the frequency of row " +
-                        std::to_string(before + 1) + "; both count");
-    else if (curve.storage[row] < curve.storage[before])
-      remarks.push_back("master curve: " + row_name(curve, row) +
+      repeated.push_back("master curve: " + row_name(curve, row) + " has the frequency of row " +
+                         std::to_string(before + 1) + "; both count");
+    else if (falls && curve.storage[row] < curve.storage[before])
+      falling.push_back("master curve: " + row_name(curve, row) +
                         message_text(": the storage modulus falls from ", curve.storage[before], " to ",
                                      curve.storage[row], " Pa, as no passive material's does"));
   }
+  for (const auto* const lines : {&moved, &repeated, &falling}) add_lines(remarks, *lines);
   return remarks;
-}
-
-/// Relative misfit of each row.
-std::vector<double> misfits(const MasterCurve& curve, const PronySeries& series) {
-  std::vector<double> misfits;
-  for (std::size_t row = 0; row < curve.frequencies.size(); ++row) {
-    const std::complex<double> measured(curve.storage[row], curve.loss[row]);
-    const std::complex<double> fitted = complex_modulus(series, 2 * std::numbers::pi * curve.frequencies[row]);
-    misfits.push_back(std::abs(fitted - measured) / std::abs(measured));
-  }
-  return misfits;
 }
 
 std::vector<std::string> remarks_on_outliers(const MasterCurve& curve, const std::vector<double>& misfits) {
   std::vector<double> sorted = misfits;
   std::nth_element(sorted.begin(), sorted.begin() + std::ssize(sorted) / 2, sorted.end());
   const double usual = sorted[sorted.size() / 2];
-  std::vector<std::string> remarks;
+  std::vector<std::string> lines, remarks;
   for (std::size_t row = 0; row < misfits.size(); ++row)
     if (misfits[row] > std::max(outlier_ratio * usual, outlier_misfit))
-      remarks.push_back("master curve: " + row_name(curve, row) + " is an outlier: " +
-                        message_text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
+      lines.push_back("master curve: " + row_name(curve, row) + " is an outlier: " +
+                      message_text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
+  add_lines(remarks, lines);
   return remarks;
 }
 
@@ -97,6 +90,24 @@ SpectrumFit likelier_spectrum(const RelativeRows& rows) {
 
 }  // namespace
 
+std::vector<std::size_t> rows_in_order(const MasterCurve& curve) {
+  std::vector<std::size_t> order(curve.frequencies.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return curve.frequencies[a] < curve.frequencies[b]; });
+  return order;
+}
+
+std::vector<double> relative_misfits(const MasterCurve& curve, const PronySeries& series) {
+  std::vector<double> misfits;
+  for (std::size_t row = 0; row < curve.frequencies.size(); ++row) {
+    const std::complex<double> measured(curve.storage[row], curve.loss[row]);
+    const std::complex<double> fitted = complex_modulus(series, 2 * std::numbers::pi * curve.frequencies[row]);
+    misfits.push_back(std::abs(fitted - measured) / std::abs(measured));
+  }
+  return misfits;
+}
+
 std::string MasterCurveFit::in_words() const {
   return message_text("master curve as ", series.terms.size(), " Prony terms, misfit ", 100 * rms_misfit, " % rms and ",
                       100 * largest_misfit, " % at most (at ", worst_frequency, " Hz)");
@@ -105,14 +116,17 @@ std::string MasterCurveFit::in_words() const {
 MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const RelativeRows rows(curve);
   SpectrumFit found = likelier_spectrum(rows);
-  MasterCurveFit fit{
-      .series = std::move(found.series), .open = std::move(found.open), .remarks = remarks_on_rows(curve)};
-  const std::vector<double> misfit = misfits(curve, fit.series);
+  MasterCurveFit fit{.series = std::move(found.series), .open = std::move(found.open), .remarks = {}};
+  const std::vector<double> misfit = relative_misfits(curve, fit.series);
   const std::size_t worst = static_cast<std::size_t>(std::max_element(misfit.begin(), misfit.end()) - misfit.begin());
   fit.largest_misfit = misfit[worst];
   fit.worst_frequency = curve.frequencies[worst];
   fit.rms_misfit = Eigen::Map<const Eigen::VectorXd>(misfit.data(), std::ssize(misfit)).norm() /
                    std::sqrt(static_cast<double>(misfit.size()));
+  constexpr double suspicious = 0.03;
+  const std::string contradiction = fit.rms_misfit > suspicious ? passivity_test(curve).in_words() : "";
+  fit.remarks = remarks_on_rows(curve, contradiction.empty());
+  if (!contradiction.empty()) fit.remarks.push_back("master curve: " + contradiction);
   for (std::string& remark : remarks_on_outliers(curve, misfit)) fit.remarks.push_back(std::move(remark));
   if (rows.free_rest() && fit.series.static_modulus <= not_shown * rows.least_rest())
     fit.remarks.push_back(message_text(

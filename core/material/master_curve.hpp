@@ -45,6 +45,12 @@ struct MasterCurveFit {
   std::string in_words() const;
 };
 
+/// Places of the rows, by frequency.
+std::vector<std::size_t> rows_in_order(const MasterCurve& curve);
+
+/// |G*_series - G*| / |G*| of each row [1].
+std::vector<double> relative_misfits(const MasterCurve& curve, const PronySeries& series);
+
 /// @param curve with at least two different frequencies
 MasterCurveFit fit_master_curve(const MasterCurve& curve);
 

@@ -1,11 +1,13 @@
 #include "core/material/relative_rows.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "core/material/prony_series.hpp"
+#include "core/numerics/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -79,6 +81,19 @@ double RelativeRows::loss_at(double omega) const {
   if (above == order_.end()) return loss(order_.back());
   const Eigen::Index a = *(above - 1), b = *above;
   return loss(a) * std::pow(loss(b) / loss(a), std::log(omega / omega_(a)) / std::log(omega_(b) / omega_(a)));
+}
+
+Eigen::VectorXd nonnegative_moduli(const RelativeRows& rows, const std::vector<double>& times) {
+  const Eigen::MatrixXd responses = rows.responses(times);
+  Eigen::MatrixXd a(responses.rows(), responses.cols() + 1);
+  a << responses, rows.wanted();
+  if (a.rows() > a.cols()) {  // a triangle has the same least squares
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
+    a = qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>();
+  }
+  const Eigen::VectorXd norms = a.leftCols(a.cols() - 1).colwise().norm();
+  return nonnegative_least_squares(a.leftCols(a.cols() - 1) * norms.cwiseInverse().asDiagonal(), a.col(a.cols() - 1))
+      .cwiseQuotient(norms);
 }
 
 TermSlopes::TermSlopes(const RelativeRows& rows, const PronySeries& series) {

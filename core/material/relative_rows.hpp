@@ -46,6 +46,9 @@ class RelativeRows {
   bool free_rest_;
 };
 
+/// The non-negative moduli of least misfit at fixed times, the last at rest where that is free [Pa].
+Eigen::VectorXd nonnegative_moduli(const RelativeRows& rows, const std::vector<double>& times);
+
 /// A series' parameters and the rows' derivatives with respect to their logarithms.
 struct TermSlopes {
   std::vector<double> times;  ///< [s]

@@ -65,6 +65,13 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
   const Eigen::Index n = a.cols();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
   if (n == 0) return x;
+  if (a.rows() > 2 * n) {  // a triangle has the same least squares
+    Eigen::MatrixXd all(a.rows(), n + 1);
+    all << a, b;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(all);
+    const Eigen::MatrixXd triangle = qr.matrixQR().topRows(n + 1).triangularView<Eigen::Upper>();
+    return nonnegative_least_squares(triangle.leftCols(n), triangle.col(n));
+  }
   std::vector<Eigen::Index> free;
   const double negligible = 1e-12 * (a.transpose() * b).cwiseAbs().maxCoeff();
   std::vector<char> refused(static_cast<std::size_t>(n), 0);  // came back at once, nothing having moved since

@@ -23,12 +23,12 @@ constexpr auto columns<Fit> = std::tuple(
     std::pair("name", &Fit::name), std::pair("kind", &Fit::kind), std::pair("definition", &Fit::definition),
     std::pair("data_digest", &Fit::data_digest), std::pair("status", &Fit::status), std::pair("reason", &Fit::reason),
     std::pair("warnings", &Fit::warnings), std::pair("weakest_direction", &Fit::weakest_direction),
-    std::pair("degrees", &Fit::degrees), std::pair("starts", &Fit::starts), std::pair("agreeing", &Fit::agreeing),
-    std::pair("evaluations", &Fit::evaluations), std::pair("recalled", &Fit::recalled),
-    std::pair("failures", &Fit::failures), std::pair("chi_squared", &Fit::chi_squared),
-    std::pair("reduced_chi_squared", &Fit::reduced_chi_squared), std::pair("p_value", &Fit::p_value),
-    std::pair("rms", &Fit::rms), std::pair("runs_p_value", &Fit::runs_p_value), std::pair("condition", &Fit::condition),
-    std::pair("noise", &Fit::noise), std::pair("seconds", &Fit::seconds),
+    std::pair("scene", &Fit::scene), std::pair("degrees", &Fit::degrees), std::pair("starts", &Fit::starts),
+    std::pair("agreeing", &Fit::agreeing), std::pair("evaluations", &Fit::evaluations),
+    std::pair("recalled", &Fit::recalled), std::pair("failures", &Fit::failures),
+    std::pair("chi_squared", &Fit::chi_squared), std::pair("reduced_chi_squared", &Fit::reduced_chi_squared),
+    std::pair("p_value", &Fit::p_value), std::pair("rms", &Fit::rms), std::pair("runs_p_value", &Fit::runs_p_value),
+    std::pair("condition", &Fit::condition), std::pair("noise", &Fit::noise), std::pair("seconds", &Fit::seconds),
     std::pair("deviations_known", &Fit::deviations_known));
 
 using Parameter = FitParameterRecord;
@@ -139,6 +139,32 @@ void create_fit_tables(SQLite::Database& connection) {
                   ", PRIMARY KEY(fit, first, second)" + rowless);
   connection.exec("CREATE TABLE fit_data" + part + "position INTEGER NOT NULL, " + column_list<Datum>(true) +
                   ", PRIMARY KEY(fit, position)" + rowless);
+}
+
+void add_fit_scenes(SQLite::Database& connection) {
+  SQLite::Statement present(connection, "SELECT count(*) FROM pragma_table_info('fit') WHERE name = 'scene'");
+  present.executeStep();
+  if (present.getColumn(0).getInt() == 0) connection.exec("ALTER TABLE fit ADD COLUMN scene TEXT NOT NULL DEFAULT ''");
+}
+
+std::vector<FitSummary> stored_fits(const Database& database) {
+  return naming(database.name(), [&] {
+    SQLite::Statement row(database.connection(),
+                          "SELECT id, name, kind, status, created, (SELECT group_concat(name, ', ') FROM (SELECT name "
+                          "FROM fit_parameter WHERE fit = id AND NOT fixed ORDER BY position)), (SELECT count(*) FROM "
+                          "fit_data WHERE fit = id), chi_squared FROM fit ORDER BY name, id");
+    std::vector<FitSummary> fits;
+    while (row.executeStep()) {
+      FitSummary& fit = fits.emplace_back();
+      int column = 0;
+      read_column(row.getColumn(column++), fit.id);
+      for (std::string* const text : {&fit.name, &fit.kind, &fit.status, &fit.created, &fit.parameters})
+        read_column(row.getColumn(column++), *text);
+      read_column(row.getColumn(column++), fit.values);
+      read_column(row.getColumn(column), fit.chi_squared);
+    }
+    return fits;
+  });
 }
 
 std::int64_t save_fit(const Database& database, const FitRecord& fit) {

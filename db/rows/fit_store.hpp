@@ -48,6 +48,7 @@ struct FitRecord {
   std::string definition;   ///< text of the fit's file
   std::string data_digest;  ///< of the files of the data
   std::string status, reason, warnings, weakest_direction;
+  std::string scene = {};  ///< the fitted scene or material, a JSON object with all digits; empty: not known
   std::int64_t degrees = 0, starts = 0, agreeing = 0, evaluations = 0, recalled = 0, failures = 0;
   double chi_squared, reduced_chi_squared, p_value, rms, runs_p_value, condition, noise, seconds;
   bool deviations_known = false;
@@ -63,6 +64,20 @@ void create_fit_tables(SQLite::Database& connection);
 /// @return its id
 /// @throws std::runtime_error naming the file if the database fails
 std::int64_t save_fit(const Database& database, const FitRecord& fit);
+
+/// What a list of fits says of one.
+struct FitSummary {
+  std::int64_t id = 0;
+  std::string name, kind, status, created, parameters;  ///< parameters: the names of the fitted ones
+  std::int64_t values = 0;                              ///< measured
+  double chi_squared = FitParameterRecord::absent;
+};
+
+/// All fits, by name and age.
+std::vector<FitSummary> stored_fits(const Database& database);
+
+/// The table fit's column of fitted scenes: a migration.
+void add_fit_scenes(SQLite::Database& connection);
 
 enum class FitParts { without_data, with_data };
 

@@ -210,9 +210,10 @@ std::set<std::string> column_names(SQLite::Database& connection, const std::stri
 }
 
 std::span<const Migration> schema_migrations() {
-  static constexpr Migration migrations[] = {
-      create_first_tables, create_summary_and_fields, create_fit_tables, add_kinematics, show_as_asked, add_notes,
-      add_variants};
+  static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields,
+                                             create_fit_tables,   add_kinematics,
+                                             show_as_asked,       add_notes,
+                                             add_variants,        add_fit_scenes};
   return migrations;
 }
 

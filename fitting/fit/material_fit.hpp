@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,19 @@ struct ChoiceNames<MaterialForm> {
   static constexpr std::array<std::string_view, 3> names{"zener", "fractional_zener", "prony"};
 };
 
+/// Relaxation times of a Prony series: in even steps of their logarithm, or fitted with their moduli.
+enum class SeriesTimes { even, free };
+template <>
+struct ChoiceNames<SeriesTimes> {
+  static constexpr std::array<std::string_view, 2> names{"even", "free"};
+};
+inline constexpr int most_free_terms = 10, usual_free_terms = 5;
+
 struct MaterialFitOptions {
   MaterialForm form = MaterialForm::prony;
-  int terms = 0;                ///< of a Prony series; 0: as many as the data ask for, at most 20
-  TemperatureShift shift = {};  ///< its law, its reference, and where its constants start
+  int terms = 0;                          ///< of a Prony series; 0: as many as the data ask for (automatic_series)
+  std::optional<SeriesTimes> times = {};  ///< default: free for up to usual_free_terms that are asked for, else even
+  TemperatureShift shift = {};            ///< its law, its reference, and where its constants start
   bool deviations_known = false;
   FitOptions options = {};
 };
@@ -43,6 +53,7 @@ struct MaterialFit {
   FractionalZener zener;  ///< what was fitted, order 1 for the Zener solid
   PronySeries prony;      ///< or this
   TemperatureShift shift;
+  std::vector<std::string> notes = {};  ///< on how many terms there are
   /// G*(omega) [Pa] at a temperature [K].
   std::complex<double> modulus(double angular_frequency, double temperature) const;
   /// Standard errors of its parts by the errors of the parameters; NaN if those are not known [Pa].
@@ -51,11 +62,10 @@ struct MaterialFit {
   std::function<std::complex<double>(const FitPoint&, double angular_frequency, double temperature)> modulus_at = {};
 };
 
-/// A Prony series has relaxation times in even steps of their logarithm over the (shifted) frequencies; moduli that
-/// non-negative least squares leave at 0 are left out. Its descent starts 10 % off that solution. As many terms as the
-/// data ask for: those of the least corrected information criterion, less the ones that the data then do not tell from
-/// 0.
-/// @throws std::invalid_argument if the data are too few
+/// The moduli of a Prony series of even times (even_series.hpp) are linear unknowns that may be 0: their intervals are
+/// those of the slopes, cut off at 0, and only the constants of a shift have profiles. Those constants start where the
+/// moduli of least squares at every shift leave the least misfit.
+/// @throws std::invalid_argument if the data are too few, or the free terms too many
 MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options);
 
 }  // namespace rollres

@@ -6,9 +6,12 @@
 
 #include "db/rows/schema.hpp"
 #include "fitting/errors/statistics.hpp"
+#include "studies/fit/fit_comparison.hpp"
 #include "studies/fit/fit_curves.hpp"
 #include "studies/fit/fit_file.hpp"
+#include "studies/fit/fit_keys.hpp"
 #include "studies/fit/fit_summary.hpp"
+#include "studies/fit/fitted_scene.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
@@ -23,10 +26,11 @@ namespace rollres {
 namespace {
 
 struct FitArguments {
-  std::string fit, database, out;
+  std::vector<std::string> fits;
+  std::string fit, database, out, scene;  ///< fit: the one that is at hand
   int jobs = 0, coverage = 0;
   std::uint64_t seed = 1;
-  bool json = false, no_profiles = false, design = false;
+  bool json = false, no_profiles = false, design = false, compare = false;
 };
 
 FitContext context_of(const FitFile& file) {
@@ -94,6 +98,7 @@ void save(const FitReport& report, FitContext& context, std::chrono::steady_cloc
           const FitArguments& arguments, Session& session) {
   context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   save_fit(open_database(arguments.database, Access::write), fit_record(report, context));
+  if (!arguments.scene.empty()) write_scene(arguments.scene, context.scene);
   if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
 }
 
@@ -103,37 +108,87 @@ void draw(const FitReport& report, const FitCurves& curves, const std::string& n
     session.err << "drawn: " << picture.string() << '\n';
 }
 
-void fit_resistance(const FitArguments& arguments, Session& session) {
+/// A fit that was made and stored, with what is told of it.
+struct MadeFit {
+  FitCandidate candidate;
+  FitContext context;
+};
+
+MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredEvaluations& stored, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
+  file.options.profiles = !arguments.no_profiles;
+  const FitProblem problem = problem_of(
+      file, [&](const RollingScene& scene) { return stored(scene); }, arguments.jobs);
+  MadeFit made{{.source = arguments.fit, .name = file.name, .model = "scene"}, context_of(file)};
+  FitReport& report = made.candidate.report;
+  report = refusing_at(file.source, [&] { return fit(problem, file.options); });
+  std::vector<std::string> names;
+  for (const FittedParameter& fitted : report.parameters) names.push_back(fitted.parameter.name);
+  made.candidate.model = joined(names);
+  made.context.solved = stored.count().solved;
+  made.context.recalled = stored.count().recalled;
+  made.context.scene = fitted_scene(report, file);
+  save(report, made.context, begin, arguments, session);
+  made.candidate.resistance = std::move(file);
+  return made;
+}
+
+std::string model_in_words(const MaterialFitOptions& options, const MaterialFit& found) {
+  std::string words(name_of(options.form));
+  if (options.form == MaterialForm::prony) words += ", " + std::to_string(found.prony.terms.size()) + " terms";
+  if (options.shift.law == ShiftLaw::none) return words;
+  return words + ", " + std::string(shift_names[static_cast<std::size_t>(options.shift.law)]);
+}
+
+MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Session& session) {
+  const auto begin = std::chrono::steady_clock::now();
+  file.options.options.profiles = !arguments.no_profiles;
+  const MaterialFit found = refusing_at(arguments.fit, [&] { return fit_material(file.data, file.options); });
+  FitContext context{.name = file.name,
+                     .kind = "material",
+                     .definition = file.definition,
+                     .data_digest = file.data_digest,
+                     .output_unit = "Pa",
+                     .notes = file.notes};
+  context.notes.insert(context.notes.end(), found.notes.begin(), found.notes.end());
+  context.scene = fitted_scene(found, file);
+  save(found.report, context, begin, arguments, session);
+  const std::string model = model_in_words(file.options, found);
+  return {{.source = arguments.fit,
+           .name = file.name,
+           .model = model,
+           .report = found.report,
+           .file = std::move(file),
+           .material = found},
+          context};
+}
+
+void fit_resistance(const FitArguments& arguments, Session& session) {
   FitFile file = read_fit(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
   file.options.stop = &signal.requested();
-  file.options.profiles = !arguments.no_profiles;
   StoredEvaluations stored(session.evaluate, arguments.database);
   const Evaluate evaluate = [&](const RollingScene& scene) { return stored(scene); };
-  const FitProblem problem = problem_of(file, evaluate, arguments.jobs);
-  const FitReport report = refusing_at(file.source, [&] { return fit(problem, file.options); });
-  FitContext context = context_of(file);
-  context.solved = stored.count().solved;
-  context.recalled = stored.count().recalled;
-  save(report, context, begin, arguments, session);
+  const MadeFit made = make_resistance_fit(arguments, std::move(file), stored, session);
+  const FitReport& report = made.candidate.report;
+  const FitFile& given = *made.candidate.resistance;
 
   const bool known = report.slopes.found() && !report.interrupted;
-  Json object = json_of(report, context);
-  if (!arguments.json) session.out << fit_summary(report, context) << std::flush;
+  Json object = json_of(report, made.context);
+  if (!arguments.json) session.out << fit_summary(report, made.context) << std::flush;
   if (arguments.design && known) {
-    const FitDesign next = design_of(file, report, evaluate, arguments.jobs);
+    const FitDesign next = design_of(given, report, evaluate, arguments.jobs);
     object["design"] = json_of(next, report);
-    if (!arguments.json) session.out << design_summary(next, file, report) << std::flush;
+    if (!arguments.json) session.out << design_summary(next, given, report) << std::flush;
   }
   if (arguments.coverage > 0 && known) {
-    const Coverage counted = coverage_of(file, report, arguments, session);
+    const Coverage counted = coverage_of(given, report, arguments, session);
     object["coverage"] = json_of(counted);
     if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
   }
   if (!arguments.out.empty() && known)
-    draw(report, fit_curves(file, report, evaluate, arguments.jobs), file.name, file.indenter(), arguments, session);
+    draw(report, fit_curves(given, report, evaluate, arguments.jobs), given.name, given.indenter(), arguments, session);
   stored.flush();
   if (arguments.json) session.out << text_of(object, 2) << '\n';
 }
@@ -141,28 +196,60 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
 void fit_moduli(const FitArguments& arguments, Session& session) {
   if (arguments.design || arguments.coverage > 0)
     throw std::invalid_argument(arguments.fit + ": --design and --coverage are for fits of scenes");
-  const auto begin = std::chrono::steady_clock::now();
   MaterialFile file = read_material_fit(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
   file.options.options.stop = &signal.requested();
-  file.options.options.profiles = !arguments.no_profiles;
-  const MaterialFit found = refusing_at(arguments.fit, [&] { return fit_material(file.data, file.options); });
-  FitContext context{.name = file.name,
-                     .kind = "material",
-                     .definition = file.definition,
-                     .data_digest = file.data_digest,
-                     .output_unit = "Pa"};
-  save(found.report, context, begin, arguments, session);
+  const MadeFit made = make_material_fit(arguments, std::move(file), session);
+  const FitReport& report = made.candidate.report;
   if (arguments.json)
-    session.out << text_of(json_of(found.report, context), 2) << '\n';
+    session.out << text_of(json_of(report, made.context), 2) << '\n';
   else
-    session.out << fit_summary(found.report, context) << std::flush;
-  if (!arguments.out.empty() && found.report.slopes.found())
-    draw(found.report, modulus_curves(file, found), file.name, Indenter::cylinder, arguments, session);
+    session.out << fit_summary(report, made.context) << std::flush;
+  if (!arguments.out.empty() && report.slopes.found())
+    draw(report, modulus_curves(*made.candidate.file, *made.candidate.material), made.candidate.name,
+         Indenter::cylinder, arguments, session);
 }
 
-void run_fit(const FitArguments& arguments, Session& session) {
+/// Fits all of the files, and says which model the data are most likely on.
+void compare_fits(const FitArguments& given, Session& session) {
+  if (given.design || given.coverage > 0 || !given.out.empty() || !given.scene.empty())
+    throw std::invalid_argument("--compare: stands with --db, --jobs, --no-profiles and --json alone");
+  if (given.fits.size() < 2) throw std::invalid_argument("--compare: needs two fit files at least");
+  const StopSignal signal;
+  StoredEvaluations stored(session.evaluate, given.database);
+  std::vector<FitCandidate> fits;
+  for (const std::string& fit : given.fits) {
+    if (signal.requested()) break;
+    FitArguments arguments = given;
+    arguments.fit = fit;
+    if (is_material_fit(fit)) {
+      MaterialFile file = read_material_fit(fit);
+      file.options.options.stop = &signal.requested();
+      fits.push_back(make_material_fit(arguments, std::move(file), session).candidate);
+    } else {
+      FitFile file = read_fit(fit);
+      file.options.stop = &signal.requested();
+      fits.push_back(make_resistance_fit(arguments, std::move(file), stored, session).candidate);
+    }
+    session.err << fit << ": " << name_of(fits.back().report.status) << '\n';
+  }
+  stored.flush();
+  if (fits.size() < given.fits.size()) throw std::runtime_error("interrupted: the fits that were made are stored");
+  const FitComparison comparison = compare(fits);
+  session.status = ExitStatus::answered;
+  if (comparison.fits.front().status.find("USABLE") == std::string::npos) session.status = ExitStatus::no_answer;
+  if (given.json)
+    session.out << text_of(json_of(comparison), 2) << '\n';
+  else
+    session.out << comparison_summary(comparison);
+}
+
+void run_fit(const FitArguments& given, Session& session) {
+  if (given.compare) return compare_fits(given, session);
+  if (given.fits.size() != 1) throw std::invalid_argument("several fits: need --compare");
+  FitArguments arguments = given;
+  arguments.fit = given.fits.front();
   is_material_fit(arguments.fit) ? fit_moduli(arguments, session) : fit_resistance(arguments, session);
 }
 
@@ -171,12 +258,15 @@ void run_fit(const FitArguments& arguments, Session& session) {
 void add_fit(Command& program, Session& session) {
   const auto [command, arguments] = program.add<FitArguments>(
       "fit", "Fit a scene, or a material, to measured values, with intervals and a judgement", session, run_fit);
-  command->add_option("fit FIT", arguments.fit, "Fit file (JSON): scene or material, data (CSV), parameters")
+  command
+      ->add_option("fits FIT", arguments.fits,
+                   "Fit file (JSON): scene or material, data (CSV), parameters; several with --compare")
       ->required();
   command->add_option("--db FILE", arguments.database, "Database: every evaluation and the fit are stored here")
       ->required();
   command->add_option("--out DIR", arguments.out,
                       "Draw data, residuals, profiles and the worst pair's ellipse into DIR");
+  command->add_option("--scene FILE", arguments.scene, "Write what was fitted as a scene file, with all digits");
   command->add_flag("--design", arguments.design, "Which speed, and which load, to measure next");
   command
       ->add_option("--coverage N", arguments.coverage,
@@ -184,12 +274,15 @@ void add_fit(Command& program, Session& session) {
       ->between(1, 1'000'000);
   command->add_option("--seed S", arguments.seed, "Of the draws; default 1");
   command->add_option("--jobs N", arguments.jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_flag("--compare", arguments.compare,
+                    "Fit several files to the same data and compare them: AICc, BIC, weights, likelihood ratios");
   command->add_flag("--no-profiles", arguments.no_profiles, "Leave out the intervals by profile likelihood");
   command->add_flag("--json", arguments.json, "Print one JSON object");
   command->footer(
       "Status: USABLE; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); DID NOT MOVE (ended\n"
       "where it started); NOT CONVERGED (no least misfit was found). Exit status 1 for the last three.\n"
-      "Example: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit");
+      "Examples: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit\n"
+      "          rollres fit zener.json prony.json --compare --db out/fit.db");
 }
 
 }  // namespace rollres

@@ -2,7 +2,9 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
+#include "studies/fit/stored_fit.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/export_study.hpp"
 #include "studies/text/readable_number.hpp"
@@ -114,7 +116,21 @@ struct ExportArguments {
   bool json = false;
 };
 
+/// A fit, where the name is one of a fit alone.
+std::optional<FitRecord> fit_to_export(const ExportArguments& arguments) {
+  ResultStore store(arguments.database, Access::read);
+  std::string name = arguments.study;
+  if (const auto fits = stored_fits(store.database()); name.empty() && store.studies().empty() && fits.size() == 1)
+    name = fits.front().name;
+  if (name.empty() || store.study(name)) return std::nullopt;
+  return find_fit(store.database(), name, FitParts::with_data);
+}
+
 void export_one(const ExportArguments& arguments, Session& session) {
+  if (const auto fit = fit_to_export(arguments)) {
+    session.out << arguments.folder << ": " << joined(export_fit(*fit, arguments.folder)) << '\n';
+    return;
+  }
   const std::string note = export_study(arguments.database, arguments.study, arguments.folder);
   if (!note.empty()) session.err << arguments.study << ": " << note << '\n';
   session.out << arguments.folder << ": study.json, results.csv, results.db, provenance.json, README.txt\n";
@@ -145,8 +161,9 @@ void add_merge(Command& program, Session& session) {
 
 void add_export(Command& program, Session& session) {
   const auto [command, arguments] = program.add<ExportArguments>(
-      "export", "Write a study with its results and provenance into a folder", session, export_one);
-  command->add_option("--study NAME", arguments.study, "name of the study; may be left out if the database holds one");
+      "export", "Write a study with its results and provenance, or a fit, into a folder", session, export_one);
+  command->add_option("--study NAME", arguments.study,
+                      "name of the study, or fit; may be left out if the database holds one");
   command->add_option("--db FILE", arguments.database, "database")->required();
   command->add_option("--out DIR", arguments.folder, "folder; made if it is missing")->required();
   command->footer(

@@ -5,6 +5,7 @@
 #include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
+#include "studies/fit/stored_fit.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -38,17 +39,20 @@ std::string to_the_second(const std::string& time) {
 }
 
 void list(const ListArguments& arguments, Session& session) {
-  const std::vector<StudySummary> studies = ResultStore(arguments.database, Access::read).studies();
+  ResultStore store(arguments.database, Access::read);
+  const std::vector<StudySummary> studies = store.studies();
+  const Table fits = fit_table(stored_fits(store.database()));
   if (arguments.json) {
-    Json object{{"db", arguments.database}, {"studies", Json::array()}};
+    Json object{{"db", arguments.database}, {"studies", Json::array()}, {"fits", json_of(fits)}};
     for (const StudySummary& study : studies) object["studies"].push_back(summary_json(study));
     session.out << text_of(object, 2) << '\n';
     return;
   }
-  if (studies.empty()) {
+  if (studies.empty() && fits.rows.empty()) {
     session.err << arguments.database << ": holds no study\n";
     return;
   }
+  if (studies.empty()) return write_aligned(session.out, fits);
   Table table{{"study", "points", "answered", "failed", "created (UTC)", "last result (UTC)", "axes"}, {}};
   const bool noted = std::any_of(studies.begin(), studies.end(), [](const auto& study) { return !study.note.empty(); });
   if (noted) table.columns.emplace_back("note");
@@ -58,6 +62,9 @@ void list(const ListArguments& arguments, Session& session) {
     if (noted) table.rows.back().emplace_back(study.note);
   }
   write_aligned(session.out, table);
+  if (fits.rows.empty()) return;
+  session.out << '\n';
+  write_aligned(session.out, fits);
 }
 
 struct ShowArguments {
@@ -151,6 +158,11 @@ void show(const ShowArguments& arguments, Session& session) {
                                   ": needs the number of an evaluation, not a study");
     return show_study(arguments, store, *study, session);
   }
+  if (const auto fit = find_fit(store.database(), arguments.what, FitParts::with_data)) {
+    if (arguments.fields) throw std::invalid_argument("--fields = " + *arguments.fields + ": a fit has no fields");
+    session.out << (arguments.json ? text_of(json_of(*fit), 2) + "\n" : fit_record_summary(*fit));
+    return;
+  }
   std::int64_t id = 0;
   const char* end = arguments.what.data() + arguments.what.size();
   if (std::from_chars(arguments.what.data(), end, id).ptr == end)
@@ -159,18 +171,20 @@ void show(const ShowArguments& arguments, Session& session) {
       if (arguments.fields) export_fields(arguments, store, *evaluation, session);
       return;
     }
-  const std::vector<std::string> all = store.study_names();
+  std::vector<std::string> all = store.study_names();
+  for (const FitSummary& fit : stored_fits(store.database())) all.push_back(fit.name);
   const std::vector<std::string_view> names(all.begin(), all.end());
-  throw std::invalid_argument(
-      unknown(arguments.database + ": " + arguments.what + ": no such study or evaluation", names, arguments.what));
+  throw std::invalid_argument(unknown(arguments.database + ": " + arguments.what + ": no such study, fit or evaluation",
+                                      names, arguments.what));
 }
 
 }  // namespace
 
 void add_show(Command& program, Session& session) {
-  const auto [command, arguments] =
-      program.add<ShowArguments>("show", "Show the results of a study, or one evaluation in full", session, show);
-  command->add_option("what NAME|ID", arguments.what, "name of a study, or number (id) of an evaluation")->required();
+  const auto [command, arguments] = program.add<ShowArguments>(
+      "show", "Show the results of a study, a fit, or one evaluation in full", session, show);
+  command->add_option("what NAME|ID", arguments.what, "name of a study or of a fit, or number (id) of an evaluation")
+      ->required();
   command->add_option("--db FILE", arguments.database, "database")->required();
   command->add_flag("--json", arguments.json, "print one JSON object");
   command->add_option("--fields DIR", arguments.fields,
@@ -179,8 +193,8 @@ void add_show(Command& program, Session& session) {
 }
 
 void add_list(Command& program, Session& session) {
-  const auto [command, arguments] =
-      program.add<ListArguments>("list", "List the studies of a database and how far they are", session, list);
+  const auto [command, arguments] = program.add<ListArguments>(
+      "list", "List the studies of a database and how far they are, and its fits", session, list);
   command->add_option("--db FILE", arguments.database, "database")->required();
   command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer("Example: rollres list --db results.db");

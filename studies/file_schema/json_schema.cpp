@@ -124,9 +124,15 @@ Json scene_fit() {
 
 Json material_fit() {
   const Json positive{{"type", "number"}, {"exclusiveMinimum", 0}};
-  return object_of(material_fit_keys, {{"terms", {{"anyOf", {whole(1, 100), {{"const", "auto"}}}}}},
-                                       {"reference_temperature", {{"anyOf", {positive, reference(with_unit)}}}},
-                                       {"sigma", percentage()}});
+  return object_of(material_fit_keys,
+                   {{"terms", {{"anyOf", {whole(1, 100), {{"const", "auto"}}}}}},
+                    {"reference_temperature", {{"anyOf", {positive, reference(with_unit)}}}},
+                    {"ignore_columns", list_of(name())},
+                    {"scene", scene_or_file()},
+                    {"sigma",
+                     {{"anyOf",
+                       {percentage(), object_of(modulus_sigma_keys, {{"storage_modulus", percentage()},
+                                                                     {"loss_modulus", percentage()}})}}}}});
 }
 
 /// "minimise" or "maximise", and not both.

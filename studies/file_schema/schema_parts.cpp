@@ -171,6 +171,8 @@ Json scene_texts() {
       {"description",
        "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
        "storage_modulus [Pa], loss_modulus [Pa]"}};
+  texts[std::string(ignored_columns_key)] = {
+      {"type", "array"}, {"items", name()}, {"description", "columns of that file that are left out"}};
   return texts;
 }
 

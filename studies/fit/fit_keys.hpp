@@ -62,12 +62,25 @@ inline constexpr std::array material_fit_keys{
             is_needed},
     FileKey{"data", "name of a CSV file, relative to this file", a_name, is_needed},
     FileKey{"terms", "of a Prony series; auto: as many as the data ask for"},
+    FileKey{
+        "times",
+        "relaxation times in even steps of their logarithm, or free, fitted with their moduli (default up to 5 terms)",
+        one_of(ChoiceNames<SeriesTimes>::names)},
     FileKey{"shift", "how temperature shifts the frequencies", one_of(shift_names)},
     FileKey{"reference_temperature", "where nothing is shifted: in K, or \"20 degC\" (the default)"},
-    FileKey{"sigma", "relative standard deviation of all moduli: \"2 %\""},
+    FileKey{"sigma",
+            "relative standard deviation of all moduli: \"2 %\", or one of the storage and one of the loss moduli"},
+    FileKey{"ignore_columns", "columns of the table that are left out"},
+    FileKey{"scene",
+            "name of a scene file, relative to this file, or a scene, in which the fitted material is written"},
     FileKey{"modulus", "whether the table has moduli in shear (default) or Young's", one_of(modulus_names)},
     FileKey{"starts", "number of descents; default 1", fit_starts},
     FileKey{"seed", "of the other starts; default 1", fit_seed},
+};
+
+inline constexpr std::array modulus_sigma_keys{
+    FileKey{"storage_modulus", "relative standard deviation of the storage moduli", KeyForm{}, is_needed},
+    FileKey{"loss_modulus", "relative standard deviation of the loss moduli", KeyForm{}, is_needed},
 };
 
 }  // namespace rollres

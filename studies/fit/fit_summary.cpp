@@ -27,13 +27,16 @@ std::string interval_text(const ConfidenceInterval& interval, std::string_view u
   return end(interval.lowest, interval.low) + " .. " + end(interval.highest, interval.high);
 }
 
+/// The standard error over the value [1].
+double over_value(const FittedParameter& fitted) { return fitted.standard_error / std::abs(fitted.value); }
+
 Table parameter_table(const FitReport& report, const FitContext& context) {
   Table table{{"parameter", "value", "+-", "relative", "95 % linear", "95 % profile", "start", "flag"}, {}};
   for (const FittedParameter& fitted : report.parameters) {
     const std::string_view unit = unit_of(fitted, context);
     const bool profile = !fitted.profile.points.empty();
     table.rows.push_back({fitted.parameter.name, readable(fitted.value, unit), readable(fitted.standard_error, unit),
-                          percent(fitted.relative_error), interval_text(fitted.linear, unit),
+                          percent(over_value(fitted)), interval_text(fitted.linear, unit),
                           profile ? interval_text(fitted.profile.interval, unit) : std::string("-"),
                           readable(fitted.parameter.start, unit), fitted.flag});
   }
@@ -79,9 +82,10 @@ void write_statistics(std::ostream& text, const FitReport& report, const FitCont
   line("condition", number(report.errors.condition) +
                         (report.weakest_direction.empty() ? "" : "; weakest: " + report.weakest_direction));
   line("noise of the model", number(report.noise) + " (relative)");
-  line("steps (scaled)", joined(report.parameters, ", ", [&](const FittedParameter& fitted) {
-         return fitted.parameter.name + " " + number(fitted.step);
-       }));
+  std::vector<std::string> steps;  // parameters whose slopes are known have none
+  for (const FittedParameter& fitted : report.parameters)
+    if (std::isfinite(fitted.step)) steps.push_back(fitted.parameter.name + " " + number(fitted.step));
+  if (!steps.empty()) line("steps (scaled)", joined(steps));
   line("descents", std::to_string(report.agreeing) + " of " + std::to_string(report.starts) +
                        " starts agree; the best took " + std::to_string(report.iterations) + " iterations");
   line("evaluations", std::to_string(report.evaluations) + ": " + std::to_string(context.solved) + " solved, " +
@@ -104,7 +108,7 @@ Json parameter_json(const FittedParameter& fitted, const FitContext& context) {
               {"unit", variable.quantity.unit_for(context.indenter)},
               {"value", number(fitted.value)},
               {"standard_error", number(fitted.standard_error)},
-              {"relative_error", number(fitted.relative_error)},
+              {"relative_error", number(over_value(fitted))},
               {"linear_interval", interval_json(fitted.linear)},
               {"profile_interval", nullptr},
               {"start", number(fitted.parameter.start)},
@@ -199,6 +203,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
   for (const auto* const warnings : {&report.warnings, &context.data_warnings})
     for (const std::string& warning : *warnings) record.warnings += (record.warnings.empty() ? "" : "\n") + warning;
   record.weakest_direction = report.weakest_direction;
+  record.scene = context.scene;
   record.degrees = report.degrees;
   record.starts = report.starts;
   record.agreeing = report.agreeing;
@@ -221,7 +226,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
                                                           .unit = std::string(unit_of(fitted, context)),
                                                           .value = fitted.value,
                                                           .standard_error = fitted.standard_error,
-                                                          .relative_error = fitted.relative_error,
+                                                          .relative_error = over_value(fitted),
                                                           .linear_lowest = fitted.linear.lowest,
                                                           .linear_highest = fitted.linear.highest,
                                                           .start = fitted.parameter.start,
@@ -278,6 +283,7 @@ Json json_of(const FitReport& report, const FitContext& context) {
               {"recalled", context.recalled},
               {"failed", report.failures},
               {"seconds", context.seconds},
+              {"scene", context.scene.empty() ? Json(nullptr) : Json::parse(context.scene)},
               {"parameters", Json::array()},
               {"fixed", Json::array()},
               {"correlations", Json::array()},

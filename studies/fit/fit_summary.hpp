@@ -26,6 +26,7 @@ struct FitContext {
   std::vector<Fixed> fixed = {};
   std::vector<std::string> data_warnings = {};
   std::vector<std::string> notes = {};  ///< what the fit made of the scene
+  std::string scene = {};               ///< what was fitted, as a scene: a JSON object
   std::size_t solved = 0, recalled = 0;
   double seconds = 0;
 };

@@ -1,13 +1,14 @@
 #include "studies/fit/material_file.hpp"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "db/file/digest.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/scene_io/scene_entries.hpp"
+#include "studies/study/study_scene.hpp"
 #include "studies/text/file_kind.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
@@ -29,13 +30,40 @@ double reference_temperature(const Json& object, const std::string& place) {
   refuse(place, "reference_temperature", *found, "must be a temperature > 0 in K, or a text with K or degC");
 }
 
-/// The relative deviation; NaN if none is given.
-double relative_sigma(const Json& object, const std::string& place) {
+double relative_sigma(const Json& value, const std::string& key, const std::string& place, const char* rule) {
+  if (value.is_string())
+    if (const auto part = percentage(value.get_ref<const std::string&>()); part && *part > 0) return *part;
+  refuse(place, key, value, rule);
+}
+
+/// Relative deviations of storage and loss moduli, 1 if none are given.
+struct Sigmas {
+  bool known = false;
+  double storage = 1, loss = 1;
+};
+Sigmas given_sigmas(const Json& object, const std::string& place) {
   const auto found = object.find("sigma");
-  if (found == object.end()) return std::nan("");
-  if (found->is_string())
-    if (const auto part = percentage(found->get_ref<const std::string&>()); part && *part > 0) return *part;
-  refuse(place, "sigma", *found, "must be a percentage > 0: \"2 %\"");
+  if (found == object.end()) return {};
+  if (!found->is_object()) {
+    const double all = relative_sigma(*found, "sigma", place,
+                                      "must be a percentage > 0 (\"2 %\"), or an object with one for storage_modulus "
+                                      "and one for loss_modulus");
+    return {true, all, all};
+  }
+  const std::string inside = place + ": sigma";
+  refuse_unknown_keys(*found, modulus_sigma_keys, inside);
+  const auto of = [&](const std::string& key) {
+    constexpr const char* rule = "must be a percentage > 0: \"2 %\"";
+    return relative_sigma(needed(*found, key, inside, rule), key, inside, rule);
+  };
+  return {true, of("storage_modulus"), of("loss_modulus")};
+}
+
+SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, const std::string& place) {
+  const auto times = choice_or_first<SeriesTimes>(object, "times", place);
+  if (times == SeriesTimes::free && (options.terms == 0 || options.terms > most_free_terms))
+    refuse(place, "times", object.at("times"), "needs a number of terms from 1 to " + std::to_string(most_free_terms));
+  return times;
 }
 
 }  // namespace
@@ -53,34 +81,42 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   fit.options.form = choice_or_first<MaterialForm>(object, "material", place);
   if (const auto terms = object.find("terms"); terms != object.end() && *terms != "auto")
     fit.options.terms = whole_number_or(object, "terms", 0, 1, 100, place);
+  if (object.contains("times")) fit.options.times = given_times(object, fit.options, place);
   const std::string law = name_or_first(object, "shift", shift_names, place);
   fit.options.shift.law = static_cast<ShiftLaw>(find_name(shift_names, law));
   fit.options.shift.reference = reference_temperature(object, place);
   fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
   const double share = name_or_first(object, "modulus", modulus_names, place) == "young" ? 1.0 / 3 : 1;
-  const double sigma = relative_sigma(object, place);
-  fit.options.deviations_known = std::isfinite(sigma);
+  const Sigmas sigma = given_sigmas(object, place);
+  fit.options.deviations_known = sigma.known;
+
+  if (object.contains("scene")) {
+    const CompleteScene scene = complete_scene(object, file, place);
+    scene_entries(scene.inputs, {}, scene.place);
+    fit.scene = scene.inputs.dump();
+  }
 
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
-  const MeasuredTable table = read_measured_table(file.parent_path() / name);
+  MeasuredTable table = read_measured_table(file.parent_path() / name);
   fit.data_digest = digest(table.text);
-  table.refuse_others(std::array<std::string_view, 6>{"frequency", "angular_frequency", "storage_modulus",
-                                                      "loss_modulus", "temperature", "note"});
+  table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
+  std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
+  known.emplace_back("temperature");
+  if (const std::vector<std::string> others = table.leave_out_others(known); !others.empty())
+    fit.notes.push_back("columns of " + name + " left out: " + joined(others));
   const std::vector<double> frequencies = measured_frequencies(table);
-  const std::vector<double> storage = measured_numbers(table, table.needed("storage_modulus"), "Pa", positive);
-  const std::vector<double> loss = measured_numbers(table, table.needed("loss_modulus"), "Pa", positive);
+  const auto [storage, loss] = measured_moduli(table, positive);
   const bool shifted = fit.options.shift.law != ShiftLaw::none;
   const MeasuredColumn* const temperature = shifted ? &table.needed("temperature") : table.find("temperature");
-  const double weight = fit.options.deviations_known ? sigma : 1;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double here = temperature ? measured_number(table, *temperature, row, "K") : fit.options.shift.reference;
     fit.data.push_back({.angular_frequency = 2 * std::numbers::pi * frequencies[row],
                         .temperature = here,
                         .storage = share * storage[row],
                         .loss = share * loss[row],
-                        .storage_deviation = weight * share * storage[row],
-                        .loss_deviation = weight * share * loss[row],
+                        .storage_deviation = sigma.storage * share * storage[row],
+                        .loss_deviation = sigma.loss * share * loss[row],
                         .place = table.place(row)});
     if (temperature && !shifted && here != fit.data.front().temperature)
       throw std::invalid_argument(table.place(row) + ": " + heading(*temperature) + " = " + temperature->cells[row] +

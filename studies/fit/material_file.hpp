@@ -5,10 +5,13 @@
 ///     {"fit": "rubber", "material": "prony", "data": "master_curve.csv", "terms": "auto", "shift": "wlf",
 ///      "reference_temperature": "293.15 K", "sigma": "2 %"}
 ///
-/// Columns of the table: frequency [Hz] or angular_frequency [rad/s], storage_modulus, loss_modulus, and where there
-/// are several, temperature [K] or [degC]; note. `modulus`: "shear" (default), or "young" for E' and E", divided by 3
-/// (incompressible). `sigma`: one relative deviation; without it all residuals weigh the same relative to their values.
-/// `shift`: "none" (default), "wlf" or "arrhenius". `terms`: a number, or "auto". Also starts, seed, comment.
+/// Columns of the table: those of a master curve (master_curve_file.hpp), and where there are several, temperature [K]
+/// or [degC]. Others are left out, with a note, unless they resemble one of these; `ignore_columns` lists columns that
+/// are left out. `modulus`: "shear" (default), or "young" for E' and E", divided by 3 (incompressible). `sigma`: a
+/// relative deviation of all moduli, or {"storage_modulus": "1 %", "loss_modulus": "3 %"}; without it all residuals
+/// weigh the same relative to their values. `shift`: "none" (default), "wlf" or "arrhenius". `terms`: a number, or
+/// "auto"; `times`: "even" or "free". `scene`: a scene or the name of its file, in which the fitted material is
+/// written. Also starts, seed, comment.
 
 #include <filesystem>
 #include <string>
@@ -22,6 +25,8 @@ struct MaterialFile {
   std::string name, definition, data_digest;
   std::vector<MeasuredModulus> data;
   MaterialFitOptions options;
+  std::vector<std::string> notes = {};  ///< columns that were left out
+  std::string scene = {};               ///< JSON object that the fitted material is to stand in; empty: none
 };
 
 /// Whether a fit's file is one of these: it has a key "material".

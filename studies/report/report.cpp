@@ -27,8 +27,11 @@ StudyReport fit_report(const FitRecord& fit, const std::string& file) {
 
 StudyReport study_report(ResultStore& store, const ReportOptions& options) {
   const std::string& file = store.database().name();
-  if (!options.study.empty() && !store.study(options.study))
-    if (const auto fit = find_fit(store.database(), options.study, FitParts::with_data)) return fit_report(*fit, file);
+  std::string name = options.study;
+  if (const auto fits = stored_fits(store.database()); name.empty() && fits.size() == 1 && store.studies().empty())
+    name = fits.front().name;
+  if (!name.empty() && !store.study(name))
+    if (const auto fit = find_fit(store.database(), name, FitParts::with_data)) return fit_report(*fit, file);
 
   const StudySummary study = stored_study(store, options.study);
   const std::string text = store.definition(study.name).value_or("");

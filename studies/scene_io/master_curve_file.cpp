@@ -13,20 +13,41 @@ std::vector<double> measured_frequencies(const MeasuredTable& table) {
   if (!radians) return measured_numbers(table, table.needed("frequency"), "Hz", frequency_range, rule);
   constexpr double turn = 2 * std::numbers::pi;
   const Range range{turn * frequency_range.lowest, turn * frequency_range.highest};
-  std::vector<double> frequencies = measured_numbers(table, *radians, "rad/s", range, rule);
-  for (double& frequency : frequencies) frequency *= 0.5 / std::numbers::pi;
-  return frequencies;
+  measured_numbers(table, *radians, "rad/s", range, rule);
+  // As under "frequency": to 15 digits, so that a table in rad/s is to all digits the one in Hz. Rotations are refused.
+  return measured_numbers(table, *radians, "Hz", frequency_range, rule);
 }
 
-Json read_master_curve(const std::filesystem::path& file) {
-  const MeasuredTable table = read_measured_table(file);
-  table.refuse_others(
-      std::array<std::string_view, 5>{"frequency", "angular_frequency", "storage_modulus", "loss_modulus", "note"});
+MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_range, const std::string& rule) {
+  const MeasuredColumn* const storage = table.find("storage_modulus");
+  const MeasuredColumn* const loss = table.find("loss_modulus");
+  const MeasuredColumn* tangent = table.find("loss_tangent");
+  const MeasuredColumn* const other = table.find("tan_delta");
+  if (tangent && other) throw std::invalid_argument(table.file + ": give loss_tangent or tan_delta, not both");
+  if (!tangent) tangent = other;
+  MeasuredModuli moduli;
+  if (storage || !tangent) moduli.storage = measured_numbers(table, table.needed("storage_modulus"), "Pa", positive);
+  if (loss || !tangent || !storage)
+    moduli.loss = measured_numbers(table, table.needed("loss_modulus"), "Pa", loss_range, rule);
+  if (storage && loss) return moduli;
+  const std::vector<double> tangents =
+      measured_numbers(table, *tangent, "1", storage ? loss_range : positive, storage ? rule : std::string());
+  auto& missing = storage ? moduli.loss : moduli.storage;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    missing.push_back(storage ? moduli.storage[row] * tangents[row] : moduli.loss[row] / tangents[row]);
+  return moduli;
+}
+
+Json read_master_curve(const std::filesystem::path& file, const std::vector<std::string>& ignored) {
+  MeasuredTable table = read_measured_table(file);
+  table.leave_out(ignored);
+  table.refuse_others(modulus_columns);
   Json lists;
   lists["frequencies"] = measured_frequencies(table);
-  lists["storage_moduli"] = measured_numbers(table, table.needed("storage_modulus"), "Pa", positive);
-  lists["loss_moduli"] = measured_numbers(table, table.needed("loss_modulus"), "Pa", not_negative,
-                                          not_negative.rule() + ": no passive material gives energy back");
+  const MeasuredModuli moduli =
+      measured_moduli(table, not_negative, not_negative.rule() + ": no passive material gives energy back");
+  lists["storage_moduli"] = moduli.storage;
+  lists["loss_moduli"] = moduli.loss;
   return lists;
 }
 
@@ -39,11 +60,12 @@ Json with_master_curve(const Json& object, const std::filesystem::path& folder, 
   for (const std::string_view input : master_curve_inputs)
     if (object.contains(std::string(input)))
       refuse(place, input, object[std::string(input)], "is in the master_curve_file; give one of them");
+  const std::vector<std::string> ignored = names_or_none(object, std::string(ignored_columns_key), place);
   Json complete = Json::object();
   for (const auto& [other, value] : object.items())
     if (other == key)
-      complete.update(read_master_curve(folder / name.get<std::string>()));
-    else
+      complete.update(read_master_curve(folder / name.get<std::string>(), ignored));
+    else if (other != ignored_columns_key)
       complete[other] = value;
   return complete;
 }

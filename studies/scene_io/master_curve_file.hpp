@@ -3,8 +3,9 @@
 /// Tables of a master curve that scenes name: {"material": "master_curve", "master_curve_file": "rubber.csv"}. For
 /// sources only: it needs nlohmann_json.
 ///
-/// Columns: frequency [Hz] or angular_frequency [rad/s], storage_modulus and loss_modulus [Pa], note. What the moduli
-/// are is said by the scene's `listed_moduli`.
+/// Columns: frequency [Hz] or angular_frequency [rad/s]; two of storage_modulus [Pa], loss_modulus [Pa] and
+/// loss_tangent [1] (or tan_delta), of all three the moduli count; note. What the moduli are is said by the scene's
+/// `listed_moduli`. Others are refused unless the key `ignore_columns`, a list of names, leaves them out.
 
 #include <array>
 #include <filesystem>
@@ -20,6 +21,7 @@ namespace rollres {
 
 /// The key of a scene file; its place is taken by the inputs that the table gives.
 inline constexpr std::string_view master_curve_key = "master_curve_file";
+inline constexpr std::string_view ignored_columns_key = "ignore_columns";
 inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencies", "storage_moduli", "loss_moduli"};
 
 /// Frequencies that a table may have, measured or shifted [Hz].
@@ -29,10 +31,22 @@ inline constexpr Range frequency_range{.lowest = 1e-30, .highest = 1e30};
 /// @throws std::invalid_argument naming file, line, column, value and rule
 std::vector<double> measured_frequencies(const MeasuredTable& table);
 
+inline constexpr std::array<std::string_view, 7> modulus_columns{
+    "frequency", "angular_frequency", "storage_modulus", "loss_modulus", "loss_tangent", "tan_delta", "note"};
+
+/// The moduli of a table's rows [Pa].
+struct MeasuredModuli {
+  std::vector<double> storage, loss;
+};
+/// @param loss_range, rule  of the loss modulus and of the loss tangent
+/// @throws std::invalid_argument naming file, line, column, value and rule
+MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_range, const std::string& rule = {});
+
 /// The lists of a table under the keys of inputs, in SI, rows in the order of the file.
 /// @throws std::invalid_argument naming file, line, column, value and rule
+/// @param ignored  columns that are left out
 /// @throws std::runtime_error if the file cannot be read
-Json read_master_curve(const std::filesystem::path& file);
+Json read_master_curve(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
 
 /// A scene or a part of one with the lists in place of the file's name; without the key it is left as it is.
 /// @param folder that the name is relative to   @param place in messages

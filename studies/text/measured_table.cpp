@@ -80,7 +80,24 @@ const MeasuredColumn& MeasuredTable::needed(std::string_view name) const {
 void MeasuredTable::refuse_others(std::span<const std::string_view> known) const {
   for (const MeasuredColumn& column : columns)
     if (find_name(known, column.name) < 0)
-      fail(file, column.name + ": " + unknown("unknown column", known, column.name));
+      fail(file, column.name + ": " + unknown("unknown column", known, column.name, "ignore_columns leaves it out"));
+}
+
+void MeasuredTable::leave_out(std::span<const std::string> names) {
+  for (const std::string& name : names)
+    if (std::erase_if(columns, [&](const MeasuredColumn& column) { return column.name == name; }) == 0)
+      fail(file, "ignore_columns: " + name + ": the table has no such column");
+}
+
+std::vector<std::string> MeasuredTable::leave_out_others(std::span<const std::string_view> known) {
+  std::vector<std::string> others;
+  for (const MeasuredColumn& column : columns) {
+    if (find_name(known, column.name) >= 0) continue;
+    if (!nearest_name(known, column.name).empty()) refuse_others(known);
+    others.push_back(column.name);
+  }
+  leave_out(others);
+  return others;
 }
 
 std::string MeasuredTable::place(std::size_t row) const { return line_place(file, lines.at(row)); }

@@ -31,6 +31,11 @@ struct MeasuredTable {
   /// @throws std::invalid_argument if there is none of that name, or one that is not `known`
   const MeasuredColumn& needed(std::string_view name) const;
   void refuse_others(std::span<const std::string_view> known) const;
+  /// Drops columns. @throws std::invalid_argument if there is none of such a name
+  void leave_out(std::span<const std::string> names);
+  /// Drops columns that are not `known`, and returns their names. @throws std::invalid_argument if one resembles a
+  /// known one: it is misspelt
+  std::vector<std::string> leave_out_others(std::span<const std::string_view> known);
   /// "data.csv, line 7"
   std::string place(std::size_t row) const;
 };

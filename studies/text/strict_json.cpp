@@ -119,6 +119,19 @@ std::string needed_name(const Json& object, const std::string& key, const std::s
   return name;
 }
 
+std::vector<std::string> names_or_none(const Json& object, const std::string& key, const std::string& place) {
+  const auto found = object.find(key);
+  if (found == object.end()) return {};
+  constexpr const char* rule = "must be a list of names";
+  if (!found->is_array()) refuse(place, key, *found, rule);
+  std::vector<std::string> names;
+  for (const Json& name : *found) {
+    if (!name.is_string() || name.get_ref<const std::string&>().empty()) refuse(place, key, *found, rule);
+    names.push_back(name.get<std::string>());
+  }
+  return names;
+}
+
 int whole_number(const Json& value, std::string_view key, int lowest, int highest, const std::string& place) {
   if (!value.is_number_integer() || value < lowest || value > highest)
     refuse(place, key, value,

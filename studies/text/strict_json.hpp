@@ -43,6 +43,9 @@ std::string needed_text(const Json& object, const std::string& key, const std::s
 /// The same of a name that files, pictures and scripts bear: without control characters, not "." nor "..".
 std::string needed_name(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
 
+/// The names in a list under a key; none without it.
+std::vector<std::string> names_or_none(const Json& object, const std::string& key, const std::string& place);
+
 /// A whole number from `lowest` to `highest`, both included. @throws std::invalid_argument naming place, key and value
 int whole_number(const Json& value, std::string_view key, int lowest, int highest, const std::string& place);
 

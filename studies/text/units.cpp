@@ -172,7 +172,7 @@ double si_value(std::string_view text, std::string_view unit) {
   const auto [number, to_si] = number_with_unit(text, unit, rule);
   const std::string_view given = leading_number(text).rest;
   const bool frequency = unit == "Hz", angle = (frequency || unit == "rad/s") && has_angle(given);
-  if (frequency && angle && !given.starts_with("rad"))
+  if (frequency && angle && given.find("rad") == std::string_view::npos)
     throw std::invalid_argument(rule + " or rad/s, as an angular frequency");
   if (unit == "rad/s" && !angle) throw std::invalid_argument(rule + ", which is 2 π times a frequency in Hz");
   // Scales with an origin (degC, "m since 3") or a logarithm have no place here.

@@ -98,7 +98,8 @@ TEST_CASE("a Prony series with a number of terms of its own follows a fractional
   CHECK(fit_material(data, {.terms = 5, .options = {.profiles = false}}).prony.terms.size() <= 5);
 }
 
-TEST_CASE("an automatic Prony series has only terms that the data bind, and a true band", "[fitting][material_fit]") {
+TEST_CASE("an automatic Prony series has intervals that close or end at 0, and a true band",
+          "[fitting][material_fit]") {
   auto data = measured_moduli(FractionalZener{1e6, 300, 2, 0.5}, 0.02);
   const MaterialFit found = fit_material(data, {.deviations_known = true});
   INFO(name_of(found.report.status) << ": " << found.report.reason);
@@ -109,6 +110,14 @@ TEST_CASE("an automatic Prony series has only terms that the data bind, and a tr
     CHECK(error.real() == Approx(found.report.values[2 * i].band).epsilon(1e-3));
     CHECK(error.imag() == Approx(found.report.values[2 * i + 1].band).epsilon(1e-3));
   }
+}
+
+TEST_CASE("moduli at one frequency are too few for a material", "[fitting][material_fit]") {
+  const MeasuredModulus one{1, 293.15, 2e6, 1e5, 2e6, 1e5};
+  CHECK_THAT(message_of([&] {
+               fit_material({one, one, one}, {.form = MaterialForm::zener});
+             }),
+             Catch::Contains("all at one frequency"));
 }
 
 TEST_CASE("a Zener solid's moduli at two temperatures give it back with Arrhenius' energy", "[fitting][material_fit]") {

@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"
@@ -76,7 +77,8 @@ TEST_CASE("a frequency in rad/s is an angular one, and rotations are refused", "
     return read_scene(folder.write("scene.json", curve_scene)).frequencies;
   };
   const std::vector<double> turns = frequencies("frequency [rad/s]"), right = frequencies("angular_frequency [rad/s]");
-  for (std::size_t row = 0; row < 2; ++row) CHECK(turns[row] == Approx(right[row]).epsilon(1e-14));
+  CHECK(turns == right);
+  CHECK(frequencies("angular_frequency [krad/s]")[1] == Approx(1e3 * right[1]).epsilon(1e-15));
   CHECK(frequencies("frequency [s-1]") == frequencies("frequency [Hz]"));
   CHECK(
       message_of([&] { frequencies("frequency [rpm]"); })
@@ -85,6 +87,48 @@ TEST_CASE("a frequency in rad/s is an angular one, and rotations are refused", "
   CHECK(message_of([&] { frequencies("angular_frequency [Hz]"); })
             .ends_with("angular_frequency [Hz]: must have a unit of rotational speed (rad/s), which is 2 π times a "
                        "frequency in Hz"));
+}
+
+TEST_CASE("a table in rad/s is to all digits the one in Hz", "[studies][material]") {
+  const TemporaryDirectory folder;
+  const auto frequencies = [&](const std::string& text) {
+    folder.write("rubber.csv", text);
+    return read_scene(folder.write("scene.json", curve_scene)).frequencies;
+  };
+  const std::string moduli = ",storage_modulus [Pa],loss_modulus [Pa]\n", ends = ",2e6,1e5\n";
+  std::string hertz = "frequency [Hz]" + moduli, radians = "rad/s]" + moduli;
+  for (const double frequency : {4.18e-3, 1.0, 3.7, 1.51e4, 9.89e12}) {
+    std::ostringstream turns, angles;
+    turns.precision(17), angles.precision(17);
+    turns << frequency << ends, angles << 2 * M_PI * frequency << ends;
+    hertz += turns.str(), radians += angles.str();
+  }
+  CHECK(frequencies("frequency [" + radians) == frequencies(hertz));
+  CHECK(frequencies("angular_frequency [" + radians) == frequencies(hertz));
+}
+
+TEST_CASE("a loss tangent stands for one of the moduli, and columns are left out on request", "[studies][material]") {
+  const TemporaryDirectory folder;
+  const auto scene_of = [&](const std::string& text, const std::string& more = "") {
+    folder.write("rubber.csv", text);
+    return read_scene(folder.write("scene.json", scene_text(R"("material": "master_curve",
+      "master_curve_file": "rubber.csv")" + more)));
+  };
+  const RollingScene from_storage = scene_of("frequency [Hz],storage_modulus [MPa],tan_delta\n1,2,0.5\n10,4,0\n");
+  CHECK(from_storage.loss_moduli == std::vector<double>{1e6, 0});
+  const RollingScene from_loss = scene_of("frequency [Hz],loss_modulus [MPa],loss_tangent\n1,1,0.5\n10,1,0.25\n");
+  CHECK(from_loss.storage_moduli == std::vector<double>{2e6, 4e6});
+  CHECK(refusal_of_table("frequency [Hz],loss_modulus [MPa],loss_tangent\n1,1,0\n10,1,0.25\n") ==
+        "rubber.csv, line 2: loss_tangent = 0: must be > 0");
+  CHECK(refusal_of_table("frequency [Hz],tan_delta\n1,1\n10,1\n") == "rubber.csv: has no column loss_modulus");
+
+  const std::string strained = "frequency [Hz],strain [%],storage_modulus [MPa],loss_modulus [MPa]\n1,2,2,1\n9,2,4,1\n";
+  CHECK(refusal_of_table(strained) == "rubber.csv: strain: unknown column; ignore_columns leaves it out");
+  CHECK(scene_of(strained, R"(, "ignore_columns": ["strain"])").storage_moduli == std::vector<double>{2e6, 4e6});
+  CHECK_THAT(message_of([&] { scene_of(strained, R"(, "ignore_columns": ["stain"])"); }),
+             Contains("rubber.csv: ignore_columns: stain: the table has no such column"));
+  CHECK_THAT(message_of([&] { scene_of(strained, R"(, "ignore_columns": "strain")"); }),
+             Contains("ignore_columns = \"strain\": must be a list of names"));
 }
 
 TEST_CASE("a master curve that is not passive, or no table, is refused with its line", "[studies][material]") {

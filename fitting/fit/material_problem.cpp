@@ -1,0 +1,109 @@
+#include "fitting/fit/material_problem.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace rollres {
+
+namespace {
+
+constexpr Quantity wlf_c1{"wlf_c1", "c1", "1", "first constant of WLF", positive};
+constexpr Quantity wlf_c2{"wlf_c2", "c2", "K", "second constant of WLF", positive};
+constexpr Quantity energy{"activation_energy", "E", "J/mol", "of Arrhenius' law", not_negative};
+
+std::vector<FitParameter> shift_parameters(const TemperatureShift& shift) {
+  if (shift.law == ShiftLaw::wlf)
+    return {parameter(wlf_c1, shift.c1 > 0 ? shift.c1 : 8.86), parameter(wlf_c2, shift.c2 > 0 ? shift.c2 : 101.6)};
+  if (shift.law == ShiftLaw::arrhenius)
+    return {parameter(energy, shift.activation_energy > 0 ? shift.activation_energy : 1e5)};
+  return {};
+}
+
+}  // namespace
+
+FitParameter parameter(const Quantity& quantity, double start, std::string name) {
+  const double lowest =
+      quantity.range.lowest_excluded ? std::nextafter(quantity.range.lowest, 1.0) : quantity.range.lowest;
+  const bool logarithmic = quantity.range.lowest == 0 && quantity.range.highest > 1;
+  return {name.empty() ? std::string(quantity.key) : std::move(name),
+          {quantity, lowest, quantity.range.highest, logarithmic, logarithmic ? 1 : start},
+          start};
+}
+
+TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point) {
+  const std::size_t n = point.size();
+  if (shift.law == ShiftLaw::wlf) shift.c1 = point[n - 2], shift.c2 = point[n - 1];
+  if (shift.law == ShiftLaw::arrhenius) shift.activation_energy = point[n - 1];
+  return shift;
+}
+
+FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vector<FitParameter> parameters,
+                            const MaterialFitOptions& options, const ModulusAt& modulus) {
+  FitProblem problem;
+  problem.parameters = std::move(parameters);
+  for (FitParameter& added : shift_parameters(options.shift)) problem.parameters.push_back(std::move(added));
+  problem.deviations_known = options.deviations_known;
+  for (const MeasuredModulus& row : data) {
+    problem.data.push_back({row.storage, row.storage_deviation, row.place});
+    problem.data.push_back({row.loss, row.loss_deviation, row.place});
+  }
+  const auto log = problem.log;
+  problem.predict = [data, modulus, shift = options.shift, log](const FitPoint& point) {
+    Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
+    try {
+      const TemperatureShift here = shift_at(shift, point);
+      Eigen::Index row = 0;
+      for (const MeasuredModulus& measured : data) {
+        const auto value = modulus(point, measured.angular_frequency * shift_factor(here, measured.temperature));
+        prediction.values[row++] = value.real();
+        prediction.values[row++] = value.imag();
+      }
+      log->answered();
+    } catch (const std::invalid_argument& error) {
+      prediction.reason = error.what();
+      log->failed("", error.what());
+    }
+    return prediction;
+  };
+  const FitProblem plain = problem;
+  problem.differentiate = [plain](const FitPoint& point, const Prediction& prediction) {
+    constexpr double step = 1e-3, rounding = 1e-15;
+    return differences(plain, point, prediction, step, rounding * prediction.values.cwiseAbs());
+  };
+  return problem;
+}
+
+MaterialFit material_answer(FitReport report, const MaterialFitOptions& options, const ModulusAt& modulus) {
+  MaterialFit answer{.report = std::move(report), .zener = {}, .prony = {}, .shift = {}};
+  answer.shift = shift_at(options.shift, answer.report.point());
+  answer.modulus_at = [modulus, shift = options.shift](const FitPoint& point, double omega, double temperature) {
+    return modulus(point, omega * shift_factor(shift_at(shift, point), temperature));
+  };
+  return answer;
+}
+
+MaterialFit fitted_material(const std::vector<MeasuredModulus>& data, const std::vector<FitParameter>& parameters,
+                            const MaterialFitOptions& options, const ModulusAt& modulus) {
+  return material_answer(fit(material_problem(data, parameters, options, modulus), options.options), options, modulus);
+}
+
+MasterCurve master_curve_of(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift) {
+  MasterCurve curve;
+  for (const MeasuredModulus& row : data) {
+    const double omega = row.angular_frequency * shift_factor(shift, row.temperature);
+    curve.frequencies.push_back(omega / (2 * std::numbers::pi));
+    curve.storage.push_back(row.storage);
+    curve.loss.push_back(row.loss);
+  }
+  return curve;
+}
+
+void warn(FitReport& report, const std::string& warning) {
+  if (warning.empty()) return;
+  report.warnings.push_back(warning);
+  if (report.status == FitStatus::usable) report.status = FitStatus::usable_with_warnings;
+}
+
+}  // namespace rollres

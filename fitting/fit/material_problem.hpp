@@ -1,0 +1,42 @@
+#pragma once
+
+/// What all fits of materials to moduli share: parameters, the shift with temperature, the problem, the answer.
+
+#include <complex>
+#include <functional>
+#include <vector>
+
+#include "core/material/master_curve.hpp"
+#include "fitting/fit/material_fit.hpp"
+
+namespace rollres {
+
+inline constexpr Quantity modulus_at_rest{"static_shear_modulus", "G0", "Pa", "G'(0)", positive};
+
+/// A parameter within its quantity's range; logarithmic where that begins at 0.
+FitParameter parameter(const Quantity& quantity, double start, std::string name = {});
+
+/// The shift whose constants are the last values of a point.
+TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point);
+
+/// G* of the first values of a point [Pa].
+using ModulusAt = std::function<std::complex<double>(const FitPoint&, double reduced_frequency)>;
+
+/// The problem of a material of the first parameters and a shift of the last, which are added here.
+FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vector<FitParameter> parameters,
+                            const MaterialFitOptions& options, const ModulusAt& modulus);
+
+/// What a report says of the modulus.
+MaterialFit material_answer(FitReport report, const MaterialFitOptions& options, const ModulusAt& modulus);
+
+/// The fit of that problem.
+MaterialFit fitted_material(const std::vector<MeasuredModulus>& data, const std::vector<FitParameter>& parameters,
+                            const MaterialFitOptions& options, const ModulusAt& modulus);
+
+/// The data as a master curve at the reference temperature.
+MasterCurve master_curve_of(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift);
+
+/// Adds a warning, unless it is empty; what was usable is so with warnings.
+void warn(FitReport& report, const std::string& warning);
+
+}  // namespace rollres

@@ -1,0 +1,278 @@
+#include "fitting/fit/series_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "core/material/master_curve.hpp"
+#include "core/messages/message_text.hpp"
+#include "fitting/fit/even_series.hpp"
+#include "fitting/fit/material_problem.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr Quantity relaxation_modulus{"modulus", "G", "Pa", "modulus of one relaxation time", positive};
+constexpr Quantity relaxation_time{"time", "τ", "s", "a relaxation time", positive};
+constexpr Quantity series_modulus{"modulus", "G", "Pa", "modulus of one relaxation time", not_negative};
+constexpr Quantity series_rest{"static_shear_modulus", "G0", "Pa", "G'(0)", not_negative};
+
+PronySeries series_at(PronySeries series, const FitPoint& point) {
+  std::size_t next = 0;
+  if (series.static_modulus > 0) series.static_modulus = point[next++];
+  for (PronySeries::Term& term : series.terms) term.modulus = point[next++];
+  return series;
+}
+
+/// A modulus that may be 0, in parts of what the material has at its time.
+FitParameter linear_parameter(const Quantity& quantity, double value, double size, std::string name) {
+  constexpr double off = 1.1;  // a fit that ends where it starts is no fit
+  return {std::move(name), {quantity, 0, quantity.range.highest, false, size}, off * value};
+}
+
+std::vector<FitParameter> series_parameters(const PronySeries& series) {
+  std::vector<FitParameter> parameters;
+  const double rest = series.static_modulus;
+  if (rest > 0) parameters.push_back(linear_parameter(series_rest, rest, rest, std::string(series_rest.key)));
+  for (const PronySeries::Term& term : series.terms)
+    parameters.push_back(linear_parameter(series_modulus, term.modulus,
+                                          std::abs(complex_modulus(series, 1 / term.time)),
+                                          message_text("modulus (", term.time, " s)")));
+  return parameters;
+}
+
+/// Slopes of a problem whose first parameters are the moduli of a series: those are what a unit modulus adds, those of
+/// the shift differences.
+Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries& series, const TemperatureShift& shift,
+                     const FitProblem& problem, const FitPoint& point, const Prediction& prediction) {
+  constexpr double step = 1e-3, rounding = 1e-15;
+  const Eigen::Index rows = prediction.values.size(), columns = std::ssize(problem.parameters);
+  const Eigen::VectorXd noise = rounding * prediction.values.cwiseAbs();
+  Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns), noise,
+                Eigen::VectorXd::Constant(columns, RollingSolution::absent)};
+  const Eigen::Index moduli = std::ssize(series.terms) + (series.static_modulus > 0 ? 1 : 0);
+  const TemperatureShift here = shift_at(shift, point);
+  for (Eigen::Index row = 0; row < rows; row += 2) {
+    const MeasuredModulus& measured = data[static_cast<std::size_t>(row / 2)];
+    const double omega = measured.angular_frequency * shift_factor(here, measured.temperature);
+    for (Eigen::Index j = 0; j < moduli; ++j) {
+      const Eigen::Index term = j - (moduli - std::ssize(series.terms));
+      const std::complex<double> unit =
+          term < 0 ? 1
+                   : complex_modulus(PronySeries{0, {{1, series.terms[static_cast<std::size_t>(term)].time}}}, omega);
+      const double size = problem.parameters[static_cast<std::size_t>(j)].variable.size;
+      slopes.derivatives(row, j) = unit.real() * size;
+      slopes.derivatives(row + 1, j) = unit.imag() * size;
+    }
+  }
+  if (moduli == columns) return slopes;
+  FitProblem shifts = problem;
+  shifts.parameters.erase(shifts.parameters.begin(), shifts.parameters.begin() + moduli);
+  shifts.predict = [&](const FitPoint& constants) {
+    FitPoint whole = point;
+    std::copy(constants.begin(), constants.end(), whole.begin() + moduli);
+    return problem.predict(whole);
+  };
+  const Slopes by_shift = differences(shifts, FitPoint(point.begin() + moduli, point.end()), prediction, step, noise);
+  if (!by_shift.found()) return by_shift;
+  slopes.derivatives.rightCols(columns - moduli) = by_shift.derivatives;
+  slopes.errors.rightCols(columns - moduli) = by_shift.errors;
+  slopes.steps.tail(columns - moduli) = by_shift.steps;
+  return slopes;
+}
+
+/// The interval of a linear modulus: that of the slopes, cut off at 0.
+void bound_modulus(FittedParameter& fitted, double threshold, bool profile) {
+  ConfidenceInterval& interval = fitted.linear;
+  if (!std::isfinite(interval.lowest)) return;
+  const bool cut = interval.lowest <= 0;
+  if (cut) {
+    interval.lowest = 0;
+    interval.low = IntervalEnd::limit;
+  }
+  if (!profile) return;
+  const double part = fitted.value / (interval.highest - fitted.value);
+  fitted.profile.interval = interval;
+  fitted.profile.points = {
+      {interval.lowest, cut ? threshold * part * part : threshold}, {fitted.value, 0}, {interval.highest, threshold}};
+}
+
+/// Intervals of a series' parameters: of the moduli by the slopes, of the constants of a shift by profiles.
+void add_intervals(FitReport& report, const FitProblem& problem, std::size_t moduli, const FitOptions& options) {
+  if (!report.slopes.found()) return;
+  const double threshold = interval_threshold(problem);
+  for (std::size_t j = 0; j < moduli; ++j) bound_modulus(report.parameters[j], threshold, options.profiles);
+  const Prediction prediction = problem.predict(report.point());
+  const Descent end{report.point(), report.point(), report.chi_squared, prediction, true, report.stopped};
+  for (std::size_t j = moduli; j < problem.size() && options.profiles; ++j)
+    report.parameters[j].profile = profile(problem, end, report.slopes, report.errors, j, threshold, options.stop);
+  judge(report, problem);
+  report.evaluations = problem.log->evaluations();
+}
+
+/// The fit of the moduli of these terms.
+MaterialFit fit_moduli(const std::vector<MeasuredModulus>& data, const PronySeries& series,
+                       const MaterialFitOptions& options) {
+  const std::vector<FitParameter> moduli = series_parameters(series);
+  FitProblem problem = material_problem(data, moduli, options, [series](const FitPoint& point, double omega) {
+    return complex_modulus(series_at(series, point), omega);
+  });
+  const FitProblem plain = problem;
+  problem.differentiate = [data, series, plain, shift = options.shift](const FitPoint& point,
+                                                                       const Prediction& prediction) {
+    return series_slopes(data, series, shift, plain, point, prediction);
+  };
+  FitOptions wanted = options.options;
+  wanted.profiles = false;
+  const FitPoint start = start_point(problem);
+  if (const Prediction there = problem.predict(start); there.found())
+    wanted.known = KnownSlopes{start, there, problem.differentiate(start, there)};
+  MaterialFit answer = material_answer(fit(problem, wanted), options, [series](const FitPoint& point, double omega) {
+    return complex_modulus(series_at(series, point), omega);
+  });
+  add_intervals(answer.report, problem, moduli.size(), options.options);
+  answer.prony = series_at(series, answer.report.point());
+  return answer;
+}
+
+/// The shift of least misfit of the series that is best at each shift.
+TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
+  FitProblem problem =
+      material_problem(data, {}, options, [](const FitPoint&, double) { return std::complex<double>(); });
+  FitPoint start = start_point(problem);
+  if (start.empty()) return options.shift;
+  const EvenSeries basis = automatic_series(data, shift_at(options.shift, start), options.deviations_known);
+  problem.predict = [&data, &options, &basis](const FitPoint& point) {
+    Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
+    try {
+      const TemperatureShift here = shift_at(options.shift, point);
+      const PronySeries series = even_series(data, here, basis.times, basis.beyond).series;
+      Eigen::Index row = 0;
+      for (const MeasuredModulus& measured : data) {
+        const auto value =
+            complex_modulus(series, measured.angular_frequency * shift_factor(here, measured.temperature));
+        prediction.values[row++] = value.real();
+        prediction.values[row++] = value.imag();
+      }
+    } catch (const std::invalid_argument& error) {
+      prediction.reason = error.what();
+    }
+    return prediction;
+  };
+  problem.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
+    constexpr double step = 1e-2, rounding = 1e-12;
+    return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
+  };
+  const Descent found = descend(problem, start, {.tolerance = 1e-4, .stop = options.options.stop});
+  return shift_at(options.shift, found.found() ? found.end : start);
+}
+
+/// That a smooth spectrum has another loss between the rows: what rows far apart leave open.
+std::string open_between_rows(const std::vector<MeasuredModulus>& data, const MaterialFit& found) {
+  constexpr double noticeable = 0.1;
+  constexpr int pieces = 200;
+  const MasterCurve curve = master_curve_of(data, found.shift);
+  const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
+  if (!(*lowest < *highest)) return "";
+  const PronySeries smooth = fit_master_curve(curve).series;
+  double largest = 0, where = 0;
+  for (int i = 0; i <= pieces; ++i) {
+    const double frequency = *lowest * std::pow(*highest / *lowest, 1.0 * i / pieces);
+    const double omega = 2 * std::numbers::pi * frequency;
+    const double one = complex_modulus(found.prony, omega).imag(), other = complex_modulus(smooth, omega).imag();
+    if (const double apart = std::abs(one - other) / std::max(one, other); apart > largest)
+      largest = apart, where = frequency;
+  }
+  if (largest < noticeable) return "";
+  return message_text<3>("the rows leave the loss modulus between them open: that of a smooth spectrum, as a scene's ",
+                         "master_curve has it, differs by up to ", 100 * largest, " % (at ", where, " Hz)");
+}
+
+MaterialFit fit_even(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
+  MaterialFitOptions wanted = options;
+  wanted.shift = best_shift(data, options);
+  const bool automatic = options.terms == 0;
+  const EvenSeries series = automatic ? automatic_series(data, wanted.shift, options.deviations_known)
+                                      : even_series(data, wanted.shift, options.terms);
+  if (series.series.terms.empty()) throw std::invalid_argument("the moduli are those of an elastic material");
+  MaterialFit answer = fit_moduli(data, series.series, wanted);
+  answer.notes.push_back(message_text(series.times, " relaxation times in even steps of their logarithm",
+                                      automatic ? ", as many as the data ask for" : "", "; ",
+                                      series.series.terms.size(), " of them have a modulus that is not 0"));
+  warn(answer.report, open_between_rows(data, answer));
+  return answer;
+}
+
+/// Terms of free times to start from: those of a dense series, two neighbours as one as long as there are too many,
+/// each time the two whose loss costs least.
+PronySeries joined_series(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift, int terms) {
+  constexpr int dense = 60;
+  EvenSeries series = even_series(data, shift, dense);
+  while (std::ssize(series.series.terms) > terms) {
+    const std::vector<PronySeries::Term>& all = series.series.terms;
+    std::optional<EvenSeries> best;
+    for (std::size_t j = 0; j + 1 < all.size(); ++j) {
+      std::vector<double> times;
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (k != j + 1) times.push_back(all[k].time);
+      const double sum = all[j].modulus + all[j + 1].modulus;
+      times[j] =
+          std::exp((all[j].modulus * std::log(all[j].time) + all[j + 1].modulus * std::log(all[j + 1].time)) / sum);
+      EvenSeries fewer = series_at_times(data, shift, times);
+      if (!best || fewer.squares < best->squares) best = std::move(fewer);
+    }
+    series = std::move(*best);
+  }
+  PronySeries start = series.series;
+  if (std::ssize(start.terms) == terms) return start;
+  constexpr double small = 0.01;  // of what stands there, for a modulus that was 0
+  start.terms.clear();
+  for (const double time : even_times(data, shift, terms)) {
+    const double there = std::abs(complex_modulus(series.series, 1 / time));
+    start.terms.push_back({small * there, time});
+  }
+  return start;
+}
+
+MaterialFit fit_free(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
+  MaterialFitOptions wanted = options;
+  wanted.shift = best_shift(data, options);
+  const PronySeries start = joined_series(data, wanted.shift, options.terms);
+  const bool rests = start.static_modulus > 0;
+  std::vector<FitParameter> parameters;
+  if (rests) parameters.push_back(parameter(modulus_at_rest, start.static_modulus));
+  for (std::size_t j = 0; j < start.terms.size(); ++j) {
+    const std::string number = message_text(" ", j + 1);
+    parameters.push_back(parameter(relaxation_modulus, start.terms[j].modulus, "modulus" + number));
+    parameters.push_back(parameter(relaxation_time, start.terms[j].time, "time" + number));
+  }
+  const auto series = [rests, terms = start.terms.size()](const FitPoint& point) {
+    PronySeries at;
+    std::size_t next = 0;
+    if (rests) at.static_modulus = point[next++];
+    for (std::size_t j = 0; j < terms; ++j, next += 2) at.terms.push_back({point[next], point[next + 1]});
+    return at;
+  };
+  MaterialFit answer = fitted_material(data, parameters, wanted, [series](const FitPoint& point, double omega) {
+    return complex_modulus(series(point), omega);
+  });
+  answer.prony = ordered(series(answer.report.point()));
+  return answer;
+}
+
+}  // namespace
+
+MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
+  const bool free = options.times ? *options.times == SeriesTimes::free
+                                  : options.terms > 0 && options.terms <= usual_free_terms &&
+                                        2 * data.size() > 2 * static_cast<std::size_t>(options.terms) + 3;
+  if (free && (options.terms == 0 || options.terms > most_free_terms))
+    throw std::invalid_argument(message_text("free times: need a number of terms from 1 to ", most_free_terms));
+  return free ? fit_free(data, options) : fit_even(data, options);
+}
+
+}  // namespace rollres

@@ -1,0 +1,225 @@
+#include "studies/fit/fit_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "fitting/errors/statistics.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
+#include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
+
+namespace rollres {
+
+namespace {
+
+void require_same_data(const FitCandidate& a, const FitCandidate& b) {
+  const auto same = [](const FittedValue& one, const FittedValue& other) {
+    const auto equal = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(x); };
+    return equal(one.measured.value, other.measured.value) && equal(one.measured.deviation, other.measured.deviation);
+  };
+  if (a.report.deviations_known != b.report.deviations_known ||
+      !std::equal(a.report.values.begin(), a.report.values.end(), b.report.values.begin(), b.report.values.end(), same))
+    throw std::invalid_argument(b.source + ": has other data, or other deviations of them, than " + a.source +
+                                ": only fits of the same data can be compared");
+}
+
+ComparedFit compared(const FitCandidate& fit) {
+  ComparedFit answer{fit.name, fit.model, std::string(name_of(fit.report.status)),
+                     static_cast<int>(fit.report.parameters.size()), fit.report.chi_squared};
+  const auto n = static_cast<double>(fit.report.values.size());
+  const bool known = fit.report.deviations_known;
+  const double k = answer.parameters + (known ? 0 : 1);
+  answer.likelihood = known ? fit.report.chi_squared : n * std::log(fit.report.chi_squared / n);
+  answer.aicc = n - k - 1 > 0 ? answer.likelihood + 2 * k + 2 * k * (k + 1) / (n - k - 1)
+                              : std::numeric_limits<double>::infinity();
+  answer.bic = answer.likelihood + k * std::log(n);
+  return answer;
+}
+
+bool has_free_times(const FitCandidate& fit) {
+  return fit.file->options.form == MaterialForm::prony &&
+         fit.report.parameters.back().parameter.name.starts_with("time");
+}
+
+/// Whether one material is a case of another, with the same shift.
+bool is_case_of(const FitCandidate& small, const FitCandidate& large) {
+  const MaterialForm a = small.file->options.form, b = large.file->options.form;
+  if (small.file->options.shift.law != ShiftLaw::none || large.file->options.shift.law != ShiftLaw::none) return false;
+  if (a == MaterialForm::zener) return b == MaterialForm::fractional_zener || (b == a ? false : has_free_times(large));
+  return a == MaterialForm::prony && a == b && has_free_times(small) && has_free_times(large);
+}
+
+/// Whether the scenes of one fit are those of another with its inputs at some values.
+bool is_case_of(const FitFile& small, const FitFile& large) {
+  const auto fits = [&](const FittedInput& input) {
+    return std::any_of(large.inputs.begin(), large.inputs.end(), [&](const FittedInput& other) {
+      return other.input.key == input.input.key && (other.set.empty() || other.set == input.set);
+    });
+  };
+  if (!std::all_of(small.inputs.begin(), small.inputs.end(), fits)) return false;
+  for (std::size_t row = 0; row < small.scenes.size(); ++row) {
+    RollingScene scene = small.scenes[row].scene;
+    for (const FittedInput& input : large.inputs)
+      set_input(scene, input.input.key, real_input(large.scenes[row].scene, input.input.key));
+    if (!(scene == large.scenes[row].scene)) return false;
+  }
+  return small.output == large.output;
+}
+
+std::vector<LikelihoodRatio> likelihood_ratios(const std::vector<FitCandidate>& fits) {
+  std::vector<LikelihoodRatio> ratios;
+  for (const FitCandidate& small : fits)
+    for (const FitCandidate& large : fits) {
+      const ComparedFit a = compared(small), b = compared(large);
+      const int degrees = b.parameters - a.parameters;
+      const bool materials = small.file && large.file, scenes = small.resistance && large.resistance;
+      if (degrees <= 0 || !(materials || scenes)) continue;
+      if (!(materials ? is_case_of(small, large) : is_case_of(*small.resistance, *large.resistance))) continue;
+      const double rise = std::max(0.0, a.likelihood - b.likelihood);
+      ratios.push_back({small.name, large.name, rise, degrees, chi_squared_tail(rise, degrees)});
+    }
+  return ratios;
+}
+
+/// Offers a place where two predictions differ.
+void offer(std::optional<LargestDifference>& largest, const LargestDifference& one) {
+  if (std::isfinite(one.deviations) && (!largest || one.deviations > largest->deviations)) largest = one;
+}
+
+/// Over the frequencies of the data and a decade beyond, at the temperatures of the data.
+std::optional<LargestDifference> material_difference(const FitCandidate& a, const FitCandidate& b) {
+  constexpr int pieces = 120;
+  const std::vector<MeasuredModulus>& data = a.file->data;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  std::set<double> temperatures;
+  for (const MeasuredModulus& row : data) {
+    lowest = std::min(lowest, 0.1 * row.angular_frequency);
+    highest = std::max(highest, 10 * row.angular_frequency);
+    temperatures.insert(row.temperature);
+  }
+  const double scatter = std::sqrt(std::min(a.report.errors.scale, b.report.errors.scale));
+  const double relative[2] = {scatter * data.front().storage_deviation / data.front().storage,
+                              scatter * data.front().loss_deviation / data.front().loss};
+  std::optional<LargestDifference> largest;
+  for (const double temperature : temperatures)
+    for (int i = 0; i <= pieces; ++i) {
+      const double omega = lowest * std::pow(highest / lowest, 1.0 * i / pieces);
+      const auto x = a.material->modulus(omega, temperature), y = b.material->modulus(omega, temperature);
+      const auto dx = a.material->modulus_error(omega, temperature), dy = b.material->modulus_error(omega, temperature);
+      std::string where = " at " + readable(omega / (2 * std::numbers::pi), "Hz");
+      if (temperatures.size() > 1) where += " and " + readable(temperature, "K");
+      const auto add = [&](const char* what, double one, double other, double error, double second, double noise) {
+        const auto finite = [](double e) { return std::isfinite(e) ? e : 0; };
+        const double deviation = std::hypot(noise * one, finite(error), finite(second));
+        offer(largest, {a.name, b.name, what + where, "Pa", {one, other}, std::abs(one - other) / deviation});
+      };
+      add("storage_modulus", x.real(), y.real(), dx.real(), dy.real(), relative[0]);
+      add("loss_modulus", x.imag(), y.imag(), dx.imag(), dy.imag(), relative[1]);
+    }
+  return largest;
+}
+
+/// At the measurements.
+std::optional<LargestDifference> scene_difference(const FitCandidate& a, const FitCandidate& b) {
+  std::optional<LargestDifference> largest;
+  const double scatter = std::sqrt(std::min(a.report.errors.scale, b.report.errors.scale));
+  const std::string_view unit = real_output(a.resistance->output).unit_for(a.resistance->indenter());
+  for (std::size_t row = 0; row < a.report.values.size(); ++row) {
+    const FittedValue &x = a.report.values[row], &y = b.report.values[row];
+    const auto finite = [](double e) { return std::isfinite(e) ? e : 0; };
+    const double deviation = std::hypot(scatter * x.measured.deviation, finite(x.band), finite(y.band));
+    offer(largest, {a.name,
+                    b.name,
+                    a.resistance->output + " at " + x.measured.place,
+                    unit,
+                    {x.predicted, y.predicted},
+                    std::abs(x.predicted - y.predicted) / deviation});
+  }
+  return largest;
+}
+
+}  // namespace
+
+FitComparison compare(const std::vector<FitCandidate>& fits) {
+  for (const FitCandidate& fit : fits) {
+    if (fit.report.values.empty()) throw std::invalid_argument(fit.source + ": has no prediction to compare");
+    require_same_data(fits.front(), fit);
+  }
+  FitComparison answer;
+  std::vector<std::size_t> order;
+  for (const FitCandidate& fit : fits) {
+    order.push_back(order.size());
+    answer.fits.push_back(compared(fit));
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return answer.fits[a].aicc < answer.fits[b].aicc; });
+  std::stable_sort(answer.fits.begin(), answer.fits.end(),
+                   [](const ComparedFit& a, const ComparedFit& b) { return a.aicc < b.aicc; });
+  double sum = 0;
+  const double least = answer.fits.front().aicc;
+  for (ComparedFit& fit : answer.fits) sum += fit.weight = fit.aicc == least ? 1 : std::exp(0.5 * (least - fit.aicc));
+  for (ComparedFit& fit : answer.fits) fit.weight /= sum;
+  answer.ratios = likelihood_ratios(fits);
+  const FitCandidate &best = fits[order[0]], &next = fits[order[1]];
+  if (best.material && next.material) answer.difference = material_difference(best, next);
+  if (best.resistance && next.resistance) answer.difference = scene_difference(best, next);
+  return answer;
+}
+
+std::string comparison_summary(const FitComparison& comparison) {
+  std::ostringstream text;
+  const auto number = [](double value) { return std::isfinite(value) ? short_number(value, 5) : std::string("-"); };
+  Table table{{"fit", "model", "parameters", "chi squared", "AICc", "above best", "weight", "BIC", "status"}, {}};
+  for (const ComparedFit& fit : comparison.fits)
+    table.rows.push_back({fit.name, fit.model, std::int64_t{fit.parameters}, number(fit.chi_squared), number(fit.aicc),
+                          number(fit.aicc - comparison.fits.front().aicc), percent(fit.weight), number(fit.bic),
+                          fit.status});
+  write_aligned(text, table);
+  text << '\n';
+  for (const LikelihoodRatio& ratio : comparison.ratios)
+    text << ratio.small << " is a case of " << ratio.large << ": chi squared of the likelihood ratio "
+         << number(ratio.rise) << " for " << ratio.degrees << (ratio.degrees == 1 ? " parameter" : " parameters")
+         << " more, p = " << number(ratio.p_value) << '\n';
+  if (const auto& most = comparison.difference)
+    text << "the two best differ most, by " << short_number(most->deviations, 3) << " deviations, in " << most->where
+         << ": " << most->first << " " << readable(most->values[0], most->unit) << ", " << most->second << " "
+         << readable(most->values[1], most->unit) << '\n';
+  return text.str();
+}
+
+Json json_of(const FitComparison& comparison) {
+  Json object{{"best", comparison.fits.front().name},
+              {"fits", Json::array()},
+              {"likelihood_ratios", Json::array()},
+              {"largest_difference", nullptr}};
+  for (const ComparedFit& fit : comparison.fits)
+    object["fits"].push_back({{"fit", fit.name},
+                              {"model", fit.model},
+                              {"status", fit.status},
+                              {"parameters", fit.parameters},
+                              {"chi_squared", finite_or_null(fit.chi_squared)},
+                              {"aicc", finite_or_null(fit.aicc)},
+                              {"bic", finite_or_null(fit.bic)},
+                              {"weight", finite_or_null(fit.weight)}});
+  for (const LikelihoodRatio& ratio : comparison.ratios)
+    object["likelihood_ratios"].push_back({{"fit", ratio.small},
+                                           {"case_of", ratio.large},
+                                           {"rise", finite_or_null(ratio.rise)},
+                                           {"degrees", ratio.degrees},
+                                           {"p_value", finite_or_null(ratio.p_value)}});
+  if (const auto& most = comparison.difference)
+    object["largest_difference"] = {{"where", most->where},
+                                    {"fits", {most->first, most->second}},
+                                    {"values", {finite_or_null(most->values[0]), finite_or_null(most->values[1])}},
+                                    {"deviations", finite_or_null(most->deviations)}};
+  return object;
+}
+
+}  // namespace rollres

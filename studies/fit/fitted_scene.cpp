@@ -1,0 +1,75 @@
+#include "studies/fit/fitted_scene.hpp"
+
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/scene_io/solution_json.hpp"
+#include "studies/text/files.hpp"
+#include "studies/text/strict_json.hpp"
+#include "studies/text/table_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+Json material_inputs(const MaterialFit& fit, MaterialForm form) {
+  Json inputs{{"material", name_of(form)}};
+  if (form == MaterialForm::prony) {
+    if (fit.prony.static_modulus > 0) inputs["static_shear_modulus"] = fit.prony.static_modulus;
+    for (const PronySeries::Term& term : ordered(fit.prony).terms) {
+      inputs["relaxation_times"].push_back(term.time);
+      inputs["relaxation_moduli"].push_back(term.modulus);
+    }
+    inputs["listed_moduli"] = "shear";
+  } else {
+    inputs["static_shear_modulus"] = fit.zener.static_modulus;
+    inputs["stiffening"] = fit.zener.stiffening;
+    inputs["creep_time"] = fit.zener.creep_time;
+    if (form == MaterialForm::fractional_zener) inputs["fractional_order"] = fit.zener.order;
+  }
+  if (fit.shift.law != ShiftLaw::none) inputs["reference_temperature"] = fit.shift.reference;
+  if (fit.shift.law == ShiftLaw::wlf) {
+    inputs["wlf_c1"] = fit.shift.c1;
+    inputs["wlf_c2"] = fit.shift.c2;
+  } else if (fit.shift.law == ShiftLaw::arrhenius) {
+    inputs["activation_energy"] = fit.shift.activation_energy;
+  }
+  return inputs;
+}
+
+/// Inputs of a material that a fitted one replaces. Its temperature stays, and its shift where none was fitted.
+bool is_replaced(std::string_view key, bool shifted) {
+  if (key == "poisson_ratio" || key == "temperature") return false;
+  const bool shift = key == "reference_temperature" || key == "wlf_c1" || key == "wlf_c2" || key == "activation_energy";
+  if (shift) return shifted;
+  bool found = false;
+  MaterialInputs any;
+  visit_material_inputs(any, [&](const Quantity& quantity, const auto&) { found |= quantity.key == key; });
+  return found;
+}
+
+}  // namespace
+
+std::string fitted_scene(const MaterialFit& fit, const MaterialFile& file) {
+  const Json inputs = material_inputs(fit, file.options.form);
+  if (file.scene.empty()) return text_of(inputs, 2);
+  const Json given = Json::parse(file.scene);
+  Json scene = Json::object();
+  for (const auto& [key, value] : given.items())
+    if (!is_replaced(key, fit.shift.law != ShiftLaw::none)) scene[key] = value;
+  scene.update(inputs);
+  return text_of(scene, 2);
+}
+
+std::string fitted_scene(const FitReport& report, const FitFile& file) {
+  RollingScene scene = file.scenes.front().scene;
+  for (std::size_t j = 0; j < file.inputs.size(); ++j)
+    if (file.inputs[j].set.empty() || file.inputs[j].set == file.scenes.front().set)
+      set_input(scene, file.inputs[j].input.key, report.parameters[j].value);
+  return scene_json(scene);
+}
+
+void write_scene(const std::filesystem::path& file, const std::string& scene) {
+  if (const auto folder = file.parent_path(); !folder.empty()) make_directory(folder);
+  write_file(file, scene.ends_with('\n') ? scene : scene + '\n');
+}
+
+}  // namespace rollres
