@@ -1,5 +1,6 @@
 #include "fitting/fit/material_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -103,7 +104,7 @@ MasterCurve master_curve_of(const std::vector<MeasuredModulus>& data, const Temp
 void warn(FitReport& report, const std::string& warning) {
   if (warning.empty()) return;
   report.warnings.push_back(warning);
-  if (report.status == FitStatus::usable) report.status = FitStatus::usable_with_warnings;
+  report.status = std::min(report.status, FitStatus::usable_with_warnings);
 }
 
 }  // namespace rollres

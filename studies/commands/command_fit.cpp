@@ -237,8 +237,7 @@ void compare_fits(const FitArguments& given, Session& session) {
   stored.flush();
   if (fits.size() < given.fits.size()) throw std::runtime_error("interrupted: the fits that were made are stored");
   const FitComparison comparison = compare(fits);
-  session.status = ExitStatus::answered;
-  if (comparison.fits.front().status.find("USABLE") == std::string::npos) session.status = ExitStatus::no_answer;
+  session.status = comparison.fits.front().usable ? ExitStatus::answered : ExitStatus::no_answer;
   if (given.json)
     session.out << text_of(json_of(comparison), 2) << '\n';
   else

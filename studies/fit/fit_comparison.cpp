@@ -31,8 +31,10 @@ void require_same_data(const FitCandidate& a, const FitCandidate& b) {
 }
 
 ComparedFit compared(const FitCandidate& fit) {
-  ComparedFit answer{fit.name, fit.model, std::string(name_of(fit.report.status)),
-                     static_cast<int>(fit.report.parameters.size()), fit.report.chi_squared};
+  ComparedFit answer{fit.name, fit.model, std::string(name_of(fit.report.status))};
+  answer.usable = fit.report.status >= FitStatus::usable_with_warnings;
+  answer.parameters = static_cast<int>(fit.report.parameters.size());
+  answer.chi_squared = fit.report.chi_squared;
   const auto n = static_cast<double>(fit.report.values.size());
   const bool known = fit.report.deviations_known;
   const double k = answer.parameters + (known ? 0 : 1);

@@ -32,6 +32,7 @@ struct FitCandidate {
 
 struct ComparedFit {
   std::string name, model, status;
+  bool usable = false;  ///< at least with warnings
   int parameters = 0;
   double chi_squared = 0, likelihood = 0;  ///< likelihood: -2 ln L
   double aicc = 0, bic = 0, weight = 0;    ///< aicc infinite with too few values

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "db/queries/query.hpp"
+#include "db/rows/fit_store.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "tests/catch.hpp"
@@ -202,4 +203,26 @@ TEST_CASE("a load asked for stands as it was asked for, also where an older prog
   CHECK(store.solution(rows[1].key)->load == 77);
   CHECK(store.solution(rows[1].key)->approach == 1e-4);
   CHECK(store.solution(rows[2].key)->load == 1e4);
+}
+
+TEST_CASE("fits of before their scenes were stored are listed and read, without one", "[db][migration]") {
+  const TemporaryDirectory folder;
+  const auto file = folder / "old.db";
+  FitRecord fit{};
+  fit.name = "a fit";
+  fit.kind = "material";
+  fit.definition = "{}";
+  FitParameterRecord time;
+  time.name = "creep_time";
+  fit.parameters.push_back(time);
+  save_fit(open_database(file, Access::write), fit);
+  {
+    SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);
+    plain.exec("ALTER TABLE fit DROP COLUMN scene; PRAGMA user_version = 7");  // the schema before
+  }
+  const Database database = open_database(file, Access::write);
+  const std::vector<FitSummary> fits = stored_fits(database);
+  REQUIRE(fits.size() == 1);
+  CHECK(fits.front().parameters == "creep_time");
+  CHECK(find_fit(database, "a fit")->scene.empty());
 }

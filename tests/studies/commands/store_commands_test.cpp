@@ -134,7 +134,7 @@ TEST_CASE("show prints one evaluation in full, with what computed it", "[studies
   for (const std::string what : {"7", "speed and laod", "1x"}) {
     const ProgramRun unknown = studied.run("show", {what});
     CHECK(unknown.status == ExitStatus::wrong_input);
-    CHECK(unknown.err == "rollres: " + studied.database() + ": " + what + ": no such study or evaluation" +
+    CHECK(unknown.err == "rollres: " + studied.database() + ": " + what + ": no such study, fit or evaluation" +
                              (what == "speed and laod" ? "; did you mean speed and load?\n" : "\n"));
   }
 }

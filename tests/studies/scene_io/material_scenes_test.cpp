@@ -66,7 +66,7 @@ TEST_CASE("angular frequencies of a master curve become frequencies", "[studies]
   folder.write("rubber.csv",
                "angular_frequency [rad/s],storage_modulus [Pa],loss_modulus [Pa]\n1,2e6,0\n100,3e6,1e5\n");
   const RollingScene scene = read_scene(folder.write("scene.json", curve_scene));
-  CHECK(scene.frequencies[1] == Approx(100 / (2 * M_PI)).epsilon(1e-15));
+  CHECK(scene.frequencies[1] == Approx(100 / (2 * M_PI)).epsilon(5e-15));  // read to 15 digits
   CHECK(scene.loss_moduli[0] == 0);
 }
 
