@@ -192,6 +192,19 @@ std::string open_between_rows(const std::vector<MeasuredModulus>& data, const Ma
                          "master_curve has it, differs by up to ", 100 * largest, " % (at ", where, " Hz)");
 }
 
+/// The times of a series without the one that the data tell least from its neighbours; empty if they tell all.
+std::vector<double> told_times(const FitReport& report, const PronySeries& series) {
+  const Eigen::VectorXd& weakest = report.errors.weakest;
+  const Eigen::Index terms = std::ssize(series.terms), first = series.static_modulus > 0 ? 1 : 0;
+  if (terms < 2 || weakest.size() < first + terms || report.errors.weakest_deviation < 1) return {};
+  Eigen::Index least = 0;
+  weakest.segment(first, terms).cwiseAbs().maxCoeff(&least);
+  std::vector<double> times;
+  for (Eigen::Index j = 0; j < terms; ++j)
+    if (j != least) times.push_back(series.terms[static_cast<std::size_t>(j)].time);
+  return times;
+}
+
 MaterialFit fit_even(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
   MaterialFitOptions wanted = options;
   wanted.shift = best_shift(data, options);
@@ -199,10 +212,16 @@ MaterialFit fit_even(const std::vector<MeasuredModulus>& data, const MaterialFit
   const EvenSeries series = automatic ? automatic_series(data, wanted.shift, options.deviations_known)
                                       : even_series(data, wanted.shift, options.terms);
   if (series.series.terms.empty()) throw std::invalid_argument("the moduli are those of an elastic material");
-  MaterialFit answer = fit_moduli(data, series.series, wanted);
+  PronySeries told = series.series;
+  MaterialFit answer = fit_moduli(data, told, wanted);
+  for (std::vector<double> times = told_times(answer.report, told); automatic && !times.empty();
+       times = told_times(answer.report, told)) {
+    told = series_at_times(data, wanted.shift, times).series;
+    answer = fit_moduli(data, told, wanted);
+  }
   answer.notes.push_back(message_text(series.times, " relaxation times in even steps of their logarithm",
-                                      automatic ? ", as many as the data ask for" : "", "; ",
-                                      series.series.terms.size(), " of them have a modulus that is not 0"));
+                                      automatic ? ", as many as the data ask for" : "", "; ", told.terms.size(),
+                                      " of them have a modulus that is not 0"));
   warn(answer.report, open_between_rows(data, answer));
   return answer;
 }
