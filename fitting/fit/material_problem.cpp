@@ -14,14 +14,6 @@ constexpr Quantity wlf_c1{"wlf_c1", "c1", "1", "first constant of WLF", positive
 constexpr Quantity wlf_c2{"wlf_c2", "c2", "K", "second constant of WLF", positive};
 constexpr Quantity energy{"activation_energy", "E", "J/mol", "of Arrhenius' law", not_negative};
 
-std::vector<FitParameter> shift_parameters(const TemperatureShift& shift) {
-  if (shift.law == ShiftLaw::wlf)
-    return {parameter(wlf_c1, shift.c1 > 0 ? shift.c1 : 8.86), parameter(wlf_c2, shift.c2 > 0 ? shift.c2 : 101.6)};
-  if (shift.law == ShiftLaw::arrhenius)
-    return {parameter(energy, shift.activation_energy > 0 ? shift.activation_energy : 1e5)};
-  return {};
-}
-
 }  // namespace
 
 FitParameter parameter(const Quantity& quantity, double start, std::string name) {
@@ -31,6 +23,14 @@ FitParameter parameter(const Quantity& quantity, double start, std::string name)
   return {name.empty() ? std::string(quantity.key) : std::move(name),
           {quantity, lowest, quantity.range.highest, logarithmic, logarithmic ? 1 : start},
           start};
+}
+
+std::vector<FitParameter> shift_parameters(const TemperatureShift& shift) {
+  if (shift.law == ShiftLaw::wlf)
+    return {parameter(wlf_c1, shift.c1 > 0 ? shift.c1 : 8.86), parameter(wlf_c2, shift.c2 > 0 ? shift.c2 : 101.6)};
+  if (shift.law == ShiftLaw::arrhenius)
+    return {parameter(energy, shift.activation_energy > 0 ? shift.activation_energy : 1e5)};
+  return {};
 }
 
 TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point) {

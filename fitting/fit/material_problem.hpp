@@ -16,6 +16,9 @@ inline constexpr Quantity modulus_at_rest{"static_shear_modulus", "G0", "Pa", "G
 /// A parameter within its quantity's range; logarithmic where that begins at 0.
 FitParameter parameter(const Quantity& quantity, double start, std::string name = {});
 
+/// The constants of a shift, which start at its own, or where those are 0 at usual ones.
+std::vector<FitParameter> shift_parameters(const TemperatureShift& shift);
+
 /// The shift whose constants are the last values of a point.
 TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point);
 

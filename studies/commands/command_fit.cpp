@@ -5,19 +5,22 @@
 #include <stdexcept>
 
 #include "db/rows/schema.hpp"
-#include "fitting/errors/statistics.hpp"
+#include "fitting/fit/material_problem.hpp"
 #include "studies/fit/fit_comparison.hpp"
 #include "studies/fit/fit_curves.hpp"
 #include "studies/fit/fit_file.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/fit/fit_summary.hpp"
 #include "studies/fit/fitted_scene.hpp"
+#include "studies/fit/material_curves.hpp"
 #include "studies/fit/material_file.hpp"
+#include "studies/fit/shift_file.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/stored_evaluations.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/files.hpp"
+#include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/words.hpp"
 
@@ -59,38 +62,6 @@ Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArgu
                    .jobs = arguments.jobs,
                    .profiles = !arguments.no_profiles,
                    .stop = file.options.stop});
-}
-
-/// The curves of the moduli at the reference temperature; data are shifted there.
-FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found) {
-  FitCurves curves{{.name = "reduced angular frequency", .symbol = "ω", .unit = "rad/s", .logarithmic = true},
-                   {.name = "shear modulus", .unit = "Pa", .logarithmic = true},
-                   {{.label = "storage"}, {.label = "loss"}}};
-  std::vector<double> reduced;
-  for (const MeasuredModulus& row : file.data)
-    reduced.push_back(row.angular_frequency * shift_factor(found.shift, row.temperature));
-  const auto [lowest, highest] = std::minmax_element(reduced.begin(), reduced.end());
-  constexpr int pieces = 120;
-  const double quantile = two_sided_quantile(confidence, found.report.deviations_known ? 0 : found.report.degrees);
-  const auto add = [&](FitCurve& curve, double omega, double modulus, double error) {
-    curve.x.push_back(omega);
-    curve.value.push_back(modulus);
-    curve.band.push_back(std::isfinite(error) ? quantile * error : 0);
-  };
-  auto &storage = curves.curves[0], &loss = curves.curves[1];
-  for (std::size_t i = 0; i < reduced.size(); ++i) {
-    storage.data.push_back(2 * i);
-    loss.data.push_back(2 * i + 1);
-  }
-  storage.data_x = loss.data_x = reduced;
-  for (int i = 0; i <= pieces; ++i) {
-    const double omega = *lowest * std::pow(*highest / *lowest, static_cast<double>(i) / pieces);
-    const std::complex<double> modulus = found.modulus(omega, found.shift.reference),
-                               error = found.modulus_error(omega, found.shift.reference);
-    add(storage, omega, modulus.real(), error.real());
-    add(loss, omega, modulus.imag(), error.imag());
-  }
-  return curves;
 }
 
 /// Stores the fit, and tells by the exit status what it is worth.
@@ -163,6 +134,46 @@ MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Sess
           context};
 }
 
+MadeFit make_shift_fit(const FitArguments& arguments, const ShiftFile& file, Session& session) {
+  const auto begin = std::chrono::steady_clock::now();
+  FitOptions options = file.options;
+  options.profiles = !arguments.no_profiles;
+  const ShiftFit found =
+      refusing_at(arguments.fit, [&] { return fit_shift(file.data, file.law, file.deviation, options); });
+  FitContext context{.name = file.name,
+                     .kind = "shift",
+                     .definition = file.definition,
+                     .data_digest = file.data_digest,
+                     .output_unit = "1",
+                     .notes = file.notes};
+  context.notes.push_back("the values are ln a_T, reference temperature " + readable(file.law.reference, "K"));
+  context.scene = fitted_scene(found, file);
+  save(found.report, context, begin, arguments, session);
+  return {{.source = arguments.fit,
+           .name = file.name,
+           .model = std::string(shift_names[static_cast<std::size_t>(file.law.law)]),
+           .report = found.report},
+          context};
+}
+
+void fit_shift_factors(const FitArguments& arguments, Session& session) {
+  if (arguments.design || arguments.coverage > 0)
+    throw std::invalid_argument(arguments.fit + ": --design and --coverage are for fits of scenes");
+  ShiftFile file = read_shift_fit(arguments.fit);
+  if (!arguments.out.empty()) make_directory(arguments.out);
+  const StopSignal signal;
+  file.options.stop = &signal.requested();
+  const MadeFit made = make_shift_fit(arguments, file, session);
+  const FitReport& report = made.candidate.report;
+  if (arguments.json)
+    session.out << text_of(json_of(report, made.context), 2) << '\n';
+  else
+    session.out << fit_summary(report, made.context) << std::flush;
+  if (!arguments.out.empty() && report.slopes.found())
+    draw(report, shift_curves(file, shift_at(file.law, report.point())), file.name, Indenter::cylinder, arguments,
+         session);
+}
+
 void fit_resistance(const FitArguments& arguments, Session& session) {
   FitFile file = read_fit(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
@@ -223,7 +234,11 @@ void compare_fits(const FitArguments& given, Session& session) {
     if (signal.requested()) break;
     FitArguments arguments = given;
     arguments.fit = fit;
-    if (is_material_fit(fit)) {
+    if (is_shift_fit(fit)) {
+      ShiftFile file = read_shift_fit(fit);
+      file.options.stop = &signal.requested();
+      fits.push_back(make_shift_fit(arguments, file, session).candidate);
+    } else if (is_material_fit(fit)) {
       MaterialFile file = read_material_fit(fit);
       file.options.options.stop = &signal.requested();
       fits.push_back(make_material_fit(arguments, std::move(file), session).candidate);
@@ -249,6 +264,7 @@ void run_fit(const FitArguments& given, Session& session) {
   if (given.fits.size() != 1) throw std::invalid_argument("several fits: need --compare");
   FitArguments arguments = given;
   arguments.fit = given.fits.front();
+  if (is_shift_fit(arguments.fit)) return fit_shift_factors(arguments, session);
   is_material_fit(arguments.fit) ? fit_moduli(arguments, session) : fit_resistance(arguments, session);
 }
 

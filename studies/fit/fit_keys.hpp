@@ -12,6 +12,9 @@ namespace rollres {
 
 inline constexpr std::array<std::string_view, 2> weight_names{"uniform", "relative"}, modulus_names{"shear", "young"};
 inline constexpr std::array<std::string_view, 3> shift_names{"none", "wlf", "arrhenius"};
+inline constexpr std::array<std::string_view, 2> law_names{"wlf", "arrhenius"};
+inline constexpr std::string_view shift_alone = "shift";  ///< in place of a material: a shift law from a table of a_T
+inline constexpr std::array<std::string_view, 4> material_names{"zener", "fractional_zener", "prony", shift_alone};
 inline constexpr KeyForm fit_starts = whole_from(1, 1000), fit_seed = whole_from(0, 2'000'000'000);
 
 /// Of a fit of a scene.
@@ -58,8 +61,8 @@ inline constexpr std::array material_fit_keys{
     FileKey{"$schema", "schema of this file, for editors", a_text},
     FileKey{"fit", "name of the fit in the database", a_name, is_needed},
     FileKey{"comment", "a text that the program ignores", a_text},
-    FileKey{"material", "what is fitted to storage and loss moduli", one_of(ChoiceNames<MaterialForm>::names),
-            is_needed},
+    FileKey{"material", "what is fitted to storage and loss moduli; shift: a law of shift to a table of shift factors",
+            one_of(material_names), is_needed},
     FileKey{"data", "name of a CSV file, relative to this file", a_name, is_needed},
     FileKey{"terms", "of a Prony series; auto: as many as the data ask for"},
     FileKey{
@@ -81,6 +84,22 @@ inline constexpr std::array material_fit_keys{
 inline constexpr std::array modulus_sigma_keys{
     FileKey{"storage_modulus", "relative standard deviation of the storage moduli", KeyForm{}, is_needed},
     FileKey{"loss_modulus", "relative standard deviation of the loss moduli", KeyForm{}, is_needed},
+};
+
+/// Of a fit of a shift law to shift factors.
+inline constexpr std::array shift_fit_keys{
+    FileKey{"$schema", "schema of this file, for editors", a_text},
+    FileKey{"fit", "name of the fit in the database", a_name, is_needed},
+    FileKey{"comment", "a text that the program ignores", a_text},
+    FileKey{"material", "shift", a_name, is_needed},
+    FileKey{"data", "name of a CSV file, relative to this file", a_name, is_needed},
+    FileKey{"shift", "the law", one_of(law_names)},
+    FileKey{"reference_temperature", "where nothing is shifted; default: the temperature whose factor is nearest to 1"},
+    FileKey{"sigma", "relative standard deviation of the factors: \"5 %\""},
+    FileKey{"ignore_columns", "columns of the table that are left out"},
+    FileKey{"scene", "name of a scene file, relative to this file, or a scene, in which the shift is written"},
+    FileKey{"starts", "number of descents; default 1", fit_starts},
+    FileKey{"seed", "of the other starts; default 1", fit_seed},
 };
 
 }  // namespace rollres

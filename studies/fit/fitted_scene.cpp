@@ -10,6 +10,16 @@ namespace rollres {
 
 namespace {
 
+void add_shift(Json& inputs, const TemperatureShift& shift) {
+  if (shift.law != ShiftLaw::none) inputs["reference_temperature"] = shift.reference;
+  if (shift.law == ShiftLaw::wlf) {
+    inputs["wlf_c1"] = shift.c1;
+    inputs["wlf_c2"] = shift.c2;
+  } else if (shift.law == ShiftLaw::arrhenius) {
+    inputs["activation_energy"] = shift.activation_energy;
+  }
+}
+
 Json material_inputs(const MaterialFit& fit, MaterialForm form) {
   Json inputs{{"material", name_of(form)}};
   if (form == MaterialForm::prony) {
@@ -25,21 +35,18 @@ Json material_inputs(const MaterialFit& fit, MaterialForm form) {
     inputs["creep_time"] = fit.zener.creep_time;
     if (form == MaterialForm::fractional_zener) inputs["fractional_order"] = fit.zener.order;
   }
-  if (fit.shift.law != ShiftLaw::none) inputs["reference_temperature"] = fit.shift.reference;
-  if (fit.shift.law == ShiftLaw::wlf) {
-    inputs["wlf_c1"] = fit.shift.c1;
-    inputs["wlf_c2"] = fit.shift.c2;
-  } else if (fit.shift.law == ShiftLaw::arrhenius) {
-    inputs["activation_energy"] = fit.shift.activation_energy;
-  }
+  add_shift(inputs, fit.shift);
   return inputs;
+}
+
+bool is_shift(std::string_view key) {
+  return key == "reference_temperature" || key == "wlf_c1" || key == "wlf_c2" || key == "activation_energy";
 }
 
 /// Inputs of a material that a fitted one replaces. Its temperature stays, and its shift where none was fitted.
 bool is_replaced(std::string_view key, bool shifted) {
   if (key == "poisson_ratio" || key == "temperature") return false;
-  const bool shift = key == "reference_temperature" || key == "wlf_c1" || key == "wlf_c2" || key == "activation_energy";
-  if (shift) return shifted;
+  if (is_shift(key)) return shifted;
   bool found = false;
   MaterialInputs any;
   visit_material_inputs(any, [&](const Quantity& quantity, const auto&) { found |= quantity.key == key; });
@@ -56,6 +63,15 @@ std::string fitted_scene(const MaterialFit& fit, const MaterialFile& file) {
   for (const auto& [key, value] : given.items())
     if (!is_replaced(key, fit.shift.law != ShiftLaw::none)) scene[key] = value;
   scene.update(inputs);
+  return text_of(scene, 2);
+}
+
+std::string fitted_scene(const ShiftFit& fit, const ShiftFile& file) {
+  Json scene = Json::object();
+  const Json given = file.scene.empty() ? Json::object() : Json::parse(file.scene);
+  for (const auto& [key, value] : given.items())
+    if (!is_shift(key)) scene[key] = value;
+  add_shift(scene, fit.shift);
   return text_of(scene, 2);
 }
 

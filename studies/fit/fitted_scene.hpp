@@ -6,6 +6,7 @@
 
 #include "studies/fit/fit_file.hpp"
 #include "studies/fit/material_file.hpp"
+#include "studies/fit/shift_file.hpp"
 
 namespace rollres {
 
@@ -13,6 +14,9 @@ namespace rollres {
 /// material. Without it they are a part of a scene only: the layer, the body and the motion are missing.
 /// A series without a modulus at rest lacks static_shear_modulus: no layer of it bears a load for ever.
 std::string fitted_scene(const MaterialFit& fit, const MaterialFile& file);
+
+/// The reference temperature and the constants of a shift, in the fit file's `scene` where it has one.
+std::string fitted_scene(const ShiftFit& fit, const ShiftFile& file);
 
 /// The scene of the first measurement with the fitted values.
 std::string fitted_scene(const FitReport& report, const FitFile& file);

@@ -19,17 +19,6 @@ namespace {
 
 constexpr double usual_reference_temperature = 293.15;  // [K]: 20 degC
 
-double reference_temperature(const Json& object, const std::string& place) {
-  const auto found = object.find("reference_temperature");
-  if (found == object.end()) return usual_reference_temperature;
-  if (found->is_number() && *found > 0) return found->get<double>();
-  try {
-    if (found->is_string()) return kelvin(found->get_ref<const std::string&>());
-  } catch (const std::invalid_argument&) {  // refused below
-  }
-  refuse(place, "reference_temperature", *found, "must be a temperature > 0 in K, or a text with K or degC");
-}
-
 double relative_sigma(const Json& value, const std::string& key, const std::string& place, const char* rule) {
   if (value.is_string())
     if (const auto part = percentage(value.get_ref<const std::string&>()); part && *part > 0) return *part;
@@ -68,6 +57,24 @@ SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, c
 
 }  // namespace
 
+double given_reference_temperature(const Json& object, const std::string& place) {
+  const auto found = object.find("reference_temperature");
+  if (found == object.end()) return usual_reference_temperature;
+  if (found->is_number() && *found > 0) return found->get<double>();
+  try {
+    if (found->is_string()) return kelvin(found->get_ref<const std::string&>());
+  } catch (const std::invalid_argument&) {  // refused below
+  }
+  refuse(place, "reference_temperature", *found, "must be a temperature > 0 in K, or a text with K or degC");
+}
+
+std::string given_scene(const Json& object, const std::filesystem::path& file, const std::string& place) {
+  if (!object.contains("scene")) return "";
+  const CompleteScene scene = complete_scene(object, file, place);
+  scene_entries(scene.inputs, {}, scene.place);
+  return scene.inputs.dump();
+}
+
 bool is_material_fit(const std::filesystem::path& file) { return read_object(file.string()).contains("material"); }
 
 MaterialFile read_material_fit(const std::filesystem::path& file) {
@@ -84,18 +91,14 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   if (object.contains("times")) fit.options.times = given_times(object, fit.options, place);
   const std::string law = name_or_first(object, "shift", shift_names, place);
   fit.options.shift.law = static_cast<ShiftLaw>(find_name(shift_names, law));
-  fit.options.shift.reference = reference_temperature(object, place);
+  fit.options.shift.reference = given_reference_temperature(object, place);
   fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
   const double share = name_or_first(object, "modulus", modulus_names, place) == "young" ? 1.0 / 3 : 1;
   const Sigmas sigma = given_sigmas(object, place);
   fit.options.deviations_known = sigma.known;
 
-  if (object.contains("scene")) {
-    const CompleteScene scene = complete_scene(object, file, place);
-    scene_entries(scene.inputs, {}, scene.place);
-    fit.scene = scene.inputs.dump();
-  }
+  fit.scene = given_scene(object, file, place);
 
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
   MeasuredTable table = read_measured_table(file.parent_path() / name);

@@ -14,6 +14,7 @@
 /// written. Also starts, seed, comment.
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct MaterialFile {
   std::vector<std::string> notes = {};  ///< columns that were left out
   std::string scene = {};               ///< JSON object that the fitted material is to stand in; empty: none
 };
+
+/// What stands under "reference_temperature" [K], or 20 degC; and the object of the scene under "scene", or nothing.
+/// @throws std::invalid_argument naming place, key, value and rule
+double given_reference_temperature(const nlohmann::ordered_json& object, const std::string& place);
+std::string given_scene(const nlohmann::ordered_json& object, const std::filesystem::path& file,
+                        const std::string& place);
 
 /// Whether a fit's file is one of these: it has a key "material".
 bool is_material_fit(const std::filesystem::path& file);

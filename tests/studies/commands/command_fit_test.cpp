@@ -14,7 +14,7 @@
 #include "tests/studies/temporary_directory.hpp"
 
 // Covers report_fit, fit_design, fit_file, material_file, fit_summary, fit_json, fit_chart, fit_curves, fit_comparison,
-// fitted_scene and stored_fit, too.
+// fitted_scene, stored_fit, shift_file and material_curves, too.
 
 using namespace rollres;
 using nlohmann::json;
@@ -379,4 +379,32 @@ TEST_CASE("columns of a table of moduli are known, left out with a note, or refu
   CHECK_THAT(run(known + "note", rows, {{"sigma", {{"loss_modulus", "2 %"}}}}).err,
              Catch::Contains("sigma: storage_modulus is missing"));
   CHECK_THAT(run(known + "note", rows, {{"sigma", 2}}).err, Catch::Contains("must be a percentage > 0"));
+}
+
+TEST_CASE("a law of shift is fitted to a table of shift factors, and written into a scene", "[studies][fit]") {
+  const TemporaryDirectory directory;
+  const std::string file = (source_directory() / "studies/examples/fit_shift.json").string();
+  const auto run = [&](const std::string& fit, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"fit", fit, "--db", (directory / "m.db").string()});
+    return run_rollres(more, quick_resistance);
+  };
+  const ProgramRun made = run(file, {"--json", "--out", (directory / "pictures").string()});
+  CHECK(made.status == 0);
+  CHECK(std::filesystem::file_size(directory / "pictures/fit_shift_data.svg") > 1000);
+  const json answer = json::parse(made.out);
+  CHECK(answer["kind"] == "shift");
+  CHECK(answer["scene"]["reference_temperature"] == 293.15);
+  CHECK(answer["scene"]["wlf_c1"] == answer["parameters"][0]["value"]);
+  CHECK(std::abs(answer["parameters"][0]["value"].get<double>() - 8.86) <
+        4 * answer["parameters"][0]["standard_error"].get<double>());
+  CHECK_THAT(answer["model"].dump(), Catch::Contains("left out: b_T"));
+
+  directory.write("t.csv", "temperature [K],a_T,log10_a_T\n280,10,1\n290,1,0\n300,0.1,-1\n310,0.02,-1.7\n");
+  const std::string both = directory.write("t.json", R"({"fit": "t", "material": "shift", "data": "t.csv"})").string();
+  CHECK_THAT(run(both).err, Catch::Contains("t.csv: give a_T or log10_a_T, not both"));
+  directory.write("t.csv", "temperature [K],a_T\n280,10\n290,0\n300,0.1\n310,0.02\n");
+  CHECK_THAT(run(both).err, Catch::Contains("t.csv, line 3: a_T = 0: must be > 0"));
+  const std::string law =
+      directory.write("l.json", R"({"fit": "t", "material": "shift", "shift": "none", "data": "t.csv"})").string();
+  CHECK_THAT(run(law).err, Catch::Contains("shift = \"none\": must be one of wlf, arrhenius"));
 }

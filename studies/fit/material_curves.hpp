@@ -1,0 +1,17 @@
+#pragma once
+
+/// The fitted curves between the measured values of fits of materials.
+
+#include "studies/fit/fit_chart.hpp"
+#include "studies/fit/material_file.hpp"
+#include "studies/fit/shift_file.hpp"
+
+namespace rollres {
+
+/// The curves of the moduli at the reference temperature, with their 95 % bands; data are shifted there.
+FitCurves modulus_curves(const MaterialFile& file, const MaterialFit& found);
+
+/// ln a against the temperature.
+FitCurves shift_curves(const ShiftFile& file, const TemperatureShift& shift);
+
+}  // namespace rollres
