@@ -111,7 +111,8 @@ Table run_query(const Database& database, const Query& query) {
     SQLite::Database& connection = database.connection();
     const bool with_study = needs_study(query);
     const std::string view = with_study ? "result" : "evaluation";
-    const Columns known = columns_of(connection, view);
+    Columns known = columns_of(connection, view);
+    add_computed(connection, query.computed, known);
 
     const std::string columns =
         joined(query.columns, ", ", [&](const std::string& name) { return column_named(known, name).sql(); });
@@ -171,7 +172,8 @@ Table run_group_query(const Database& database, const GroupQuery& query) {
                             std::any_of(query.aggregates.begin(), query.aggregates.end(),
                                         [](const Aggregate& aggregate) { return of_study(aggregate.column); });
     const std::string view = with_study ? "result" : "evaluation";
-    const Columns known = columns_of(connection, view);
+    Columns known = columns_of(connection, view);
+    add_computed(connection, query.computed, known);
 
     std::string select, group, order;
     Columns shown;

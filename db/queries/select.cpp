@@ -89,6 +89,20 @@ void round_number(sqlite3_context* context, int, sqlite3_value** values) {
   sqlite3_result_double(context, value);
 }
 
+/// Calls the function of a computed column.
+void compute_value(sqlite3_context* context, int count, sqlite3_value** values) {
+  const auto& column = *static_cast<const ComputedColumn*>(sqlite3_user_data(context));
+  try {
+    std::vector<double> numbers;
+    for (int i = 0; i < count; ++i)
+      numbers.push_back(is_number(values[i]) ? sqlite3_value_double(values[i])
+                                             : std::numeric_limits<double>::quiet_NaN());
+    if (const double value = column.value(numbers); !std::isnan(value)) sqlite3_result_double(context, value);
+  } catch (const std::exception& error) {
+    sqlite3_result_error(context, (column.name + ": " + error.what()).c_str(), -1);
+  }
+}
+
 double number_in(const Filter& filter) {
   if (filter.value == "infinite") return std::numeric_limits<double>::infinity();
   const char* begin = filter.value.data();
@@ -212,6 +226,21 @@ void add_functions(SQLite::Database& connection) {
   connection.createFunction("stddev", 1, true, nullptr, nullptr, add_to_spread, finish_spread);
   connection.createFunction("median", 1, true, nullptr, nullptr, add_to_numbers, finish_median);
   connection.createFunction("rounded", 1, true, nullptr, round_number);
+}
+
+void add_computed(SQLite::Database& connection, const std::vector<ComputedColumn>& computed, Columns& known) {
+  Columns columns;
+  for (const ComputedColumn& column : computed) {
+    const std::string function = "computed_" + std::to_string(columns.size());
+    std::string arguments;
+    for (const std::string& name : column.of)
+      arguments += (arguments.empty() ? "" : ", ") + column_named(known, name).sql();
+    auto kept = std::make_unique<ComputedColumn>(column);
+    connection.createFunction(function.c_str(), static_cast<int>(column.of.size()), true, kept.release(), compute_value,
+                              nullptr, nullptr, [](void* one) { delete static_cast<ComputedColumn*>(one); });
+    columns.push_back({column.name, "REAL", function + "(" + arguments + ")"});
+  }
+  known.insert(known.end(), columns.begin(), columns.end());
 }
 
 Filter parse_filter(std::string_view text) {

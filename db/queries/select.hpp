@@ -48,6 +48,10 @@ Table rows_of(SQLite::Statement& statement);
 /// The same of a text, with what it binds.
 Table rows_of(SQLite::Database& connection, const std::string& sql, const std::vector<Cell>& bound);
 
+/// Makes computed columns known: each is a function of its own, to which the connection holds on.
+/// @throws std::invalid_argument as column_named
+void add_computed(SQLite::Database& connection, const std::vector<ComputedColumn>& computed, Columns& known);
+
 /// Gives a connection what SQLite lacks: the aggregates median(x) and stddev(x) (of a sample, over n - 1; NULL for
 /// fewer than two), which leave NULL out, and rounded(x), x to 12 significant digits, by which numbers are told apart.
 void add_functions(SQLite::Database& connection);

@@ -38,17 +38,19 @@ bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vec
 }
 
 /// The columns that the options ask for, or the chart of the file; x and `along` are null where neither does.
-Choice wished(const StudySummary& study, const StudyChart& hints, const StudyChartOptions& options) {
+Choice wished(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
+  const StudySummary& study = shown.study;
+  const StudyRows& rows = shown.rows;
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };
   Choice choice;
   if (options.shares && !options.y.empty())
     throw std::invalid_argument("y = " + options.y + ": with shares it is the rolling resistance");
   const std::string y = options.shares ? "" : first_of(options.y, hints.y);
-  choice.y = &number_column(first_of(y, "rolling_resistance"), study, "y");
-  if (const std::string x = first_of(options.x, hints.x); !x.empty()) choice.x = &number_column(x, study, "x");
+  choice.y = &number_column(first_of(y, "rolling_resistance"), study, rows, "y");
+  if (const std::string x = first_of(options.x, hints.x); !x.empty()) choice.x = &number_column(x, study, rows, "x");
   const std::string family = first_of(options.family, hints.family);
   if (family.empty()) return choice;
-  const QuantityColumn& column = column_of(family, study, "family");
+  const QuantityColumn& column = column_of(family, study, rows, "family");
   if (&column != choice.x)
     choice.families.push_back(&column);
   else if (!options.family.empty())
@@ -58,7 +60,7 @@ Choice wished(const StudySummary& study, const StudyChart& hints, const StudyCha
 
 Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
   const auto& [file, study, definition, rows] = shown;
-  Choice choice = wished(study, hints, options);
+  Choice choice = wished(shown, hints, options);
   const auto taken = [&](const QuantityColumn* column) {
     return std::find(choice.families.begin(), choice.families.end(), column) != choice.families.end();
   };
@@ -66,7 +68,7 @@ Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChart
   std::size_t most = 0;
   std::vector<const QuantityColumn*> axes;
   for (const std::string& key : study.axes) {
-    axes.push_back(&column_of(key, study, "axis"));
+    axes.push_back(&column_of(key, study, rows, "axis"));
     if (axes.back() == choice.x) choice.along = choice.x;
     if (axes.back()->type == "TEXT" || taken(axes.back())) continue;
     if (const std::size_t count = rows.values(*axes.back()).size(); count > most) {

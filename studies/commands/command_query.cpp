@@ -4,6 +4,7 @@
 
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
+#include "studies/stored/derived_columns.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
@@ -53,6 +54,7 @@ Table rows(const QueryArguments& arguments, const Database& database) {
                  .sort = split_at_commas(arguments.sort),
                  .limit = arguments.limit};
   if (question.columns.empty() && arguments.format == "table") choose_columns(question);
+  add_derived(database, question);
   return run_query(database, question);
 }
 
@@ -63,6 +65,7 @@ Table groups(const QueryArguments& arguments, const Database& database) {
                       .limit = arguments.limit};
   for (const std::string& text : split_at_commas(arguments.aggregates))
     question.aggregates.push_back(parse_aggregate(text));
+  add_derived(database, question);
   return run_group_query(database, question);
 }
 

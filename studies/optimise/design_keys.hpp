@@ -17,6 +17,7 @@ inline constexpr std::array design_keys{
     FileKey{"variables",
             "inputs to be chosen, each between two bounds or from a list; under variant named sets of them", KeyForm{},
             is_needed},
+    FileKey{"compute", "outputs, and formulas with a name that goals, constraints and questions may use"},
     FileKey{"minimise", "formula of inputs and outputs to be made small", a_name},
     FileKey{"maximise", "formula of inputs and outputs to be made large", a_name},
     FileKey{"scenes", "duty cycle: inputs and weight of each scene"},
