@@ -50,7 +50,7 @@ struct ComputedColumn {
 };
 
 struct Query {
-  std::vector<Filter> filters = {};       ///< all of them hold
+  std::vector<Filter> filters = {};       ///< all of them hold; of several studies that are named, one
   std::vector<std::string> columns = {};  ///< empty: all
   std::vector<std::string> sort = {};     ///< "-speed": from large to small; the first counts most, absent ones last
   std::optional<std::int64_t> limit = {};
@@ -72,11 +72,12 @@ struct ChoiceNames<Statistic> {
 struct Aggregate {
   Statistic statistic = Statistic::count;
   std::string column = {};  ///< a number; empty for the count of rows
+  std::string weight = {};  ///< of a mean or a sum: a number by which each row counts; empty: all alike
 
-  std::string name() const;  ///< as a column: "mean_approach", "count"
+  std::string name() const;  ///< as a column: "mean_approach", "mean_approach_weighted", "count"
 };
 
-/// Reads "mean approach", "count".
+/// Reads "mean approach", "mean approach weighted share", "count".
 /// @throws std::invalid_argument naming an unknown statistic and the nearest known one, or a missing column
 Aggregate parse_aggregate(std::string_view text);
 

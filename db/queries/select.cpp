@@ -147,7 +147,15 @@ std::string condition(const Filter& filter, const Column& column, std::vector<Ce
   return compared;
 }
 
+bool names_study(const Filter& filter) {
+  return filter.column == "study" && filter.comparison == Comparison::equal && !filter.value.empty();
+}
+
 }  // namespace
+
+std::ptrdiff_t studies_named(const std::vector<Filter>& filters) {
+  return std::count_if(filters.begin(), filters.end(), names_study);
+}
 
 bool has_column(const Columns& columns, const std::string& name) {
   return std::any_of(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
@@ -288,9 +296,15 @@ double slack_of_written(std::string_view text) {
 }
 
 std::string where_clause(const std::vector<Filter>& filters, const Columns& known, std::vector<Cell>& bound) {
-  std::string clause;
+  std::string clause, studies;
+  const auto add = [&](const std::string& one) { clause += (clause.empty() ? " WHERE " : " AND ") + one; };
+  const bool several = studies_named(filters) > 1;
   for (const Filter& filter : filters)
-    clause += (clause.empty() ? " WHERE " : " AND ") + condition(filter, column_named(known, filter.column), bound);
+    if (!several || !names_study(filter)) add(condition(filter, column_named(known, filter.column), bound));
+  for (const Filter& filter : filters)
+    if (several && names_study(filter))
+      studies += (studies.empty() ? "" : " OR ") + condition(filter, column_named(known, filter.column), bound);
+  if (several) add("(" + studies + ")");
   return clause;
 }
 

@@ -2,6 +2,7 @@
 
 /// What the questions of query.hpp have in common on their way to SQL.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ bool has_column(const Columns& columns, const std::string& name);
 /// Whether a column is one of the view result only.
 bool of_study(const std::string& column);
 bool any_of_study(const std::vector<Filter>& filters);
+
+/// How many studies are named, each by a filter study=NAME.
+std::ptrdiff_t studies_named(const std::vector<Filter>& filters);
 
 /// A name as SQL quotes it.
 std::string quoted_name(const std::string& name);

@@ -14,7 +14,8 @@ namespace {
 std::vector<const QuantityColumn*> longest_axes(const StudySummary& study, const StudyRows& rows) {
   std::vector<const QuantityColumn*> axes;
   for (const std::string& key : study.axes)
-    if (const QuantityColumn& column = column_of(key, study, rows, "axis"); column.type != "TEXT") axes.push_back(&column);
+    if (const QuantityColumn& column = column_of(key, study, rows, "axis"); column.type != "TEXT")
+      axes.push_back(&column);
   std::stable_sort(axes.begin(), axes.end(), [&](const auto* one, const auto* other) {
     return rows.values(*one).size() > rows.values(*other).size();
   });
@@ -76,10 +77,13 @@ void add_optimum(MapRequest& request, ResultStore& store, const std::string& nam
 }  // namespace
 
 StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
+  if (!options.more_studies.empty())
+    throw std::invalid_argument("study = " + options.more_studies.front() + ": a map is of one study");
   const ShownStudy shown(store, options);
   const auto& [file, study, definition, rows] = shown;
   const MapAxes axes = choose_axes(study, rows, options);
-  const QuantityColumn& value = number_column(options.map.empty() ? "rolling_resistance" : options.map, study, rows, "map");
+  const QuantityColumn& value =
+      number_column(options.map.empty() ? "rolling_resistance" : options.map, study, rows, "map");
   const auto scale = [&](const QuantityColumn& column, AxisScale wish, const char* option) {
     return scale_of(shown.rows, column, wish, shown.definition.logarithmic.contains(key_of(column)), option);
   };

@@ -100,7 +100,7 @@ std::vector<Place> places_for(const Formula& formula) {
 }  // namespace
 
 std::optional<std::string> unit_of_value(const Formula& formula, Indenter indenter) {
-  constexpr double factor = 1.75, least_share = 0.25;
+  constexpr double factor = 1.0001, least_share = 0.25;  // near 1: no comparison turns out otherwise
   std::map<std::string, Exponents> exponents;
   for (const std::string& key : formula.keys()) exponents[key] = exponents_of(unit_of_key(key, indenter));
   const std::vector<Place> places = places_for(formula);
@@ -120,7 +120,7 @@ std::optional<std::string> unit_of_value(const Formula& formula, Indenter indent
       highest = std::max(highest, power);
     }
     if (static_cast<double>(valid) < least_share * static_cast<double>(places.size())) return std::string();
-    constexpr double rounding = 1e-9, parts = 12;  // of exponents that are fractions
+    constexpr double rounding = 1e-7, parts = 12;  // of exponents that are fractions
     if (highest - lowest > rounding) return std::nullopt;
     found[base] = std::round(parts * lowest) / parts;
   }

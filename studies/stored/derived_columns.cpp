@@ -39,10 +39,13 @@ FormulaDefinitions formulas_in(const Database& database, const std::vector<Filte
   std::map<std::string, std::string> study_of;
   for (const auto& row : run_sql(database, "SELECT name, definition FROM study ORDER BY name").rows) {
     const auto& study = std::get<std::string>(row[0]);
-    const bool asked = std::all_of(filters.begin(), filters.end(), [&](const Filter& filter) {
-      return filter.column != "study" || filter.comparison != Comparison::equal || filter.value == study;
-    });
-    if (!asked) continue;
+    const auto is_named = [](const Filter& one) {
+      return one.column == "study" && one.comparison == Comparison::equal;
+    };
+    const bool any = std::any_of(filters.begin(), filters.end(), is_named);
+    const bool asked = std::any_of(filters.begin(), filters.end(),
+                                   [&](const Filter& one) { return is_named(one) && one.value == study; });
+    if (any && !asked) continue;
     for (auto& [name, formula] :
          definition_in(std::get<std::string>(row[1]), database.name() + ": " + study).formulas) {
       if (std::find(names.begin(), names.end(), name) == names.end()) continue;
@@ -122,7 +125,10 @@ void add_derived(const Database& database, Query& query) {
 
 void add_derived(const Database& database, GroupQuery& query) {
   std::vector<std::string> names = query.by;
-  for (const Aggregate& aggregate : query.aggregates) names.push_back(aggregate.column);
+  for (const Aggregate& aggregate : query.aggregates) {
+    names.push_back(aggregate.column);
+    names.push_back(aggregate.weight);
+  }
   add_filters(names, query.filters);
   const FormulaDefinitions formulas = formulas_in(database, query.filters, names);
   convert_to_si(query.filters, formulas);

@@ -51,6 +51,7 @@ StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::ve
   convert_to_si(query.filters, formulas);
   query.computed = computed_columns(formulas);
   for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
+  query.columns.emplace_back(study_key);
   table_ = run_query(store.database(), query);
   for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
   if (table_.rows.empty())
@@ -58,6 +59,29 @@ StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::ve
                                 (filters.empty() ? "no point is computed yet" : "no point matches"));
   if (named && values(*columns_[of_variants]) == std::set<Cell>{Cell()})  // no point is of a variant
     columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
+}
+
+StudyRows::StudyRows(const std::vector<StudyRows>& studies) {
+  for (const StudyRows& one : studies)
+    for (const QuantityColumn* const column : one.columns_) {
+      if (const auto same = places_.find(column->name); same == places_.end()) {
+        places_[column->name] = columns_.size();
+        columns_.push_back(column);
+      } else if (columns_[same->second] != column) {
+        throw std::invalid_argument(column->name + ": is computed differently in the studies");
+      }
+    }
+  places_[std::string(study_key)] = columns_.size();
+  columns_.push_back(find_quantity_column(study_key));
+  for (const QuantityColumn* const column : columns_) table_.columns.push_back(column->name);
+  for (const StudyRows& one : studies)
+    for (const std::vector<Cell>& row : one.table_.rows) {
+      std::vector<Cell>& cells = table_.rows.emplace_back();
+      for (const QuantityColumn* const column : columns_) {
+        const auto place = one.places_.find(column->name);
+        cells.push_back(place == one.places_.end() ? Cell() : row[place->second]);
+      }
+    }
 }
 
 const Cell& StudyRows::cell(std::size_t row, const Column& column) const {

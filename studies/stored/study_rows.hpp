@@ -42,6 +42,9 @@ class StudyRows {
   /// @throws std::invalid_argument if there is none
   /// @throws std::runtime_error naming the file if the database fails
   StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters = {});
+  /// Those of several studies, one after the other.
+  /// @throws std::invalid_argument if two of them compute one number differently
+  explicit StudyRows(const std::vector<StudyRows>& studies);
 
   std::size_t size() const { return table_.rows.size(); }
   /// As quantity_columns_of, then the numbers that the study derives from them.

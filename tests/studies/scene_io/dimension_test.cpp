@@ -26,6 +26,8 @@ TEST_CASE("a formula's unit follows from those of its numbers", "[studies][formu
   CHECK(unit_of_text("activation_energy / temperature") == "m2.kg.s-2.K-1.mol-1");
   CHECK(unit_of_text("creep_time^0.5") == "s0.5");
   CHECK(unit_of_text("2 + 3") == "1");
+  CHECK(unit_of_text("speed < 2 ? 0.3 : 0.7") == "1");  // compared in SI
+  CHECK(unit_of_text("load > 1 ? speed : 2 * radius / creep_time") == "m/s");
   CHECK(unit_of_text("exp(-speed * creep_time / radius)") == "1");
   CHECK(unit_of_text("rotation_speed * radius / speed") == "1");
   CHECK(unit_of_text("load", Indenter::sphere) == "N");
@@ -35,7 +37,7 @@ TEST_CASE("terms that do not fit are found, also where only a function or a powe
           "[studies][formula][dimension]") {
   for (const char* const text :
        {"speed + load", "speed + 1", "exp(speed)", "max(speed, load)", "radius^friction_coefficient",
-        "peak_pressure - 2e6", "rolling_resistance + approach", "radius / speed + creep_time^2", "ln(load)"}) {
+        "peak_pressure - 2e6", "rolling_resistance + approach", "speed < 1 ? speed : load", "radius / speed + creep_time^2", "ln(load)"}) {
     CAPTURE(text);
     CHECK(unit_of_text(text) == "does not fit");
   }
