@@ -2,6 +2,8 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
+#include <span>
 
 #include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
@@ -51,7 +53,7 @@ TEST_CASE("several databases are read as one, which is gone afterwards, and they
   }
   CHECK_FALSE(std::filesystem::exists(place));
   CHECK(file_text(files[0]) == before);
-  const GatheredDatabases one(std::span(files).first(1));
+  const GatheredDatabases one(std::span<const std::string>{files.data(), 1});
   CHECK(one.file() == files[0]);
 }
 
