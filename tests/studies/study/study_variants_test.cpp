@@ -223,6 +223,14 @@ TEST_CASE("several studies are drawn together, each a family with points of its 
              Contains("study = wintr: unknown study"));
   CHECK_THAT(run({"chart", "--db", one, "--db", other, "--map", "approach", "--out", folder / "f"}).err,
              Contains("a map is of one study"));
+  REQUIRE(run({"merge", other, "--db", one}).status == 0);
+  CHECK_THAT(run({"report", "--db", one, "--study", "summer", "--study", "winter", "--out", folder / "r.html"}).out,
+             Contains("summer, winter"));
+  CHECK_THAT(file_text(folder / "r.html"), Contains("All studies") && Contains("<h1>winter</h1>"));
+  CHECK_THAT(run({"compare", "summer", "winter", "summer", "--db", one}).out,
+             Contains("summer and winter\n") && Contains("summer and summer\n3 points match"));
+  CHECK_THAT(run({"compare", "summer", "winter", "summer", "--db", one, "--format", "json"}).err,
+             Contains("is for two studies"));
   const ProgramRun groups = run({"query", "--db", one, "--db", other, "study=summer", "study=winter", "--by", "study",
                                  "--aggregate", "count", "--format", "csv"});
   CHECK(groups.out == "study,count\nsummer,3\nwinter,3\n");
