@@ -25,13 +25,13 @@ bool of_older_schema(const std::filesystem::path& file) {
   return number(68) == Database::application_id && number(60) < static_cast<int>(schema_migrations().size());
 }
 
+}  // namespace
+
 std::filesystem::path temporary_folder() {
   std::string name = (std::filesystem::temp_directory_path() / "rollres_XXXXXX").string();
   if (!::mkdtemp(name.data())) throw std::runtime_error(name + ": cannot be made a directory");
   return name;
 }
-
-}  // namespace
 
 ReadableSource::ReadableSource(const std::filesystem::path& file) {
   if (!of_older_schema(file)) {

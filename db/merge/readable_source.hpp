@@ -9,6 +9,9 @@
 
 namespace rollres {
 
+/// Makes a folder for temporary files. @throws std::runtime_error if that fails
+std::filesystem::path temporary_folder();
+
 /// A database of this version's schema that holds what `file` does, which is not written to: the file itself, or if it
 /// is of an older schema a temporary copy.
 class ReadableSource {

@@ -36,7 +36,7 @@ bool summary_decides(const Query& query) {
 /// Whether the first page of a study is found quicker in the summary, looking up which rows are points of it, than by
 /// reading the rows of all its points. In the summary's own order the search ends when the page is full.
 bool better_from_summary(SQLite::Database& connection, const Query& query) {
-  if (!query.limit || query.sort.empty() || !summary_decides(query)) return false;
+  if (!query.limit || query.sort.empty() || !summary_decides(query) || studies_named(query.filters) > 1) return false;
   const auto study = std::find_if(query.filters.begin(), query.filters.end(), [](const Filter& filter) {
     return filter.column == "study" && filter.comparison == Comparison::equal;
   });
@@ -61,6 +61,14 @@ constexpr std::array<std::string_view, ChoiceNames<Statistic>::names.size()> sql
 std::string expression(const Aggregate& aggregate, const Columns& known) {
   if (aggregate.column.empty()) return "count(*)";
   const Column& column = column_named(known, aggregate.column);
+  if (!aggregate.weight.empty()) {
+    const Column& weight = column_named(known, aggregate.weight);
+    for (const Column* const one : {&column, &weight})
+      if (one->type == "TEXT") throw std::invalid_argument(one->name + ": cannot be weighted, it is a text");
+    const std::string sum = "sum((" + weight.sql() + ") * (" + column.sql() + "))";
+    if (aggregate.statistic == Statistic::sum) return sum;
+    return sum + " / sum(CASE WHEN " + column.sql() + " IS NOT NULL THEN " + weight.sql() + " END)";
+  }
   if (column.type == "TEXT" && aggregate.statistic != Statistic::count)
     throw std::invalid_argument(aggregate.column + ": has no " + std::string(name_of(aggregate.statistic)) +
                                 ", it is a text");
@@ -111,7 +119,8 @@ Table run_query(const Database& database, const Query& query) {
     SQLite::Database& connection = database.connection();
     const bool with_study = needs_study(query);
     const std::string view = with_study ? "result" : "evaluation";
-    const Columns known = columns_of(connection, view);
+    Columns known = columns_of(connection, view);
+    add_computed(connection, query.computed, known);
 
     const std::string columns =
         joined(query.columns, ", ", [&](const std::string& name) { return column_named(known, name).sql(); });
@@ -141,7 +150,9 @@ Table run_query(const Database& database, const Query& query) {
   });
 }
 
-std::string Aggregate::name() const { return std::string(name_of(statistic)) + (column.empty() ? "" : "_" + column); }
+std::string Aggregate::name() const {
+  return std::string(name_of(statistic)) + (column.empty() ? "" : "_" + column) + (weight.empty() ? "" : "_weighted");
+}
 
 Aggregate parse_aggregate(std::string_view text) {
   std::istringstream stream{std::string(text)};
@@ -156,7 +167,15 @@ Aggregate parse_aggregate(std::string_view text) {
                                 : "did you mean " + nearest + "?"));
   }
   Aggregate aggregate{static_cast<Statistic>(found)};
-  if (words.size() > 2) throw std::invalid_argument(wish + "must be a statistic and one column, as in mean approach");
+  if (words.size() == 4 && words[2] == "weighted") {
+    if (aggregate.statistic != Statistic::mean && aggregate.statistic != Statistic::sum)
+      throw std::invalid_argument(wish + "only a mean and a sum are weighted");
+    aggregate.weight = words[3];
+    words.resize(2);
+  }
+  if (words.size() > 2)
+    throw std::invalid_argument(
+        wish + "must be a statistic and one column, as in mean approach, or mean approach weighted COLUMN");
   if (words.size() == 2) aggregate.column = words[1];
   if (words.size() == 1 && aggregate.statistic != Statistic::count)
     throw std::invalid_argument(wish + "needs a column, as in " + words.front() + " rolling_resistance");
@@ -171,7 +190,8 @@ Table run_group_query(const Database& database, const GroupQuery& query) {
                             std::any_of(query.aggregates.begin(), query.aggregates.end(),
                                         [](const Aggregate& aggregate) { return of_study(aggregate.column); });
     const std::string view = with_study ? "result" : "evaluation";
-    const Columns known = columns_of(connection, view);
+    Columns known = columns_of(connection, view);
+    add_computed(connection, query.computed, known);
 
     std::string select, group, order;
     Columns shown;

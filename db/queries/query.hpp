@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,11 +42,19 @@ double slack_of_written(std::string_view text);
 /// @throws std::invalid_argument if there is no operator, or no column before it
 Filter parse_filter(std::string_view text);
 
+/// A column that is computed from others of its row. Its name must be that of no other column.
+struct ComputedColumn {
+  std::string name;
+  std::vector<std::string> of;                                       ///< columns that are numbers
+  std::function<double(std::span<const double> values)> value = {};  ///< NaN: absent; so is what is given to it
+};
+
 struct Query {
-  std::vector<Filter> filters = {};       ///< all of them hold
+  std::vector<Filter> filters = {};       ///< all of them hold; of several studies that are named, one
   std::vector<std::string> columns = {};  ///< empty: all
   std::vector<std::string> sort = {};     ///< "-speed": from large to small; the first counts most, absent ones last
   std::optional<std::int64_t> limit = {};
+  std::vector<ComputedColumn> computed = {};  ///< which the others may name
 };
 
 /// Reads the whole answer at once, so that no reader holds up a writer.
@@ -62,11 +72,12 @@ struct ChoiceNames<Statistic> {
 struct Aggregate {
   Statistic statistic = Statistic::count;
   std::string column = {};  ///< a number; empty for the count of rows
+  std::string weight = {};  ///< of a mean or a sum: a number by which each row counts; empty: all alike
 
-  std::string name() const;  ///< as a column: "mean_approach", "count"
+  std::string name() const;  ///< as a column: "mean_approach", "mean_approach_weighted", "count"
 };
 
-/// Reads "mean approach", "count".
+/// Reads "mean approach", "mean approach weighted share", "count".
 /// @throws std::invalid_argument naming an unknown statistic and the nearest known one, or a missing column
 Aggregate parse_aggregate(std::string_view text);
 
@@ -76,6 +87,7 @@ struct GroupQuery {
   std::vector<std::string> by = {};        ///< columns that are equal, to 12 digits, inside a group; empty: one group
   std::vector<std::string> sort = {};      ///< of `by` and names of aggregates; what is not named: by `by`, rising
   std::optional<std::int64_t> limit = {};
+  std::vector<ComputedColumn> computed = {};  ///< as in Query
 };
 
 /// One row for each group that is not empty: the columns of `by`, then the aggregates.

@@ -89,6 +89,20 @@ void round_number(sqlite3_context* context, int, sqlite3_value** values) {
   sqlite3_result_double(context, value);
 }
 
+/// Calls the function of a computed column.
+void compute_value(sqlite3_context* context, int count, sqlite3_value** values) {
+  const auto& column = *static_cast<const ComputedColumn*>(sqlite3_user_data(context));
+  try {
+    std::vector<double> numbers;
+    for (int i = 0; i < count; ++i)
+      numbers.push_back(is_number(values[i]) ? sqlite3_value_double(values[i])
+                                             : std::numeric_limits<double>::quiet_NaN());
+    if (const double value = column.value(numbers); !std::isnan(value)) sqlite3_result_double(context, value);
+  } catch (const std::exception& error) {
+    sqlite3_result_error(context, (column.name + ": " + error.what()).c_str(), -1);
+  }
+}
+
 double number_in(const Filter& filter) {
   if (filter.value == "infinite") return std::numeric_limits<double>::infinity();
   const char* begin = filter.value.data();
@@ -133,7 +147,15 @@ std::string condition(const Filter& filter, const Column& column, std::vector<Ce
   return compared;
 }
 
+bool names_study(const Filter& filter) {
+  return filter.column == "study" && filter.comparison == Comparison::equal && !filter.value.empty();
+}
+
 }  // namespace
+
+std::ptrdiff_t studies_named(const std::vector<Filter>& filters) {
+  return std::count_if(filters.begin(), filters.end(), names_study);
+}
 
 bool has_column(const Columns& columns, const std::string& name) {
   return std::any_of(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
@@ -214,6 +236,21 @@ void add_functions(SQLite::Database& connection) {
   connection.createFunction("rounded", 1, true, nullptr, round_number);
 }
 
+void add_computed(SQLite::Database& connection, const std::vector<ComputedColumn>& computed, Columns& known) {
+  Columns columns;
+  for (const ComputedColumn& column : computed) {
+    const std::string function = "computed_" + std::to_string(columns.size());
+    std::string arguments;
+    for (const std::string& name : column.of)
+      arguments += (arguments.empty() ? "" : ", ") + column_named(known, name).sql();
+    auto kept = std::make_unique<ComputedColumn>(column);
+    connection.createFunction(function.c_str(), static_cast<int>(column.of.size()), true, kept.release(), compute_value,
+                              nullptr, nullptr, [](void* one) { delete static_cast<ComputedColumn*>(one); });
+    columns.push_back({column.name, "REAL", function + "(" + arguments + ")"});
+  }
+  known.insert(known.end(), columns.begin(), columns.end());
+}
+
 Filter parse_filter(std::string_view text) {
   const std::size_t begin = text.find_first_of("=!<>~");
   if (begin == std::string_view::npos || begin == 0)
@@ -259,9 +296,15 @@ double slack_of_written(std::string_view text) {
 }
 
 std::string where_clause(const std::vector<Filter>& filters, const Columns& known, std::vector<Cell>& bound) {
-  std::string clause;
+  std::string clause, studies;
+  const auto add = [&](const std::string& one) { clause += (clause.empty() ? " WHERE " : " AND ") + one; };
+  const bool several = studies_named(filters) > 1;
   for (const Filter& filter : filters)
-    clause += (clause.empty() ? " WHERE " : " AND ") + condition(filter, column_named(known, filter.column), bound);
+    if (!several || !names_study(filter)) add(condition(filter, column_named(known, filter.column), bound));
+  for (const Filter& filter : filters)
+    if (several && names_study(filter))
+      studies += (studies.empty() ? "" : " OR ") + condition(filter, column_named(known, filter.column), bound);
+  if (several) add("(" + studies + ")");
   return clause;
 }
 

@@ -2,6 +2,7 @@
 
 /// What the questions of query.hpp have in common on their way to SQL.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ bool has_column(const Columns& columns, const std::string& name);
 /// Whether a column is one of the view result only.
 bool of_study(const std::string& column);
 bool any_of_study(const std::vector<Filter>& filters);
+
+/// How many studies are named, each by a filter study=NAME.
+std::ptrdiff_t studies_named(const std::vector<Filter>& filters);
 
 /// A name as SQL quotes it.
 std::string quoted_name(const std::string& name);
@@ -47,6 +51,10 @@ std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<C
 Table rows_of(SQLite::Statement& statement);
 /// The same of a text, with what it binds.
 Table rows_of(SQLite::Database& connection, const std::string& sql, const std::vector<Cell>& bound);
+
+/// Makes computed columns known: each is a function of its own, to which the connection holds on.
+/// @throws std::invalid_argument as column_named
+void add_computed(SQLite::Database& connection, const std::vector<ComputedColumn>& computed, Columns& known);
 
 /// Gives a connection what SQLite lacks: the aggregates median(x) and stddev(x) (of a sample, over n - 1; NULL for
 /// fewer than two), which leave NULL out, and rounded(x), x to 12 significant digits, by which numbers are told apart.

@@ -189,6 +189,10 @@ const QuantityColumn* find_quantity_column(std::string_view name) {
         {std::string(variant_key), "TEXT"}, {variant_key, "", "", "named set of inputs of the study"}, true};
     return &variant;
   }
+  if (name == study_key) {
+    static const QuantityColumn study{{std::string(study_key), "TEXT"}, {study_key, "", "", "study"}, true};
+    return &study;
+  }
   const auto& all = quantity_columns();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
   return found == all.end() ? nullptr : &*found;

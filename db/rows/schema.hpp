@@ -55,9 +55,11 @@ const std::vector<QuantityColumn>& quantity_columns();
 
 /// Column of study_point and of result: the variant of a study that a point is of.
 inline constexpr std::string_view variant_key = "variant";
+/// Column of result: the study that a point is of.
+inline constexpr std::string_view study_key = "study";
 
 /// What stands in a column, or nullptr if it is none of these. An input of a further layer counts as one: what
-/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers. So does the variant.
+/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers. So do the variant and the study.
 const QuantityColumn* find_quantity_column(std::string_view name);
 
 /// Columns of the index evaluation_summary. Changing them needs a migration.

@@ -16,6 +16,52 @@ StudyDefinition definition_of(ResultStore& store, const std::string& study) {
   return definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study);
 }
 
+/// The names of all studies that are drawn; a name given twice is one study.
+std::vector<std::string> names_of(ResultStore& store, const StudyChartOptions& options) {
+  std::vector<std::string> names{stored_study(store, options.study).name};
+  for (const std::string& more : options.more_studies)
+    if (const std::string name = stored_study(store, more).name;
+        std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  return names;
+}
+
+/// Several studies as one, whose first axis is the study.
+StudySummary summary_of(ResultStore& store, const std::vector<std::string>& names) {
+  StudySummary all = stored_study(store, names.front());
+  if (names.size() == 1) return all;
+  all.name = joined(names);
+  all.axes.insert(all.axes.begin(), std::string(study_key));
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const StudySummary one = stored_study(store, names[i]);
+    for (const std::string& axis : one.axes)
+      if (std::find(all.axes.begin(), all.axes.end(), axis) == all.axes.end()) all.axes.push_back(axis);
+    all.points += one.points;
+    all.answered += one.answered;
+    all.failed += one.failed;
+  }
+  return all;
+}
+
+/// What the first study's file says, and which axes of any are logarithmic, go together or are sampled.
+StudyDefinition definition_of(ResultStore& store, const std::vector<std::string>& names) {
+  StudyDefinition all = definition_of(store, names.front());
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const StudyDefinition one = definition_of(store, names[i]);
+    all.logarithmic.insert(one.logarithmic.begin(), one.logarithmic.end());
+    all.together.insert(all.together.end(), one.together.begin(), one.together.end());
+    all.sampled.insert(one.sampled.begin(), one.sampled.end());
+  }
+  return all;
+}
+
+StudyRows rows_of(ResultStore& store, const std::vector<std::string>& names, const std::vector<Filter>& filters) {
+  if (names.size() == 1) return {store, names.front(), filters};
+  std::vector<StudyRows> studies;
+  for (const std::string& name : names) studies.emplace_back(store, name, filters);
+  return StudyRows(studies);
+}
+
 /// Which columns are drawn as what.
 struct Choice {
   const QuantityColumn* x = nullptr;
@@ -38,17 +84,19 @@ bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vec
 }
 
 /// The columns that the options ask for, or the chart of the file; x and `along` are null where neither does.
-Choice wished(const StudySummary& study, const StudyChart& hints, const StudyChartOptions& options) {
+Choice wished(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
+  const StudySummary& study = shown.study;
+  const StudyRows& rows = shown.rows;
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };
   Choice choice;
   if (options.shares && !options.y.empty())
     throw std::invalid_argument("y = " + options.y + ": with shares it is the rolling resistance");
   const std::string y = options.shares ? "" : first_of(options.y, hints.y);
-  choice.y = &number_column(first_of(y, "rolling_resistance"), study, "y");
-  if (const std::string x = first_of(options.x, hints.x); !x.empty()) choice.x = &number_column(x, study, "x");
+  choice.y = &number_column(first_of(y, "rolling_resistance"), study, rows, "y");
+  if (const std::string x = first_of(options.x, hints.x); !x.empty()) choice.x = &number_column(x, study, rows, "x");
   const std::string family = first_of(options.family, hints.family);
   if (family.empty()) return choice;
-  const QuantityColumn& column = column_of(family, study, "family");
+  const QuantityColumn& column = column_of(family, study, rows, "family");
   if (&column != choice.x)
     choice.families.push_back(&column);
   else if (!options.family.empty())
@@ -58,7 +106,7 @@ Choice wished(const StudySummary& study, const StudyChart& hints, const StudyCha
 
 Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
   const auto& [file, study, definition, rows] = shown;
-  Choice choice = wished(study, hints, options);
+  Choice choice = wished(shown, hints, options);
   const auto taken = [&](const QuantityColumn* column) {
     return std::find(choice.families.begin(), choice.families.end(), column) != choice.families.end();
   };
@@ -66,7 +114,7 @@ Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChart
   std::size_t most = 0;
   std::vector<const QuantityColumn*> axes;
   for (const std::string& key : study.axes) {
-    axes.push_back(&column_of(key, study, "axis"));
+    axes.push_back(&column_of(key, study, rows, "axis"));
     if (axes.back() == choice.x) choice.along = choice.x;
     if (axes.back()->type == "TEXT" || taken(axes.back())) continue;
     if (const std::size_t count = rows.values(*axes.back()).size(); count > most) {
@@ -176,11 +224,17 @@ std::string label_of(const std::vector<Cell>& values, const Choice& choice, cons
 /// The curves, each with a point at every place of the column along them; where it has none the line is broken.
 std::vector<ChartCurve> labelled(const Curves& curves, const Choice& choice, const StudyRows& rows) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const std::set<Cell> places = rows.values(*choice.along);
+  // Each study has places of its own.
+  const auto study = std::find(choice.families.begin(), choice.families.end(), find_quantity_column(study_key));
+  const auto family = static_cast<std::size_t>(study - choice.families.begin());
+  const auto study_of = [&](const auto& cells) { return family < cells.size() ? cells[family] : Cell(); };
+  std::map<Cell, std::set<Cell>> places;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    places[study == choice.families.end() ? Cell() : rows.cell(row, **study)].insert(rows.cell(row, *choice.along));
   std::vector<ChartCurve> all;
   for (const auto& [values, points] : curves) {
     ChartCurve& curve = all.emplace_back(ChartCurve{label_of(values, choice, rows), {}});
-    for (const Cell& place : places) {
+    for (const Cell& place : places.at(study_of(values))) {
       const auto found = points.find(place);
       curve.points.push_back(found != points.end() ? found->second : ChartPoint{none, none, true});
     }
@@ -201,9 +255,9 @@ StudyChart chart_of_file(ResultStore& store, const std::string& wanted, const st
 
 ShownStudy::ShownStudy(ResultStore& store, const StudyChartOptions& options)
     : file(store.database().name()),
-      study(stored_study(store, options.study)),
-      definition(definition_of(store, study.name)),
-      rows(store, study.name, options.filters) {}
+      study(summary_of(store, names_of(store, options))),
+      definition(definition_of(store, names_of(store, options))),
+      rows(rows_of(store, names_of(store, options), options.filters)) {}
 
 std::size_t ShownStudy::unanswered() const {
   std::size_t count = 0;

@@ -14,6 +14,7 @@ namespace rollres {
 /// x because they vary together with it. The axes of a map are the two with the most values.
 struct StudyChartOptions {
   std::string study = {};  ///< may be left out if the database holds one study
+  std::vector<std::string> more_studies = {};  ///< drawn together with it, each a family; the first one's file counts
   std::string chart = {};  ///< name or number of a chart of the study file; empty: the first
   std::string x = {}, y = {}, family = {};
   bool shares = false;  ///< what of the rolling resistance is lost in the layer and what to friction, stacked

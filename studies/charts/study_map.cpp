@@ -14,7 +14,8 @@ namespace {
 std::vector<const QuantityColumn*> longest_axes(const StudySummary& study, const StudyRows& rows) {
   std::vector<const QuantityColumn*> axes;
   for (const std::string& key : study.axes)
-    if (const QuantityColumn& column = column_of(key, study, "axis"); column.type != "TEXT") axes.push_back(&column);
+    if (const QuantityColumn& column = column_of(key, study, rows, "axis"); column.type != "TEXT")
+      axes.push_back(&column);
   std::stable_sort(axes.begin(), axes.end(), [&](const auto* one, const auto* other) {
     return rows.values(*one).size() > rows.values(*other).size();
   });
@@ -27,8 +28,8 @@ struct MapAxes {
 
 MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const StudyChartOptions& options) {
   MapAxes axes;
-  if (!options.x.empty()) axes.x = &number_column(options.x, study, "x");
-  if (!options.y.empty()) axes.y = &number_column(options.y, study, "y");
+  if (!options.x.empty()) axes.x = &number_column(options.x, study, rows, "x");
+  if (!options.y.empty()) axes.y = &number_column(options.y, study, rows, "y");
   for (const QuantityColumn* axis : longest_axes(study, rows)) {
     if (axis == axes.x || axis == axes.y) continue;
     if (!axes.x)
@@ -76,10 +77,13 @@ void add_optimum(MapRequest& request, ResultStore& store, const std::string& nam
 }  // namespace
 
 StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
+  if (!options.more_studies.empty())
+    throw std::invalid_argument("study = " + options.more_studies.front() + ": a map is of one study");
   const ShownStudy shown(store, options);
   const auto& [file, study, definition, rows] = shown;
   const MapAxes axes = choose_axes(study, rows, options);
-  const QuantityColumn& value = number_column(options.map.empty() ? "rolling_resistance" : options.map, study, "map");
+  const QuantityColumn& value =
+      number_column(options.map.empty() ? "rolling_resistance" : options.map, study, rows, "map");
   const auto scale = [&](const QuantityColumn& column, AxisScale wish, const char* option) {
     return scale_of(shown.rows, column, wish, shown.definition.logarithmic.contains(key_of(column)), option);
   };

@@ -1,6 +1,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "db/merge/gathered.hpp"
 #include "studies/charts/study_chart.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/text/readable_number.hpp"
@@ -11,8 +12,8 @@ namespace rollres {
 namespace {
 
 struct ChartArguments {
-  std::string database, out;
-  std::vector<std::string> filters;
+  std::string out;
+  std::vector<std::string> databases, studies, filters;
   std::string x_scale = "auto", y_scale = "auto", map_scale = "auto";
   StudyChartOptions options;
 };
@@ -31,7 +32,7 @@ std::filesystem::path name_of_files(const ChartArguments& arguments, const std::
   for (const std::string& word : {options.chart, options.y, options.x, options.family})
     if (!word.empty()) name += "_" + word;
   for (const std::string& filter : arguments.filters) name += "_" + filter;
-  return std::filesystem::path(arguments.database).parent_path() / (file_name(name) + ".svg");
+  return std::filesystem::path(arguments.databases.front()).parent_path() / (file_name(name) + ".svg");
 }
 
 std::string with_unit(double value, const ChartAxis& axis) {
@@ -105,7 +106,14 @@ void chart(ChartArguments arguments, Session& session) {
   options.x_scale = scale_named(arguments.x_scale);
   options.y_scale = scale_named(arguments.y_scale);
   options.map_scale = scale_named(arguments.map_scale);
-  ResultStore store(arguments.database, Access::read);
+  const GatheredDatabases gathered(arguments.databases);
+  for (const auto& [file, name, here] : gathered.renamed())
+    session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
+  ResultStore store(gathered.file(), Access::read);
+  std::vector<std::string> studies = arguments.studies;
+  if (studies.empty() && arguments.databases.size() > 1) studies = store.study_names();
+  if (!studies.empty()) options.study = studies.front();
+  if (studies.size() > 1) options.more_studies.assign(studies.begin() + 1, studies.end());
   if (!options.map.empty()) return draw_map(arguments, store, session);
   if (!options.optimum.empty()) throw std::invalid_argument("--optimum = " + options.optimum + ": needs --map");
   if (options.chart != "all") return draw(arguments, store, session);
@@ -126,8 +134,14 @@ void add_chart(Command& program, Session& session) {
   const auto [command, arguments] =
       program.add<ChartArguments>("chart", "Draw a stored study as SVG and PNG, through gnuplot", session, chart);
   StudyChartOptions& options = arguments.options;
-  command->add_option("--db FILE", arguments.database, "database")->required();
-  command->add_option("--study NAME", options.study, "study; may be left out if the database holds one");
+  command->add_option("--db FILE", arguments.databases, "database; may be repeated: several are read as one")
+      ->one_value_each()
+      ->required();
+  command
+      ->add_option("--study NAME", arguments.studies,
+                   "study; may be left out if the database holds one; may be repeated: the studies are drawn together, "
+                   "each a family")
+      ->one_value_each();
   command->add_option("--chart NAME", options.chart,
                       "chart of the study file, by its name or its number; all: every one; left out: the first");
   command->add_option("--x KEY", options.x,
@@ -159,6 +173,7 @@ void add_chart(Command& program, Session& session) {
       "load\n"
       "          rollres chart --db results.db --shares --where 'load=20 kN/m'\n"
       "          rollres chart --db results.db --map rolling_resistance --x speed --y load\n"
+      "          rollres chart --db one.db --db other.db --study summer --study winter --x speed\n"
       "          rollres chart --db results.db --chart all");
 }
 

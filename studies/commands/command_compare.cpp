@@ -86,7 +86,8 @@ void print_table(const CompareArguments& arguments, const StudyComparison& compa
     session.err << left << " smaller differences are not shown; --limit sets how many are\n";
 }
 
-void compare(const CompareArguments& arguments, Session& session) {
+/// Two studies, the first and the last that are named.
+void compare_two(const CompareArguments& arguments, Session& session) {
   ComparisonOptions options{.ignored = split_at_commas(arguments.ignored)};
   if (!arguments.outputs.empty()) options.outputs = split_at_commas(arguments.outputs);
   const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
@@ -115,14 +116,30 @@ void compare(const CompareArguments& arguments, Session& session) {
     session.err << "not within " << short_number(*arguments.within) << '\n';
 }
 
+/// The first study with each of the others.
+void compare(CompareArguments arguments, Session& session) {
+  const std::vector<std::string> studies = arguments.studies;
+  if (studies.size() <= 2) return compare_two(arguments, session);
+  if (arguments.format != "table")
+    throw std::invalid_argument("--format = " + arguments.format + ": is for two studies; compare them two by two");
+  for (std::size_t i = 1; i < studies.size(); ++i) {
+    arguments.studies = {studies.front(), studies[i]};
+    session.out << (i == 1 ? "" : "\n") << studies.front() << " and " << studies[i] << '\n';
+    compare_two(arguments, session);
+  }
+}
+
 }  // namespace
 
 void add_compare(Command& program, Session& session) {
   const auto [command, arguments] =
       program.add<CompareArguments>("compare", "Compare two stored studies point by point", session, compare);
-  command->add_option("studies NAME", arguments.studies, "names of two studies, or of one that both databases hold")
+  constexpr int most_studies = 1000;
+  command
+      ->add_option("studies NAME", arguments.studies,
+                   "names of two studies, or of one that both databases hold; of more: the first with each other")
       ->required()
-      ->expected(1, 2);
+      ->expected(1, most_studies);
   command->add_option("--db FILE", arguments.database, "database")->required();
   command->add_option("--with FILE", arguments.other_database, "database of the second study; left out: the same");
   command->add_option("--outputs KEY,...", arguments.outputs,

@@ -2,8 +2,10 @@
 #include <ostream>
 #include <type_traits>
 
+#include "studies/file_schema/file_keys.hpp"
 #include "studies/file_schema/json_schema.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/table_output.hpp"
@@ -67,6 +69,7 @@ struct FurtherLayers {
            "LIST  " +
            joined(lists) + "\nKEY   " + joined(keys) + "\n";
   }
+  std::string form() const { return joined(lists, "[N].KEY and ") + "[N].KEY"; }
   Json json() const { return {{"form", "LIST[N].KEY"}, {"lists", lists}, {"keys", keys}}; }
 };
 
@@ -96,7 +99,8 @@ std::vector<Row> output_rows() {
   return rows;
 }
 
-void print_table(std::ostream& out, const std::vector<Row>& rows) {
+/// Columns that are empty in all rows are left out.
+Table table_of(const std::vector<Row>& rows) {
   const std::array columns{&Row::key,   &Row::symbol,        &Row::unit_2d, &Row::unit_3d,
                            &Row::range, &Row::default_value, &Row::meaning};
   constexpr std::array names{"key", "symbol", "cylinder", "sphere", "values", "default", "meaning"};
@@ -107,7 +111,30 @@ void print_table(std::ostream& out, const std::vector<Row>& rows) {
     table.columns.emplace_back(names[i]);
     for (std::size_t j = 0; j < rows.size(); ++j) table.rows[j].emplace_back(rows[j].*columns[i]);
   }
-  write_aligned(out, table, "");
+  return table;
+}
+
+void print_table(std::ostream& out, const std::vector<Row>& rows) { write_aligned(out, table_of(rows), ""); }
+
+/// Every key of every kind of files, as Markdown.
+void print_keys(std::ostream& out) {
+  out << "# Keys of the files\n\n"
+         "Written by `rollres schema keys`, from the lists by which the files are read. Examples of every key of "
+         "studies "
+         "and\noptimisations are in [examples](examples); how they go together is told in [the guide](guide.md).\n\n"
+         "## Scene\n\n";
+  write_markdown(out, table_of(input_rows()));
+  out << "\nBesides: `" << master_curve_key
+      << "`, a CSV file with the lists of a master curve; `$schema` and `comment`, "
+         "texts that are\nignored. Inputs of further layers are "
+      << further_layers().form() << ", counted from 0: " << joined(further_layers().keys) << ".\n";
+  for (const auto& [title, keys] : key_sections()) {
+    out << "\n## " << title << "\n\n";
+    write_markdown(out, keys);
+  }
+  out << "\nUnder `axes` and `variables` stand keys of inputs with their values, `variant` with named sets of inputs, "
+         "and\n`"
+      << master_curve_key << "` with a list of files, each a variant.\n";
 }
 
 Json json_rows(const std::vector<Row>& rows, bool inputs) {
@@ -136,6 +163,7 @@ void quantities(bool json, Session& session) {
 }
 
 void schema(const std::string& what, Session& session) {
+  if (what == "keys") return print_keys(session.out);
   session.out << (what == "scene"   ? scene_schema()
                   : what == "study" ? study_schema()
                   : what == "fit"   ? fit_schema()
@@ -154,9 +182,9 @@ void add_quantities(Command& program, Session& session) {
 void add_schema(Command& program, Session& session) {
   const auto [command, what] =
       program.add<std::string>("schema", "Print the JSON schema of a kind of files, for editors", session, schema);
-  command->add_option("what KIND", what, "scene, study, fit or optimisation")
+  command->add_option("what KIND", what, "scene, study, fit or optimisation; keys: a page of all keys for people")
       ->required()
-      ->one_of({"scene", "study", "fit", "optimisation"});
+      ->one_of({"scene", "study", "fit", "optimisation", "keys"});
   command->footer(
       "An editor that knows JSON schemas completes and checks a file that begins with\n"
       "{\"$schema\": \"../schema/study.json\", ...}, where that is the output of this command, kept beside it.\n"

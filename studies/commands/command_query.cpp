@@ -2,8 +2,10 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "db/merge/gathered.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
+#include "studies/stored/derived_columns.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
@@ -13,7 +15,8 @@ namespace rollres {
 namespace {
 
 struct QueryArguments {
-  std::string database, columns, sort, aggregates, by, format = "table";
+  std::vector<std::string> databases;
+  std::string columns, sort, aggregates, by, format = "table";
   std::optional<std::string> sql;
   std::vector<std::string> filters;
   std::optional<std::int64_t> limit;
@@ -53,6 +56,7 @@ Table rows(const QueryArguments& arguments, const Database& database) {
                  .sort = split_at_commas(arguments.sort),
                  .limit = arguments.limit};
   if (question.columns.empty() && arguments.format == "table") choose_columns(question);
+  add_derived(database, question);
   return run_query(database, question);
 }
 
@@ -63,6 +67,7 @@ Table groups(const QueryArguments& arguments, const Database& database) {
                       .limit = arguments.limit};
   for (const std::string& text : split_at_commas(arguments.aggregates))
     question.aggregates.push_back(parse_aggregate(text));
+  add_derived(database, question);
   return run_group_query(database, question);
 }
 
@@ -75,13 +80,16 @@ void query(const QueryArguments& arguments, Session& session) {
   if (grouped && !arguments.columns.empty())
     throw std::invalid_argument("--columns = " + arguments.columns + ": has no place beside --aggregate and --by");
   const StopSignal signal;
-  Database database = open_database(arguments.database, Access::read);
+  const GatheredDatabases gathered(arguments.databases);
+  for (const auto& [file, name, here] : gathered.renamed())
+    session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
+  Database database = open_database(gathered.file(), Access::read);
   database.stop_when(signal.requested());
   const Table table =
       arguments.sql ? run_sql(database, *arguments.sql) : (grouped ? groups : rows)(arguments, database);
   write_table(session.out, table, arguments.format);
   if (table.rows.empty()) {
-    session.err << arguments.database << ": nothing matches\n";
+    session.err << joined(arguments.databases) << ": nothing matches\n";
     session.status = ExitStatus::no_answer;
   }
 }
@@ -91,17 +99,21 @@ void query(const QueryArguments& arguments, Session& session) {
 void add_query(Command& program, Session& session) {
   const auto [command, arguments] =
       program.add<QueryArguments>("query", "Find stored evaluations by any input or output", session, query);
-  command->add_option("filters FILTER", arguments.filters,
-                      "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study or a "
-                      "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent");
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option(
+      "filters FILTER", arguments.filters,
+      "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study (of several, any) or a "
+      "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent");
+  command->add_option("--db FILE", arguments.databases, "database; may be repeated: several are read as one")
+      ->one_value_each()
+      ->required();
   command->add_option("--columns KEY,...", arguments.columns, "columns to print, separated by commas");
   command->add_option("--sort KEY,...", arguments.sort,
                       "columns to sort by, separated by commas; --sort=-KEY: largest first");
   command->add_option("--limit N", arguments.limit, "print no more than this many rows");
   command->add_option("--aggregate NUMBER,...", arguments.aggregates,
                       "numbers that stand for many rows, separated by commas: count, or min, max, mean, median, stddev "
-                      "(of a sample), sum or count and a column; sorted by as min_approach, count");
+                      "(of a sample), sum or count and a column; a mean or a sum may be weighted by another, as in "
+                      "mean approach weighted share; sorted by as min_approach, count");
   command->add_option("--by KEY,...", arguments.by,
                       "columns, separated by commas: one row for each combination of their values");
   command->add_option("--sql STATEMENT", arguments.sql,
@@ -114,6 +126,9 @@ void add_query(Command& program, Session& session) {
       "Exit status 1: nothing matches.\n"
       "Examples: rollres query --db results.db 'speed>0.1' 'load=20 kN/m' status=converged "
       "--sort=-rolling_resistance --limit 5\n"
+      "          rollres query --db one.db --db other.db study=summer study=winter --aggregate 'mean "
+      "rolling_resistance "
+      "weighted share' --by study\n"
       "          rollres query --db results.db study=tyres --aggregate 'max rolling_resistance, mean approach, count' "
       "--by load");
 }

@@ -10,6 +10,7 @@ namespace {
 
 struct ReportArguments {
   std::string database, out;
+  std::vector<std::string> studies;
   int rows = 200;
   ReportOptions options;
 };
@@ -18,6 +19,10 @@ void report(const ReportArguments& arguments, Session& session) {
   if (arguments.out.empty()) throw std::invalid_argument("--out = \"\": must name a file");
   ResultStore store(arguments.database, Access::read);
   ReportOptions options = arguments.options;
+  if (!arguments.studies.empty()) {
+    options.study = arguments.studies.front();
+    options.more_studies.assign(arguments.studies.begin() + 1, arguments.studies.end());
+  }
   options.most_rows = static_cast<std::size_t>(arguments.rows);
   const StudyReport made = study_report(store, options);
   const std::filesystem::path file = arguments.out;
@@ -33,8 +38,11 @@ void add_report(Command& program, Session& session) {
   const auto [command, arguments] = program.add<ReportArguments>(
       "report", "Write a stored study as one HTML file with its charts, to read, send or print", session, report);
   command->add_option("--db FILE", arguments.database, "database")->required();
-  command->add_option("--study NAME", arguments.options.study,
-                      "study, or fit; may be left out if the database holds one study");
+  command
+      ->add_option("--study NAME", arguments.studies,
+                   "study, or fit; may be left out if the database holds one study; may be repeated: a chart of all, "
+                   "then one after the other")
+      ->one_value_each();
   command->add_option("--out FILE", arguments.out, "HTML file; folders are made")->required();
   command
       ->add_option("--rows N", arguments.rows, "most rows of the table of results; of a longer study every n-th point")

@@ -10,6 +10,7 @@
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/scene_io/summary.hpp"
+#include "studies/stored/derived_columns.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -103,6 +104,7 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
     query.columns.push_back(output);
     names.push_back(output);
   }
+  add_derived(store.database(), query);
   Table table = run_query(store.database(), query);
   table.columns = names;
   if (arguments.json) {
@@ -112,10 +114,16 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
     return;
   }
   if (!table.rows.empty()) {
+    const std::string place = store.database().name() + ": " + study.name;
+    const FormulaDefinitions formulas = definition_in(store.definition(study.name).value_or(""), place).formulas;
     const auto first = store.find(std::get<std::int64_t>(table.rows.front()[1]));
     for (std::size_t i = 2; first && i < names.size(); ++i)
       if (const QuantityColumn* column = find_quantity_column(query.columns[i]))
         table.columns[i] += unit_in_brackets(column->quantity.unit_for(first->scene.indenter));
+    for (std::string& name : table.columns)
+      for (const auto& [derived, formula] : formulas)
+        if (first && name == derived)
+          name += unit_in_brackets(derived_column(derived, formula).quantity.unit_for(first->scene.indenter));
   }
   session.out << study.name << ": " << study.answered << " of " << study.points << " points answered, " << study.failed
               << " failed\n"

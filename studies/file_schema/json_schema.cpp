@@ -52,6 +52,7 @@ Json joint_rules() {
 constexpr const char* interval_name = "interval";
 constexpr const char* range_name = "range";
 constexpr const char* chart_name = "chart of a study";
+constexpr const char* plain_chart_name = "chart of a study without formulas";
 
 /// A list, or an interval where the input is a number.
 Json axis(const InputKind& kind) {
@@ -90,8 +91,21 @@ Json sample() {
   return object_of(sample_keys, {{"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 0}}}, {"ranges", ranges}});
 }
 
-Json chart() {
-  const Json numbers = names(number_outputs()), either{{"anyOf", {input_key(any_input), numbers}}};
+/// Outputs, and formulas by their names.
+Json compute() {
+  const Json formulas{{"type", "object"},
+                      {"minProperties", 1},
+                      {"propertyNames", {{"pattern", "^[A-Za-z_][A-Za-z_0-9]*$"}}},
+                      {"additionalProperties", name()}};
+  return {{"anyOf", {list_of({{"anyOf", {names(output_keys()), formulas}}}), formulas}}};
+}
+
+/// @param formulas  whether it may show numbers that the study computes by formulas, whatever their names
+Json chart(bool formulas) {
+  Json numbers = names(number_outputs());
+  const Json formula{{"type", "string"}, {"pattern", "^[A-Za-z_][A-Za-z_0-9]*$"}};
+  if (formulas) numbers = {{"anyOf", {numbers, formula}}};
+  const Json either{{"anyOf", {input_key(any_input), numbers}}};
   Json varied = input_key(any_input);
   varied["anyOf"].push_back({{"const", variant_key}});
   return object_of(chart_keys, {{"x", either}, {"y", either}, {"family", varied}, {"map", numbers}});
@@ -161,15 +175,20 @@ std::string study_schema() {
                                        {"axes", axes()},
                                        {"sample", sample()},
                                        {"constraints", list_of(name())},
-                                       {"compute", list_of(names(output_keys()))},
+                                       {"compute", compute()},
                                        {"chart", {{"allOf", {reference(chart_name)}}}},
                                        {"charts", list_of(reference(chart_name))}}));
   schema["anyOf"] = {{{"required", {"axes"}}}, {{"required", {"sample"}}}};
   schema["not"] = {{"required", {"chart", "charts"}}};
+  const Json holds_formula{{"anyOf", {{{"type", "object"}}, {{"type", "array"}, {"contains", {{"type", "object"}}}}}}};
+  schema["if"] = {{"required", {"compute"}}, {"properties", {{"compute", holds_formula}}}};
+  schema["else"]["properties"] = {{"chart", reference(plain_chart_name)},
+                                  {"charts", list_of(reference(plain_chart_name))}};
   Json& definitions = schema["definitions"] = input_definitions();
   definitions[interval_name] = object_of(interval_keys);
   definitions[range_name] = object_of(range_keys);
-  definitions[chart_name] = chart();
+  definitions[chart_name] = chart(true);
+  definitions[plain_chart_name] = chart(false);
   return printed(schema);
 }
 
@@ -204,6 +223,7 @@ std::string optimisation_schema() {
   schema.update(object_of(design_keys, {{"scene", scene_or_file()},
                                         {"set", set},
                                         {"variables", variables},
+                                        {"compute", compute()},
                                         {"scenes", list_of(object_of(duty_keys, {{"set", set}}))},
                                         {"constraints", {{"type", "array"}, {"items", name()}}},
                                         {"stop", object_of(stop_keys, {{"tolerance", tolerance}})},

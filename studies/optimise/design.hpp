@@ -90,7 +90,7 @@ struct DesignProblem {
   Indenter indenter() const { return scenes.front().scene.indenter; }
   /// Of a value, or of a formula's, in the scenes.
   std::string_view unit(const Quantity& quantity) const { return quantity.unit_for(indenter()); }
-  std::string_view unit(const Formula& formula) const { return unit_of(formula, indenter()); }
+  std::string unit(const Formula& formula) const { return unit_of(formula, indenter()); }
 };
 
 /// Both sides of a constraint at a design [unit of the left side]; NaN if one is absent.

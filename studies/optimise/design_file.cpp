@@ -9,6 +9,7 @@
 #include "db/rows/schema.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/optimise/design_search.hpp"
+#include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/study/study_variants.hpp"
 #include "studies/text/file_kind.hpp"
@@ -157,18 +158,19 @@ std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntr
 }
 
 /// What "minimise" or "maximise" says.
-Goal goal_of(const Json& object, const std::string& place) {
+Goal goal_of(const Json& object, const FormulaDefinitions& formulas, const std::string& place) {
   const bool least = object.contains("minimise"), greatest = object.contains("maximise");
   if (least == greatest)
     throw std::invalid_argument(place + ": minimise: there must be a formula under minimise or maximise, and not both");
   const std::string key = least ? "minimise" : "maximise";
   const std::string text = needed_text(object, key, place, "must be a formula of inputs and outputs");
   return refusing_at(place + ": " + key, [&] {
-    return Goal{Formula(text, FormulaNames::inputs_and_outputs), greatest};
+    return Goal{Formula(text, FormulaNames::inputs_and_outputs, formulas), greatest};
   });
 }
 
-std::vector<Condition> constraints_of(const Json& file, Indenter indenter, const std::string& place) {
+std::vector<Condition> constraints_of(const Json& file, Indenter indenter, const FormulaDefinitions& formulas,
+                                      const std::string& place) {
   std::vector<Condition> conditions;
   const auto found = file.find("constraints");
   if (found == file.end()) return conditions;
@@ -176,8 +178,9 @@ std::vector<Condition> constraints_of(const Json& file, Indenter indenter, const
   if (!found->is_array()) refuse(place, "constraints", *found, rule);
   for (const Json& item : *found) {
     if (!item.is_string()) refuse(place, "constraints", item, rule);
-    refusing_at(place + ": constraints",
-                [&] { conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, indenter); });
+    refusing_at(place + ": constraints", [&] {
+      conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, indenter, formulas);
+    });
   }
   return conditions;
 }
@@ -197,13 +200,14 @@ DesignStop stop_of(const Json& file, const std::string& place) {
   return stop;
 }
 
-std::optional<ParetoWish> pareto_of(const Json& file, const std::string& place) {
+std::optional<ParetoWish> pareto_of(const Json& file, const FormulaDefinitions& formulas, const std::string& place) {
   const Json* const object = object_at(file, "pareto", place);
   if (!object) return std::nullopt;
   const std::string own = place + ": pareto";
   refuse_unknown_keys(*object, pareto_keys, own);
-  return ParetoWish{goal_of(*object, own), whole_number(needed(*object, "points", own, "how many designs on the front"),
-                                                        "points", 2, most_points, own)};
+  return ParetoWish{
+      goal_of(*object, formulas, own),
+      whole_number(needed(*object, "points", own, "how many designs on the front"), "points", 2, most_points, own)};
 }
 
 /// A goal that no answer has would be missed at every point.
@@ -222,11 +226,13 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
     if (!value.is_array() && !is_of_variants(key))
       variables.push_back(given_variable(key, value, base, variables_place));
 
+  const Indenter indenter = indenter_of(base);
+  const FormulaDefinitions formulas = compute_wish(file, {&indenter, 1}, place).formulas;
   DesignProblem problem{.name = needed_text(file, "study", place, "must be the name of the study"),
                         .scenes = duty_scenes(file, base, variables, choices, place),
                         .variables = {},
                         .start = {},
-                        .goal = goal_of(file, place)};
+                        .goal = goal_of(file, formulas, place)};
   std::vector<InputChoice> inputs;
   for (const GivenVariable& variable : variables) inputs.push_back(variable.choice);
   refusing_at(variables_place, [&] {
@@ -234,13 +240,13 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
   });
   problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
   problem.over_scenes = choice_or_first<OverScenes>(file, "over_scenes", place);
-  problem.constraints = constraints_of(file, problem.indenter(), place);
+  problem.constraints = constraints_of(file, indenter, formulas, place);
   if (file.contains("algorithm")) problem.algorithm = choice_or_first<Algorithm>(file, "algorithm", place);
   problem.global = is_true(file, "global", place);
   if (problem.algorithm && problem.variables.size() < traits(*problem.algorithm).fewest_variables)
     refuse(place, "algorithm", file["algorithm"], "needs at least two variables");
   problem.stop = stop_of(file, place);
-  problem.pareto = pareto_of(file, place);
+  problem.pareto = pareto_of(file, formulas, place);
   for (const DutyScene& duty : problem.scenes) {
     refuse_absent(problem.goal.formula, duty.scene, place);
     if (problem.pareto) refuse_absent(problem.pareto->goal.formula, duty.scene, place + ": pareto");

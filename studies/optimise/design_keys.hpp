@@ -17,12 +17,14 @@ inline constexpr std::array design_keys{
     FileKey{"variables",
             "inputs to be chosen, each between two bounds or from a list; under variant named sets of them", KeyForm{},
             is_needed},
+    FileKey{"compute", "outputs, and formulas with a name that goals, constraints and questions may use"},
     FileKey{"minimise", "formula of inputs and outputs to be made small", a_name},
     FileKey{"maximise", "formula of inputs and outputs to be made large", a_name},
     FileKey{"scenes", "duty cycle: inputs and weight of each scene"},
-    FileKey{"over_scenes", "how the weighted values of the scenes become one", one_of(ChoiceNames<OverScenes>::names)},
+    FileKey{"over_scenes", "how the weighted values of the scenes become one; default sum",
+            one_of(ChoiceNames<OverScenes>::names)},
     FileKey{"constraints", "conditions of inputs and outputs that hold in every scene"},
-    FileKey{"algorithm", "algorithm of the search; left out: chosen from the problem",
+    FileKey{"algorithm", "algorithm of the search; default: chosen from the problem",
             one_of(ChoiceNames<Algorithm>::names)},
     FileKey{"global", "whether to look for the best of several optima", yes_or_no},
     FileKey{"stop", "when the search ends"},
@@ -32,7 +34,7 @@ inline constexpr std::array design_keys{
 inline constexpr std::array variable_keys{
     FileKey{"from", "lowest value", a_number, is_needed},
     FileKey{"to", "highest value", a_number, is_needed},
-    FileKey{"scale", "linear or logarithmic; default: logarithmic where both bounds are positive",
+    FileKey{"scale", "how the search sees it; default: logarithmic where both bounds are positive",
             one_of(spacing_names)},
     FileKey{"start", "where the search starts; default: the scene's value, else the middle", a_number},
 };
@@ -44,7 +46,8 @@ inline constexpr std::array duty_keys{
 
 inline constexpr std::array stop_keys{
     FileKey{"evaluations",
-            "most scenes that the searches may ask for, recalled ones included; slopes once begun are finished",
+            "most scenes that the searches may ask for, recalled ones included, slopes once begun being finished; "
+            "default: for each scene 100, with global 300, times the number of variables and one",
             whole_from(1, most_points)},
     FileKey{"tolerance", "of each variable, as a fraction of its range; default 1e-4"},
 };

@@ -27,6 +27,7 @@
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/scene_io/summary.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
+#include "studies/stored/derived_columns.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/study.hpp"
 #include "studies/text/table_json.hpp"
@@ -513,7 +514,9 @@ py::dict query(const std::string& database, const std::vector<std::string>& filt
                std::optional<std::int64_t> limit) {
   Query question{.columns = columns, .sort = sort, .limit = limit};
   for (const std::string& filter : filters) question.filters.push_back(read_filter(filter));
-  return to_python(run_query(open_database(database, Access::read), question));
+  const Database file = open_database(database, Access::read);
+  add_derived(file, question);
+  return to_python(run_query(file, question));
 }
 
 /// A command of the program: its exit status, answer and messages. A signal that the command takes for itself

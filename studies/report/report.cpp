@@ -17,15 +17,14 @@ std::string file_section(const std::string& heading, const std::string& text) {
 StudyReport fit_report(const FitRecord& fit, const std::string& file) {
   const PictureSection section = fit_section(fit);
   return {fit.name,
-          html::page(fit.name, "<h1>" + html::text(fit.name) + "</h1>\n" +
-                                   html::paragraph("A fit in " + file + "; the database holds no study of this name.") +
-                                   section.html + file_section("Fit file", fit.definition)),
+          "<h1>" + html::text(fit.name) + "</h1>\n" +
+              html::paragraph("A fit in " + file + "; the database holds no study of this name.") + section.html +
+              file_section("Fit file", fit.definition),
           section.pictures};
 }
 
-}  // namespace
-
-StudyReport study_report(ResultStore& store, const ReportOptions& options) {
+/// A report without the frame of a page.
+StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   const std::string& file = store.database().name();
   std::string name = options.study;
   if (const auto fits = stored_fits(store.database()); name.empty() && fits.size() == 1 && store.studies().empty())
@@ -50,7 +49,25 @@ StudyReport study_report(ResultStore& store, const ReportOptions& options) {
   }
   report.html += accuracy_section(source) + errors.html + provenance_section(source) +
                  file_section("Study file", text) + file_section("Fit file", fit_file);
-  report.html = html::page(study.name, report.html);
+  return report;
+}
+
+}  // namespace
+
+StudyReport study_report(ResultStore& store, const ReportOptions& options) {
+  StudyReport report = report_of(store, options);
+  if (!options.more_studies.empty()) {
+    const PictureSection together = together_section(store, options);
+    report.html = together.html + report.html;
+    report.pictures += together.pictures;
+  }
+  for (const std::string& name : options.more_studies) {
+    const StudyReport one = report_of(store, {.study = name, .most_rows = options.most_rows});
+    report.study += ", " + one.study;
+    report.html += one.html;
+    report.pictures += one.pictures;
+  }
+  report.html = html::page(report.study, report.html);
   return report;
 }
 

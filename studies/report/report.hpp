@@ -4,12 +4,16 @@
 /// of that name if there is one, errors against seconds, and what computed it. Pictures are inside; it needs no network
 /// and runs no scripts.
 
+#include <string>
+#include <vector>
+
 #include "db/rows/result_store.hpp"
 
 namespace rollres {
 
 struct ReportOptions {
   std::string study = {};       ///< may be left out if the database holds one study
+  std::vector<std::string> more_studies = {};  ///< that follow it, after a chart of all
   std::size_t most_rows = 200;  ///< of the table of results; of a longer study every n-th point
   std::string optimum = {};     ///< an optimisation in the same database to be drawn into the map
 };

@@ -148,6 +148,19 @@ void add_work_precision(const ReportSource& source, Pictures& pictures) {
 
 }  // namespace
 
+PictureSection together_section(ResultStore& store, const ReportOptions& options) {
+  Pictures pictures;
+  std::string refusal;
+  where_possible(
+      [&] {
+        const StoredChart chart = stored_chart(store, {.study = options.study, .more_studies = options.more_studies});
+        pictures.add(chart.request.y.name + " against " + chart.request.x.name + ", all studies",
+                     [&](const auto& file) { return draw_chart(chart.request, file); });
+      },
+      &refusal);
+  return {html::heading("All studies") + pictures.html() + refusal, pictures.count()};
+}
+
 PictureSection chart_section(const ReportSource& source, const ReportOptions& options) {
   Pictures pictures;
   std::string refusal;

@@ -53,6 +53,8 @@ PictureSection chart_section(const ReportSource& source, const ReportOptions& op
 
 /// Estimated error against seconds.
 PictureSection accuracy_pictures(const ReportSource& source);
+/// Several studies in one chart, or why that cannot be drawn.
+PictureSection together_section(ResultStore& store, const ReportOptions& options);
 /// Residuals.
 PictureSection fit_pictures(const FitRecord& fit);
 

@@ -98,7 +98,8 @@ std::vector<ResultColumn> result_columns(const ReportSource& source) {
     for (const char* key : {"rolling_resistance", "rolling_resistance_coefficient", "approach", "peak_pressure"})
       add(output(key));
   for (const std::string& key : source.definition.compute)
-    if (const QuantityColumn* const column = find_quantity_column(key)) add(*column);
+    for (const QuantityColumn* const column : source.rows.columns())
+      if (column->name == key) add(*column);
   add(output("error_estimate"));
   return columns;
 }
@@ -108,7 +109,7 @@ std::vector<ResultColumn> result_columns(const ReportSource& source) {
 std::vector<const QuantityColumn*> ReportSource::varied() const {
   std::vector<const QuantityColumn*> axes;
   for (const std::string& key : study.axes)
-    if (const QuantityColumn& column = column_of(key, study, "axis"); rows.values(column).size() > 1)
+    if (const QuantityColumn& column = column_of(key, study, rows, "axis"); rows.values(column).size() > 1)
       axes.push_back(&column);
   return axes;
 }

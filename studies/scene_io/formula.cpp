@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "core/scene/scene_input.hpp"
+#include "studies/scene_io/dimension.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
@@ -53,7 +54,7 @@ constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDE
 
 /// The right side as a formula in SI: "2 MPa" becomes 2000000 if the left side is a pressure.
 std::string in_si(const std::string& right, const Formula& left, Indenter indenter) {
-  const std::string_view unit = unit_of(left, indenter);
+  const std::string unit = unit_of(left, indenter);
   const bool begins_as_number = !right.empty() && (std::isdigit(static_cast<unsigned char>(right.front())) ||
                                                    right.front() == '.' || right.front() == '-');
   if (unit.empty() || unit == "1" || !begins_as_number || plain_number(right)) return right;
@@ -79,15 +80,32 @@ std::size_t sign_in(const std::string& text) {
 
 }  // namespace
 
-std::string_view unit_of(const Formula& formula, Indenter indenter) {
-  if (formula.keys().size() != 1 || formula.keys().front() != formula.text()) return {};
+std::string unit_of(const Formula& formula, Indenter indenter) {
+  if (formula.keys().size() != 1 || formula.keys().front() != formula.text())
+    return unit_of_value(formula, indenter).value_or("");
   std::string_view unit;
   if (const InputKind* const input = find_input(formula.text())) unit = input->quantity.unit_for(indenter);
   const RollingSolution solution;
   visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
     if (quantity.key == formula.text()) unit = quantity.unit_for(indenter);
   });
-  return unit;
+  return std::string(unit);
+}
+
+std::string with_definitions(std::string_view text, const FormulaDefinitions& definitions) {
+  std::string complete;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t name = text.find_first_of(name_letters, begin);
+    complete += text.substr(begin, name - begin);
+    if (name == std::string_view::npos) break;
+    const std::size_t end = std::min(text.find_first_not_of(name_letters, name), text.size());
+    const std::string_view word = text.substr(name, end - name);
+    const auto found =
+        std::find_if(definitions.begin(), definitions.end(), [&](const auto& one) { return one.first == word; });
+    complete += found == definitions.end() ? std::string(word) : "(" + found->second + ")";
+    begin = end;
+  }
+  return complete;
 }
 
 std::vector<std::string_view> number_keys(FormulaNames names) {
@@ -102,6 +120,8 @@ std::vector<std::string_view> number_keys(FormulaNames names) {
   if (names == FormulaNames::inputs_and_outputs) visit_outputs(solution, add);
   return keys;
 }
+
+bool is_function(const std::string& name) { return mu::Parser().GetFunDef().contains(name); }
 
 struct Formula::Parts {
   std::string text;
@@ -138,13 +158,14 @@ struct Formula::Parts {
   }
 };
 
-Formula::Formula(const std::string& text, FormulaNames names) : parts_(std::make_shared<Parts>()) {
+Formula::Formula(const std::string& text, FormulaNames names, const FormulaDefinitions& definitions)
+    : parts_(std::make_shared<Parts>()) {
   parts_->text = trimmed(text);
   parts_->known = number_keys(names);
   try {
     parts_->parser.DefineNameChars(name_letters);
     parts_->parser.SetVarFactory(&Parts::place_for, parts_.get());
-    parts_->parser.SetExpr(parts_->text);
+    parts_->parser.SetExpr(with_definitions(parts_->text, definitions));
     parts_->parser.Eval();
   } catch (const mu::Parser::exception_type& error) {
     throw std::invalid_argument(parts_->text + ": " + error.GetMsg());
@@ -165,14 +186,19 @@ double Formula::operator()(const RollingScene& scene) const {
   return parts_->value([&](const std::string& key) { return number_of(scene, key); });
 }
 
-Condition::Condition(const std::string& text, FormulaNames names, Indenter indenter)
+double Formula::operator()(const std::function<double(const std::string&)>& number_of_key) const {
+  return parts_->value(number_of_key);
+}
+
+Condition::Condition(const std::string& text, FormulaNames names, Indenter indenter,
+                     const FormulaDefinitions& definitions)
     : text_(trimmed(text)),
       sign_(sign_in(text_)),
       at_most_(text_[sign_] == '<'),
       strict_(text_.substr(sign_ + 1, 1) != "="),
-      left_(text_.substr(0, sign_), names),
+      left_(text_.substr(0, sign_), names, definitions),
       right_(in_si(std::string(trimmed(std::string_view(text_).substr(sign_ + (strict_ ? 1 : 2)))), left_, indenter),
-             names) {}
+             names, definitions) {}
 
 double Condition::excess(const RollingScene& scene, const RollingSolution& solution) const {
   const double difference = left_(scene, solution) - right_(scene, solution);

@@ -11,9 +11,11 @@
 /// the output where there is one, else for the input. Inputs of further layers are coating_layers[0].layer_thickness.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/scene/scene.hpp"
@@ -27,11 +29,21 @@ enum class FormulaNames { inputs, inputs_and_outputs };
 /// Keys of all inputs, or of all inputs and outputs, that are numbers; without those of further layers.
 std::vector<std::string_view> number_keys(FormulaNames names);
 
+/// Names that stand for formulas, and these.
+using FormulaDefinitions = std::vector<std::pair<std::string, std::string>>;
+
+/// The text with the formula of each such name, in brackets, in its place.
+std::string with_definitions(std::string_view text, const FormulaDefinitions& definitions);
+
+/// Whether formulas know a function of this name.
+bool is_function(const std::string& name);
+
 /// A formula that was understood. Copies share what was understood; it may be used by several threads.
 class Formula {
  public:
+  /// @param definitions  names that it may use, too
   /// @throws std::invalid_argument "text: what is wrong with it", naming the nearest key for an unknown one
-  Formula(const std::string& text, FormulaNames names);
+  Formula(const std::string& text, FormulaNames names, const FormulaDefinitions& definitions = {});
 
   const std::string& text() const;
   const std::vector<std::string>& keys() const;  ///< that it uses, each once
@@ -39,22 +51,25 @@ class Formula {
   /// Its value [SI]; NaN if a number that it uses is absent.
   double operator()(const RollingScene& scene, const RollingSolution& solution) const;
   double operator()(const RollingScene& scene) const;  ///< of inputs alone; what is an output is absent
+  /// Of whatever numbers its keys have [SI].
+  double operator()(const std::function<double(const std::string& key)>& number_of_key) const;
 
  private:
   struct Parts;
   std::shared_ptr<Parts> parts_;
 };
 
-/// The unit of a formula that is one quantity; empty for any other formula.
-std::string_view unit_of(const Formula& formula, Indenter indenter);
+/// The unit of a formula's value (dimension.hpp); empty if its terms have different ones.
+std::string unit_of(const Formula& formula, Indenter indenter);
 
 /// A condition between two formulas.
 class Condition {
  public:
-  /// @param text      "LEFT <= RIGHT" with <= < >= or >
-  /// @param indenter  whose units hold
+  /// @param text         "LEFT <= RIGHT" with <= < >= or >
+  /// @param indenter     whose units hold
+  /// @param definitions  names that it may use, too
   /// @throws std::invalid_argument as Formula, or if there is not one comparison
-  Condition(const std::string& text, FormulaNames names, Indenter indenter);
+  Condition(const std::string& text, FormulaNames names, Indenter indenter, const FormulaDefinitions& definitions = {});
 
   const std::string& text() const { return text_; }
   const Formula& left() const { return left_; }

@@ -9,26 +9,14 @@
 #include "db/rows/layer_list.hpp"
 #include "db/rows/point_states.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
+#include "studies/stored/derived_columns.hpp"
 #include "studies/study/predicted_cost.hpp"
 #include "studies/study/shards.hpp"
+#include "studies/study/study_definition.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 
 namespace rollres {
-
-const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const std::string& option) {
-  const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
-  if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
-  std::vector<std::string_view> names = keys_like(key);
-  for (const QuantityColumn& column : quantity_columns()) names.push_back(column.name);
-  throw std::invalid_argument(option + " = " + key + ": " + unknown("unknown key", names, key));
-}
-
-const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const std::string& option) {
-  const QuantityColumn& column = column_of(key, study, option);
-  if (column.type == "TEXT") throw std::invalid_argument(option + " = " + key + ": must be a number");
-  return column;
-}
 
 std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters) {
   std::map<std::string_view, std::size_t> layers;
@@ -52,17 +40,48 @@ std::vector<const QuantityColumn*> quantity_columns_of(const Database& database,
 
 StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
   Query query{.filters = filters, .sort = {"position"}};
+  columns_ = quantity_columns_of(store.database(), {{"study", Comparison::equal, study}});
   query.filters.push_back({"study", Comparison::equal, study});
-  columns_ = quantity_columns_of(store.database(), query.filters);
   const bool named = column_names(store.database().connection(), "result").contains(std::string(variant_key));
   if (named) columns_.push_back(find_quantity_column(variant_key));
+  const auto of_variants = columns_.size() - 1;
+  const std::string place = store.database().name() + ": " + study;
+  const FormulaDefinitions formulas = definition_in(store.definition(study).value_or(""), place).formulas;
+  for (const auto& [name, formula] : formulas) columns_.push_back(&derived_column(name, formula));
+  convert_to_si(query.filters, formulas);
+  query.computed = computed_columns(formulas);
   for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
+  query.columns.emplace_back(study_key);
   table_ = run_query(store.database(), query);
   for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
   if (table_.rows.empty())
     throw std::invalid_argument(store.database().name() + ": " + study + ": " +
                                 (filters.empty() ? "no point is computed yet" : "no point matches"));
-  if (named && values(*columns_.back()) == std::set<Cell>{Cell()}) columns_.pop_back();  // no point is of a variant
+  if (named && values(*columns_[of_variants]) == std::set<Cell>{Cell()})  // no point is of a variant
+    columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
+}
+
+StudyRows::StudyRows(const std::vector<StudyRows>& studies) {
+  for (const StudyRows& one : studies)
+    for (const QuantityColumn* const column : one.columns_) {
+      if (const auto same = places_.find(column->name); same == places_.end()) {
+        places_[column->name] = columns_.size();
+        columns_.push_back(column);
+      } else if (columns_[same->second] != column) {
+        throw std::invalid_argument(column->name + ": is computed differently in the studies");
+      }
+    }
+  places_[std::string(study_key)] = columns_.size();
+  columns_.push_back(find_quantity_column(study_key));
+  for (const QuantityColumn* const column : columns_) table_.columns.push_back(column->name);
+  for (const StudyRows& one : studies)
+    for (const std::vector<Cell>& row : one.table_.rows) {
+      std::vector<Cell>& cells = table_.rows.emplace_back();
+      for (const QuantityColumn* const column : columns_) {
+        const auto place = one.places_.find(column->name);
+        cells.push_back(place == one.places_.end() ? Cell() : row[place->second]);
+      }
+    }
 }
 
 const Cell& StudyRows::cell(std::size_t row, const Column& column) const {
@@ -93,6 +112,25 @@ std::set<Cell> StudyRows::values(const Column& column) const {
   std::set<Cell> values;
   for (std::size_t row = 0; row < size(); ++row) values.insert(cell(row, column));
   return values;
+}
+
+const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const StudyRows& rows,
+                                const std::string& option) {
+  const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
+  if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
+  std::vector<std::string_view> names = keys_like(key);
+  for (const QuantityColumn* const column : rows.columns()) {
+    if (column->name == key) return *column;
+    names.push_back(column->name);
+  }
+  throw std::invalid_argument(option + " = " + key + ": " + unknown("unknown key", names, key));
+}
+
+const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const StudyRows& rows,
+                                    const std::string& option) {
+  const QuantityColumn& column = column_of(key, study, rows, option);
+  if (column.type == "TEXT") throw std::invalid_argument(option + " = " + key + ": must be a number");
+  return column;
 }
 
 std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column) {
@@ -193,19 +231,7 @@ Filter read_filter(const std::string& text) {
   Filter filter = parse_filter(text);
   const QuantityColumn* column = find_quantity_column(filter.column);
   if (column && column->type == "TEXT") refuse_unknown_choice(filter, *column);
-  if (!column || column->type != "REAL" || filter.value.empty() || filter.value == "infinite" ||
-      plain_number(filter.value))
-    return filter;
-  const Quantity& quantity = column->quantity;
-  const double value = refusing_at(filter.column + " = " + filter.value, [&] {
-    try {
-      return is_temperature(quantity) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
-    } catch (const std::invalid_argument&) {
-      if (quantity.unit_2d.empty()) throw;
-      return si_value(filter.value, quantity.unit_2d);
-    }
-  });
-  filter.value = shortest(value);
+  if (column && column->type == "REAL") convert_to_si(filter, column->quantity);
   return filter;
 }
 

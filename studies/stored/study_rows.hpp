@@ -32,14 +32,6 @@ struct ChoiceNames<AxisScale> {
 
 inline std::string key_of(const QuantityColumn& column) { return std::string(column.quantity.key); }
 
-/// A column of the stored rows; an axis is shown as it was given, not as it was found.
-/// @param option  for the message
-/// @throws std::invalid_argument naming option and key, and the nearest known one
-const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const std::string& option);
-
-/// The same for a column of numbers.
-const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const std::string& option);
-
 /// The columns of quantities of these rows: in place of each list of further layers, the inputs of as many layers as
 /// the longest one has.
 std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters);
@@ -50,9 +42,12 @@ class StudyRows {
   /// @throws std::invalid_argument if there is none
   /// @throws std::runtime_error naming the file if the database fails
   StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters = {});
+  /// Those of several studies, one after the other.
+  /// @throws std::invalid_argument if two of them compute one number differently
+  explicit StudyRows(const std::vector<StudyRows>& studies);
 
   std::size_t size() const { return table_.rows.size(); }
-  /// As quantity_columns_of.
+  /// As quantity_columns_of, then the numbers that the study derives from them.
   const std::vector<const QuantityColumn*>& columns() const { return columns_; }
   /// @throws std::invalid_argument for an input of a layer that no row has
   const Cell& cell(std::size_t row, const Column& column) const;
@@ -67,6 +62,16 @@ class StudyRows {
   std::vector<const QuantityColumn*> columns_;
   std::map<std::string, std::size_t> places_;
 };
+
+/// A column of the stored rows, a derived number among them; an axis is shown as it was given, not as it was found.
+/// @param option  for the message
+/// @throws std::invalid_argument naming option and key, and the nearest known one
+const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const StudyRows& rows,
+                                const std::string& option);
+
+/// The same for a column of numbers.
+const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const StudyRows& rows,
+                                    const std::string& option);
 
 /// The unit of a column in these rows.
 /// @throws std::invalid_argument if it is not the same in all, because cylinders stand beside spheres

@@ -73,10 +73,13 @@ Study read_study(const std::filesystem::path& file) {
   const CompleteScene scene = complete_scene(object, file, place);
   study.definition = standalone_text(object, text, scene, file);
   add_scenes(study, overridden(scene_entries(scene.inputs, {}, scene.place), set), given, variants, place);
-  study.constraints = study_constraints(object, indenters_of(study), place);
-  study.compute = study_outputs(object, place);
+  const std::vector<Indenter> indenters = indenters_of(study);
+  ComputeWish wish = compute_wish(object, indenters, place);
+  study.compute = std::move(wish.columns);
+  study.formulas = std::move(wish.formulas);
+  study.constraints = study_constraints(object, indenters, study.formulas, place);
   study.fields = is_true(object, "fields", place);
-  study.charts = study_charts(object, study.axes, place);
+  study.charts = study_charts(object, study.axes, study.formulas, place);
   return study;
 }
 

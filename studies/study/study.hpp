@@ -33,7 +33,9 @@
 ///
 ///     "constraints": ["layer_thickness <= radius / 2", "speed >= 36 km/h"]
 ///
-/// `compute` lists the outputs that the study is about, in the order of its tables; `fields` keeps the fields of every
+/// `compute` lists the outputs that the study is about, in the order of its tables, and formulas of inputs and outputs
+/// with a name, which are columns as outputs are: ["rolling_resistance", {"deborah": "speed * creep_time / radius"}].
+/// They are computed when they are read, from what is stored. `fields` keeps the fields of every
 /// solution; `charts` is a list of charts, each as `chart` and with a `name`; {"map": OUTPUT, "x": AXIS, "y": AXIS} is
 /// one too. study_keys.hpp lists all keys.
 
@@ -81,7 +83,8 @@ struct Study {
   std::vector<Axis> axes;                   ///< if there are variants, the first is "variant"
   std::vector<Variant> variants = {};       ///< empty where the file has none; the base is then that of the first
   std::vector<Condition> constraints = {};  ///< of inputs
-  std::vector<std::string> compute = {};    ///< outputs; empty where the file says nothing
+  std::vector<std::string> compute = {};    ///< outputs and formulas by name; empty where the file says nothing
+  FormulaDefinitions formulas = {};         ///< of `compute`
   bool fields = false;                      ///< keep the fields of every solution
   std::vector<StudyChart> charts = {};
   std::string source = {};      ///< where the study was read from, for messages

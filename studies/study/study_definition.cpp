@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "studies/study/study_outputs.hpp"
 #include "studies/study/study_variants.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/words.hpp"
@@ -65,14 +66,15 @@ const StudyChart& StudyDefinition::chart(const std::string& name, const std::str
 }
 
 StudyDefinition definition_in(const std::string& text, const std::string& place) {
-  StudyDefinition definition{.charts = {}, .compute = {}, .logarithmic = {}, .together = {}, .sampled = {}};
+  StudyDefinition definition{.charts = {}, .compute = {}, .formulas = {}, .logarithmic = {}, .together = {}, .sampled = {}};
   const Json study = text.empty() ? Json::object() : parse_object(text, place);
   if (const Json& chart = under(study, "chart"); chart.is_object()) definition.charts = {chart_in(chart)};
   for (const Json& chart : under(study, "charts"))
     if (chart.is_object()) definition.charts.push_back(chart_in(chart));
   if (definition.charts.empty()) definition.charts.emplace_back();
-  for (const Json& output : under(study, "compute"))
-    if (output.is_string()) definition.compute.push_back(output.get<std::string>());
+  ComputeWish wish = accepted_compute_wish(study);
+  definition.compute = std::move(wish.columns);
+  definition.formulas = std::move(wish.formulas);
   if (const Json& axes = under(study, "axes"); axes.is_object())
     for (const auto& [key, axis] : axes.items()) {
       if (is_of_variants(key)) continue;

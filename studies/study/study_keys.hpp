@@ -51,7 +51,7 @@ inline constexpr std::array study_keys{
             "inputs that vary, and under variant named sets of them; every combination of their values is one point"},
     FileKey{"sample", "points spread over ranges of inputs; each is combined with every combination of the axes"},
     FileKey{"constraints", "conditions between inputs; points that break one are dropped"},
-    FileKey{"compute", "outputs that the study is about, in the order of its tables"},
+    FileKey{"compute", "outputs that the study is about, in the order of its tables, and formulas with a name"},
     FileKey{"fields", "whether the fields of every solution are kept", yes_or_no},
     FileKey{"chart", "the chart of the study"},
     FileKey{"charts", "several charts; the first is drawn unless another is asked for"},
@@ -61,7 +61,7 @@ inline constexpr std::array interval_keys{
     FileKey{"from", "first value", a_number, is_needed},
     FileKey{"to", "last value", a_number, is_needed},
     FileKey{"points", "number of values, both ends included", whole_from(2, most_points), is_needed},
-    FileKey{"spacing", "same differences (linear, the default) or same ratios (logarithmic)", one_of(spacing_names)},
+    FileKey{"spacing", "same differences (linear) or same ratios (logarithmic); default linear", one_of(spacing_names)},
 };
 
 inline constexpr std::array zip_keys{
@@ -71,14 +71,14 @@ inline constexpr std::array zip_keys{
 inline constexpr std::array sample_keys{
     FileKey{"method", "how the points are spread", one_of(ChoiceNames<SampleMethod>::names), is_needed},
     FileKey{"points", "number of points", whole_from(1, most_points), is_needed},
-    FileKey{"seed", "the same seed gives the same points; 0, the default, gives the plain sequence of Sobol'"},
+    FileKey{"seed", "the same seed gives the same points, 0 the plain sequence of Sobol'; default 0"},
     FileKey{"ranges", "inputs that vary, each from one value to another", KeyForm{}, is_needed},
 };
 
 inline constexpr std::array range_keys{
     FileKey{"from", "one end", a_number, is_needed},
     FileKey{"to", "the other end", a_number, is_needed},
-    FileKey{"spacing", "spread evenly (linear, the default) or evenly in the logarithm (logarithmic)",
+    FileKey{"spacing", "spread evenly (linear) or evenly in the logarithm (logarithmic); default linear",
             one_of(spacing_names)},
 };
 

@@ -1,9 +1,15 @@
 #include "studies/study/study_outputs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
 #include <type_traits>
 
 #include "core/scene/solution.hpp"
+#include "db/rows/schema.hpp"
+#include "studies/scene_io/dimension.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
@@ -11,6 +17,40 @@
 namespace rollres {
 
 namespace {
+
+/// A name that a formula may have: none that stands for something else.
+void refuse_taken_name(const std::string& name, const Json& formula, const FormulaDefinitions& earlier,
+                       const std::string& place) {
+  constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+  constexpr std::array<std::string_view, 8> columns{"study", "position", "variant",    "id",
+                                                    "key",   "created",  "provenance", "note"};
+  const bool is_name = !name.empty() && name.find_first_not_of(letters) == std::string::npos &&
+                       std::isdigit(static_cast<unsigned char>(name.front())) == 0;
+  if (!is_name) refuse(place, name, formula, "a name is of letters, digits and _, and begins with none of the digits");
+  const bool given = std::any_of(earlier.begin(), earlier.end(), [&](const auto& one) { return one.first == name; });
+  if (given) refuse(place, name, formula, "given twice");
+  if (find_quantity_column(name) || find_input(name) || find_name(columns, name) >= 0)
+    refuse(place, name, formula, "names a column that is there already; give the formula another name");
+  if (is_function(name)) refuse(place, name, formula, "names a function; give the formula another name");
+}
+
+/// Reads one formula, with those before it in full.
+void add_formula(ComputeWish& wish, const std::string& name, const Json& formula, std::span<const Indenter> indenters,
+                 const std::string& place) {
+  refuse_taken_name(name, formula, wish.formulas, place);
+  if (!formula.is_string()) refuse(place, name, formula, "must be a formula of inputs and outputs");
+  const std::string text = with_definitions(formula.get<std::string>(), wish.formulas);
+  refusing_at(place + ": " + name, [&] {
+    const Formula understood(text, FormulaNames::inputs_and_outputs);
+    for (const Indenter indenter : indenters)
+      if (!unit_of_value(understood, indenter))
+        throw std::invalid_argument(
+            formula.get<std::string>() +
+            ": its terms have different units, and a number has none: " + units_in(understood, indenter));
+  });
+  wish.columns.push_back(name);
+  wish.formulas.emplace_back(name, text);
+}
 
 /// The list of texts under a key; nothing if there is no such key.
 std::vector<std::string> texts(const Json& study, const std::string& key, const std::string& place,
@@ -27,9 +67,10 @@ std::vector<std::string> texts(const Json& study, const std::string& key, const 
   return list;
 }
 
-StudyChart study_chart(const Json& object, const std::vector<std::string_view>& axes, const std::string& place) {
+/// @param numbers  that it may show
+StudyChart study_chart(const Json& object, const std::vector<std::string_view>& axes,
+                       const std::vector<std::string_view>& numbers, const std::string& place) {
   refuse_unknown_keys(object, chart_keys, place);
-  const std::vector<std::string_view> numbers = number_outputs();
   std::vector<std::string_view> either = axes;
   either.insert(either.end(), numbers.begin(), numbers.end());
   const auto read = [&](const char* key, std::span<const std::string_view> names, const std::string& rule) {
@@ -69,33 +110,65 @@ std::vector<std::string_view> number_outputs() {
 }
 
 std::vector<Condition> study_constraints(const Json& study, std::span<const Indenter> indenters,
-                                         const std::string& place) {
+                                         const FormulaDefinitions& formulas, const std::string& place) {
   std::vector<Condition> conditions;
   for (const std::string& text : texts(study, "constraints", place, "must be a list of conditions between inputs"))
     refusing_at(place + ": constraints", [&] {
-      for (const Indenter indenter : indenters) Condition(text, FormulaNames::inputs, indenter);
-      conditions.emplace_back(text, FormulaNames::inputs, indenters.front());
+      for (const Indenter indenter : indenters) Condition(text, FormulaNames::inputs, indenter, formulas);
+      conditions.emplace_back(text, FormulaNames::inputs, indenters.front(), formulas);
     });
   return conditions;
 }
 
-std::vector<std::string> study_outputs(const Json& study, const std::string& place) {
-  const std::string rule = "must be a list of outputs";
-  const std::vector<std::string> outputs = texts(study, "compute", place, rule);
-  for (const std::string& output : outputs)
+ComputeWish compute_wish(const Json& study, std::span<const Indenter> indenters, const std::string& place) {
+  ComputeWish wish;
+  const auto found = study.find("compute");
+  if (found == study.end()) return wish;
+  const std::string rule = "must be a list of outputs and of objects {name: formula}, or such an object";
+  const Json list = found->is_object() ? Json::array({*found}) : *found;
+  if (!list.is_array() || list.empty() || list.front().empty()) refuse(place, "compute", *found, rule);
+  for (const Json& item : list) {
+    if (item.is_object()) {
+      for (const auto& [name, formula] : item.items()) add_formula(wish, name, formula, indenters, place + ": compute");
+      continue;
+    }
+    if (!item.is_string()) refuse(place, "compute", item, rule);
+    const auto& output = item.get_ref<const std::string&>();
     if (find_name(output_keys(), output) < 0)
-      refuse(place, "compute", output, unknown("unknown output", output_keys(), output));
-  return outputs;
+      refuse(place, "compute", item, unknown("unknown output", output_keys(), output, "a formula is {name: formula}"));
+    if (std::count(wish.columns.begin(), wish.columns.end(), output) > 0) refuse(place, "compute", item, "given twice");
+    wish.columns.push_back(output);
+  }
+  return wish;
 }
 
-std::vector<StudyChart> study_charts(const Json& study, const std::vector<Axis>& axes, const std::string& place) {
-  std::vector<std::string_view> keys;
+ComputeWish accepted_compute_wish(const Json& study) {
+  ComputeWish wish;
+  const auto found = study.find("compute");
+  if (found == study.end()) return wish;
+  const Json list = found->is_object() ? Json::array({*found}) : *found;
+  for (const Json& item : list)
+    if (item.is_string()) {
+      wish.columns.push_back(item.get<std::string>());
+    } else if (item.is_object()) {
+      for (const auto& [name, formula] : item.items()) try {
+          add_formula(wish, name, formula, {}, "compute");
+        } catch (const std::invalid_argument&) {  // of another version
+        }
+    }
+  return wish;
+}
+
+std::vector<StudyChart> study_charts(const Json& study, const std::vector<Axis>& axes,
+                                     const FormulaDefinitions& formulas, const std::string& place) {
+  std::vector<std::string_view> keys, numbers = number_outputs();
   for (const Axis& axis : axes) keys.push_back(axis.key);
+  for (const auto& [name, formula] : formulas) numbers.push_back(name);
   const auto one = study.find("chart"), several = study.find("charts");
   if (one != study.end() && several != study.end()) refuse(place, "charts", *several, "give chart or charts, not both");
   if (one != study.end()) {
     if (!one->is_object()) refuse(place, "chart", *one, "must be an object with x, y and family");
-    return {study_chart(*one, keys, place + ": chart")};
+    return {study_chart(*one, keys, numbers, place + ": chart")};
   }
   std::vector<StudyChart> charts;
   if (several == study.end()) return charts;
@@ -104,7 +177,7 @@ std::vector<StudyChart> study_charts(const Json& study, const std::vector<Axis>&
   for (const Json& object : *several) {
     if (!object.is_object()) refuse(place, "charts", object, rule);
     const std::string chart_place = place + ": charts: " + std::to_string(charts.size() + 1);
-    const StudyChart chart = study_chart(object, keys, chart_place);
+    const StudyChart chart = study_chart(object, keys, numbers, chart_place);
     for (const StudyChart& other : charts)
       if (!chart.name.empty() && chart.name == other.name) refuse(chart_place, "name", chart.name, "name given twice");
     charts.push_back(chart);

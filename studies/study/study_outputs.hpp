@@ -16,18 +16,31 @@ namespace rollres {
 /// Keys of the outputs that are numbers: what a chart can show.
 std::vector<std::string_view> number_outputs();
 
+/// What stands under "compute": a list of outputs and of objects {NAME: FORMULA}, or one such object.
+struct ComputeWish {
+  std::vector<std::string> columns;  ///< outputs and names of formulas, in their order
+  FormulaDefinitions formulas;       ///< each may use those before it, which stand in it in full
+};
+
 /// @param place      the file
 /// @param indenters  the bodies of the study, whose units must hold in every condition
+/// @param formulas   names that the conditions may use
 /// @throws std::invalid_argument naming place, condition and rule
 std::vector<Condition> study_constraints(const Json& study, std::span<const Indenter> indenters,
-                                         const std::string& place);
+                                         const FormulaDefinitions& formulas, const std::string& place);
 
-/// The outputs under "compute"; none where the file says nothing.
+/// Empty where the file says nothing.
+/// @param indenters  as above: the terms of each formula must fit
 /// @throws std::invalid_argument naming place, key, value and rule
-std::vector<std::string> study_outputs(const Json& study, const std::string& place);
+ComputeWish compute_wish(const Json& study, std::span<const Indenter> indenters, const std::string& place);
+
+/// The same of a file that was accepted once; what is not understood any more is left out.
+ComputeWish accepted_compute_wish(const Json& study);
 
 /// The charts under "chart" or "charts".
+/// @param formulas  numbers that they may show, too
 /// @throws std::invalid_argument naming place, key, value and rule
-std::vector<StudyChart> study_charts(const Json& study, const std::vector<Axis>& axes, const std::string& place);
+std::vector<StudyChart> study_charts(const Json& study, const std::vector<Axis>& axes,
+                                     const FormulaDefinitions& formulas, const std::string& place);
 
 }  // namespace rollres

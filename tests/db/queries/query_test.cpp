@@ -235,7 +235,8 @@ TEST_CASE("a wrong statistic is refused with what is known", "[db][query]") {
   CHECK(message_of([] { parse_aggregate("mean"); }) ==
         "aggregate = mean: needs a column, as in mean rolling_resistance");
   CHECK(message_of([] { parse_aggregate("mean speed load"); }) ==
-        "aggregate = mean speed load: must be a statistic and one column, as in mean approach");
+        "aggregate = mean speed load: must be a statistic and one column, as in mean approach, or mean approach "
+        "weighted COLUMN");
   auto refusal = [&](const GroupQuery& query) { return message_of([&] { store.group(query); }); };
   CHECK(refusal({.aggregates = {parse_aggregate("mean sped")}}) == "sped: unknown column; did you mean speed?");
   CHECK(refusal({.aggregates = {parse_aggregate("max status")}}) == "status: has no max, it is a text");

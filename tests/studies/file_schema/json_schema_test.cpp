@@ -12,7 +12,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers schema_parts and command_schema, too.
+// Covers schema_parts, file_keys and command_schema, too.
 
 using namespace rollres;
 
@@ -32,6 +32,7 @@ bool validator_is_there() { return std::system("python3 -c 'import jsonschema' >
 TEST_CASE("the schemas that are shipped are those that the program prints", "[studies][schema]") {
   for (const std::string what : {"scene", "study", "fit", "optimisation"})
     CHECK(schema(what) == file_text(source_directory() / ("studies/schema/" + what + ".json")));
+  CHECK(schema("keys") == file_text(source_directory() / "studies/keys.md"));
   CHECK(run_rollres({"schema"}, {}).status == 2);
   CHECK(run_rollres({"schema", "fits"}, {}).status == 2);
 }
@@ -121,11 +122,13 @@ for fit in fits:
         assert valid['fit']({**fit, 'data': [{'file': 'a.csv', 'sigma': '2 %', 'set': {'radius': '1 cm'}}, 'b.csv'],
                              'parameters': {'radius': [{'data': 'a'}, {'start': '1 mm', 'fixed': True}]}})
 for optimisation in optimisations:
-    refused('optimisation', optimisation, lambda o: o.update(maximise='load'))
-    refused('optimisation', optimisation, lambda o: o.pop('minimise'))
+    refused('optimisation', optimisation, lambda o: o.update(minimise='load', maximise='load'))
+    refused('optimisation', optimisation, lambda o: (o.pop('minimise', 0), o.pop('maximise', 0)))
     refused('optimisation', optimisation, lambda o: o.update(algorithm='bobika'))
     refused('optimisation', optimisation, lambda o: o.update(variables={'speed': {'from': 1}}))
     refused('optimisation', optimisation, lambda o: o.update(stop={'evaluations': 0}))
+    refused('optimisation', optimisation, lambda o: o.update(variables={'speed': []}))
+    refused('optimisation', optimisation, lambda o: o.update(variables={'drive': {'from': 1, 'to': 2}}))
     assert valid['optimisation']({**optimisation, 'scenes': [{'set': {'speed': 1}, 'weight': 0.3}],
                                   'pareto': {'maximise': 'load', 'points': 9}, 'over_scenes': 'max'})
 zipped = {'run': {'zip': {'speed': [1, '2 m/s'], 'method': ['newton', 'active_set']}}}
@@ -141,7 +144,13 @@ for study in studies:
     refused('study', study, lambda s: s.update(sample={'method': 'sobol', 'points': 3}))
     refused('study', study, lambda s: s.update(constraints='speed < 1'))
     refused('study', study, lambda s: s.update(compute=['aproach']))
-    refused('study', study, lambda s: s.update(chart={'y': 'aproach'}))
+    refused('study', study, lambda s: s.update(compute=['approach'], chart={'y': 'aproach'}))
+    assert valid['study']({**{k: v for k, v in study.items() if k not in ('chart', 'charts')},
+                           'compute': ['approach', {'power': 'load * speed'}], 'chart': {'y': 'power'}})
+    refused('study', study, lambda s: s.update(compute={'2a': 'load'}))
+    refused('study', study, lambda s: s.update(axes={'variant': {'one': {'speed': 1}}}))
+    refused('study', study, lambda s: s.update(axes={'variant': {'one': {'speed': 1}, 'two': {'sped': 1}}}))
+    refused('study', study, lambda s: s.update(axes={'master_curve_file': ['a.csv']}))
     refused('study', study, lambda s: s.update(chart={}, charts=[{}]))
 )");
   const std::string command =

@@ -199,3 +199,39 @@ TEST_CASE("a variant is no part of an evaluation: the same scene is solved once,
   CHECK_THAT(run_rollres({"sweep", second.path, "--db", database}, closed_form).out, Contains("2 recalled"));
   CHECK(named() == 0);
 }
+
+TEST_CASE("several studies are drawn together, each a family with points of its own", "[studies][variants][chart]") {
+  const TemporaryDirectory folder;
+  const auto run = [](const std::vector<std::string>& words) { return run_rollres(words, closed_form); };
+  const auto study = [&](const std::string& name, const std::string& speeds) {
+    return folder.write(name + ".json", R"({"study": ")" + name + R"(", "scene": {"radius": 0.02, "load": 2e4,
+      "layer_thickness": 0.005, "static_shear_modulus": 1e6, "stiffening": 1, "creep_time": 1}, "axes": {"speed": )" +
+                                            speeds + "}}");
+  };
+  const std::string one = folder / "one.db", other = folder / "other.db";
+  REQUIRE(run({"sweep", study("summer", "[1, 2, 3]"), "--db", one}).status == 0);
+  REQUIRE(run({"sweep", study("winter", "[1.5, 2.5, 3.5]"), "--db", other}).status == 0);
+  const ProgramRun chart =
+      run({"chart", "--db", one, "--db", other, "--study", "summer", "--study", "winter", "--out", folder / "c"});
+  CHECK(chart.err == "");
+  CHECK(chart.status == 0);
+  const std::string data = file_text(folder / "c.dat");
+  for (const char* const name : {"summer", "winter"}) CHECK_THAT(file_text(folder / "c.gp"), Contains(name));
+  CHECK_THAT(data, !Contains("nan") && !Contains("NaN"));  // no curve is broken at the other's places
+  CHECK(run({"chart", "--db", one, "--db", other, "--out", folder / "d"}).status == 0);
+  CHECK_THAT(run({"chart", "--db", one, "--study", "summer", "--study", "wintr", "--out", folder / "e"}).err,
+             Contains("study = wintr: unknown study"));
+  CHECK_THAT(run({"chart", "--db", one, "--db", other, "--map", "approach", "--out", folder / "f"}).err,
+             Contains("a map is of one study"));
+  REQUIRE(run({"merge", other, "--db", one}).status == 0);
+  CHECK_THAT(run({"report", "--db", one, "--study", "summer", "--study", "winter", "--out", folder / "r.html"}).out,
+             Contains("summer, winter"));
+  CHECK_THAT(file_text(folder / "r.html"), Contains("All studies") && Contains("<h1>winter</h1>"));
+  CHECK_THAT(run({"compare", "summer", "winter", "summer", "--db", one}).out,
+             Contains("summer and winter\n") && Contains("summer and summer\n3 points match"));
+  CHECK_THAT(run({"compare", "summer", "winter", "summer", "--db", one, "--format", "json"}).err,
+             Contains("is for two studies"));
+  const ProgramRun groups = run({"query", "--db", one, "--db", other, "study=summer", "study=winter", "--by", "study",
+                                 "--aggregate", "count", "--format", "csv"});
+  CHECK(groups.out == "study,count\nsummer,3\nwinter,3\n");
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+/// Several databases read as one.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rollres {
+
+/// One database, or several brought together in a temporary copy as `merge` does, which lives as long as this.
+class GatheredDatabases {
+ public:
+  /// @param files  at least one
+  /// @throws as merge
+  explicit GatheredDatabases(std::span<const std::string> files);
+  ~GatheredDatabases();
+  GatheredDatabases(const GatheredDatabases&) = delete;
+
+  const std::filesystem::path& file() const { return file_; }
+  /// Studies of one name that are defined otherwise: the file, the name there, and the name here.
+  struct Renamed {
+    std::string file, name, here;
+  };
+  const std::vector<Renamed>& renamed() const { return renamed_; }
+
+ private:
+  std::filesystem::path file_, folder_;  ///< folder: empty if there is none
+  std::vector<Renamed> renamed_;
+};
+
+}  // namespace rollres

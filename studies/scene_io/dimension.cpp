@@ -1,0 +1,135 @@
+#include "studies/scene_io/dimension.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "core/scene/solution.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Exponents of metre, kilogram, second, kelvin and mole.
+using Exponents = std::array<double, 5>;
+
+struct NamedUnit {
+  std::string_view name;
+  Exponents exponents;
+};
+
+/// What the units of quantities consist of.
+constexpr std::array<NamedUnit, 13> symbols{{{"m", {1}},
+                                             {"kg", {0, 1}},
+                                             {"s", {0, 0, 1}},
+                                             {"K", {0, 0, 0, 1}},
+                                             {"mol", {0, 0, 0, 0, 1}},
+                                             {"N", {1, 1, -2}},
+                                             {"Pa", {-1, 1, -2}},
+                                             {"J", {2, 1, -2}},
+                                             {"W", {2, 1, -3}},
+                                             {"Hz", {0, 0, -1}},
+                                             {"rad", {}},
+                                             {"byte", {}},
+                                             {"1", {}}}};
+
+/// What people call the units of values.
+constexpr std::array<std::string_view, 24> usual{"1",    "m",   "m/s",  "N",    "N/m",  "Pa",    "s",    "W",
+                                                 "W/m",  "J",   "K",    "kg",   "1/s",  "m2",    "m3",   "kg/m3",
+                                                 "m2/s", "1/m", "Pa.s", "Pa/m", "m/s2", "J/mol", "m3/s", "Pa/s"};
+
+/// Of a unit as quantities have it: symbols with a power, "." and "/" between them.
+Exponents exponents_of(std::string_view unit) {
+  Exponents all{};
+  double sign = 1;
+  for (std::size_t begin = 0; begin < unit.size();) {
+    const std::size_t end = std::min(unit.find_first_of("./", begin), unit.size());
+    std::string_view symbol = unit.substr(begin, end - begin);
+    double power = 1;
+    if (symbol.size() > 1 && symbol.back() >= '2' && symbol.back() <= '9') {
+      power = symbol.back() - '0';
+      symbol.remove_suffix(1);
+    }
+    const auto found =
+        std::find_if(symbols.begin(), symbols.end(), [&](const NamedUnit& known) { return known.name == symbol; });
+    for (std::size_t i = 0; found != symbols.end() && i < all.size(); ++i) all[i] += sign * power * found->exponents[i];
+    if (end < unit.size()) sign = unit[end] == '/' ? -1 : 1;
+    begin = end + 1;
+  }
+  return all;
+}
+
+std::string name_of_unit(const Exponents& exponents) {
+  for (const std::string_view unit : usual)
+    if (exponents_of(unit) == exponents) return std::string(unit);
+  std::string name;
+  for (std::size_t i = 0; i < exponents.size(); ++i)
+    if (exponents[i] != 0)
+      name += (name.empty() ? "" : ".") + std::string(symbols[i].name) +
+              (exponents[i] == 1 ? "" : short_number(exponents[i], 3));
+  return name;
+}
+
+std::string_view unit_of_key(const std::string& key, Indenter indenter) {
+  std::string_view unit;
+  if (const InputKind* const input = find_input(key)) unit = input->quantity.unit_for(indenter);
+  const RollingSolution solution;
+  visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
+    if (quantity.key == key) unit = quantity.unit_for(indenter);
+  });
+  return unit;
+}
+
+using Place = std::map<std::string, double>;
+
+std::vector<Place> places_for(const Formula& formula) {
+  constexpr int places = 24;
+  std::mt19937 random(1);
+  std::vector<Place> all(places);
+  for (Place& place : all)
+    for (const std::string& key : formula.keys())
+      place[key] = std::exp(4.0 * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5));
+  return all;
+}
+
+}  // namespace
+
+std::optional<std::string> unit_of_value(const Formula& formula, Indenter indenter) {
+  constexpr double factor = 1.0001, least_share = 0.25;  // near 1: no comparison turns out otherwise
+  std::map<std::string, Exponents> exponents;
+  for (const std::string& key : formula.keys()) exponents[key] = exponents_of(unit_of_key(key, indenter));
+  const std::vector<Place> places = places_for(formula);
+  Exponents found{};
+  for (std::size_t base = 0; base < found.size(); ++base) {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    std::size_t valid = 0;
+    for (const Place& place : places) {
+      const double here = formula([&](const std::string& key) { return place.at(key); });
+      const double there =
+          formula([&](const std::string& key) { return place.at(key) * std::pow(factor, exponents.at(key)[base]); });
+      if (!std::isfinite(here) || !std::isfinite(there) || here == 0) continue;
+      ++valid;
+      if (there / here <= 0) return std::nullopt;
+      const double power = std::log(there / here) / std::log(factor);
+      lowest = std::min(lowest, power);
+      highest = std::max(highest, power);
+    }
+    if (static_cast<double>(valid) < least_share * static_cast<double>(places.size())) return std::string();
+    constexpr double rounding = 1e-7, parts = 12;  // of exponents that are fractions
+    if (highest - lowest > rounding) return std::nullopt;
+    found[base] = std::round(parts * lowest) / parts;
+  }
+  return name_of_unit(found);
+}
+
+std::string units_in(const Formula& formula, Indenter indenter) {
+  return joined(formula.keys(), ", ",
+                [&](const std::string& key) { return key + unit_in_brackets(unit_of_key(key, indenter)); });
+}
+
+}  // namespace rollres

@@ -1,0 +1,77 @@
+#include <set>
+
+#include "studies/optimise/design_keys.hpp"
+#include "studies/study/study_keys.hpp"
+#include "studies/text/strict_json.hpp"
+#include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
+#include "tests/studies/program.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+
+namespace {
+
+/// All keys of an object and of what stands in it.
+void add_keys(const Json& value, std::set<std::string>& keys) {
+  for (const auto& [key, inside] : value.items()) {
+    if (value.is_object()) keys.insert(key);
+    if (inside.is_structured()) add_keys(inside, keys);
+  }
+}
+
+/// The example files that have this key.
+std::vector<std::filesystem::path> examples_with(const std::string& key) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(source_directory() / "studies/examples"))
+    if (entry.path().extension() == ".json" && read_object(entry.path().string()).contains(key))
+      files.push_back(entry.path());
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("every key of studies and optimisations has an example", "[studies][examples]") {
+  std::set<std::string> of_studies, of_designs;
+  for (const auto& file : examples_with("study")) {
+    const Json object = read_object(file.string());
+    add_keys(object, object.contains("variables") ? of_designs : of_studies);
+  }
+  const auto check = [](const auto& keys, const std::set<std::string>& used) {
+    for (const FileKey& key : keys) {
+      CAPTURE(key.key);
+      CHECK(used.contains(std::string(key.key)));
+    }
+  };
+  check(study_keys, of_studies);
+  check(interval_keys, of_studies);
+  check(zip_keys, of_studies);
+  check(sample_keys, of_studies);
+  check(range_keys, of_studies);
+  check(chart_keys, of_studies);
+  check(design_keys, of_designs);
+  check(variable_keys, of_designs);
+  check(duty_keys, of_designs);
+  check(stop_keys, of_designs);
+  check(pareto_keys, of_designs);
+  for (const char* const key : {"variant", "master_curve_file"}) CHECK(of_studies.contains(key));
+  CHECK(of_designs.contains("variant"));
+}
+
+TEST_CASE("every example of a study and of an optimisation is planned, run and drawn", "[studies][examples]") {
+  const TemporaryDirectory folder;
+  for (const auto& file : examples_with("study")) {
+    CAPTURE(file);
+    const std::string name = file.stem().string(), db = folder / (name + ".db");
+    const bool design = read_object(file.string()).contains("variables");
+    const ProgramRun run = run_rollres({design ? "optimise" : "sweep", file.string(), "--db", db}, closed_form);
+    CHECK(run.err.find("rollres:") == std::string::npos);
+    CHECK(run.status <= (design ? 1 : 0));  // a closed form in place of the solver need have no optimum
+    CHECK(
+        run_rollres({"show", "--db", db, read_object(file.string())["study"].get<std::string>()}, closed_form).status ==
+        0);
+    if (design) continue;
+    CHECK(run_rollres({"plan", file.string(), "--limit", "3"}, closed_form).status == 0);
+  }
+}

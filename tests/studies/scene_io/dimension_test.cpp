@@ -1,0 +1,55 @@
+#include "studies/scene_io/dimension.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace rollres;
+
+namespace {
+
+std::string unit_of_text(const std::string& text, Indenter indenter = Indenter::cylinder) {
+  return unit_of_value(Formula(text, FormulaNames::inputs_and_outputs), indenter).value_or("does not fit");
+}
+
+}  // namespace
+
+TEST_CASE("a formula's unit follows from those of its numbers", "[studies][formula][dimension]") {
+  CHECK(unit_of_text("speed * creep_time / radius") == "1");
+  CHECK(unit_of_text("speed * creep_time") == "m");
+  CHECK(unit_of_text("rolling_resistance * speed") == "W/m");
+  CHECK(unit_of_text("rolling_resistance * speed", Indenter::sphere) == "W");
+  CHECK(unit_of_text("sqrt(static_shear_modulus / layer_density)") == "m/s");
+  CHECK(unit_of_text("layer_density * speed^2 + static_shear_modulus") == "Pa");
+  CHECK(unit_of_text("load / (radius * static_shear_modulus)") == "1");
+  CHECK(unit_of_text("max(leading_edge, -trailing_edge)") == "m");
+  CHECK(unit_of_text("speed > 2 * radius / creep_time ? load : 3 * load") == "N/m");
+  CHECK(unit_of_text("wlf_c1 * (temperature - reference_temperature) / (wlf_c2 + temperature)") == "1");
+  CHECK(unit_of_text("activation_energy / temperature") == "m2.kg.s-2.K-1.mol-1");
+  CHECK(unit_of_text("creep_time^0.5") == "s0.5");
+  CHECK(unit_of_text("2 + 3") == "1");
+  CHECK(unit_of_text("speed < 2 ? 0.3 : 0.7") == "1");  // compared in SI
+  CHECK(unit_of_text("load > 1 ? speed : 2 * radius / creep_time") == "m/s");
+  CHECK(unit_of_text("exp(-speed * creep_time / radius)") == "1");
+  CHECK(unit_of_text("rotation_speed * radius / speed") == "1");
+  CHECK(unit_of_text("load", Indenter::sphere) == "N");
+}
+
+TEST_CASE("terms that do not fit are found, also where only a function or a power shows them",
+          "[studies][formula][dimension]") {
+  for (const char* const text :
+       {"speed + load", "speed + 1", "exp(speed)", "max(speed, load)", "radius^friction_coefficient",
+        "peak_pressure - 2e6", "rolling_resistance + approach", "speed < 1 ? speed : load", "radius / speed + creep_time^2", "ln(load)"}) {
+    CAPTURE(text);
+    CHECK(unit_of_text(text) == "does not fit");
+  }
+  CHECK(unit_of_text("sqrt(0 - speed)") == "");  // has no value anywhere
+  CHECK(units_in(Formula("rolling_resistance + approach", FormulaNames::inputs_and_outputs), Indenter::cylinder) ==
+        "rolling_resistance [N/m], approach [m]");
+}
+
+TEST_CASE("a definition stands for its formula, in brackets, and only where its whole name stands",
+          "[studies][formula]") {
+  const FormulaDefinitions names{{"a", "speed + 1"}, {"b2", "radius"}};
+  CHECK(with_definitions("2*a/b2 - a2 + max(a,1e-3)", names) == "2*(speed + 1)/(radius) - a2 + max((speed + 1),1e-3)");
+  CHECK(with_definitions("", names) == "");
+  CHECK(with_definitions(" a ", names) == " (speed + 1) ");
+}
