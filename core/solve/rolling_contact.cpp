@@ -19,6 +19,7 @@
 #include "core/paper_method/active_set.hpp"
 #include "core/scene/indenter_shape.hpp"
 #include "core/solve/model_choice.hpp"
+#include "core/solve/torque_limit.hpp"
 #include "core/spectral/spectral_contact.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
@@ -283,6 +284,7 @@ RollingSolution solve_in_flow(const RollingScene& given) {
   model.tolerance = given.tolerance;
   RollingSolution solution;
   std::string refused = unanswered_inertia(model);
+  if (refused.empty()) refused = unbearable_torque(model);
   if (refused.empty()) {
     solution = solve_by_method(choice.scene);
     if (solution.status == Status::converged) refused = unanswered_inertia(model, solution);

@@ -167,13 +167,15 @@ class SpectralAssessment {
   }
 
   /// Where the laws are imposed: at the middles by a linear system, of which the residuals are left, and at nodes but
-  /// for the last ones at the ends of zones (section 9).
+  /// for the last ones at the ends of zones, and those nearer to them than any force could tell (section 9).
   double violated_at_nodes(double shear_scale) const {
     const GradedTractions& graded = *state_.graded;
     constexpr double last_ones = 6;  // in s
+    const double too_near = 1e-5 * half_;
     double worst = state_.residuals.cwiseAbs().maxCoeff();
     for (Eigen::Index j = 0; j < graded.grid.size(); ++j) {
-      if (graded.near_end(graded.grid.nodes()[static_cast<std::size_t>(j)].x(), last_ones)) continue;
+      const GradedPlace& place = graded.grid.nodes()[static_cast<std::size_t>(j)];
+      if (std::abs(place.offset) < too_near || graded.near_end(place.x(), last_ones)) continue;
       worst = std::max(worst, -graded.pressure(j) / s_.peak_pressure);
       if (sheared())
         worst = std::max(worst, (std::abs(graded.shear(j)) - law_.bound(graded.pressure(j))) / shear_scale);

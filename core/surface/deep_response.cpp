@@ -159,8 +159,10 @@ DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, cons
       rests_.col(k) += weights[c].head<2>() * sum / std::pow(lengths_[c], k + 1.0);
     }
   }
-  shortest_ = std::log(1e-13 * length);
+  // Nearer, powers of the distance do; where these reach as far as the table would, there is none.
   longest_ = std::log(1e3 * length);
+  shortest_ = std::log(0.99 * series_reach * shortest_length_);
+  if (shortest_ >= longest_) return;
   std::vector<double> borders;
   const int panels = static_cast<int>((longest_ - shortest_) / 1.2) + 1;
   for (int i = 0; i <= panels; ++i) borders.push_back(shortest_ + (longest_ - shortest_) * i / panels);
@@ -213,6 +215,45 @@ Eigen::Array3d DeepResponse::growing(double x) const {
   }
   for (std::size_t c = 0; c < lengths_.size(); ++c)
     sum += weights_.col(static_cast<Eigen::Index>(c)) * std::exp(std::min(x / lengths_[c], 30.0)) / lengths_[c];
+  return sum;
+}
+
+Eigen::Index DeepResponse::powers_at(double farthest) const {
+  const double part = farthest / shortest_length_;
+  if (!(part < series_reach)) return 0;
+  constexpr double rounding = 1e-17;
+  Eigen::Index powers = 1;
+  for (double term = 1; powers < moments_.cols() && term > rounding; ++powers)
+    term *= part / static_cast<double>(powers);
+  return powers;
+}
+
+Eigen::ArrayX3d DeepResponse::growing(const Eigen::ArrayXd& x) const {
+  Eigen::ArrayX3d sum = Eigen::ArrayX3d::Zero(x.size(), 3);
+  const Eigen::Index powers = x.size() > 0 ? powers_at(x.abs().maxCoeff()) : 0;
+  if (powers == 0) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) sum.row(i) = growing(x(i)).transpose();
+    return sum;
+  }
+  for (Eigen::Index k = powers - 1; k >= 0; --k)
+    for (Eigen::Index c = 0; c < 3; ++c) sum.col(c) = moments_(c, k) + x * sum.col(c);
+  return sum;
+}
+
+Eigen::ArrayX3d DeepResponse::slopes(const Eigen::ArrayXd& x) const {
+  Eigen::ArrayX3d sum = Eigen::ArrayX3d::Zero(x.size(), 3);
+  if (lengths_.empty() || x.size() == 0) return sum;
+  const Eigen::Index powers = powers_at(x.abs().maxCoeff());
+  if (powers == 0) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) sum.row(i) = slope(x(i)).head<3>().transpose();
+    return sum;
+  }
+  const Eigen::ArrayX3d growing_part = growing(x);
+  for (Eigen::Index k = powers - 1; k >= 0; --k)
+    for (Eigen::Index c = 0; c < 2; ++c) sum.col(c) = rests_(c, k) + x * sum.col(c);
+  const Eigen::ArrayXd logarithm = x.abs().log();
+  for (Eigen::Index c = 0; c < 2; ++c) sum.col(c) = (logarithm * growing_part.col(c) - sum.col(c)) / (2 * M_PI);
+  sum.col(2) = (x < 0).select(-growing_part.col(2), 0);
   return sum;
 }
 

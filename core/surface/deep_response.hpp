@@ -36,6 +36,9 @@ class DeepResponse {
   /// Sum of weights e^(x/T)/T: over 2 pi what goes with ln|x| in them (normal, along), and minus what crosses them from
   /// ahead to behind (cross) [1/m].
   Eigen::Array3d growing(double x) const;
+  /// Both at many places, which a processor does side by side: normal, along, cross.
+  Eigen::ArrayX3d slopes(const Eigen::ArrayXd& x) const;
+  Eigen::ArrayX3d growing(const Eigen::ArrayXd& x) const;
   /// Means R_T of all slopes, those at once with them [1/m].
   LayerSlopes mean(double memory_length, double x) const;
   /// Displacements under unit line forces, -ln|x| times what acts at rest and what memories lack of it, x > 0 [1].
@@ -43,6 +46,8 @@ class DeepResponse {
 
  private:
   LayerSlopes summed(double x) const;
+  /// How many powers of the distance stand for the exponentials up to there; 0: none do.
+  Eigen::Index powers_at(double farthest) const;
 
   Eigen::Array3d at_once_;
   std::vector<double> lengths_;                     // T_c of the retarded parts [m]
