@@ -110,11 +110,18 @@ void warn_of_memory(const GridError& error, RollingSolution& solution) {
 
 }  // namespace
 
-double expected_change(double last, double before) { return std::fmax(last, 0.2 * before); }
+double expected_change(int dimension, double last, double before) {
+  if (dimension == 3) return std::fmax(last, 0.2 * before);
+  constexpr double part = 0.175;
+  if (std::isnan(last)) return part * before;
+  return std::isnan(before) ? last : std::hypot(last, part * before);
+}
 
-double expected_change(double last, double before, double missing) {
+double expected_change(int dimension, double last, double before, double missing) {
   if (std::isnan(last)) return 5 * missing;
-  return std::isnan(before) ? std::max(2 * last, 0.5 * missing) : expected_change(last, before);
+  if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
+  const double expected = expected_change(dimension, last, before);
+  return dimension == 3 ? expected : 0.77 * std::hypot(expected, 0.75 * missing);
 }
 
 double GridError::estimate(double resistance, double change) const {

@@ -34,6 +34,8 @@ constexpr std::array<int, 2> sketch_orders{14, 22};
 constexpr double sketch_residual = 1e-7;
 constexpr int most_to_sketch = 30;
 constexpr int largest_first_order = 80;
+/// Of the tolerance over what the last change lets expect of graded points.
+constexpr double graded_caution = 2;
 constexpr int most_mended = 4;        // patterns that follow from one another
 constexpr int most_stays = 3;         // checks of all laws that find no smaller violation
 constexpr double slowest_fall = 0.9;  // of the last coefficients, from one order to the next
@@ -237,7 +239,8 @@ class SpectralContact {
       residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);
       const bool falling = tail < slowest_fall * tail_before;
       if (std::isfinite(change)) coming = change * std::min(1.0, tail / tail_before);
-      const bool enough = error <= reachable && !(graded && only_sketched);
+      // Edges from few graded points tell the first change only roughly.
+      const bool enough = graded ? !only_sketched && graded_caution * error <= reachable : error <= reachable;
       only_sketched = false;
       before = resistance;
       change_before = change;
@@ -298,7 +301,7 @@ class SpectralContact {
       sketch.resistance = resistance_of(*state);
       sketch.tail = graded_tail(order);
       const double part = std::min(scale_of(*state) / lever_of(*state), 1.0);
-      const double accuracy = std::max(tolerance_ * part, smallest_tolerance);
+      const double accuracy = std::max(tolerance_ * part / graded_caution, smallest_tolerance);
       sketch.coefficients =
           std::clamp(graded_order(problem_, sketch.edges.contact, accuracy), order, largest_first_order);
       last_ = std::move(state);
