@@ -112,16 +112,19 @@ void warn_of_memory(const GridError& error, RollingSolution& solution) {
 
 double expected_change(int dimension, double last, double before) {
   if (dimension == 3) return std::fmax(last, 0.2 * before);
-  constexpr double part = 0.175;
+  constexpr double part = 0.15;
   if (std::isnan(last)) return part * before;
   return std::isnan(before) ? last : std::hypot(last, part * before);
 }
 
-double expected_change(int dimension, double last, double before, double missing) {
+double expected_change(int dimension, double last, double before, const ContactPowers& powers) {
+  const double missing = powers.missing();
   if (std::isnan(last)) return 5 * missing;
   if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
   const double expected = expected_change(dimension, last, before);
-  return dimension == 3 ? expected : 0.77 * std::hypot(expected, 0.75 * missing);
+  if (dimension == 3) return expected;
+  const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
+  return 0.6 * (1 + 2 * std::sqrt(friction)) * std::hypot(expected, 0.75 * missing);
 }
 
 double GridError::estimate(double resistance, double change) const {

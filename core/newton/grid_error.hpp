@@ -27,8 +27,9 @@ struct GridError {
 /// is NaN where there was none. Calibrated on random scenes (`rollres accuracy --random`), cylinders and spheres apart.
 double expected_change(int dimension, double last, double before);
 
-/// The same at the end, with how much resultants and losses differ (N15), which tells more than one or two grids alone.
-double expected_change(int dimension, double last, double before, double missing);
+/// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
+/// friction takes falls with the spacing, the viscous loss faster.
+double expected_change(int dimension, double last, double before, const ContactPowers& powers);
 
 /// @param pressure on the problem's (half) grid [Pa]
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone);

@@ -128,7 +128,7 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
   const int dimension = dimensions(finest.problem->scene);
-  return error.estimate(resistance, expected_change(dimension, last, change_before, finest.powers.missing())) +
+  return error.estimate(resistance, expected_change(dimension, last, change_before, finest.powers)) +
          rounding * finest.powers.halves;
 }
 

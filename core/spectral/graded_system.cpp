@@ -337,16 +337,22 @@ double GradedTractions::value_at(const VectorXd& values, double x) const {
   return stencil.weights.dot(values.segment(stencil.first, stencil.weights.size()));
 }
 
+double GradedTractions::half_length() const {
+  return 0.5 * (grid.zones().back().interval.to - grid.zones().front().interval.from);
+}
+
 double GradedTractions::nearest_judged() const {
   double nearest = INFINITY;
   for (const GradedZone& zone : grid.zones())
     nearest = std::min(nearest, std::abs(zone.place(zone.reach - judged_from).offset));
-  return nearest;
+  return std::max(nearest, too_near * half_length());
 }
 
 bool GradedTractions::near_end(double x, double nearest) const {
   const GradedZone* zone = grid.zone_at(x);
-  return zone && std::abs(zone->parameter(x)) > zone->reach - nearest;
+  if (!zone) return false;
+  if (std::min(x - zone->interval.from, zone->interval.to - x) < too_near * half_length()) return true;
+  return std::abs(zone->parameter(x)) > zone->reach - nearest;
 }
 
 Eigen::Array2d GradedTractions::near_slopes(const SpectralProblem& problem, double x) const {

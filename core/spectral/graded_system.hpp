@@ -15,6 +15,7 @@ struct GradedTractions {
   Eigen::ArrayXd source_x, source_pressure, source_shear;  // places [m] and forces [N/m] of all sources
 
   static constexpr double judged_from = 3.5;  // of s, inside the last nodes
+  static constexpr double too_near = 1e-5;    // half-lengths of the contact
 
   GradedTractions(const GradedGrid& grid, const Eigen::VectorXd& pressure, const Eigen::VectorXd& shear,
                   const Eigen::VectorXd& retarded_w, const Eigen::VectorXd& retarded_u);
@@ -25,7 +26,8 @@ struct GradedTractions {
   /// Slopes of unit modulus by all but layers: half-space at once and retarded, dw/dx and du/dx [Pa].
   Eigen::Array2d near_slopes(const SpectralProblem& problem, double x) const;
 
-  /// Whether x is within so much of s of the last nodes at an end of its zone.
+  /// Whether x is within so much of s of the last nodes at an end of its zone, or nearer to it than any force could
+  /// tell.
   bool near_end(double x, double nearest = judged_from) const;
   /// The least distance from the end of a zone at which it is not [m].
   double nearest_judged() const;
@@ -33,6 +35,7 @@ struct GradedTractions {
  private:
   Eigen::Array2d slopes_between_nodes(const SpectralProblem& problem, const GradedZone* zone, double x) const;
   double value_at(const Eigen::VectorXd& values, double x) const;
+  double half_length() const;
 };
 
 SpectralState solve_graded(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,

@@ -34,11 +34,10 @@ constexpr std::array<int, 2> sketch_orders{14, 22};
 constexpr double sketch_residual = 1e-7;
 constexpr int most_to_sketch = 30;
 constexpr int largest_first_order = 80;
-/// Of the tolerance over what the last change lets expect of graded points.
-constexpr double graded_caution = 2;
-constexpr int most_mended = 4;        // patterns that follow from one another
-constexpr int most_stays = 3;         // checks of all laws that find no smaller violation
-constexpr double slowest_fall = 0.9;  // of the last coefficients, from one order to the next
+constexpr double fewest_unsketched = 31;  // coefficients, where zones are too short for these
+constexpr int most_mended = 4;            // patterns that follow from one another
+constexpr int most_stays = 3;             // checks of all laws that find no smaller violation
+constexpr double slowest_fall = 0.9;      // of the last coefficients, from one order to the next
 
 /// The error estimate (core/spectral/README.md, (S27)). The change from one order to the next, times how fast
 /// coefficients fall, is often too hopeful; the laws between the points are taken into account too. A
@@ -167,6 +166,7 @@ class SpectralContact {
     }
     if (!last_->graded || !std::isfinite(reversed_) || pattern.slips.front() == 0) return false;
     const double behind = start.edges.contact.from, turn = 0.3 * (reversed_ - behind);
+    if (reversed_ + turn > start.edges.sticks.front().from) return false;  // all of it is, which a grid tells better
     pattern.slips.insert(pattern.slips.begin(), -pattern.slips.front());
     start.edges.sticks.insert(start.edges.sticks.begin(), {reversed_ - turn, reversed_ + turn});
     return true;
@@ -240,7 +240,7 @@ class SpectralContact {
       const bool falling = tail < slowest_fall * tail_before;
       if (std::isfinite(change)) coming = change * std::min(1.0, tail / tail_before);
       // Edges from few graded points tell the first change only roughly.
-      const bool enough = graded ? !only_sketched && graded_caution * error <= reachable : error <= reachable;
+      const bool enough = graded ? !only_sketched && graded_caution() * error <= reachable : error <= reachable;
       only_sketched = false;
       before = resistance;
       change_before = change;
@@ -296,12 +296,15 @@ class SpectralContact {
     for (const int order : sketch_orders) {
       if (sketch.coefficients <= order || sketch.lawful) break;
       std::optional<SpectralState> state = edges_at(search, pattern, sketch.edges, order, most);
-      if (!state) break;
+      if (!state) {
+        sketch.coefficients = std::max(coefficients, fewest_unsketched);
+        break;
+      }
       sketch.edges = state->edges;
       sketch.resistance = resistance_of(*state);
       sketch.tail = graded_tail(order);
       const double part = std::min(scale_of(*state) / lever_of(*state), 1.0);
-      const double accuracy = std::max(tolerance_ * part / graded_caution, smallest_tolerance);
+      const double accuracy = std::max(tolerance_ * part / graded_caution(), smallest_tolerance);
       sketch.coefficients =
           std::clamp(graded_order(problem_, sketch.edges.contact, accuracy), order, largest_first_order);
       last_ = std::move(state);
@@ -330,6 +333,9 @@ class SpectralContact {
     if (state) work_ += work_of_check(problem_, pattern, order, state->edges.contact.half_length());
     return state;
   }
+
+  /// Of a tolerance that is asked for, over what the last change lets expect of graded points.
+  double graded_caution() const { return scene_.tolerance ? 2 : 1; }
 
   void take_over_wrongs(const AssessedSpectral& assessed) {
     reversed_ = assessed.reversed;

@@ -171,11 +171,9 @@ class SpectralAssessment {
   double violated_at_nodes(double shear_scale) const {
     const GradedTractions& graded = *state_.graded;
     constexpr double last_ones = 6;  // in s
-    const double too_near = 1e-5 * half_;
     double worst = state_.residuals.cwiseAbs().maxCoeff();
     for (Eigen::Index j = 0; j < graded.grid.size(); ++j) {
-      const GradedPlace& place = graded.grid.nodes()[static_cast<std::size_t>(j)];
-      if (std::abs(place.offset) < too_near || graded.near_end(place.x(), last_ones)) continue;
+      if (graded.near_end(graded.grid.nodes()[static_cast<std::size_t>(j)].x(), last_ones)) continue;
       worst = std::max(worst, -graded.pressure(j) / s_.peak_pressure);
       if (sheared())
         worst = std::max(worst, (std::abs(graded.shear(j)) - law_.bound(graded.pressure(j))) / shear_scale);

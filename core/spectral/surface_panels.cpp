@@ -20,9 +20,9 @@ namespace {
 
 /// From the contact, in half-lengths, where forces at points stand for the tractions.
 constexpr double distance_of_points = 2;
-/// Panels' width at the ends of zones whose tractions have any exponents, in half-lengths.
-constexpr double smallest_graded = 1e-6, graded_narrowing = 0.16;
-constexpr int graded_parts = 8;  // of the contact, otherwise
+/// By how much panels narrow towards the ends of zones whose tractions have any exponents, and their number otherwise.
+constexpr double graded_narrowing = 0.16;
+constexpr int graded_parts = 8;
 
 /// Chebyshev-Lobatto nodes s_k = cos(pi k/last) with everything a panel needs.
 struct PanelRule {
@@ -143,7 +143,7 @@ std::vector<double> panel_borders(const SpectralProblem& problem, const Spectral
   double shortest = half;
   for (const double length : problem.relaxation_length) shortest = std::min(shortest, length);
   if (state.graded)  // where exponents are no halves
-    shortest = std::min(shortest, std::max(smallest_graded * half, state.graded->nearest_judged()));
+    shortest = std::min(shortest, state.graded->nearest_judged());
   const double narrowing = state.graded ? graded_narrowing : 0.25;
   for (const double end : ends)
     for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= narrowing)
