@@ -6,6 +6,7 @@
 
 #include "core/influence/passage_kernel.hpp"
 #include "core/numerics/recently_made.hpp"
+#include "core/surface/deep_response.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
 
@@ -37,6 +38,16 @@ struct NearSpectra {
     if (medium.empty()) return;
     MediumLayer top = medium.front();
     top.thickness = INFINITY;
+    // A few materials' terms are exact; of many, and near the speed of Rayleigh waves, fewer times stand for all.
+    if (constexpr std::size_t few = 8; wave_speed > 0 && top.material.terms.size() <= few)
+      if (const std::vector<HalfSpaceTerm> terms = half_space_terms(top, wave_speed); !terms.empty()) {
+        for (const HalfSpaceTerm& term : terms)
+          add({term.length / wave_speed,
+               {.normal = term.compliances(0), .longitudinal = term.compliances(1), .cross = term.compliances(2)},
+               {}},
+              cross_sign);
+        return;
+      }
     const MediumExpansion expansion({top}, wave_speed);
     for (const MediumTerm& term : expansion.terms()) add(term, cross_sign);
     error = std::max(error, expansion.error());

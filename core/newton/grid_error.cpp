@@ -110,11 +110,21 @@ void warn_of_memory(const GridError& error, RollingSolution& solution) {
 
 }  // namespace
 
-double expected_change(double last, double before) { return std::fmax(last, 0.2 * before); }
+double expected_change(int dimension, double last, double before) {
+  if (dimension == 3) return std::fmax(last, 0.2 * before);
+  constexpr double part = 0.15;
+  if (std::isnan(last)) return part * before;
+  return std::isnan(before) ? last : std::hypot(last, part * before);
+}
 
-double expected_change(double last, double before, double missing) {
+double expected_change(int dimension, double last, double before, const ContactPowers& powers) {
+  const double missing = powers.missing();
   if (std::isnan(last)) return 5 * missing;
-  return std::isnan(before) ? std::max(2 * last, 0.5 * missing) : expected_change(last, before);
+  if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
+  const double expected = expected_change(dimension, last, before);
+  if (dimension == 3) return expected;
+  const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
+  return 0.6 * (1 + 2 * std::sqrt(friction)) * std::hypot(expected, 0.75 * missing);
 }
 
 double GridError::estimate(double resistance, double change) const {

@@ -22,13 +22,14 @@ struct GridError {
   double estimate(double resistance, double change) const;
 };
 
-/// What finer grids may still change in a resistance [N]: what the last halving of the spacing changed, or a fifth of
+/// What finer grids may still change in a resistance [N]: what the last halving of the spacing changed, with a part of
 /// what was expected before it, as one change may be small by chance (the contact's edges move by whole cells). Either
-/// is NaN where there was none. Calibrated on random scenes (`rollres accuracy --random`).
-double expected_change(double last, double before);
+/// is NaN where there was none. Calibrated on random scenes (`rollres accuracy --random`), cylinders and spheres apart.
+double expected_change(int dimension, double last, double before);
 
-/// The same at the end, where one or two grids alone tell less than how much resultants and losses differ (N15).
-double expected_change(double last, double before, double missing);
+/// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
+/// friction takes falls with the spacing, the viscous loss faster.
+double expected_change(int dimension, double last, double before, const ContactPowers& powers);
 
 /// @param pressure on the problem's (half) grid [Pa]
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone);

@@ -127,7 +127,8 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
-  return error.estimate(resistance, expected_change(last, change_before, finest.powers.missing())) +
+  const int dimension = dimensions(finest.problem->scene);
+  return error.estimate(resistance, expected_change(dimension, last, change_before, finest.powers)) +
          rounding * finest.powers.halves;
 }
 
@@ -188,7 +189,8 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     if (nested.status == Status::converged && !next.outcome.converged) return nested;
     nested.status = Status::not_converged;
     const double resistance = solved ? level.powers.resistance() : RollingSolution::absent;
-    nested.change_before = expected_change(std::abs(nested.coarser_resistance - resistance), nested.change_before);
+    nested.change_before =
+        expected_change(dimensions(scene), std::abs(nested.coarser_resistance - resistance), nested.change_before);
     nested.coarser_resistance = resistance;
     nested.finest = std::move(next);
   }

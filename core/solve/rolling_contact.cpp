@@ -19,6 +19,7 @@
 #include "core/paper_method/active_set.hpp"
 #include "core/scene/indenter_shape.hpp"
 #include "core/solve/model_choice.hpp"
+#include "core/solve/torque_limit.hpp"
 #include "core/spectral/spectral_contact.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
@@ -182,7 +183,7 @@ RollingSolution solve_paper(const RollingScene& scene) {
                             ? std::abs(coarser.rolling_resistance - solution.rolling_resistance)
                             : RollingSolution::absent;
   take_slow_rolling(scene, error, powers, solution);
-  const double to_come = expected_change(change, RollingSolution::absent, powers.missing());
+  const double to_come = expected_change(dimensions(scene), change, RollingSolution::absent, powers);
   set_error(error.estimate(solution.rolling_resistance, to_come), solution);
   return solution;
 }
@@ -276,6 +277,13 @@ void add_error(double error, RollingSolution& solution) {
   solution.rolling_resistance_error += error * std::abs(solution.rolling_resistance);
 }
 
+/// What the expansion of memories in fixed times, on grids of composite surfaces, changes R_r by at most [1].
+double expansion_share(const RollingScene& scene, const RollingSolution& solution) {
+  constexpr double amplified = 3;  // phases, of which R_r is made, are worse than compliances
+  if (!is_composite(scene) || scene.period || !on_grid(solution.method)) return 0;
+  return amplified * expansion_error(scene);
+}
+
 /// Adds to a method's answer what does not depend on the method.
 RollingSolution solve_in_flow(const RollingScene& given) {
   const ModelChoice choice = choose_model(given);
@@ -283,6 +291,7 @@ RollingSolution solve_in_flow(const RollingScene& given) {
   model.tolerance = given.tolerance;
   RollingSolution solution;
   std::string refused = unanswered_inertia(model);
+  if (refused.empty()) refused = unbearable_torque(model);
   if (refused.empty()) {
     solution = solve_by_method(choice.scene);
     if (solution.status == Status::converged) refused = unanswered_inertia(model, solution);
@@ -308,7 +317,7 @@ RollingSolution solve_in_flow(const RollingScene& given) {
     const std::string note = std::move(solution.model);
     solution.model = model_of(choice.scene, solution) + note;
     for (const std::string& decision : choice.decisions) solution.model += "; " + decision;
-    add_error(choice.left_out, solution);
+    add_error(choice.left_out + expansion_share(choice.scene, solution), solution);
     const double half_width = 0.5 * (solution.leading_edge - solution.trailing_edge);
     if (const double error = spectrum_error(choice.scene, half_width); error > 0) {
       add_error(error, solution);

@@ -37,6 +37,14 @@ GradedStencil lagrange(double at, Index least, Index most) {
 
 }  // namespace
 
+GradedPlaces::GradedPlaces(const std::vector<GradedPlace>& places)
+    : base(static_cast<Index>(places.size())), offset(static_cast<Index>(places.size())) {
+  for (Index i = 0; i < base.size(); ++i) {
+    base(i) = places[static_cast<std::size_t>(i)].base;
+    offset(i) = places[static_cast<std::size_t>(i)].offset;
+  }
+}
+
 GradedPlace GradedZone::place(double s) const {
   const double small = std::exp(-std::abs(s)), distance = (interval.to - interval.from) * small / (1 + small);
   return s < 0 ? GradedPlace{interval.from, distance} : GradedPlace{interval.to, -distance};
@@ -68,6 +76,11 @@ GradedGrid::GradedGrid(const SlipPattern& pattern, const SpectralEdges& edges, i
   if (pattern.slips.empty() || pattern.slips.back() != 0)
     add(at, contact.to, false, pattern.slips.empty() ? 0 : pattern.slips.back());
 
+  const auto add_source = [&](const GradedPlace& place, double weight, Index node) {
+    sources_.places.push_back(place);
+    sources_.weights.push_back(weight);
+    sources_.nodes.push_back(node);
+  };
   // The rule's error e^{-2 pi^2/step} and what the last nodes leave out, length^1.5, as one.
   const double step = std::sqrt(4 * M_PI * M_PI / 1.5 / std::max(order, 4));
   const double reach = 2 * M_PI * M_PI / 1.5 / step;
@@ -88,7 +101,7 @@ GradedGrid::GradedGrid(const SlipPattern& pattern, const SpectralEdges& edges, i
       const double s = -zone.reach + static_cast<double>(j) * zone.step;
       nodes_.push_back(zone.place(s));
       zone_of_.push_back(z);
-      sources_.push_back({zone.place(s), zone.step * zone.rate(s), zone.first + j});
+      add_source(zone.place(s), zone.step * zone.rate(s), zone.first + j);
       if (j + 1 < zone.count) middles_.push_back(zone.place(s + 0.5 * zone.step));
     }
     if (z + 1 == zones_.size()) middles_.push_back(zone.place(zone.reach + 0.5 * zone.step));
@@ -100,13 +113,13 @@ GradedGrid::GradedGrid(const SlipPattern& pattern, const SpectralEdges& edges, i
       for (int k = 1; k <= continued; ++k) {
         const double s = side * (zone.reach + k * zone.step);
         const double falls = edge ? std::exp(-0.5 * k * zone.step) : 1;  // like the root of the distance
-        sources_.push_back(
-            {zone.place(s), falls * zone.step * zone.rate(s), side < 0 ? zone.first : zone.first + zone.count - 1});
+        add_source(zone.place(s), falls * zone.step * zone.rate(s),
+                   side < 0 ? zone.first : zone.first + zone.count - 1);
       }
     }
   }
   weight_ = Eigen::VectorXd::Zero(static_cast<Index>(nodes_.size()));
-  for (const GradedSource& source : sources_) weight_(source.node) += source.weight;
+  for (std::size_t k = 0; k < sources_.size(); ++k) weight_(sources_.nodes[k]) += sources_.weights[k];
 }
 
 bool GradedGrid::is_border(Index middle) const {

@@ -20,6 +20,15 @@ struct GradedPlace {
   double less(const GradedPlace& other) const { return (base - other.base) + (offset - other.offset); }
 };
 
+/// Many of them.
+struct GradedPlaces {
+  Eigen::ArrayXd base, offset;
+
+  explicit GradedPlaces(const std::vector<GradedPlace>& places);
+  Eigen::ArrayXd x() const { return base + offset; }
+  Eigen::ArrayXd less(const GradedPlace& other) const { return (base - other.base) + (offset - other.offset); }
+};
+
 struct GradedZone {
   Interval interval;
   bool stick;
@@ -39,11 +48,13 @@ struct GradedStencil {
   Eigen::VectorXd weights;
 };
 
-/// A force per value of a node: the node's own, and those that continue it to the end of the zone.
-struct GradedSource {
-  GradedPlace place;
-  double weight;  // [m]
-  Eigen::Index node;
+/// Forces per value of a node: the nodes' own first, then those that continue them to the ends of zones.
+struct GradedSources {
+  std::vector<GradedPlace> places;
+  std::vector<double> weights;  // [m]
+  std::vector<Eigen::Index> nodes;
+
+  std::size_t size() const { return places.size(); }
 };
 
 class GradedGrid {
@@ -53,12 +64,12 @@ class GradedGrid {
   const std::vector<GradedZone>& zones() const { return zones_; }
   Eigen::Index size() const { return weight_.size(); }
   const std::vector<GradedPlace>& nodes() const { return nodes_; }
-  const std::vector<GradedSource>& sources() const { return sources_; }
+  const GradedSources& sources() const { return sources_; }
   const Eigen::VectorXd& weight() const { return weight_; }  // of all sources of a node [m]
   std::size_t zone_of(Eigen::Index node) const { return zone_of_[static_cast<std::size_t>(node)]; }
 
   /// Half-way before each node, and after the last: size() + 1 places; between two zones the border.
-  const std::vector<GradedPlace>& middles() const { return middles_; }
+  GradedPlaces middles() const { return GradedPlaces(middles_); }
   bool is_border(Eigen::Index middle) const;
   /// Values at a middle from those at the nodes.
   GradedStencil at_middle(Eigen::Index middle) const;
@@ -73,7 +84,7 @@ class GradedGrid {
  private:
   std::vector<GradedZone> zones_;
   std::vector<GradedPlace> nodes_, middles_;
-  std::vector<GradedSource> sources_;
+  GradedSources sources_;
   std::vector<std::size_t> zone_of_;
   Eigen::VectorXd weight_;
 };

@@ -17,8 +17,10 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// Steps between a place and a node over which the rule is mended for logarithm and jump, and how it fades.
+/// Steps between a place and a node over which the rule is mended for logarithm and jump, how it fades, and from where
+/// on there is nothing left of it.
 constexpr double mended = 10, fading = 3;
+constexpr Index mended_at_all = 26;
 
 /// What the rule of even steps makes of ln|s| and of the jump at s = 0, against their integrals over the functions that
 /// the nodes resolve, at a distance in steps: sources ahead of the place have a positive one.
@@ -34,13 +36,13 @@ Mend mend(double distance) {
 }
 
 /// The same at odd halves.
-const Mend& mend_at_half(Index steps) {  // distance steps + 1/2 >= 0
+const Mend& mend_at_half(Index steps) {  // distance steps + 1/2 >= 0, less than mended_at_all
   static const std::vector<Mend> table = [] {
     std::vector<Mend> values;
-    for (int k = 0; k < 40; ++k) values.push_back(mend(k + 0.5));
+    for (Index k = 0; k < mended_at_all; ++k) values.push_back(mend(static_cast<double>(k) + 0.5));
     return values;
   }();
-  return table[static_cast<std::size_t>(std::min<Index>(steps, 39))];
+  return table[static_cast<std::size_t>(steps)];
 }
 
 class GradedSystem : private ZonedSystem {
@@ -49,7 +51,9 @@ class GradedSystem : private ZonedSystem {
                const SpectralOrders& orders)
       : ZonedSystem(problem, pattern, edges),
         deep_(*problem.deep),
-        grid_(pattern, edges, orders.contact),
+        order_(orders.contact),
+        grid_(pattern, edges, order_),
+        middles_(grid_.middles()),
         n_(grid_.size()) {
     std::vector<Index> counts;
     for (const GradedZone& zone : grid_.zones()) {
@@ -60,12 +64,13 @@ class GradedSystem : private ZonedSystem {
     place_unknowns(n_, counts);
     x_.resize(n_);
     for (Index j = 0; j < n_; ++j) x_(j) = grid_.nodes()[static_cast<std::size_t>(j)].x();
-    shear_of_ = MatrixXd::Zero(n_, size_);
-    for (const GradedZone& zone : grid_.zones())
-      if (!zone.stick)
-        for (Index j = zone.first; j < zone.first + zone.count; ++j) shear_of_(j, j) = friction_ * zone.direction;
-    for (std::size_t z = 0; z < sticks_.size(); ++z)
-      for (Index j = 0; j < sticks_[z].count; ++j) shear_of_(stick_zones_[z]->first + j, sticks_[z].first + j) = 1;
+    std::size_t stick = 0;
+    for (const GradedZone& zone : grid_.zones()) {
+      for (Index j = 0; j < zone.count; ++j)
+        shear_from_.push_back(zone.stick ? ShearFrom{sticks_[stick].first + j, 1}
+                                         : ShearFrom{zone.first + j, friction_ * zone.direction});
+      if (zone.stick) ++stick;
+    }
   }
 
   SpectralState solve() {
@@ -75,7 +80,8 @@ class GradedSystem : private ZonedSystem {
     if (!sticks_.empty()) drive();
     solution_ = SquareSystem(matrix_).solve(right_);
     pressure_ = solution_.head(n_);
-    shear_ = shear_of_ * solution_;
+    shear_.resize(n_);
+    for (Index j = 0; j < n_; ++j) shear_(j) = shear_from(j).factor * solution_(shear_from(j).unknown);
     SpectralState state = ZonedSystem::state(approach());
     state.sources = x_;
     state.pressure_forces = grid_.weight().cwiseProduct(pressure_);
@@ -92,10 +98,9 @@ class GradedSystem : private ZonedSystem {
   void measure_slopes() {
     const Index rows = n_ + 1;
     MatrixXd poles = MatrixXd::Zero(rows, n_);
-    const auto& middles = grid_.middles();
-    for (const GradedSource& source : grid_.sources())
-      for (Index i = 0; i < rows; ++i)
-        poles(i, source.node) += source.weight / middles[static_cast<std::size_t>(i)].less(source.place);
+    const GradedSources& sources = grid_.sources();
+    for (std::size_t k = 0; k < sources.size(); ++k)
+      poles.col(sources.nodes[k]).array() += sources.weights[k] / middles_.less(sources.places[k]);
     MatrixXd values = MatrixXd::Zero(rows, n_);
     for (Index i = 0; i < rows; ++i) {
       const GradedStencil stencil = grid_.at_middle(i);
@@ -111,24 +116,24 @@ class GradedSystem : private ZonedSystem {
   }
 
   void measure_retarded() {
-    const auto& middles = grid_.middles();
-    for (Index j = 0; j < n_; ++j)
-      for (Index i = 0; i <= n_; ++i) {
-        const double x = middles[static_cast<std::size_t>(i)].less(grid_.nodes()[static_cast<std::size_t>(j)]);
-        LayerSlopes k = deep_.slope(x) * grid_.weight()(j);
-        // In one zone the sum passes the logarithm and the jump.
-        const GradedZone& zone = grid_.zones()[grid_.zone_of(j)];
-        if (i > zone.first && i < zone.first + zone.count && std::abs(2 * (j - i) + 1) < 60) {
-          const double rate = zone.step * zone.rate(static_cast<double>(j - zone.first) * zone.step - zone.reach);
-          const Mend& m = mend_at_half(j >= i ? j - i : i - j - 1);
-          const Eigen::Array3d growing = rate * deep_.growing(x);
-          k.head<2>() += m.logarithm / (2 * M_PI) * growing.head<2>();
-          k(layer_slope::cross) -= (j >= i ? m.jump : -m.jump) * growing(2);
-        }
-        retarded_normal_(i, j) = k(layer_slope::normal);
-        retarded_along_(i, j) = k(layer_slope::tangential);
-        retarded_cross_(i, j) = k(layer_slope::cross);
+    for (Index j = 0; j < n_; ++j) {
+      const Eigen::ArrayXd x = middles_.less(grid_.nodes()[static_cast<std::size_t>(j)]);
+      Eigen::ArrayX3d k = grid_.weight()(j) * deep_.slopes(x);
+      // In one zone the sum passes the logarithm and the jump.
+      const GradedZone& zone = grid_.zones()[grid_.zone_of(j)];
+      const double rate = zone.step * zone.rate(static_cast<double>(j - zone.first) * zone.step - zone.reach);
+      const Index first = std::max(zone.first + 1, j + 1 - mended_at_all),
+                  end = std::min(zone.first + zone.count, j + 1 + mended_at_all);
+      const Eigen::ArrayX3d growing = rate * deep_.growing(Eigen::ArrayXd(x.segment(first, end - first)));
+      for (Index i = first; i < end; ++i) {
+        const Mend& m = mend_at_half(j >= i ? j - i : i - j - 1);
+        k.row(i).head<2>() += m.logarithm / (2 * M_PI) * growing.row(i - first).head<2>();
+        k(i, 2) -= (j >= i ? m.jump : -m.jump) * growing(i - first, 2);
       }
+      retarded_normal_.col(j) = k.col(0);
+      retarded_along_.col(j) = k.col(1);
+      retarded_cross_.col(j) = k.col(2);
+    }
   }
 
   /// Smooth corrections: between Chebyshev points of the contact where these are fewer.
@@ -136,9 +141,9 @@ class GradedSystem : private ZonedSystem {
     const Interval& contact = edges_.contact;
     const double distance = 2 * problem_.correction->depth() / contact.half_length();
     const double rate = std::log(distance + std::sqrt(distance * distance + 1));
-    const auto order = static_cast<Index>(std::min(8 + 32 / rate, 400.0));
-    VectorXd middles(n_ + 1);
-    for (Index i = 0; i <= n_; ++i) middles(i) = grid_.middles()[static_cast<std::size_t>(i)].x();
+    // To a hundredth of what the graded points resolve.
+    const auto order = static_cast<Index>(std::min(8 - std::log(0.01 * graded_tail(order_)) / rate, 400.0));
+    const VectorXd middles = middles_.x();
     if (order >= n_) return add_layers(MatrixXd::Identity(n_ + 1, n_ + 1), middles, x_, MatrixXd::Identity(n_, n_));
     const ChebyshevFit& fit = chebyshev_fit(static_cast<int>(order));
     const VectorXd points = contact.centre() + contact.half_length() * fit.nodes.array();
@@ -167,10 +172,18 @@ class GradedSystem : private ZonedSystem {
     cross_ -= to * cross * forces;
   }
 
-  VectorXd middles(Index first, Index count) const {
-    VectorXd x(count);
-    for (Index i = 0; i < count; ++i) x(i) = grid_.middles()[static_cast<std::size_t>(first + i)].x();
-    return x;
+  VectorXd middles(Index first, Index count) const { return middles_.x().segment(first, count); }
+
+  /// The unknown that the shear at a node is, or of which it is a part.
+  struct ShearFrom {
+    Index unknown;
+    double factor;
+  };
+  const ShearFrom& shear_from(Index node) const { return shear_from_[static_cast<std::size_t>(node)]; }
+  /// Adds columns by the shear at nodes to those by unknowns.
+  template <class Rows, class ByNode>
+  void add_by_shear(const ByNode& by_node, Rows&& rows) const {
+    for (Index j = 0; j < n_; ++j) rows.col(shear_from(j).unknown) += shear_from(j).factor * by_node.col(j);
   }
 
   MatrixXd exponentials(const VectorXd& x, double to) const {
@@ -195,9 +208,9 @@ class GradedSystem : private ZonedSystem {
       }
       if (of_w) {
         means.row(m).head(n_) += direct;
-        if (pattern_.shear) means.row(m) += crossed * shear_of_;
+        if (pattern_.shear) add_by_shear(crossed, means.row(m));
       } else {
-        means.row(m) += direct * shear_of_;
+        add_by_shear(direct, means.row(m));
         means.row(m).head(n_) += crossed;
       }
     }
@@ -207,7 +220,7 @@ class GradedSystem : private ZonedSystem {
   void collocate_normal() {
     const VectorXd x = middles(0, n_ + 1);
     matrix_.topLeftCorner(n_ + 1, n_) += normal_;
-    if (pattern_.shear) matrix_.topRows(n_ + 1) += cross_ * shear_of_;
+    if (pattern_.shear) add_by_shear(cross_, matrix_.topRows(n_ + 1));
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
     matrix_.block(0, amplitude_, n_ + 1, terms_) -= exponentials(x, edges_.contact.to);
     prescribe_contact(x);
@@ -221,7 +234,7 @@ class GradedSystem : private ZonedSystem {
     const Index rows = stick.count + 1, first = stick_zones_[z]->first;
     const VectorXd x = middles(first, rows);
     auto block = matrix_.middleRows(stick.first, rows);
-    block += along_.middleRows(first, rows) * shear_of_;
+    add_by_shear(along_.middleRows(first, rows), block);
     block.leftCols(n_) += cross_.middleRows(first, rows);
     block.col(stick.slack()).setOnes();
     block.middleCols(stick.amplitude(), terms_) -= exponentials(x, stick.interval.to);
@@ -236,7 +249,8 @@ class GradedSystem : private ZonedSystem {
       of_pressure(j) = at.of_pressure * grid_.weight()(j);
       of_shear(j) = at.of_shear_x * grid_.weight()(j);
     }
-    RowVectorXd row = of_shear * shear_of_;
+    RowVectorXd row = RowVectorXd::Zero(size_);
+    add_by_shear(of_shear, row);
     row.head(n_) += of_pressure;
     return row;
   }
@@ -258,12 +272,15 @@ class GradedSystem : private ZonedSystem {
     const double bound = friction_ * slip.direction;
     const double power = 0.5 + std::atan(2 * deep_.cross() * bound / deep_.normal()) / M_PI;
     const double scale = std::min(stick.interval.to - stick.interval.from, slip.interval.to - slip.interval.from);
-    constexpr int fitted = 3;
+    // Ever farther from the end: what the powers leave is the product of all distances.
+    constexpr int many = 30;  // points, from which on the nearer ones are as good
+    const int fitted = order_ < many ? 3 : 5;
+    const double nearest = order_ < many ? 7 : 8.5, apart = order_ < many ? 2 : 1.5;
     MatrixXd powers(fitted, fitted);
     VectorXd roots(fitted);
     Index node = stick.first + stick.count - 1;
     for (int k = 0; k < fitted; ++k) {
-      const double wanted = std::exp(2.0 * k - 7);
+      const double wanted = std::exp(apart * k - nearest);
       const auto distance = [&] { return -grid_.nodes()[static_cast<std::size_t>(node)].offset / scale; };
       while (node > stick.first + fitted - k && distance() < wanted) --node;
       double power_of_distance = 1;
@@ -276,11 +293,13 @@ class GradedSystem : private ZonedSystem {
   }
 
   const DeepResponse& deep_;
+  int order_;
   GradedGrid grid_;
+  GradedPlaces middles_;
   Index n_;
   std::vector<const GradedZone*> stick_zones_;
   VectorXd x_, pressure_, shear_;                               // at nodes
-  MatrixXd shear_of_;                                           // shear at nodes by unknown
+  std::vector<ShearFrom> shear_from_;                           // by node
   MatrixXd normal_, along_, cross_;                             // slopes at middles by values at nodes
   MatrixXd retarded_normal_, retarded_along_, retarded_cross_;  // kernels of the retarded parts alone
 };
@@ -298,6 +317,19 @@ bool has_zones(const SlipPattern& pattern, const SpectralEdges& edges) {
 
 }  // namespace
 
+GradedTractions::GradedTractions(const GradedGrid& of_grid, const VectorXd& of_pressure, const VectorXd& of_shear,
+                                 const VectorXd& by_w, const VectorXd& by_u)
+    : grid(of_grid), pressure(of_pressure), shear(of_shear), retarded_w(by_w), retarded_u(by_u) {
+  const GradedSources& sources = grid.sources();
+  source_x = GradedPlaces(sources.places).x();
+  source_pressure.resize(source_x.size());
+  source_shear.resize(source_x.size());
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    source_pressure(static_cast<Index>(k)) = sources.weights[k] * pressure(sources.nodes[k]);
+    source_shear(static_cast<Index>(k)) = sources.weights[k] * shear(sources.nodes[k]);
+  }
+}
+
 double GradedTractions::value_at(const VectorXd& values, double x) const {
   const GradedZone* zone = grid.zone_at(x);
   if (!zone) return 0;
@@ -305,9 +337,22 @@ double GradedTractions::value_at(const VectorXd& values, double x) const {
   return stencil.weights.dot(values.segment(stencil.first, stencil.weights.size()));
 }
 
+double GradedTractions::half_length() const {
+  return 0.5 * (grid.zones().back().interval.to - grid.zones().front().interval.from);
+}
+
+double GradedTractions::nearest_judged() const {
+  double nearest = INFINITY;
+  for (const GradedZone& zone : grid.zones())
+    nearest = std::min(nearest, std::abs(zone.place(zone.reach - judged_from).offset));
+  return std::max(nearest, too_near * half_length());
+}
+
 bool GradedTractions::near_end(double x, double nearest) const {
   const GradedZone* zone = grid.zone_at(x);
-  return zone && std::abs(zone->parameter(x)) > zone->reach - nearest;
+  if (!zone) return false;
+  if (std::min(x - zone->interval.from, zone->interval.to - x) < too_near * half_length()) return true;
+  return std::abs(zone->parameter(x)) > zone->reach - nearest;
 }
 
 Eigen::Array2d GradedTractions::near_slopes(const SpectralProblem& problem, double x) const {
@@ -326,18 +371,16 @@ Eigen::Array2d GradedTractions::slopes_between_nodes(const SpectralProblem& prob
                                                      double x) const {
   const DeepResponse& deep = *problem.deep;
   Eigen::Array2d slopes = Eigen::Array2d::Zero();
-  for (const GradedSource& source : grid.sources()) {
-    const double pole = source.weight / (x - source.place.x());
-    slopes += pole * Eigen::Array2d(deep.normal() * pressure(source.node), -deep.along() * shear(source.node));
-  }
-  slopes /= 2 * M_PI;
+  const Eigen::ArrayXd poles = (x - source_x).inverse() / (2 * M_PI);
+  slopes << deep.normal() * (poles * source_pressure).sum(), -deep.along() * (poles * source_shear).sum();
   if (!zone) {
-    if (deep.remembers())
-      for (Index j = 0; j < grid.size(); ++j) {
-        const LayerSlopes k = deep.slope(x - grid.nodes()[static_cast<std::size_t>(j)].x()) * grid.weight()(j);
-        slopes += Eigen::Array2d(-k(layer_slope::normal) * pressure(j) - k(layer_slope::cross) * shear(j),
-                                 k(layer_slope::tangential) * shear(j) - k(layer_slope::cross) * pressure(j));
-      }
+    if (deep.remembers()) {
+      const Index n = grid.size();  // the nodes' own are the first
+      const Eigen::ArrayX3d k = deep.slopes(x - source_x.head(n)).colwise() * grid.weight().array();
+      const auto p = pressure.array(), q = shear.array();
+      slopes +=
+          Eigen::Array2d(-(k.col(0) * p).sum() - (k.col(2) * q).sum(), (k.col(1) * q).sum() - (k.col(2) * p).sum());
+    }
     return slopes;
   }
   // Between nodes the rule misses a principal value by a cotangent (S32).

@@ -1,6 +1,7 @@
 #include "core/spectral/spectral_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -28,9 +29,15 @@ constexpr double wrong_pattern = 1e-7;        // violation of an inequality that
 constexpr double plainly_wrong = 0.01;        // the same, seen at once
 /// Memories with inertia, in half-widths: logarithms beside shorter ones are not resolved.
 constexpr double shortest_with_inertia = 0.1;
-constexpr int most_mended = 4;        // patterns that follow from one another
-constexpr int most_stays = 3;         // checks of all laws that find no smaller violation
-constexpr double slowest_fall = 0.9;  // of the last coefficients, from one order to the next
+/// Orders of graded points at which edges are found and patterns refuted for little work, residuals and evaluations.
+constexpr std::array<int, 2> sketch_orders{14, 22};
+constexpr double sketch_residual = 1e-7;
+constexpr int most_to_sketch = 30;
+constexpr int largest_first_order = 80;
+constexpr double fewest_unsketched = 31;  // coefficients, where zones are too short for these
+constexpr int most_mended = 4;            // patterns that follow from one another
+constexpr int most_stays = 3;             // checks of all laws that find no smaller violation
+constexpr double slowest_fall = 0.9;      // of the last coefficients, from one order to the next
 
 /// The error estimate (core/spectral/README.md, (S27)). The change from one order to the next, times how fast
 /// coefficients fall, is often too hopeful; the laws between the points are taken into account too. A
@@ -52,7 +59,7 @@ constexpr double graded_share = 4;
 double work_of(const SpectralProblem& problem, const SlipPattern& pattern, int order) {
   if (problem.graded(pattern.shear)) {
     const double nodes = order * (1 + 2.5 * static_cast<double>(pattern.sticks())) / 100;
-    return 2 * nodes * nodes * (nodes + 1);
+    return 0.6 * nodes * nodes * (nodes + 1);
   }
   const double unknowns = order * (1 + static_cast<double>(pattern.sticks())) / 100;
   return (pattern.one_direction() ? 1.5 : 8) * unknowns * (unknowns + 0.5);
@@ -76,7 +83,7 @@ class SpectralContact {
   SpectralOutcome run() {
     if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
     if (problem_.inertia && !problem_.creep_length.empty() &&
-        problem_.creep_length.front() < shortest_with_inertia * estimate_contact(scene_).half_width)
+        problem_.creep_length.front() < shortest_with_inertia * problem_.half_width)
       return {{}, "inertia, and memories much shorter than the contact"};
     const std::optional<SpectralState> smooth = frictionless_start(problem_);
     if (!smooth) return {{}, "no contact found without friction"};
@@ -129,9 +136,22 @@ class SpectralContact {
     PatternStart next = *start;
     for (int mended = 0; mended < most_mended; ++mended) {
       if (refine(next.pattern, next.edges)) return true;
-      if (!last_ || !mend(next)) return false;
+      if (!last_ || !mend(next)) break;
     }
-    return false;
+    return !last_ && try_turned(*start);
+  }
+
+  /// Where a short slip at the trailing edge is about to turn round, the contact without friction tells its direction
+  /// wrongly.
+  bool try_turned(PatternStart start) {
+    constexpr double short_slip = 0.05, share = 0.0025;  // of the contact
+    const Interval& contact = start.edges.contact;
+    Interval& stick = start.edges.sticks.front();
+    if (start.pattern.slips.front() == 0 || stick.from - contact.from > short_slip * (contact.to - contact.from))
+      return false;
+    start.pattern.slips.front() *= -1;
+    stick.from = contact.from + share * (contact.to - contact.from);
+    return refine(start.pattern, start.edges);
   }
 
   /// The pattern that the last state's violations ask for: slip at the leading edge where the stick would be
@@ -146,6 +166,7 @@ class SpectralContact {
     }
     if (!last_->graded || !std::isfinite(reversed_) || pattern.slips.front() == 0) return false;
     const double behind = start.edges.contact.from, turn = 0.3 * (reversed_ - behind);
+    if (reversed_ + turn > start.edges.sticks.front().from) return false;  // all of it is, which a grid tells better
     pattern.slips.insert(pattern.slips.begin(), -pattern.slips.front());
     start.edges.sticks.insert(start.edges.sticks.begin(), {reversed_ - turn, reversed_ + turn});
     return true;
@@ -180,8 +201,18 @@ class SpectralContact {
     double coefficients = first_order(problem_, edges, graded ? tolerance_ : std::min(tolerance_, 1e-8), pattern.shear);
     double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
     double residual = std::min(1e-9, 0.01 * tolerance_);
+    double coming = 0;  // change to be expected
     int stays = 0;
-    bool done = false, checked = !costly && !graded;
+    bool only_sketched = true, done = false, checked = !costly && !graded;
+    if (graded) {
+      const Sketch sketch = sketched(search, pattern, edges, coefficients, most);
+      if (sketch.refuted) return false;
+      edges = sketch.edges;
+      coefficients = sketch.coefficients;
+      checked = sketch.lawful;
+      before = sketch.resistance;
+      tail_before = sketch.tail;
+    }
     while (coefficients <= most_coefficients) {
       require_time();
       const auto order = static_cast<int>(coefficients);
@@ -194,15 +225,12 @@ class SpectralContact {
       work_ += work * (search.evaluations() - used);
       if (!state) break;
       edges = state->edges;
-      const double resistance = state->driving_force + state->driving_torque * state->rotation_ratio / scene_.radius;
+      const double resistance = resistance_of(*state);
       const double tail = state->graded ? graded_tail(order) : relative_tail(*state);
-      // Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
-      const double lever = state->load * edges.contact.half_length() / scene_.radius;
-      const double scale = std::max(std::abs(resistance), 1e-6 * lever);
+      const double lever = lever_of(*state), scale = scale_of(*state);
       const double change = std::abs(resistance - before) / scale;
-      // Of graded points the changes may pass through zero.
-      const double expected =
-          graded && change_before < 1 ? std::max(change, change_before * tail / tail_before) : change;
+      // Of graded points the changes may pass through zero: then what the one before let expect counts.
+      const double expected = graded ? std::max(change, coming) : change;
       const double reachable = std::max(tolerance_, smallest_tolerance * lever / scale);
       double error = expected * std::min(1.0, tail / tail_before) +
                      (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
@@ -210,27 +238,26 @@ class SpectralContact {
       if (std::max(tail, tail_before) < rounded_tail) error = std::min(error, 10 * std::max(change, change_before));
       residual = std::clamp(0.01 * tolerance_ * scale / lever, smallest_residual, residual);
       const bool falling = tail < slowest_fall * tail_before;
+      if (std::isfinite(change)) coming = change * std::min(1.0, tail / tail_before);
+      // Edges from few graded points tell the first change only roughly.
+      const bool enough = graded ? !only_sketched && graded_caution() * error <= reachable : error <= reachable;
+      only_sketched = false;
       before = resistance;
       change_before = change;
       tail_before = tail;
       last_ = std::move(state);
-      if (error <= reachable || (!checked && error < 1e-4)) {
+      if (enough || (!checked && error < 1e-4)) {
         checked = true;
         work_ += work_of_check(problem_, pattern, order, edges.contact.half_length());
         AssessedSpectral assessed = assess(problem_, *last_);
         const double violation = assessed.violation;
         const double between = (last_->graded ? graded_field_error(order) : 0);
         const bool lawful = assessed.wrong_zone < std::max(wrong_pattern, between);
-        if (!lawful) {
-          reversed_ = assessed.reversed;
-          overloaded_ = assessed.overloaded;
-          overload_direction_ = assessed.overload_direction;
-        }
+        if (!lawful) take_over_wrongs(assessed);
         if (!lawful && (last_->graded || assessed.wrong_zone > plainly_wrong)) return false;
         // Of graded points the laws hold where they are imposed, and in between to what their number allows.
         const double imposed = last_->graded ? assessed.solution.law_violation : violation;
-        if (error <= reachable && lawful && imposed < largest_violation &&
-            violation < std::max(largest_violation, between)) {
+        if (enough && lawful && imposed < largest_violation && violation < std::max(largest_violation, between)) {
           const double relative = cautious(error, last_->graded ? 0 : violation, scene_.drive);
           assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
           assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
@@ -238,7 +265,7 @@ class SpectralContact {
           best_ = std::move(assessed);
           return true;
         }
-        if (error <= tolerance_) {
+        if (enough && error <= tolerance_) {
           if (done && !lawful) return false;
           done = true;
           residual =
@@ -251,9 +278,88 @@ class SpectralContact {
       } else if (costly && order >= 30 && !falling) {
         return false;
       }
-      coefficients = (graded ? 1.25 : 1.4) * coefficients + 2;
+      coefficients = next_order(coefficients, graded);
     }
     return false;
+  }
+
+  /// What few graded points tell of a pattern for little work.
+  struct Sketch {
+    SpectralEdges edges;
+    double coefficients;                                    // to go on with
+    double resistance = RollingSolution::absent, tail = 1;  // of the last order
+    bool lawful = false, refuted = false;
+  };
+  Sketch sketched(EdgeSearch& search, const SlipPattern& pattern, const SpectralEdges& start, double coefficients,
+                  double most) {
+    Sketch sketch{start, coefficients};
+    for (const int order : sketch_orders) {
+      if (sketch.coefficients <= order || sketch.lawful) break;
+      std::optional<SpectralState> state = edges_at(search, pattern, sketch.edges, order, most);
+      if (!state) {
+        sketch.coefficients = std::max(coefficients, fewest_unsketched);
+        break;
+      }
+      sketch.edges = state->edges;
+      sketch.resistance = resistance_of(*state);
+      sketch.tail = graded_tail(order);
+      const double part = std::min(scale_of(*state) / lever_of(*state), 1.0);
+      const double accuracy = std::max(tolerance_ * part / graded_caution(), smallest_tolerance);
+      sketch.coefficients =
+          std::clamp(graded_order(problem_, sketch.edges.contact, accuracy), order, largest_first_order);
+      last_ = std::move(state);
+      const AssessedSpectral assessed = assess(problem_, *last_);
+      const auto final_order = static_cast<int>(next_order(sketch.coefficients, true));
+      sketch.lawful = assessed.wrong_zone < graded_field_error(final_order);
+      sketch.refuted = assessed.wrong_zone > refuted_at(order);
+      if (!sketch.refuted) continue;
+      take_over_wrongs(assessed);
+      break;
+    }
+    return sketch;
+  }
+
+  /// Edges at a low order, and the search's slopes there; none if they are not found.
+  std::optional<SpectralState> edges_at(EdgeSearch& search, const SlipPattern& pattern, const SpectralEdges& start,
+                                        int order, double most) {
+    const int used = search.evaluations();
+    const double work = work_of(problem_, pattern, order);
+    const int affordable = std::min(most_to_sketch, static_cast<int>((most - work_) / work));
+    std::optional<SpectralState> state = search.find(start, {order, order}, sketch_residual, affordable);
+    if (state) search.sharpen(*state, {order, order});
+    const int spent = search.evaluations() - used;
+    evaluations_ += spent;
+    work_ += work * spent;
+    if (state) work_ += work_of_check(problem_, pattern, order, state->edges.contact.half_length());
+    return state;
+  }
+
+  /// Of a tolerance that is asked for, over what the last change lets expect of graded points.
+  double graded_caution() const { return scene_.tolerance ? 2 : 1; }
+
+  void take_over_wrongs(const AssessedSpectral& assessed) {
+    reversed_ = assessed.reversed;
+    overloaded_ = assessed.overloaded;
+    overload_direction_ = assessed.overload_direction;
+  }
+
+  static double next_order(double coefficients, bool graded) { return (graded ? 1.25 : 1.4) * coefficients + 2; }
+  /// Violation of an inequality at an order of few graded points that refutes the pattern.
+  double refuted_at(int order) const {
+    constexpr double times_field_error = 1.5, usual_friction = 0.2;  // of right patterns less, on random scenes
+    if (order == sketch_orders.front()) return INFINITY;
+    return times_field_error * graded_field_error(order) * std::max(1.0, usual_friction / scene_.friction_coefficient);
+  }
+
+  double resistance_of(const SpectralState& state) const {
+    return state.driving_force + state.driving_torque * state.rotation_ratio / scene_.radius;
+  }
+  /// Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
+  double lever_of(const SpectralState& state) const {
+    return state.load * state.edges.contact.half_length() / scene_.radius;
+  }
+  double scale_of(const SpectralState& state) const {
+    return std::max(std::abs(resistance_of(state)), 1e-6 * lever_of(state));
   }
 
   static double relative_tail(const SpectralState& state) {

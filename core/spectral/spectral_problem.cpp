@@ -68,8 +68,8 @@ bool single_incompressible(const RollingScene& scene) { return !is_composite(sce
 
 }  // namespace
 
-SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double half_width)
-    : scene(given), shape(given) {
+SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double rough_half_width)
+    : scene(given), shape(given), half_width(rough_half_width) {
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const TidySpectrum tidy =

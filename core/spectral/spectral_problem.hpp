@@ -24,6 +24,7 @@ struct SpectralProblem {
 
   RollingScene scene;
   IndenterShape shape;
+  double half_width;                                          // the rough one [m]
   double glassy, rubbery;                                     // G_inf, G0 [Pa]
   double left_out;                                            // loss of the memories that count as elastic [1]
   double rubbery_compliance;                                  // J_inf + sum C [1/Pa]

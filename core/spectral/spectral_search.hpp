@@ -20,6 +20,9 @@ class EdgeSearch {
   std::optional<SpectralState> find(const SpectralEdges& start, const SpectralOrders& orders, double tolerance,
                                     int most_evaluations = 400);
 
+  /// Slopes anew where the search ended: at a low order they cost little, and at higher ones they are nearly the same.
+  void sharpen(const SpectralState& state, const SpectralOrders& orders);
+
   int evaluations() const { return evaluations_; }
 
  private:

@@ -167,7 +167,7 @@ class SpectralAssessment {
   }
 
   /// Where the laws are imposed: at the middles by a linear system, of which the residuals are left, and at nodes but
-  /// for the last ones at the ends of zones (section 9).
+  /// for the last ones at the ends of zones, and those nearer to them than any force could tell (section 9).
   double violated_at_nodes(double shear_scale) const {
     const GradedTractions& graded = *state_.graded;
     constexpr double last_ones = 6;  // in s

@@ -14,12 +14,23 @@ namespace {
 
 constexpr std::size_t most_sticks = 3;
 
+/// Half the width of the strip in which graded points' functions are analytic, over that without layers.
+double free_strip(const SpectralProblem& problem, const Interval& contact) {
+  return problem.layered() ? 2 / M_PI * std::atan(2 * problem.correction->depth() / contact.half_length()) : 1;
+}
+
 }  // namespace
+
+int graded_order(const SpectralProblem& problem, const Interval& contact, double accuracy) {
+  constexpr double coupled = 0.01;  // from where on pressure and shear have other exponents than roots
+  const double factor = std::abs(problem.deep->cross()) < coupled ? 3 : 6;
+  const double order = std::pow(factor - std::log(accuracy), 2) / (1.5 * M_PI * M_PI * free_strip(problem, contact));
+  return static_cast<int>(order / 1.25 - 2);
+}
 
 int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance, bool shear) {
   if (problem.graded(shear)) {
-    const double strip =
-        problem.layered() ? 2 / M_PI * std::atan(2 * problem.correction->depth() / edges.contact.half_length()) : 1;
+    const double strip = free_strip(problem, edges.contact);
     return std::clamp(static_cast<int>(std::pow(4.6 - std::log(tolerance), 2) / (1.5 * M_PI * M_PI * strip)), 6, 80);
   }
   // The corrections are singular at twice their depth from the surface: coefficients fall like rate^{-n}.
@@ -29,7 +40,7 @@ int first_order(const SpectralProblem& problem, const SpectralEdges& edges, doub
 }
 
 std::optional<SpectralState> frictionless_start(const SpectralProblem& problem) {
-  const double half = estimate_contact(problem.scene).half_width;
+  const double half = problem.half_width;
   const double widest = widest_window(problem.scene);
   for (const double size : {1.0, 0.7, 1.3, 0.5, 2.0})
     for (const double shift : {0.0, 0.3}) {
@@ -44,7 +55,7 @@ std::optional<SpectralState> frictionless_start(const SpectralProblem& problem) 
 
 std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const Interval& contact) {
   SpectralEdges edges{contact, {contact}};
-  const int order = first_order(problem, edges, 1e-4, true);
+  const int order = first_order(problem, edges, problem.graded(true) ? 1e-3 : 1e-4, true);
   SlipPattern pattern{.shear = true, .slips = {1, 0}};
   const auto missing = [&](double place) {  // root of the slipping part
     edges.sticks[0].from = contact.from + 2 * contact.half_length() * place * place;

@@ -17,6 +17,10 @@ struct PatternStart {
 /// @param shear whether there is friction
 int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance, bool shear);
 
+/// Order of graded points from which the next one makes the resistance err by so much of load times half-width over
+/// radius, as met with.
+int graded_order(const SpectralProblem& problem, const Interval& contact, double accuracy);
+
 /// The contact without friction, roughly. With long steps of the stiffening if need be.
 std::optional<SpectralState> frictionless_start(const SpectralProblem& problem);
 

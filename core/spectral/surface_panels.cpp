@@ -8,6 +8,7 @@
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/quadrature.hpp"
+#include "core/spectral/graded_system.hpp"
 
 namespace rollres {
 
@@ -19,8 +20,9 @@ namespace {
 
 /// From the contact, in half-lengths, where forces at points stand for the tractions.
 constexpr double distance_of_points = 2;
-/// Panels' width at the ends of zones whose tractions have any exponents, in half-lengths.
-constexpr double smallest_graded = 1e-6;
+/// By how much panels narrow towards the ends of zones whose tractions have any exponents, and their number otherwise.
+constexpr double graded_narrowing = 0.16;
+constexpr int graded_parts = 8;
 
 /// Chebyshev-Lobatto nodes s_k = cos(pi k/last) with everything a panel needs.
 struct PanelRule {
@@ -140,9 +142,11 @@ std::vector<double> panel_borders(const SpectralProblem& problem, const Spectral
   // Towards the ends, down to layers as thin as the shortest memory.
   double shortest = half;
   for (const double length : problem.relaxation_length) shortest = std::min(shortest, length);
-  if (state.graded) shortest = std::min(shortest, smallest_graded * half);  // where exponents are no halves
+  if (state.graded)  // where exponents are no halves
+    shortest = std::min(shortest, state.graded->nearest_judged());
+  const double narrowing = state.graded ? graded_narrowing : 0.25;
   for (const double end : ends)
-    for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= 0.25)
+    for (double distance = 0.25 * half; distance > 0.7 * shortest; distance *= narrowing)
       for (const double border : {end - distance, end + distance})
         if (border < contact.to + 0.5 * half) borders.push_back(border);
   // Ahead, in panels that widen with the distance.
@@ -151,9 +155,9 @@ std::vector<double> panel_borders(const SpectralProblem& problem, const Spectral
   for (; ahead < reach; width *= 2) borders.push_back(contact.to + (ahead += width));
   borders.push_back(contact.from - 0.5 * half);
   borders.push_back(contact.from - 1.5 * half);
-  // In contact: a number of the coefficients' oscillations for each panel, at most.
+  // In contact: a number of the coefficients' oscillations for each panel, at most; graded points have none.
   const auto order = static_cast<double>(state.pressure.coefficients.size());
-  const int parts = 1 + static_cast<int>(M_PI * order / 14);
+  const int parts = state.graded ? graded_parts : 1 + static_cast<int>(M_PI * order / 14);
   for (int i = 1; i < parts; ++i) borders.push_back(contact.centre() + half * std::cos(M_PI * i / parts));
   return distinct(std::move(borders), ends, 0.2 * std::min(shortest, 0.05 * half));
 }

@@ -27,14 +27,15 @@ double remembered_pole(double x, double length) {
 /// The half-space next to the contact at rates s per length: J = J_inf + sum C/(1 + s T).
 class DeepMedium {
  public:
-  DeepMedium(const RollingScene& scene, double instantaneous, const std::vector<double>& lengths,
-             const std::vector<double>& compliances)
-      : layer_(foundation_of(scene).front()),
-        speed_(scene.speed),
-        share_(2 * (1 - scene.poisson_ratio)),
-        instantaneous_(instantaneous / share_),
-        lengths_(lengths) {
-    for (const double compliance : compliances) compliances_.push_back(compliance / share_);
+  /// @param lengths ascending, V time of the terms of the shear compliance J
+  DeepMedium(const MediumLayer& layer, double speed, double instantaneous, std::vector<double> lengths,
+             std::vector<double> compliances)
+      : layer_(layer),
+        speed_(speed),
+        share_(2 * (1 - layer.poisson_ratio)),
+        instantaneous_(instantaneous),
+        lengths_(std::move(lengths)),
+        compliances_(std::move(compliances)) {
     layer_.thickness = INFINITY;
   }
 
@@ -45,13 +46,15 @@ class DeepMedium {
     return sum;
   }
   double instantaneous() const { return instantaneous_; }
+  const std::vector<double>& lengths() const { return lengths_; }
+  double density() const { return layer_.density; }
 
   Ratios at_compliance(const complex& j) const {
     const SurfaceCompliance c = half_space_compliance(layer_, 1.0 / j, speed_);
     const complex d = share_ * j;
     return {2.0 * c.normal / d, 2.0 * c.longitudinal / d, c.cross / d};
   }
-  Ratios operator()(const complex& s) const { return at_compliance(compliance(s)); }
+  double share() const { return share_; }
 
   /// J at which shear waves, waves of pressure and Rayleigh waves are as fast as the body; infinite: none.
   double shear_wave() const { return 1 / (layer_.density * speed_ * speed_); }
@@ -83,63 +86,107 @@ class DeepMedium {
   std::vector<double> lengths_, compliances_;
 };
 
+/// A function of s as at_once + sum weights/(1 + s lengths).
+struct RetardedSum {
+  Eigen::Array3d at_once;
+  std::vector<double> lengths;
+  std::vector<Eigen::Array3d> weights;
+
+  void add(double rate, const Eigen::Array3d& part) {  // part/(s - rate)
+    lengths.push_back(-1 / rate);
+    weights.push_back(-part / rate);
+  }
+};
+
+/// Of `values`, a function of J that is analytic in s but for the poles and cuts of the medium's waves.
+template <class Values>
+RetardedSum retarded_sum(const DeepMedium& medium, const Values& values) {
+  RetardedSum sum{.at_once = values(medium.instantaneous()).real(), .lengths = {}, .weights = {}};
+  if (!(medium.density() > 0)) return sum;
+  for (std::size_t m = 0; m < medium.lengths().size(); ++m) {
+    const double pole = -1 / medium.lengths()[m], shear = medium.rate_of(m, medium.shear_wave()),
+                 rayleigh = medium.rate_of(m, medium.rayleigh_wave());
+    // The residue, by the mean over a circle around it.
+    constexpr int around = 48;
+    const double radius = 0.5 * (rayleigh - shear);
+    Eigen::Array3d residue = Eigen::Array3d::Zero();
+    for (int k = 0; k < around; ++k) {
+      const complex arm = std::polar(radius, 2 * M_PI * (k + 0.5) / around);
+      residue += (values(medium.compliance(rayleigh + arm)) * arm).real() / around;
+    }
+    sum.add(rayleigh, residue);
+    // The cut, whose density is smooth in the angle. Many points, for zeros of Rayleigh's function lie near it on
+    // the other sheet; what stands for them at a distance is smooth along it, and needs few.
+    const auto cut = [&](double from, double to) {
+      constexpr int fine = 64;
+      const double middle = 0.5 * (from + to), half = 0.5 * (to - from), apart = -middle / half;
+      const double rate = apart + std::sqrt(apart * apart - 1);
+      const int few = std::clamp(2 + static_cast<int>(28 / std::log(rate)), 3, fine);  // to rate^-few = 1e-12
+      Eigen::Array3Xd series = Eigen::Array3Xd::Zero(3, few);                          // sums with T_k along the cut
+      const QuadratureRule& rule = gauss_rule(fine);
+      for (std::size_t j = 0; j < fine; ++j) {
+        const double angle = M_PI * rule.nodes[j];
+        const complex on_cut(medium.compliance(middle + half * std::cos(angle)), 0);
+        const Eigen::Array3d density = values(on_cut * complex(1, -1e-40)).imag();
+        for (int k = 0; k < few; ++k)
+          series.col(k) -= density * (half * std::sin(angle) * rule.weights[j] * std::cos(k * angle));
+      }
+      for (int i = 0; i < few; ++i) {
+        const double angle = M_PI * (i + 0.5) / few;
+        Eigen::Array3d part = series.col(0) / few;
+        for (int k = 1; k < few; ++k) part += series.col(k) * (2 * std::cos(k * angle) / few);
+        sum.add(middle + half * std::cos(angle), part);
+      }
+    };
+    if (std::isfinite(medium.pressure_wave())) {
+      const double pressure = medium.rate_of(m, medium.pressure_wave());
+      cut(pole, pressure);
+      cut(pressure, shear);
+    } else {
+      cut(pole, shear);
+    }
+  }
+  return sum;
+}
+
 }  // namespace
+
+std::vector<HalfSpaceTerm> half_space_terms(const MediumLayer& layer, double speed) {
+  CreepSpectrum creep = layer.material;
+  std::sort(creep.terms.begin(), creep.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::vector<double> lengths, compliances;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    constexpr double apart = 1.001;
+    if (!(term.compliance > 0) || !(term.time > 0)) continue;
+    if (!lengths.empty() && speed * term.time < apart * lengths.back()) return {};
+    lengths.push_back(speed * term.time);
+    compliances.push_back(term.compliance);
+  }
+  const DeepMedium medium(layer, speed, creep.instantaneous, lengths, compliances);
+  constexpr double nearly = 0.98;
+  if (layer.density > 0 && medium.compliance(0.0) > nearly * medium.rayleigh_wave()) return {};
+  const RetardedSum sum = retarded_sum(medium, [&](const complex& j) -> Ratios {
+    const Ratios ratios = medium.at_compliance(j);
+    const complex deep = medium.share() * j;
+    return {0.5 * deep * ratios(0), 0.5 * deep * ratios(1), deep * ratios(2)};
+  });
+  std::vector<HalfSpaceTerm> terms{{0, sum.at_once}};
+  for (std::size_t c = 0; c < sum.lengths.size(); ++c) terms.push_back({sum.lengths[c], sum.weights[c]});
+  return terms;
+}
 
 DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, const std::vector<double>& creep_length,
                            const std::vector<double>& creep_compliance, double length) {
   at_once_ << 1, 1, -0.25 * (1 - 2 * scene.poisson_ratio) / (1 - scene.poisson_ratio);
   if (!inertia_included(scene)) return;
-  const DeepMedium medium(scene, instantaneous, creep_length, creep_compliance);
-  at_once_ = medium.at_compliance(medium.instantaneous()).real();
-  std::vector<Eigen::Array3d> weights;
-  const auto add = [&](double rate, const Eigen::Array3d& part) {  // part/(s - rate)
-    lengths_.push_back(-1 / rate);
-    weights.push_back(-part / rate);
-  };
-  if (scene.layer_density > 0)
-    for (std::size_t m = 0; m < creep_length.size(); ++m) {
-      const double pole = -1 / creep_length[m], shear = medium.rate_of(m, medium.shear_wave()),
-                   rayleigh = medium.rate_of(m, medium.rayleigh_wave());
-      // The residue, by the mean over a circle around it.
-      constexpr int around = 48;
-      const double radius = 0.5 * (rayleigh - shear);
-      Eigen::Array3d residue = Eigen::Array3d::Zero();
-      for (int k = 0; k < around; ++k) {
-        const complex arm = std::polar(radius, 2 * M_PI * (k + 0.5) / around);
-        residue += (medium(rayleigh + arm) * arm).real() / around;
-      }
-      add(rayleigh, residue);
-      // The cut, whose density is smooth in the angle. Many points, for zeros of Rayleigh's function lie near it on
-      // the other sheet; what stands for them at a distance is smooth along it, and needs few.
-      const auto cut = [&](double from, double to) {
-        constexpr int fine = 64;
-        const double middle = 0.5 * (from + to), half = 0.5 * (to - from), apart = -middle / half;
-        const double rate = apart + std::sqrt(apart * apart - 1);
-        const int few = std::clamp(2 + static_cast<int>(28 / std::log(rate)), 3, fine);  // to rate^-few = 1e-12
-        Eigen::Array3Xd series = Eigen::Array3Xd::Zero(3, few);                          // sums with T_k along the cut
-        const QuadratureRule& rule = gauss_rule(fine);
-        for (std::size_t j = 0; j < fine; ++j) {
-          const double angle = M_PI * rule.nodes[j];
-          const complex on_cut(medium.compliance(middle + half * std::cos(angle)), 0);
-          const Eigen::Array3d density = medium.at_compliance(on_cut * complex(1, -1e-40)).imag();
-          for (int k = 0; k < few; ++k)
-            series.col(k) -= density * (half * std::sin(angle) * rule.weights[j] * std::cos(k * angle));
-        }
-        for (int i = 0; i < few; ++i) {
-          const double angle = M_PI * (i + 0.5) / few;
-          Eigen::Array3d part = series.col(0) / few;
-          for (int k = 1; k < few; ++k) part += series.col(k) * (2 * std::cos(k * angle) / few);
-          add(middle + half * std::cos(angle), part);
-        }
-      };
-      if (std::isfinite(medium.pressure_wave())) {
-        const double pressure = medium.rate_of(m, medium.pressure_wave());
-        cut(pole, pressure);
-        cut(pressure, shear);
-      } else {
-        cut(pole, shear);
-      }
-    }
+  const double share = 2 * (1 - scene.poisson_ratio);
+  std::vector<double> compliances = creep_compliance;
+  for (double& compliance : compliances) compliance /= share;
+  const DeepMedium medium(foundation_of(scene).front(), scene.speed, instantaneous / share, creep_length, compliances);
+  const RetardedSum ratios = retarded_sum(medium, [&](const complex& j) { return medium.at_compliance(j); });
+  at_once_ = ratios.at_once;
+  lengths_ = ratios.lengths;
+  const std::vector<Eigen::Array3d>& weights = ratios.weights;
   weights_.resize(3, static_cast<Eigen::Index>(weights.size()));
   for (std::size_t c = 0; c < weights.size(); ++c) weights_.col(static_cast<Eigen::Index>(c)) = weights[c];
   if (lengths_.empty()) return;
@@ -159,8 +206,10 @@ DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, cons
       rests_.col(k) += weights[c].head<2>() * sum / std::pow(lengths_[c], k + 1.0);
     }
   }
-  shortest_ = std::log(1e-13 * length);
+  // Nearer, powers of the distance do; where these reach as far as the table would, there is none.
   longest_ = std::log(1e3 * length);
+  shortest_ = std::log(0.99 * series_reach * shortest_length_);
+  if (shortest_ >= longest_) return;
   std::vector<double> borders;
   const int panels = static_cast<int>((longest_ - shortest_) / 1.2) + 1;
   for (int i = 0; i <= panels; ++i) borders.push_back(shortest_ + (longest_ - shortest_) * i / panels);
@@ -213,6 +262,45 @@ Eigen::Array3d DeepResponse::growing(double x) const {
   }
   for (std::size_t c = 0; c < lengths_.size(); ++c)
     sum += weights_.col(static_cast<Eigen::Index>(c)) * std::exp(std::min(x / lengths_[c], 30.0)) / lengths_[c];
+  return sum;
+}
+
+Eigen::Index DeepResponse::powers_at(double farthest) const {
+  const double part = farthest / shortest_length_;
+  if (!(part < series_reach)) return 0;
+  constexpr double rounding = 1e-17;
+  Eigen::Index powers = 1;
+  for (double term = 1; powers < moments_.cols() && term > rounding; ++powers)
+    term *= part / static_cast<double>(powers);
+  return powers;
+}
+
+Eigen::ArrayX3d DeepResponse::growing(const Eigen::ArrayXd& x) const {
+  Eigen::ArrayX3d sum = Eigen::ArrayX3d::Zero(x.size(), 3);
+  const Eigen::Index powers = x.size() > 0 ? powers_at(x.abs().maxCoeff()) : 0;
+  if (powers == 0) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) sum.row(i) = growing(x(i)).transpose();
+    return sum;
+  }
+  for (Eigen::Index k = powers - 1; k >= 0; --k)
+    for (Eigen::Index c = 0; c < 3; ++c) sum.col(c) = moments_(c, k) + x * sum.col(c);
+  return sum;
+}
+
+Eigen::ArrayX3d DeepResponse::slopes(const Eigen::ArrayXd& x) const {
+  Eigen::ArrayX3d sum = Eigen::ArrayX3d::Zero(x.size(), 3);
+  if (lengths_.empty() || x.size() == 0) return sum;
+  const Eigen::Index powers = powers_at(x.abs().maxCoeff());
+  if (powers == 0) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) sum.row(i) = slope(x(i)).head<3>().transpose();
+    return sum;
+  }
+  const Eigen::ArrayX3d growing_part = growing(x);
+  for (Eigen::Index k = powers - 1; k >= 0; --k)
+    for (Eigen::Index c = 0; c < 2; ++c) sum.col(c) = rests_(c, k) + x * sum.col(c);
+  const Eigen::ArrayXd logarithm = x.abs().log();
+  for (Eigen::Index c = 0; c < 2; ++c) sum.col(c) = (logarithm * growing_part.col(c) - sum.col(c)) / (2 * M_PI);
+  sum.col(2) = (x < 0).select(-growing_part.col(2), 0);
   return sum;
 }
 

@@ -13,6 +13,18 @@
 namespace rollres {
 
 struct RollingScene;
+struct MediumLayer;
+
+/// One memory of a half-space in steady passage with inertia: k c_ww, k c_ll and k c_x are sums of compliances/(1 + s
+/// T), s = -i times the wavenumber along the motion.
+struct HalfSpaceTerm {
+  double length;               // T [m]; 0: at once
+  Eigen::Array3d compliances;  // [1/Pa]
+};
+
+/// The half-space of a layer's material, to 1e-11 of its compliances; none if waves are about as slow as the body, or
+/// times of creep coincide.
+std::vector<HalfSpaceTerm> half_space_terms(const MediumLayer& layer, double speed);
 
 /// 2 k c_ww/D, 2 k c_ll/D and k c_x/D of the half-space next to the contact, at s = -1/i of the wavenumbers along the
 /// motion, as sums of what they are at once and of retarded parts, (S28) and (S29). All of unit modulus [1].
@@ -36,6 +48,9 @@ class DeepResponse {
   /// Sum of weights e^(x/T)/T: over 2 pi what goes with ln|x| in them (normal, along), and minus what crosses them from
   /// ahead to behind (cross) [1/m].
   Eigen::Array3d growing(double x) const;
+  /// Both at many places, which a processor does side by side: normal, along, cross.
+  Eigen::ArrayX3d slopes(const Eigen::ArrayXd& x) const;
+  Eigen::ArrayX3d growing(const Eigen::ArrayXd& x) const;
   /// Means R_T of all slopes, those at once with them [1/m].
   LayerSlopes mean(double memory_length, double x) const;
   /// Displacements under unit line forces, -ln|x| times what acts at rest and what memories lack of it, x > 0 [1].
@@ -43,6 +58,8 @@ class DeepResponse {
 
  private:
   LayerSlopes summed(double x) const;
+  /// How many powers of the distance stand for the exponentials up to there; 0: none do.
+  Eigen::Index powers_at(double farthest) const;
 
   Eigen::Array3d at_once_;
   std::vector<double> lengths_;                     // T_c of the retarded parts [m]

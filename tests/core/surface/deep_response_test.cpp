@@ -45,6 +45,29 @@ TEST_CASE("what short waves make of tractions with inertia is a sum over poles a
     }
 }
 
+TEST_CASE("a half-space with inertia is a sum over retardation times of its own", "[core][deep_response]") {
+  for (const double poisson_ratio : {0.5, 0.3, 0.0})
+    for (const double speed : {1.0, 10.0, 20.0}) {
+      const RollingScene scene = with_inertia(poisson_ratio, speed);
+      const SteadySurface surface(scene);
+      MediumLayer layer = foundation_of(scene).front();
+      const std::vector<HalfSpaceTerm> terms = half_space_terms(layer, speed);
+      REQUIRE(!terms.empty());
+      for (const double k : {0.0, 0.3, 10.0, 300.0, 1e4, 1e7}) {
+        Eigen::Array3cd sum = Eigen::Array3cd::Zero();
+        for (const HalfSpaceTerm& term : terms) sum += term.compliances / std::complex<double>(1, -k * term.length);
+        const SurfaceCompliance c = surface.half_spaces(surface.moduli(k));
+        const Eigen::Array3cd exact(c.normal, c.longitudinal, c.cross);
+        INFO(poisson_ratio << " " << speed << " " << k);
+        CHECK((sum - exact).abs().maxCoeff() < 1e-8 * std::abs(c.normal));
+      }
+      layer.material.terms.push_back(layer.material.terms.front());
+      CHECK(half_space_terms(layer, speed).empty());  // times that coincide are left to the expansion
+    }
+  RollingScene fast = with_inertia(0.5, 31);  // Rayleigh waves on the relaxed material: 0.955 sqrt(1e6/1000) = 30.2 m/s
+  CHECK(half_space_terms(foundation_of(fast).front(), fast.speed).empty());
+}
+
 TEST_CASE("means of short waves' slopes are those that integration along the memory gives", "[core][deep_response]") {
   const SpectralProblem problem(with_inertia(0.3, 15), near_spectrum(with_inertia(0.3, 15)), 3e-3);
   const DeepResponse& deep = *problem.deep;
