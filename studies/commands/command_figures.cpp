@@ -13,6 +13,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/words.hpp"
+#include "studies/text/xml_text.hpp"
 
 namespace rollres {
 
@@ -55,10 +56,6 @@ class AxisTimes {
  private:
   std::vector<std::string> names_;
 };
-
-std::string xml_text(std::string_view text) {
-  return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
-}
 
 std::string collection_text(const std::vector<TimedFile>& files) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "studies/text/xml_text.hpp"
+
 namespace rollres::html {
 
-/// A text as it stands between tags and in quoted attributes. What is not UTF-8 becomes U+FFFD, control characters
-/// other than line breaks and tabs become blanks.
-std::string text(std::string_view plain);
+inline std::string text(std::string_view plain) { return xml_text(plain); }
 
 /// <h2 id=...>
 std::string heading(std::string_view plain);
