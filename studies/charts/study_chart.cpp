@@ -287,7 +287,8 @@ std::string filters_in_words(const std::vector<Filter>& filters, const StudyRows
   return joined(filters, ", ", [&](const Filter& filter) {
     const QuantityColumn* const column = find_quantity_column(filter.column);
     const auto number = column && column->type == "REAL" ? plain_number(filter.value) : std::nullopt;
-    return in_words(filter.column) + " " + std::string(signs.at(static_cast<std::size_t>(filter.comparison))) + " " +
+    return in_words(column ? column->quantity.key : std::string_view(filter.column)) + " " +
+           std::string(signs.at(static_cast<std::size_t>(filter.comparison))) + " " +
            (number ? value_in_words(column->quantity, *number, unit_in(rows, *column)) : in_words(filter.value));
   });
 }

@@ -56,7 +56,10 @@ class Heading {
       lines = broken(title, width(title) / most_lines + room / 4);
       for (; lines.size() > most_lines; lines.pop_back()) lines[lines.size() - 2] += " " + lines.back();
     }
-    for (const std::string& line : lines) add(line, room, font_size, 24);
+    std::size_t longest = room;
+    for (const std::string& line : lines) longest = std::max(longest, std::min(width(line), 3 * room / 2));
+    const double size = font_size * static_cast<double>(room) / static_cast<double>(longest);
+    for (const std::string& line : lines) add(line, longest, size, 24);
     if (!subtitle.empty()) add(subtitle, 60, 14, 20);
     height_ += 6;
   }
@@ -138,8 +141,8 @@ struct LegendGrid {
     if (entries.empty()) return;
     std::size_t longest = 1;
     for (const LegendEntry& entry : entries) longest = std::max(longest, entry.letters);
-    column = sample + 8 + 9 * static_cast<double>(longest);
-    columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 20) / column), 1, 5);
+    column = sample + 11 + 9.2 * static_cast<double>(longest);
+    columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 4) / column), 1, 5);
     columns = std::min(columns, entries.size());
     rows = (entries.size() + columns - 1) / columns;
   }

@@ -47,6 +47,15 @@ inline constexpr const char* kept_blanks = "  ";
 /// contrast of 3 to white, seven in turn.
 std::string_view curve_colour(std::size_t curve);
 
+/// What the axes of a chart span.
+struct ChartSpans {
+  Span x, y;
+};
+ChartSpans chart_spans(const ChartRequest& request);
+
+/// Colour of a curve of a chart.
+std::string curve_colour(const ChartRequest& request, std::size_t curve);
+
 /// One entry of the legend.
 struct LegendEntry {
   std::string sample;   ///< how it looks: "points pt 7 lc rgb 'red'"

@@ -11,9 +11,7 @@ namespace rollres {
 
 namespace {
 
-struct Layout {
-  Span x, y;
-};
+using Layout = ChartSpans;
 
 constexpr double end_label_height = 17;  // of a curve's label at its end [px]
 
@@ -283,7 +281,9 @@ std::vector<std::string> area_plots(const ChartRequest& request) {
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const std::string data = "data index " + std::to_string(i), colour = "'" + look(request, i).colour + "'";
     const auto& points = request.curves[i].points;
-    const bool joined = std::count_if(points.begin(), points.end(), [](const auto& p) { return p.joined(); }) > 1;
+    const bool joined = std::adjacent_find(points.begin(), points.end(), [](const auto& a, const auto& b) {
+                          return a.joined() && b.joined();
+                        }) != points.end();
     if (request.lines && joined)
       parts.push_back(data + " using 1:5:6 with filledcurves fc rgb " + colour + " fs transparent solid " + depth +
                       " noborder notitle");
@@ -320,6 +320,10 @@ std::vector<std::string> plots(const ChartRequest& request, bool areas) {
 }
 
 }  // namespace
+
+ChartSpans chart_spans(const ChartRequest& request) { return lay_out(request); }
+
+std::string curve_colour(const ChartRequest& request, std::size_t curve) { return look(request, curve).colour; }
 
 std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
   constexpr double around = 95;  // of the plot: its axis below, its gap above [px]

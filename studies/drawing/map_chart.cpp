@@ -152,7 +152,8 @@ class MapDrawing : PictureBuilder {
         for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
       const std::string block = add("beyond " + limit.meaning, columns(), loops);
       if (loops.size() == 1)  // a hole in it would be veiled, too
-        plot(block + " using 1:2 with filledcurves closed fc rgb '#000000' fs transparent pattern 4 noborder notitle");
+        for (const char* const veil : {"'white' fs transparent solid 0.5", "'#000000' fs transparent pattern 4"})
+          plot(block + " using 1:2 with filledcurves closed fc rgb " + veil + " noborder notitle");
       plot(block + " using 1:2 with lines lc rgb 'black' lw 4.5 notitle");
       const std::string& look = looks[i % looks.size()];
       plot(block + " using 1:2 with " + look + " notitle");
