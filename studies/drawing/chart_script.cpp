@@ -94,12 +94,13 @@ std::string peak_text(const ChartPoint& top, const Layout& layout) {
 }
 
 /// Places for the middle of a text of this size around a peak: above, below, beside it, and then farther away all over
-/// the plot, the nearest first.
-std::vector<std::array<double, 2>> places_around(double x, double y, double half_width) {
+/// the plot, the nearest first. @param far  look farther away at all
+std::vector<std::array<double, 2>> places_around(double x, double y, double half_width, bool far) {
   std::vector<std::array<double, 2>> places{{x, y + 0.075}, {x, y - 0.075}};
   const double aside = half_width + 0.03;
   for (const double up : {0.055, -0.055, 0.0})
     for (const double side : {1.0, -1.0}) places.push_back({x + side * aside, y + up});
+  if (!far) return places;
   std::vector<std::array<double, 2>> farther;
   constexpr int columns = 24, rows = 24;
   for (int column = 0; column <= columns; ++column)
@@ -129,11 +130,13 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const Layout& la
   std::vector<Box> taken;  // first by the rings
   for (const Top& top : tops)
     taken.push_back({layout.x.fraction(top.point.x), layout.y.fraction(top.point.y), 0.014, 0.02});
+  constexpr std::size_t most_peaks = 24;  // of more the plot is full
   std::vector<PeakValue> values;
   for (const auto& [i, top] : tops) {
     const std::string value = peak_text(top, layout);
     const double half_width = 0.012 * static_cast<double>(value.size()) + 0.005;
-    for (const auto& [x, y] : places_around(layout.x.fraction(top.x), layout.y.fraction(top.y), half_width)) {
+    for (const auto& [x, y] :
+         places_around(layout.x.fraction(top.x), layout.y.fraction(top.y), half_width, tops.size() <= most_peaks)) {
       const Box box{x, y, half_width, 0.04};
       const bool inside = box.y - box.half_height > 0 && box.y + box.half_height < 1.02 &&
                           box.x - box.half_width > -0.02 && box.x + box.half_width < 1.02;

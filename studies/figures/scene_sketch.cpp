@@ -61,7 +61,8 @@ class SceneSketch {
       : scene_(scene),
         solution_(solution),
         title_(title),
-        answered_(solution.status == Status::converged),
+        answered_(solution.status == Status::converged && std::isfinite(solution.leading_edge) &&
+                  std::isfinite(solution.trailing_edge)),
         layers_{{scene.layer_thickness, &scene}},
         unit_(scaled_unit("m", scene.radius)),
         picture_(title, files, {}, span_of_view().first, {}, span_of_view().second) {
@@ -261,11 +262,12 @@ class SceneSketch {
       const std::string look = std::string("lines lw 4 lc rgb '") + colour + "'";
       picture_.plot(picture_.add(name, "x, z [" + unit_.name + "]", without_doubled_blanks(rows)) + " using 1:2 with " +
                     look + " notitle");
-      picture_.explain(LegendEntry::plain(look, name));
+      picture_.explain(
+          LegendEntry::plain(look, std::string_view(name) == "contact" ? name : std::string("contact: ") + name));
     };
     line("contact", contact_colour, all);
-    line("contact: stick", stick_colour, stick);
-    line("contact: slip", slip_colour, slip);
+    line("stick", stick_colour, stick);
+    line("slip", slip_colour, slip);
   }
 
   /// Two blank lines would end a block of data.
@@ -349,7 +351,7 @@ class SceneSketch {
     const double peak = whole ? 2 * r - approach_ : 0.80 * half_width_;  // top of what is seen of the body
     const double axis = whole ? centre : 0.46 * half_width_, reach = whole ? r : half_width_;
 
-    const double load = answered_ ? solution_.load : scene_.load.value_or(RollingSolution::absent);
+    const double load = std::isfinite(solution_.load) ? solution_.load : scene_.load.value_or(RollingSolution::absent);
     arrow({0, top_ - 0.02 * reach}, {0, top_ - 0.50 * reach}, force);
     if (std::isfinite(load)) {
       const std::string words = shown(load, force_unit);
@@ -394,7 +396,7 @@ class SceneSketch {
   const RollingScene& scene_;
   const RollingSolution& solution_;
   std::string title_;
-  bool answered_;
+  bool answered_;  // and the contact is known
   std::vector<DrawnLayer> layers_;
   ScaledUnit unit_;
   PictureBuilder picture_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/optimise/design_choices.hpp"
 #include "studies/optimise/optimise_report.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
@@ -19,10 +20,11 @@ std::string with_unit(const DesignProblem& problem, const Formula& formula, doub
 
 /// "layer thickness = 1.63 mm, static shear modulus = 8 MPa"
 std::string design_in_words(const DesignProblem& problem, const Design& design) {
-  std::string text;
+  std::string text = chosen_in_words(problem);
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Quantity& quantity = problem.variables[i].quantity;
-    text += (i == 0 ? "" : ", ") + in_words(quantity.key) + " = " + readable(design.point[i], problem.unit(quantity));
+    text +=
+        (text.empty() ? "" : ", ") + in_words(quantity.key) + " = " + readable(design.point[i], problem.unit(quantity));
   }
   return text;
 }

@@ -115,8 +115,12 @@ TEST_CASE("every peak has its value, clear of the curves and of each other, with
                     {"c", {{0.01, 12}, {0.1, 102}, {1, 12}}}};
   const std::string script = chart_script(request, chart_files("chart"));
   CHECK_THAT(script, Contains("set label '102'") && Contains("set label '101'") && Contains("set label '100'"));
-  CHECK_THAT(script, Contains("set arrow from first 0.1, first 100 to graph"));
-  CHECK_THAT(script, !Contains("set arrow from first 0.1, first 102 to graph"));
+  CHECK_THAT(script, !Contains("set arrow from first 0.1"));
+  for (int i = 3; i < 14; ++i)
+    request.curves.push_back({std::to_string(i), {{0.01, 10.0 + i}, {0.1, 100.0 + i}, {1, 10.0 + i}}});
+  const std::string crowded = chart_script(request, chart_files("chart"));
+  for (int i = 0; i < 14; ++i) CHECK_THAT(crowded, Contains("set label '" + std::to_string(100 + i) + "' at graph"));
+  CHECK_THAT(crowded, Contains("set arrow from first 0.1, first 1"));
 }
 
 TEST_CASE("curves in an order go from dark to light, and many of them bear label and peak at their ends",

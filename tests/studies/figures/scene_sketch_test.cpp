@@ -48,7 +48,7 @@ TEST_CASE("the body of a sketch is a circle of its radius that stands at the app
   CHECK(lowest(blocks.at("layer 1").front()) == Approx(-5).epsilon(1e-6));
   // The contact lies on the circle, from edge to edge, slip behind and ahead of stick.
   std::vector<double> x;
-  for (const char* zone : {"contact: stick", "contact: slip"})
+  for (const char* zone : {"stick", "slip"})
     for (const auto& row : blocks.at(zone).front())
       if (!row.empty()) {
         x.push_back(row[0]);
@@ -99,6 +99,7 @@ TEST_CASE("every layer of a sketch ends where the next begins, and a thin one sh
   CHECK(lowest(blocks.at("layer 2").front()) == Approx(-1.2));
   CHECK(lowest(blocks.at("rigid body").front()) == Approx(0).margin(1e-9));
   CHECK_FALSE(blocks.contains("contact"));
+  CHECK_FALSE(blocks.contains("stick"));
   CHECK_THAT(text.script, Contains("set xrange [-23."));
 }
 

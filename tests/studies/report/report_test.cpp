@@ -1,5 +1,6 @@
 #include "studies/report/report.hpp"
 
+#include <cmath>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include "db/rows/schema.hpp"
 #include "studies/report/chart_overlay.hpp"
 #include "studies/report/html.hpp"
+#include "studies/report/report_look.hpp"
 #include "studies/run/sweep.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
@@ -138,6 +140,32 @@ TEST_CASE("a chart of a report tells the numbers of its points and shows one cur
   CHECK(std::stod(point[2]) == Approx(std::stod(ring[2])).margin(0.3));
 }
 
+TEST_CASE("letters of a report have a contrast of 4.5 on light and dark screens", "[studies][report]") {
+  const std::string style(html::style());
+  const std::size_t dark = style.find("prefers-color-scheme: dark");
+  REQUIRE(dark != std::string::npos);
+  const auto luminance = [&](const std::string& name, std::size_t from) {
+    const std::size_t at = style.find("--" + name + ": #", from);
+    REQUIRE(at != std::string::npos);
+    std::string hex = style.substr(at + name.size() + 5, 6);
+    if (hex.find(';') == 3) hex = {hex[0], hex[0], hex[1], hex[1], hex[2], hex[2]};
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double part = std::stoi(hex.substr(2 * i, 2), nullptr, 16) / 255.0, weights[] = {0.2126, 0.7152, 0.0722};
+      sum += weights[i] * (part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+  };
+  for (const std::size_t from : {std::size_t{0}, dark})
+    for (const auto& [letters, ground] :
+         {std::pair("text", "page"), std::pair("soft", "page"), std::pair("accent", "page"), std::pair("text", "card"),
+          std::pair("text", "mark"), std::pair("page", "accent")}) {
+      CAPTURE(letters, ground, from);
+      const double a = luminance(letters, from), b = luminance(ground, from);
+      CHECK((std::max(a, b) + 0.05) / (std::min(a, b) + 0.05) >= 4.5);
+    }
+}
+
 TEST_CASE("a long table is folded, a short one is not", "[studies][report]") {
   const TemporaryDirectory scratch;
   Study study = speed_and_load("long");
@@ -210,6 +238,28 @@ TEST_CASE("a fit of the study's name is in its report, and has one of its own wi
   CHECK(fault_of(alone.html).empty());
   CHECK_THAT(alone.html, Contains("The fit of 2 measurements is usable with warnings: creep time = 250 ms") &&
                              !Contains("<h2>Results</h2>"));
+}
+
+TEST_CASE("the report of an optimisation opens with the best design within its constraints, and what holds it back",
+          "[studies][report]") {
+  const TemporaryDirectory scratch;
+  const auto file =
+      scratch.write("design.json", R"({"study": "design", "scene": {"radius": 0.1, "layer_thickness": 0.01,
+    "static_shear_modulus": 1e6, "material": "elastic", "load": 1e4, "speed": 1}, "variables": {
+    "load": {"from": 1e4, "to": 4e4, "start": 3e4}, "speed": {"from": 0.1, "to": 0.9, "start": 0.5}},
+    "minimise": "rolling_resistance", "constraints": ["load * speed >= 6000"]})");
+  const std::string database = (scratch / "results.db").string();
+  REQUIRE(run_rollres({"optimise", file.string(), "--db", database}, closed_form).status == 0);
+  ResultStore store(database, Access::read);
+  const StudyReport report = study_report(store, {});
+  CHECK(fault_of(report.html).empty());
+  CHECK_THAT(report.html,
+             Contains("The least rolling resistance within the constraints is ") &&
+                 Contains("It is held back by load * speed &gt;= 6000, where 1 % more room would lower it by ") &&
+                 Contains("To first order no design near it is better.") && Contains("<h2>Best design</h2>") &&
+                 Contains("<td>reached</td>") && Contains("1 % more room is worth") &&
+                 !Contains("The rolling resistance lies between"));
+  CHECK(report.html.find("<h2>Best design</h2>") < report.html.find("<h2>Charts</h2>"));
 }
 
 TEST_CASE("rollres report refuses what it cannot report", "[studies][report]") {
