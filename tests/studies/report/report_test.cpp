@@ -26,7 +26,7 @@ namespace {
 
 /// What is wrong with the nesting of the tags, or nothing.
 std::string fault_of(const std::string& page) {
-  const std::set<std::string> without_end{"meta", "img", "circle", "polyline"};
+  const std::set<std::string> without_end{"meta", "img", "polyline"};
   std::vector<std::string> open;
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
     const std::size_t end = page.find('>', at);
@@ -114,7 +114,7 @@ TEST_CASE("a report holds all that is known of a study in one file that stands b
   CHECK(count_of(page, "src=") == 5);
   CHECK(count_of(page, "<script>") == 1);
   CHECK(count_of(page, "<h1>") == 1);
-  for (const char* outside : {"href=", "<script ", "http", "<link", "<iframe", "@import", "url("})
+  for (const char* outside : {"href=", "<script ", "<link", "<iframe", "@import", "url("})
     CHECK_THAT(page, !Contains(outside));
 }
 
@@ -183,7 +183,9 @@ TEST_CASE("texts of a study cannot become markup of its report", "[studies][repo
   ResultStore store(file, Access::read);
   const std::string page = study_report(store, {.study = name}).html;
   CHECK(fault_of(page).empty());
-  CHECK_THAT(page, Contains("<title>&lt;b onclick=&#39;x()&#39;&gt;&quot;A&amp;B&quot;&lt;/b&gt;</title>"));
+  CHECK_THAT(page, Contains("<title>&lt;script&gt;alert(1)&lt;/script&gt;</title>") && Contains("&lt;b onclick=") &&
+                       Contains("&quot;A&amp;B&quot;&lt;/b&gt;"));
+  CHECK_THAT(page, !Contains("<b onclick"));
   CHECK_THAT(page, Contains("friction &lt;too&gt; small &amp; slow"));
   CHECK_THAT(page, Contains("&lt;script&gt;alert(1)&lt;/script&gt;"));
   CHECK(count_of(page, "<script") == 1);
