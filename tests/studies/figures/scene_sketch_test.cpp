@@ -1,5 +1,6 @@
 #include "studies/figures/scene_sketch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/solve/rolling_contact.hpp"

@@ -1,5 +1,6 @@
 #include "studies/report/report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <set>
