@@ -194,15 +194,6 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
   });
 }
 
-std::vector<std::string> fit_names(const Database& database) {
-  return naming(database.name(), [&] {
-    SQLite::Statement row(database.connection(), "SELECT DISTINCT name FROM fit ORDER BY name");
-    std::vector<std::string> names;
-    while (row.executeStep()) names.push_back(row.getColumn(0).getString());
-    return names;
-  });
-}
-
 std::optional<FitRecord> find_fit(const Database& database, const std::string& name, FitParts parts) {
   return naming(database.name(), [&]() -> std::optional<FitRecord> {
     SQLite::Database& connection = database.connection();

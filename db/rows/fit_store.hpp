@@ -81,9 +81,6 @@ void add_fit_scenes(SQLite::Database& connection);
 
 enum class FitParts { without_data, with_data };
 
-/// Names of the fits, each once.
-std::vector<std::string> fit_names(const Database& database);
-
 /// The newest fit of a name.
 std::optional<FitRecord> find_fit(const Database& database, const std::string& name,
                                   FitParts parts = FitParts::without_data);

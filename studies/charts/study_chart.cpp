@@ -44,11 +44,13 @@ StudySummary summary_of(ResultStore& store, const std::vector<std::string>& name
   return all;
 }
 
-/// What the first study's file says, and which axes of any are logarithmic, go together or are sampled.
+/// What the first study's file says but for its comment, and which axes of any are logarithmic, go together or are
+/// sampled.
 StudyDefinition definition_of(ResultStore& store, const std::vector<std::string>& names) {
   StudyDefinition all = definition_of(store, names.front());
   for (std::size_t i = 1; i < names.size(); ++i) {
     const StudyDefinition one = definition_of(store, names[i]);
+    all.comment.clear();  // the title names the studies
     all.logarithmic.insert(one.logarithmic.begin(), one.logarithmic.end());
     all.together.insert(all.together.end(), one.together.begin(), one.together.end());
     all.sampled.insert(one.sampled.begin(), one.sampled.end());
@@ -111,7 +113,8 @@ void refuse_constant(const ShownStudy& shown, const QuantityColumn& x) {
   if (rows.size() == 1 || rows.values(x).size() > 1) return;
   std::string varied;
   for (const std::string& key : study.axes)
-    if (const QuantityColumn& axis = column_of(key, study, "axis"); axis.type != "TEXT" && rows.values(axis).size() > 1)
+    if (const QuantityColumn& axis = column_of(key, study, rows, "axis");
+        axis.type != "TEXT" && rows.values(axis).size() > 1)
       varied += (varied.empty() ? "" : ", ") + key;
   throw std::invalid_argument(
       "x = " + key_of(x) + ": is " + value_in_words(x.quantity, rows.cell(0, x), unit_in(rows, x)) + " in all " +

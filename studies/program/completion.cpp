@@ -79,7 +79,7 @@ Completion stored_names(std::span<const std::string> words, bool with_fits) {
   ResultStore store(file, Access::read);
   for (const std::string& study : store.study_names()) completion.add(study);
   if (with_fits)
-    for (const std::string& fit : fit_names(store.database())) completion.add(fit);
+    for (const auto& fit : stored_fits(store.database())) completion.add(fit.name);
   return completion;
 }
 
