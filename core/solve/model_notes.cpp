@@ -114,8 +114,8 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
     if (const double error = expansion_error(scene); error > 0)
       model += message_text("; memories expanded in fixed retardation times, to ", error);
   if (!sphere)
-    model += message_text("; plane strain: for a cylinder long beside ",
-                          std::max(2 * half_length(solution), finite_thickness(scene)), " m");
+    model += message_text("; plane strain: the cylinder is long beside ",
+                          1e3 * std::max(2 * half_length(solution), finite_thickness(scene)), " mm");
   if (const std::string why = why_absent(scene, "approach"); !why.empty()) model += "; no approach: " + why;
   if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum creep = creep_spectrum(scene);
@@ -140,11 +140,12 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
   else if (!gridded)
     model +=
         message_text("; ", solution.contact_nodes, " nodes of a mesh in contact for an error below ", *scene.tolerance);
+  else if (sphere)
+    model += message_text("; ", solution.contact_nodes, " nodes in contact, ",
+                          std::lround(2 * half_length(solution) / solution.spacing), " along it, for an error below ",
+                          *scene.tolerance);
   else
-    model += message_text("; ", solution.contact_nodes, " nodes, ", 2 * half_length(solution) / solution.spacing,
-                          " along the contact, in a window ",
-                          solution.fields.grid.columns * solution.spacing / (2 * half_length(solution)),
-                          " times as long, for an error below ", *scene.tolerance);
+    model += message_text("; ", solution.contact_nodes, " nodes in contact for an error below ", *scene.tolerance);
   if (std::isfinite(total_thickness(scene)))
     model += message_text("; layer kept: half-length of the contact over H = ",
                           half_length(solution) / total_thickness(scene), ", a half-space would cost as much");

@@ -56,6 +56,7 @@ Coverage coverage(const FitProblem& problem, const FitPoint& truth, double scatt
     const FitReport report = fit(drawn, {.profiles = options.profiles, .known = known, .stop = options.stop});
     const std::lock_guard lock(mutex);
     ++answer.draws;
+    if (options.report) options.report(answer.draws);
     if (report.interrupted) {
       --answer.draws;
       return;

@@ -4,6 +4,7 @@
 /// hold the known parameters counted.
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "fitting/fit/fit.hpp"
@@ -16,6 +17,7 @@ struct CoverageOptions {
   int jobs = 0;           ///< threads, each with a draw of its own; 0: one for each core
   bool profiles = false;  ///< also count the intervals by profile likelihood
   const std::atomic<bool>* stop = nullptr;
+  std::function<void(int)> report = {};  ///< after each draw, with how many there were; never by two threads at once
 };
 
 /// Counts for one parameter.

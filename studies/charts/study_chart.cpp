@@ -6,6 +6,7 @@
 
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -43,11 +44,13 @@ StudySummary summary_of(ResultStore& store, const std::vector<std::string>& name
   return all;
 }
 
-/// What the first study's file says, and which axes of any are logarithmic, go together or are sampled.
+/// What the first study's file says but for its comment, and which axes of any are logarithmic, go together or are
+/// sampled.
 StudyDefinition definition_of(ResultStore& store, const std::vector<std::string>& names) {
   StudyDefinition all = definition_of(store, names.front());
   for (std::size_t i = 1; i < names.size(); ++i) {
     const StudyDefinition one = definition_of(store, names[i]);
+    all.comment.clear();  // the title names the studies
     all.logarithmic.insert(one.logarithmic.begin(), one.logarithmic.end());
     all.together.insert(all.together.end(), one.together.begin(), one.together.end());
     all.sampled.insert(one.sampled.begin(), one.sampled.end());
@@ -104,6 +107,20 @@ Choice wished(const ShownStudy& shown, const StudyChart& hints, const StudyChart
   return choice;
 }
 
+/// Curves over a number that never changes are a column of points.
+void refuse_constant(const ShownStudy& shown, const QuantityColumn& x) {
+  const auto& [file, study, definition, rows] = shown;
+  if (rows.size() == 1 || rows.values(x).size() > 1) return;
+  std::string varied;
+  for (const std::string& key : study.axes)
+    if (const QuantityColumn& axis = column_of(key, study, rows, "axis");
+        axis.type != "TEXT" && rows.values(axis).size() > 1)
+      varied += (varied.empty() ? "" : ", ") + key;
+  throw std::invalid_argument(
+      "x = " + key_of(x) + ": is " + value_in_words(x.quantity, rows.cell(0, x), unit_in(rows, x)) + " in all " +
+      std::to_string(rows.size()) + " points shown" + (varied.empty() ? "" : "; these vary: " + varied));
+}
+
 Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
   const auto& [file, study, definition, rows] = shown;
   Choice choice = wished(shown, hints, options);
@@ -126,6 +143,7 @@ Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChart
   if (!choice.x) choice.x = longest;
   if (!choice.x) throw std::invalid_argument(study.name + ": no axis is a number; choose one with --x");
   if (!choice.along) choice.along = choice.x;
+  refuse_constant(shown, *choice.x);
   for (const QuantityColumn* axis : axes) {
     if (axis == choice.along || taken(axis) || rows.values(*axis).size() <= 1) continue;
     std::vector<const QuantityColumn*> mates;  // drawn already, and varying together with this axis
@@ -265,6 +283,19 @@ std::size_t ShownStudy::unanswered() const {
   return count;
 }
 
+std::string ShownStudy::title() const { return title_of_study(definition, study.name); }
+
+std::string filters_in_words(const std::vector<Filter>& filters, const StudyRows& rows) {
+  constexpr std::array<std::string_view, 7> signs{"=", "≠", "<", "≤", ">", "≥", "contains"};
+  return joined(filters, ", ", [&](const Filter& filter) {
+    const QuantityColumn* const column = find_quantity_column(filter.column);
+    const auto number = column && column->type == "REAL" ? plain_number(filter.value) : std::nullopt;
+    return in_words(column ? column->quantity.key : std::string_view(filter.column)) + " " +
+           std::string(signs.at(static_cast<std::size_t>(filter.comparison))) + " " +
+           (number ? value_in_words(column->quantity, *number, unit_in(rows, *column)) : in_words(filter.value));
+  });
+}
+
 std::string ShownStudy::comment() const {
   return "study " + study.name + " in " + file + ": " + std::to_string(rows.size()) + " points, " +
          std::to_string(unanswered()) + " without an answer" + common_inputs(rows);
@@ -281,7 +312,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
   StoredChart chart{.study = study.name, .points = rows.size(), .unanswered = shown.unanswered()};
   if (options.filters.empty()) chart.missing = study.points - study.answered;
   ChartRequest& request = chart.request;
-  request.title = study.name;
+  request.title = shown.title();
+  request.subtitle = filters_in_words(options.filters, rows);
   request.comment = shown.comment();
   request.x = scaled_axis(*choice.x, scales.x);
   request.y = scaled_axis(*choice.y, scales.y);
@@ -290,6 +322,7 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
   if (choice.families.size() == 1) {
     request.family = described(*choice.families.front());
     request.family.symbol = choice.families.front()->quantity.symbol;  // stands alone in the legend
+    request.ordered = choice.families.front()->type != "TEXT";
   }
   request.curves = labelled(curves, choice, rows);
   if (options.shares)

@@ -49,8 +49,12 @@ struct ShownStudy {
 
   ShownStudy(ResultStore& store, const StudyChartOptions& options);
   std::size_t unanswered() const;  ///< rows that have not converged
+  std::string title() const;       ///< the comment of the study file, its first clause where it is long; or the name
   std::string comment() const;     ///< for the head of a data file
 };
+
+/// Filters as a subtitle says them: "load = 20 kN/m, speed > 1 m/s".
+std::string filters_in_words(const std::vector<Filter>& filters, const StudyRows& rows);
 
 /// Names of the charts in the study's file, or their numbers; one where the file has none.
 /// @param study  may be empty if the database holds one study

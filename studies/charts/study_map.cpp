@@ -22,6 +22,8 @@ std::vector<const QuantityColumn*> longest_axes(const StudySummary& study, const
   return axes;
 }
 
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();  // not on the map
+
 struct MapAxes {
   const QuantityColumn *x = nullptr, *y = nullptr;
 };
@@ -55,9 +57,39 @@ MapNode state_of(const StudyRows& rows, std::size_t row, double value) {
   return std::isfinite(value) ? MapNode::not_converged : MapNode::unanswered;
 }
 
-void add_optimum(MapRequest& request, ResultStore& store, const std::string& name, const MapAxes& axes,
+/// The numbers of a scene and its solution, as far as formulas use them, from a row.
+struct RowOfFormula {
+  RollingScene scene;
+  RollingSolution solution;
+
+  RowOfFormula(const StudyRows& rows, std::size_t row) {
+    const auto fill = [&](const std::string& column, auto& value) {
+      using Value = std::decay_t<decltype(value)>;
+      if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
+        if (const double number = rows.number(row, *find_quantity_column(column)); !std::isnan(number)) value = number;
+    };
+    visit_inputs(scene, [&](const Quantity& quantity, auto& value) { fill(input_column(quantity.key), value); });
+    visit_outputs(solution, [&](const Quantity& quantity, auto& value) { fill(std::string(quantity.key), value); });
+  }
+};
+
+/// The optimisation's constraints, at the points of the map.
+void add_limits(MapRequest& request, const DesignProblem& problem, const StudyRows& rows,
+                const std::vector<std::size_t>& nodes) {
+  if (problem.scenes.size() > 1) return;  // the map shows one of them
+  for (const Condition& constraint : problem.constraints) {
+    MapLimit limit{constraint.text(), std::vector<double>(request.field.values.size(), RollingSolution::absent)};
+    for (std::size_t row = 0; row < nodes.size(); ++row) {
+      if (nodes[row] == nowhere || !rows.converged(row)) continue;
+      const RowOfFormula values(rows, row);
+      limit.excess[nodes[row]] = constraint.excess(values.scene, values.solution);
+    }
+    request.limits.push_back(std::move(limit));
+  }
+}
+
+void add_optimum(MapRequest& request, const StoredOptimum* found, const std::string& name, const MapAxes& axes,
                  const ScaledUnit& x_unit, const ScaledUnit& y_unit) {
-  const auto found = stored_optimum(store, stored_study(store, name).name);
   if (!found)
     throw std::invalid_argument("optimum = " + name + ": is no optimisation; its study file has no variables");
   const int x = found->variable(axes.x->quantity.key), y = found->variable(axes.y->quantity.key);
@@ -92,7 +124,8 @@ StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
 
   StoredMap map{.study = study.name, .points = rows.size(), .unanswered = shown.unanswered()};
   MapRequest& request = map.request;
-  request.title = study.name;
+  request.title = shown.title();
+  request.subtitle = filters_in_words(options.filters, rows);
   request.comment = shown.comment();
   request.x = scaled_axis(*axes.x, x);
   request.y = scaled_axis(*axes.y, y);
@@ -107,6 +140,7 @@ StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
                                 " would leave most of it empty");
   field.values.assign(size, std::numeric_limits<double>::quiet_NaN());
   request.nodes.assign(size, MapNode::not_computed);
+  std::vector<std::size_t> nodes(rows.size(), nowhere);
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const double at_x = rows.number(row, *axes.x), at_y = rows.number(row, *axes.y);
     if (!std::isfinite(at_x) || !std::isfinite(at_y)) continue;
@@ -118,13 +152,18 @@ StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
           study.name + ": several points at " + key_of(*axes.x) + " = " +
           value_in_words(axes.x->quantity, Cell(at_x), unit_in(rows, *axes.x)) + ", " + key_of(*axes.y) + " = " +
           value_in_words(axes.y->quantity, Cell(at_y), unit_in(rows, *axes.y)) + "; fix the other axes with --where");
+    nodes[row] = node;
     const double number = rows.number(row, value) / v.unit.factor;
     request.nodes[node] = state_of(rows, row, number);
     if (request.nodes[node] == MapNode::answered) field.values[node] = number;
   }
   for (double& place : field.x) place /= x.unit.factor;
   for (double& place : field.y) place /= y.unit.factor;
-  if (!options.optimum.empty()) add_optimum(request, store, options.optimum, axes, x.unit, y.unit);
+  if (!options.optimum.empty()) {
+    const auto found = stored_optimum(store, stored_study(store, options.optimum).name);
+    add_optimum(request, found ? &*found : nullptr, options.optimum, axes, x.unit, y.unit);
+    add_limits(request, found->problem, rows, nodes);
+  }
   return map;
 }
 

@@ -13,6 +13,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/words.hpp"
+#include "studies/text/xml_text.hpp"
 
 namespace rollres {
 
@@ -55,10 +56,6 @@ class AxisTimes {
  private:
   std::vector<std::string> names_;
 };
-
-std::string xml_text(std::string_view text) {
-  return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
-}
 
 std::string collection_text(const std::vector<TimedFile>& files) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
@@ -103,8 +100,9 @@ FieldCollections write_field_collections(ResultStore& store, const StudySummary&
     std::string number = std::to_string(position);
     number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
     const std::string file = base + "/" + number + ".vti";
-    write_file(directory / file,
-               fields_vti(answer->scene, surface_around(answer->scene, answer->solution, figure_margin)));
+    write_file(
+        directory / file,
+        fields_vti(answer->scene, surface_around(answer->scene, answer->solution, figure_margin), answer->solution));
     std::string others;
     for (const std::string& other : study.axes)
       if (other != written.axis)
@@ -154,7 +152,7 @@ void draw_figures(const FigureArguments& arguments, Session& session) {
     return;
   }
   const FigureSource source(scene, solution);
-  write_fields(arguments.out, scene, source.surface);
+  write_fields(arguments.out, scene, source.surface, solution);
   session.out << (std::filesystem::path(arguments.out) / "fields.vti").string() << std::endl;
   for (const Figure& figure : figures)
     session.out << draw_figure(figure, source, arguments.out).svg.string() << std::endl;

@@ -16,6 +16,7 @@
 #include "studies/fit/material_file.hpp"
 #include "studies/fit/shift_file.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/stored_evaluations.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
@@ -56,12 +57,17 @@ Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArgu
   FitFile alone = file;
   for (std::size_t j = 0; j < alone.inputs.size(); ++j) alone.inputs[j].start = report.parameters[j].value;
   const FitProblem problem = problem_of(alone, session.evaluate, 1);
+  StatusLine line(session.err);
+  const auto show = [&](int draws) {
+    line.show(std::to_string(draws) + " of " + std::to_string(arguments.coverage) + " draws fitted");
+  };
   return coverage(problem, report.point(), std::sqrt(report.errors.scale),
                   {.draws = arguments.coverage,
                    .seed = arguments.seed,
                    .jobs = arguments.jobs,
                    .profiles = !arguments.no_profiles,
-                   .stop = file.options.stop});
+                   .stop = file.options.stop,
+                   .report = show});
 }
 
 /// Stores the fit, and tells by the exit status what it is worth.

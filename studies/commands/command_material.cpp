@@ -77,7 +77,7 @@ std::filesystem::path draw_curves(const std::filesystem::path& name, const std::
     picture.explain(LegendEntry::plain(look, curve.name));
   }
   const PictureText text = picture.finished(title);
-  draw_pictures(files, text.data, text.script);
+  draw_pictures(files, text.data, text.script, {title});
   return files.svg;
 }
 

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 #include <ostream>
 
 #include "studies/drawing/bar_chart.hpp"
 #include "studies/optimise/optimise_report.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/sensitivity/global_sensitivity.hpp"
@@ -163,20 +165,27 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
     evaluations.emplace(session.evaluate, arguments.database, study, &signal.requested());
   }
+  std::optional<StatusLine> line(session.err);
+  std::mutex one_at_a_time;
   const CubeFunction function = [&](std::span<const double> place) {
     const auto evaluate = [&](const RollingScene& scene) { return (*evaluations)(scene); };
-    return evaluate_design(problem, point_in_box(problem, place), evaluate).value;
+    const double value = evaluate_design(problem, point_in_box(problem, place), evaluate).value;
+    const std::lock_guard lock(one_at_a_time);
+    line->show(std::to_string(evaluations->count().all()) + " scenes solved or recalled");
+    return value;
   };
   GlobalFindings findings;
   try {
     findings = arguments.indices == "sobol" ? sobol_findings(problem, function, arguments)
                                             : morris_findings(problem, function, arguments);
   } catch (const Interrupted&) {
+    line.reset();
     session.err << "interrupted"
                 << (!arguments.database.empty() ? ": the same command goes on where it stopped\n" : "\n");
     session.status = ExitStatus::no_answer;
     return;
   }
+  line.reset();
   evaluations->flush();
   findings.sort();
 

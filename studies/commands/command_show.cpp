@@ -150,7 +150,7 @@ void show_evaluation(const ShowArguments& arguments, const StoredEvaluation& eva
 void export_fields(const ShowArguments& arguments, ResultStore& store, const StoredEvaluation& evaluation,
                    Session& session) {
   if (const auto fields = store.find_fields(evaluation.key))
-    return write_fields(*arguments.fields, evaluation.scene, *fields);
+    return write_fields(*arguments.fields, evaluation.scene, *fields, evaluation.solution);
   session.err << arguments.database << ": evaluation " << evaluation.id
               << ": no fields are stored; rollres sweep STUDY --fields stores them\n";
   session.status = ExitStatus::no_answer;

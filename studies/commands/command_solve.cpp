@@ -39,7 +39,7 @@ void run_solve(const SolveArguments& options, Session& session) {
     session.err << "rollres: " << *options.fields << ": nothing written, the solution has no fields\n";
     return;
   }
-  write_fields(*options.fields, scene, solution.fields);
+  write_fields(*options.fields, scene, solution.fields, solution);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <ostream>
 
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/sweep.hpp"
+#include "studies/text/similar_texts.hpp"
 #include "studies/text/table_json.hpp"
 
 namespace rollres {
@@ -29,8 +31,29 @@ void print_json(std::ostream& out, const SweepReport& report, const std::vector<
   out << text_of(object, 2) << '\n';
 }
 
-void print_summary(Session& session, const SweepReport& report, const std::vector<Failure>& failures,
+/// Failures whose reasons differ only in their numbers as one, the most frequent first.
+std::vector<Failure> grouped(const std::vector<Failure>& failures) {
+  std::vector<std::string> reasons;
+  for (const Failure& failure : failures) reasons.push_back(failure.reason);
+  reasons = with_ranges(reasons);
+  std::vector<Failure> groups;
+  for (std::size_t i = 0; i < failures.size(); ++i) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Failure& group) {
+      return group.status == failures[i].status && group.reason == reasons[i];
+    });
+    if (same != groups.end())
+      same->points += failures[i].points;
+    else
+      groups.push_back({failures[i].status, reasons[i], failures[i].points});
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Failure& a, const Failure& b) { return a.points > b.points; });
+  return groups;
+}
+
+void print_summary(Session& session, const SweepReport& report, const std::vector<Failure>& single_failures,
                    const SweepArguments& arguments) {
+  const std::vector<Failure> failures = grouped(single_failures);
   const StudySummary& study = report.study;
   session.out << study.name << (arguments.shard.empty() ? "" : ", shard " + arguments.shard) << ": " << report.answered
               << " of " << report.points << " points in " << arguments.database << ", " << report.recalled

@@ -32,6 +32,23 @@ Table table_of(const std::vector<VerificationRow>& rows) {
   return table;
 }
 
+/// The same for people: under the name of each source its checks, at most 120 columns wide.
+void write_by_source(std::ostream& out, const std::vector<VerificationRow>& rows) {
+  Table table = table_of(rows);
+  table.columns = {"check", "expected", "got", "off by", "allowed", "result"};
+  for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + 1);
+  std::ostringstream aligned;
+  write_aligned(aligned, table);
+  std::istringstream lines(aligned.str());
+  std::string line;
+  std::getline(lines, line);
+  out << line << '\n';
+  for (std::size_t i = 0; i < rows.size() && std::getline(lines, line); ++i) {
+    if (i == 0 || rows[i].source != rows[i - 1].source) out << (i == 0 ? "" : "\n") << rows[i].source << '\n';
+    out << "  " << line << '\n';
+  }
+}
+
 /// One row for each source: how many checks, and the one that comes closest to what it is allowed.
 Table summary_of(const std::vector<VerificationRow>& rows) {
   Table table{{"source", "checks", "pass", "closest to its tolerance", "difference", "tolerance"}, {}};
@@ -93,7 +110,10 @@ void run_verify(const VerifyArguments& arguments, Session& session) {
     session.out << text_of(object, 2) << '\n';
     return;
   }
-  write_table(session.out, arguments.summary ? summary_of(rows) : table_of(rows), arguments.format);
+  if (arguments.summary || arguments.format != "table")
+    write_table(session.out, arguments.summary ? summary_of(rows) : table_of(rows), arguments.format);
+  else
+    write_by_source(session.out, rows);
   for (const VerificationRow& row : rows)
     if (!row.reason.empty()) session.out << row.quantity << ": " << row.reason << '\n';
   session.out << '\n'

@@ -95,7 +95,7 @@ ChartFiles draw_bar_chart(const BarChart& chart, const std::filesystem::path& na
   for (const Bar& bar : chart.bars)
     for (const BarValue& value : bar.values) any |= std::isfinite(value.value);
   if (!any) throw std::invalid_argument(chart.title + ": nothing to draw, no bar has a value");
-  draw_pictures(files, data_of(chart), script_of(chart, files), gnuplot);
+  draw_pictures(files, data_of(chart), script_of(chart, files), {chart.title, "bars of " + chart.axis.name}, gnuplot);
   return files;
 }
 

@@ -10,6 +10,7 @@
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/xml_text.hpp"
 
 namespace rollres {
 
@@ -26,6 +27,40 @@ std::vector<bool> marked(const std::vector<ChartPoint>& points, std::size_t curv
     marks[i] = alone || (i + curve) % step == 0;
   }
   return marks;
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// An SVG whose title and description, which gnuplot fills with its own name, say what it shows.
+std::string with_words(std::string svg, const PictureWords& words) {
+  const auto fill = [&](const std::string& tag, const std::string& text) {
+    const std::size_t begin = svg.find("<" + tag + ">"), end = svg.find("</" + tag + ">");
+    if (text.empty() || begin == std::string::npos || end == std::string::npos || end < begin) return;
+    svg.replace(begin, end - begin, "<" + tag + ">" + xml_text(text));
+  };
+  fill("title", words.title);
+  fill("desc", words.description);
+  return svg;
+}
+
+/// "rolling resistance [N/m] against speed [m/s], one curve for each load: 10 kN/m, 20 kN/m"
+std::string description_of(const ChartRequest& request) {
+  const auto named = [](const ChartAxis& axis) { return axis.name + unit_in_brackets(axis.unit); };
+  std::string text = named(request.y) + " against " + named(request.x);
+  if (!request.subtitle.empty()) text += ", " + request.subtitle;
+  if (request.curves.size() > 1) {
+    text += request.family.name.empty() ? "; curves: " : ", one curve for each " + request.family.name + ": ";
+    for (const ChartCurve& curve : request.curves)
+      text += (&curve == &request.curves.front() ? "" : ", ") + curve.label;
+  }
+  for (const ChartCurve& curve : request.curves)
+    if (const auto place = request.lines && request.mark_peaks ? peak(curve) : std::nullopt)
+      text += "; peak " + (curve.label.empty() ? "" : "at " + curve.label + " ") +
+              short_number(curve.points[*place].y, 4) + " at " + short_number(curve.points[*place].x, 4);
+  return text;
 }
 
 /// Whether a file ends as SVG and PNG do.
@@ -74,6 +109,7 @@ std::string chart_data(const ChartRequest& request) {
            (axis.unit.empty() ? "" : " [" + axis.unit + "]");
   };
   comment(request.title);
+  if (!request.subtitle.empty()) comment(request.subtitle);
   if (!request.comment.empty()) comment(request.comment);
   comment("column 1: " + described(request.x));
   comment("column 2: " + described(request.y));
@@ -105,7 +141,7 @@ std::string chart_data(const ChartRequest& request) {
 }
 
 void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
-                   const std::string& gnuplot) {
+                   const PictureWords& words, const std::string& gnuplot) {
   if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
   write_file(files.data, data);
   write_file(files.script, script);
@@ -119,6 +155,7 @@ void draw_pictures(const ChartFiles& files, const std::string& data, const std::
     std::filesystem::remove(picture, error);
     throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but the picture is cut off: disk full?");
   }
+  write_file(files.svg, with_words(content_of(files.svg), words));
 }
 
 ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
@@ -128,7 +165,8 @@ ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& 
   });
   if (!something)
     throw std::invalid_argument(request.title + ": nothing to draw, no point has a value of " + request.y.name);
-  draw_pictures(files, chart_data(request), chart_script(request, files), gnuplot);
+  draw_pictures(files, chart_data(request), chart_script(request, files), {request.title, description_of(request)},
+                gnuplot);
   return files;
 }
 

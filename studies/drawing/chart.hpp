@@ -3,10 +3,11 @@
 /// A chart as a plain value, drawn by gnuplot as SVG and PNG. The script and the data stay beside the pictures, so that
 /// a chart can be restyled: change NAME.gp and run "gnuplot NAME.gp" in its folder.
 ///
-/// Every curve differs by colour (safe for colour-blind readers), dash and mark. A point that did not converge is drawn
-/// hollow; one without a value is a cross on the lower edge; the line of a curve never passes over either. A curve may
-/// have an area from `low` to `high` of its points: a band, left out where it is too narrow to be seen, or its part of
-/// a stack.
+/// Every curve differs by colour (safe for colour-blind readers), dash and mark; curves in an order go from dark to
+/// light, and where there are many each bears its label, and its peak, at its end. A point that did not converge is
+/// drawn hollow; one without a value is a cross on the lower edge; the line of a curve never passes over either. A
+/// curve may have an area from `low` to `high` of its points: a band, left out where it is too narrow to be seen, or
+/// its part of a stack.
 
 #include <cmath>
 #include <filesystem>
@@ -44,10 +45,12 @@ struct ChartAxis {
 };
 
 struct ChartRequest {
-  std::string title;
+  std::string title;          ///< broken into two lines where it is long
+  std::string subtitle = {};  ///< what is shown of it: "load = 20 kN/m"
   ChartAxis x, y;
   ChartAxis family = {};  ///< the legend says "symbol = label"
   std::vector<ChartCurve> curves;
+  bool ordered = false;    ///< the curves come in the order of the family's values
   std::string areas = {};  ///< what the areas of the points mean, as bands round the curves; empty: they fill the chart
   bool lines = true;       ///< join the points of a curve; else each bears a mark and no peak is marked
   bool mark_peaks = true;  ///< marks the peak of each curve with its value
@@ -74,10 +77,16 @@ std::string chart_data(const ChartRequest& request);
 /// The gnuplot script. It names the files without their folder and is to be run there.
 std::string chart_script(const ChartRequest& request, const ChartFiles& files);
 
-/// Writes script and data and lets gnuplot draw the two pictures: what every picture of this program does.
+/// What a picture is called and what it shows, for those who hear it instead of seeing it.
+struct PictureWords {
+  std::string title, description = {};
+};
+
+/// Writes script and data and lets gnuplot draw the two pictures: what every picture of this program does. The words go
+/// into the SVG.
 /// @throws std::runtime_error as draw_chart
 void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
-                   const std::string& gnuplot = "gnuplot");
+                   const PictureWords& words, const std::string& gnuplot = "gnuplot");
 
 /// Writes script and data and draws the pictures; folders are made, older files of that name replaced.
 /// @param gnuplot the program that draws

@@ -12,18 +12,19 @@ namespace rollres {
 namespace {
 
 // Sizes in pixels of the SVG; the PNG has twice as many.
-constexpr double picture_width = 560, title_height = 36, legend_row_height = 23, font_size = 17;
+constexpr double picture_width = 560, legend_row_height = 23, font_size = 17;
 
 /// A file in the script's own folder: never read as a pipe or a home folder.
 std::string here(const std::filesystem::path& file) { return gnuplot::quoted("./" + file.filename().string()); }
 
 /// A quoted text, set in smaller letters, down to two thirds, where it is longer than `room`, and cut where that is not
 /// enough.
-std::string fitted(std::string text, const std::string& markup, std::size_t room) {
+std::string fitted(std::string text, const std::string& markup, std::size_t room, double size = font_size) {
   const std::size_t length = width(text), longest = room * 3 / 2;
-  if (length <= room) return gnuplot::quoted(markup);
+  if (length <= room)
+    return gnuplot::quoted(markup) + (size == font_size ? "" : " font '," + short_number(size, 3) + "'");
   const double scale = static_cast<double>(room) / static_cast<double>(std::min(length, longest));
-  const std::string font = " font '," + short_number(font_size * scale, 3) + "'";
+  const std::string font = " font '," + short_number(size * scale, 3) + "'";
   if (length <= longest) return gnuplot::quoted(markup) + font;
   while (width(text) >= longest) {
     while ((text.back() & 0xc0) == 0x80) text.pop_back();
@@ -31,6 +32,54 @@ std::string fitted(std::string text, const std::string& markup, std::size_t room
   }
   return gnuplot::quoted(gnuplot::plain(text) + "…") + font;
 }
+
+/// A text broken between words into lines of at most `room` letters, where words allow it.
+std::vector<std::string> broken(std::string_view text, std::size_t room) {
+  std::vector<std::string> lines(1);
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find(' ', start), text.size());
+    const std::string word(text.substr(start, end - start));
+    if (!lines.back().empty() && width(lines.back()) + 1 + width(word) > room) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    start = end + 1;
+  }
+  return lines;
+}
+
+/// Title and subtitle: their lines, and the places of these from the top [px].
+class Heading {
+ public:
+  Heading(const std::string& title, const std::string& subtitle) {
+    constexpr std::size_t room = 48, most_lines = 2;
+    std::vector<std::string> lines = broken(title, room);
+    if (lines.size() > most_lines) {  // the first half, and the rest in smaller letters
+      lines = broken(title, width(title) / most_lines + room / 4);
+      for (; lines.size() > most_lines; lines.pop_back()) lines[lines.size() - 2] += " " + lines.back();
+    }
+    std::size_t longest = room;
+    for (const std::string& line : lines) longest = std::max(longest, std::min(width(line), 3 * room / 2));
+    const double size = font_size * static_cast<double>(room) / static_cast<double>(longest);
+    for (const std::string& line : lines) add(line, longest, size, 24);
+    if (!subtitle.empty()) add(subtitle, 60, 14, 20);
+    height_ += 6;
+  }
+
+  double height() const { return height_; }
+  template <class FromTop>
+  void write(std::ostream& script, const FromTop& from_top) const {
+    for (const auto& [text, place] : lines_)
+      script << "set label " << text << " at screen 0.5, screen " << from_top(place) << " center\n";
+  }
+
+ private:
+  void add(const std::string& text, std::size_t room, double size, double step) {
+    lines_.emplace_back(fitted(text, gnuplot::plain(text) + kept_blanks, room, size), height_ + step / 2);
+    height_ += step;
+  }
+
+  double height_ = 6;
+  std::vector<std::pair<std::string, double>> lines_;
+};
 
 std::string axis_label(const ChartAxis& axis, std::size_t room) {
   std::string text = axis.name, markup = gnuplot::plain(axis.name);
@@ -67,7 +116,10 @@ std::vector<double> ticks(const Span& span) {
 void write_axis(std::ostream& script, char name, const Span& span) {
   script << "set " << name << "range [" << short_number(span.lowest, 15) << ":" << short_number(span.highest, 15)
          << "]\n";
-  if (!span.logarithmic) return;
+  if (!span.logarithmic) {
+    script << "set format " << name << " '%h'\n";  // gnuplot's own begins with a blank
+    return;
+  }
   script << "set logscale " << name << "\n";
   const bool plain_numbers = span.lowest >= 0.9e-4 && span.highest <= 1.1e5;
   const std::vector<double> numbers = ticks(span);
@@ -83,12 +135,14 @@ struct LegendGrid {
   double column = 1;                    // width of a column [px]
   std::size_t columns = 1, rows = 0;
 
-  explicit LegendGrid(const std::vector<LegendEntry>& entries) {
+  double top;  // above it [px]
+
+  LegendGrid(const std::vector<LegendEntry>& entries, double above) : top(above) {
     if (entries.empty()) return;
     std::size_t longest = 1;
     for (const LegendEntry& entry : entries) longest = std::max(longest, entry.letters);
-    column = sample + 14 + 9.3 * static_cast<double>(longest);
-    columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 20) / column), 1, 4);
+    column = sample + 11 + 9.2 * static_cast<double>(longest);
+    columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 4) / column), 1, 5);
     columns = std::min(columns, entries.size());
     rows = (entries.size() + columns - 1) / columns;
   }
@@ -101,7 +155,7 @@ struct LegendGrid {
   /// Middle of its height, from the top [px].
   double y(std::size_t entry) const {
     const std::size_t row = entry / columns;
-    return title_height + legend_row_height * (static_cast<double>(row) + 0.3);
+    return top + legend_row_height * (static_cast<double>(row) + 0.3);
   }
 };
 
@@ -116,7 +170,7 @@ double even_step(double length, double fewest) {
 
 std::string_view curve_colour(std::size_t curve) {
   constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                    "#E69F00", "#56B4E9", "#000000"};
+                                                    "#B57E00", "#3C93C7", "#000000"};
   return colours[curve % colours.size()];
 }
 
@@ -139,13 +193,13 @@ void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& 
 void write_pictures(std::ostream& script, const ChartFiles& files, const std::string& title,
                     std::vector<std::string> plots, const std::vector<LegendEntry>& entries,
                     const PictureShape& shape) {
-  const LegendGrid grid(entries);
-  const double height = std::round(shape.height + title_height + grid.height());
+  const Heading heading(title, shape.subtitle);
+  const LegendGrid grid(entries, heading.height());
+  const double height = std::round(shape.height + heading.height() + grid.height());
   const auto from_top = [&](double pixels) { return short_number(1 - pixels / height, 4); };
-  script << "set label " << fitted(title, gnuplot::plain(title) + kept_blanks, 46) << " at screen 0.5, screen "
-         << from_top(title_height / 2) << " center\n"
-         << "set tmargin at screen " << from_top(title_height + grid.height() + shape.gap) << "\nset rmargin at screen "
-         << short_number(shape.right / picture_width, 3) << "\n";
+  heading.write(script, from_top);
+  script << "set tmargin at screen " << from_top(heading.height() + grid.height() + shape.gap)
+         << "\nset rmargin at screen " << short_number(shape.right / picture_width, 3) << "\n";
   if (shape.left > 0) script << "set lmargin at screen " << short_number(shape.left / picture_width, 4) << "\n";
   if (shape.bottom > 0) script << "set bmargin at screen " << short_number(shape.bottom / height, 4) << "\n";
   script << "set key Left reverse samplen 2.2\n";

@@ -43,8 +43,18 @@ double even_step(double length, double fewest = 4);
 /// gnuplot keeps the blanks of an SVG's text only where two stand together.
 inline constexpr const char* kept_blanks = "  ";
 
-/// Colour of the n-th curve: those of Okabe and Ito (2008) without their yellow, seven in turn.
+/// Colour of the n-th curve: those of Okabe and Ito (2008) without their yellow, the two lightest darkened to a
+/// contrast of 3 to white, seven in turn.
 std::string_view curve_colour(std::size_t curve);
+
+/// What the axes of a chart span.
+struct ChartSpans {
+  Span x, y;
+};
+ChartSpans chart_spans(const ChartRequest& request);
+
+/// Colour of a curve of a chart.
+std::string curve_colour(const ChartRequest& request, std::size_t curve);
 
 /// One entry of the legend.
 struct LegendEntry {
@@ -65,6 +75,7 @@ struct PictureShape {
   double left = 0, right = 535, bottom = 0;  ///< of the plot, from the left and the lower edge; 0: as the numbers need
   double gap = 10;                           ///< above the plot
   bool surface = false;                      ///< the plots are of gnuplot's splot
+  std::string subtitle = {};                 ///< below the title, smaller
 };
 
 /// The tail of a script: title, legend and the two pictures of all `plots` ("data index 0 using 1:2 with lines").

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "studies/drawing/chart_frame.hpp"
+#include "studies/drawing/colour_map.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -10,9 +11,9 @@ namespace rollres {
 
 namespace {
 
-struct Layout {
-  Span x, y;
-};
+using Layout = ChartSpans;
+
+constexpr double end_label_height = 17;  // of a curve's label at its end [px]
 
 /// A rectangle of the plot, in fractions of its sides.
 struct Box {
@@ -79,16 +80,43 @@ bool areas_are_seen(const ChartRequest& request, const Layout& layout) {
   });
 }
 
-/// The value of a peak, to be written above or below it.
+/// The value of a peak, and where it is written.
 struct PeakValue {
   std::size_t curve;
   ChartPoint point;
   std::string text;  ///< three significant digits, more where the axis spans little of the value
-  bool above;
+  Box box;           ///< that its letters take
 };
 
-/// The values of those peaks (the highest first) that have room for it: no curve, no other peak and no other value is
-/// covered.
+std::string peak_text(const ChartPoint& top, const Layout& layout) {
+  const double fineness = layout.y.logarithmic ? 1 : std::abs(top.y) / (layout.y.highest - layout.y.lowest);
+  return short_number(top.y, 3 + static_cast<int>(std::log10(std::max(1.0, fineness))));
+}
+
+/// Places for the middle of a text of this size around a peak: above, below, beside it, and then farther away all over
+/// the plot, the nearest first. @param far  look farther away at all
+std::vector<std::array<double, 2>> places_around(double x, double y, double half_width, bool far) {
+  std::vector<std::array<double, 2>> places{{x, y + 0.075}, {x, y - 0.075}};
+  const double aside = half_width + 0.03;
+  for (const double up : {0.055, -0.055, 0.0})
+    for (const double side : {1.0, -1.0}) places.push_back({x + side * aside, y + up});
+  if (!far) return places;
+  std::vector<std::array<double, 2>> farther;
+  constexpr int columns = 24, rows = 24;
+  for (int column = 0; column <= columns; ++column)
+    for (int row = 0; row <= rows; ++row)
+      farther.push_back({static_cast<double>(column) / columns, static_cast<double>(row) / rows});
+  const auto distance = [&](const std::array<double, 2>& place) {
+    return std::hypot(0.7 * (place[0] - x), place[1] - y);  // a step across costs less: leaders may be flat
+  };
+  std::stable_sort(farther.begin(), farther.end(),
+                   [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
+  places.insert(places.end(), farther.begin(), farther.end());
+  return places;
+}
+
+/// The values of the peaks, the highest first, each where it covers no curve, no other peak and no other value; a peak
+/// for whose value the plot has no such place has none.
 std::vector<PeakValue> peak_values(const ChartRequest& request, const Layout& layout) {
   struct Top {
     std::size_t curve;
@@ -102,20 +130,21 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const Layout& la
   std::vector<Box> taken;  // first by the rings
   for (const Top& top : tops)
     taken.push_back({layout.x.fraction(top.point.x), layout.y.fraction(top.point.y), 0.014, 0.02});
+  constexpr std::size_t most_peaks = 24;  // of more the plot is full
   std::vector<PeakValue> values;
   for (const auto& [i, top] : tops) {
-    const double fineness = layout.y.logarithmic ? 1 : std::abs(top.y) / (layout.y.highest - layout.y.lowest);
-    const std::string value = short_number(top.y, 3 + static_cast<int>(std::log10(std::max(1.0, fineness))));
-    const double x = layout.x.fraction(top.x), y = layout.y.fraction(top.y);
-    for (const int side : {1, -1}) {
-      const Box box{x, y + 0.075 * side, 0.012 * static_cast<double>(value.size()) + 0.005, 0.04};
+    const std::string value = peak_text(top, layout);
+    const double half_width = 0.012 * static_cast<double>(value.size()) + 0.005;
+    for (const auto& [x, y] :
+         places_around(layout.x.fraction(top.x), layout.y.fraction(top.y), half_width, tops.size() <= most_peaks)) {
+      const Box box{x, y, half_width, 0.04};
       const bool inside = box.y - box.half_height > 0 && box.y + box.half_height < 1.02 &&
                           box.x - box.half_width > -0.02 && box.x + box.half_width < 1.02;
       if (!inside || std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); }) ||
           std::any_of(request.curves.begin(), request.curves.end(),
                       [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
         continue;
-      values.push_back({i, top, value, side > 0});
+      values.push_back({i, top, value, box});
       taken.push_back(box);
       break;
     }
@@ -123,25 +152,93 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const Layout& la
   return values;
 }
 
+/// Whether the curves bear their labels, and the values of their peaks, at their ends: many curves in an order.
+bool labels_at_ends(const ChartRequest& request) {
+  constexpr std::size_t most_in_legend = 5;
+  return request.ordered && request.lines && request.curves.size() > most_in_legend;
+}
+
 /// Look of the n-th curve. The periods 7, 6 and 5 of colours, marks and dashes have no common factor, so 210 curves
 /// differ.
 struct Look {
-  std::string_view colour;
+  std::string colour;
   int filled, hollow;  // gnuplot's point types
   std::string_view dash;
 };
-Look look(std::size_t curve) {
+Look look(const ChartRequest& request, std::size_t curve) {
+  const std::size_t count = request.curves.size();
+  if (labels_at_ends(request)) return {ordered_colour(curve, count), 7, 6, "1"};
   constexpr std::array<int, 6> filled{7, 5, 9, 13, 11, 15}, hollow{6, 4, 8, 12, 10, 14};
   constexpr std::array<std::string_view, 5> dashes{"1", "(10,4)", "(3,3)", "(10,3,2,3)", "(6,2)"};
-  return {curve_colour(curve), filled[curve % filled.size()], hollow[curve % hollow.size()],
-          dashes[curve % dashes.size()]};
+  const bool ordered = request.ordered && count > 2;
+  return {ordered ? ordered_colour(curve, count) : std::string(curve_colour(curve)), filled[curve % filled.size()],
+          hollow[curve % hollow.size()], dashes[curve % dashes.size()]};
 }
 
 void write_peak_values(std::ostream& script, const ChartRequest& request, const Layout& layout) {
-  for (const PeakValue& value : peak_values(request, layout))
-    script << "set label " << gnuplot::quoted(value.text) << " at first " << short_number(value.point.x, 15)
-           << ", first " << short_number(value.point.y, 15) << " center offset 0," << (value.above ? "0.9" : "-0.9")
-           << " tc rgb '" << look(value.curve).colour << "' front\n";
+  for (const PeakValue& value : peak_values(request, layout)) {
+    const std::string colour = letter_colour(look(request, value.curve).colour);
+    const Box& box = value.box;
+    script << "set label " << gnuplot::quoted(value.text) << " at graph " << short_number(box.x, 4) << ", graph "
+           << short_number(box.y, 4) << " center tc rgb '" << colour << "' front\n";
+    const double x = layout.x.fraction(value.point.x), y = layout.y.fraction(value.point.y);
+    const double across = std::max(std::abs(x - box.x) - box.half_width, 0.0),
+                 up = std::max(std::abs(y - box.y) - box.half_height, 0.0);
+    constexpr double near = 0.06;
+    if (std::hypot(across, up) < near) continue;
+    script << "set arrow from first " << short_number(value.point.x, 15) << ", first "
+           << short_number(value.point.y, 15) << " to graph "
+           << short_number(std::clamp(x, box.x - box.half_width, box.x + box.half_width), 4) << ", graph "
+           << short_number(std::clamp(y, box.y - 0.6 * box.half_height, box.y + 0.6 * box.half_height), 4)
+           << " nohead lw 0.8 lc rgb '" << colour << "' front\n";
+  }
+}
+
+/// Labels of the curves at the right of the plot, in the order of the curves' ends, with a line to each of them.
+void write_end_labels(std::ostream& script, const ChartRequest& request, const Layout& layout, double from_top) {
+  struct End {
+    std::size_t curve;
+    ChartPoint point;
+    double at;  // height of the label, as a fraction of the plot
+  };
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < request.curves.size(); ++i) {
+    const auto& points = request.curves[i].points;
+    const auto last = std::find_if(points.rbegin(), points.rend(), [](const auto& point) { return point.joined(); });
+    if (last != points.rend()) ends.push_back({i, *last, layout.y.fraction(last->y)});
+  }
+  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  // As low as they may stand, then down from the top where they came too high.
+  const double step = end_label_height / from_top;
+  for (std::size_t i = 0; i < ends.size(); ++i) ends[i].at = std::max(ends[i].at, i == 0 ? 0.0 : ends[i - 1].at + step);
+  double limit = 1.0;
+  for (auto end = ends.rbegin(); end != ends.rend(); ++end, limit -= step) end->at = std::min(end->at, limit);
+  const bool peaks = std::any_of(ends.begin(), ends.end(),
+                                 [&](const End& end) { return request.mark_peaks && peak(request.curves[end.curve]); });
+  const std::string symbol =
+      request.family.symbol.empty() ? gnuplot::plain(request.family.name) : gnuplot::symbol(request.family.symbol);
+  script << "set label " << gnuplot::quoted(symbol + (peaks ? ": peak" : "") + kept_blanks)
+         << " at graph 1.06, graph 1.06 left font ',14'\n";
+  for (const End& end : ends) {
+    const ChartCurve& curve = request.curves[end.curve];
+    const std::string colour = look(request, end.curve).colour;
+    std::string text = gnuplot::plain(curve.label);
+    if (const auto place = request.mark_peaks ? peak(curve) : std::nullopt)
+      text += ": " + peak_text(curve.points[*place], layout);
+    script << "set label " << gnuplot::quoted(text + kept_blanks) << " at graph 1.06, graph " << short_number(end.at, 4)
+           << " left font ',14' tc rgb '" << letter_colour(colour) << "'\n"
+           << "set arrow from first " << short_number(end.point.x, 15) << ", first " << short_number(end.point.y, 15)
+           << " to graph 1.05, graph " << short_number(end.at, 4) << " nohead lw 1 lc rgb '" << colour << "'\n";
+  }
+}
+
+/// Room for them, right of the plot [px].
+double end_labels_width(const ChartRequest& request) {
+  constexpr double letter = 7.6, lead = 40;
+  std::size_t longest = 0;
+  for (const ChartCurve& curve : request.curves)
+    longest = std::max(longest, width(curve.label) + (request.mark_peaks && peak(curve) ? 7 : 0));
+  return lead + letter * static_cast<double>(longest);
 }
 
 /// Crosses on the lower edge for points that have no value, each curve on its own level.
@@ -152,7 +249,7 @@ bool write_crosses(std::ostream& script, const ChartRequest& request) {
       if (point.converged || std::isfinite(point.y) || !std::isfinite(point.x)) continue;
       script << "set label '' at first " << short_number(point.x, 15) << ", graph "
              << short_number(0.025 + 0.03 * static_cast<double>(i % 6)) << " point pt 2 ps 0.7 lw 1.5 lc rgb '"
-             << look(i).colour << "' front\n";
+             << look(request, i).colour << "' front\n";
       any = true;
     }
   return any;
@@ -164,7 +261,7 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const auto& [label, points] = request.curves[i];
     hollow |= std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; });
-    if (label.empty()) continue;
+    if (label.empty() || labels_at_ends(request)) continue;
     const std::string& symbol = request.family.symbol;
     const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
     entries.push_back({(request.lines ? "linespoints linetype " : "points linetype ") + std::to_string(i + 1),
@@ -185,8 +282,12 @@ std::vector<std::string> area_plots(const ChartRequest& request) {
   std::vector<std::string> parts;
   const std::string depth = request.areas.empty() ? "0.45" : "0.2";
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
-    const std::string data = "data index " + std::to_string(i), colour = "'" + std::string(look(i).colour) + "'";
-    if (request.lines)
+    const std::string data = "data index " + std::to_string(i), colour = "'" + look(request, i).colour + "'";
+    const auto& points = request.curves[i].points;
+    const bool joined = std::adjacent_find(points.begin(), points.end(), [](const auto& a, const auto& b) {
+                          return a.joined() && b.joined();
+                        }) != points.end();
+    if (request.lines && joined)
       parts.push_back(data + " using 1:5:6 with filledcurves fc rgb " + colour + " fs transparent solid " + depth +
                       " noborder notitle");
     else
@@ -208,34 +309,49 @@ std::vector<std::string> plots(const ChartRequest& request, bool areas) {
       parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
     }
     if (std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; }))
-      parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(i).hollow) +
-                      " ps 0.7 lw 1.5 lc rgb '" + std::string(look(i).colour) + "' notitle");
+      parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(request, i).hollow) +
+                      " ps 0.7 lw 1.5 lc rgb '" + look(request, i).colour + "' notitle");
   }
   if (request.lines && request.mark_peaks)
     for (std::size_t i = 0; i < request.curves.size(); ++i)
       if (const auto top = peak(request.curves[i])) {
         const std::string row = std::to_string(*top);
         parts.push_back("data index " + std::to_string(i) + " every ::" + row + "::" + row +
-                        " using 1:2 with points pt 6 ps 1.3 lw 1.5 lc rgb '" + std::string(look(i).colour) +
-                        "' notitle");
+                        " using 1:2 with points pt 6 ps 1.3 lw 1.5 lc rgb '" + look(request, i).colour + "' notitle");
       }
   return parts;
 }
 
 }  // namespace
 
+ChartSpans chart_spans(const ChartRequest& request) { return lay_out(request); }
+
+std::string curve_colour(const ChartRequest& request, std::size_t curve) { return look(request, curve).colour; }
+
 std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
+  constexpr double around = 95;  // of the plot: its axis below, its gap above [px]
   const Layout layout = lay_out(request);
+  const bool at_ends = labels_at_ends(request);
   std::ostringstream script;
   write_axes(script, files, request.x, layout.x, request.y, layout.y);
   for (std::size_t i = 0; i < request.curves.size(); ++i)
-    script << "set linetype " << i + 1 << " lc rgb '" << look(i).colour << "' lw 2 dt " << look(i).dash << " pt "
-           << look(i).filled << " ps 0.7\n";
+    script << "set linetype " << i + 1 << " lc rgb '" << look(request, i).colour << "' lw 2 dt "
+           << look(request, i).dash << " pt " << look(request, i).filled << " ps " << (at_ends ? "0.4" : "0.7") << "\n";
   script << "\n";
-  if (request.lines && request.mark_peaks) write_peak_values(script, request, layout);
+  PictureShape shape{.subtitle = request.subtitle};
+  if (at_ends) {
+    const double plot_height =
+        std::max(shape.height - around, end_label_height * static_cast<double>(request.curves.size()));
+    shape.height = plot_height + around;
+    shape.gap = 26;  // for the head of the labels
+    shape.right -= end_labels_width(request);
+    write_end_labels(script, request, layout, plot_height);
+  } else if (request.lines && request.mark_peaks) {
+    write_peak_values(script, request, layout);
+  }
   const bool areas = areas_are_seen(request, layout);
   const std::vector<LegendEntry> entries = legend(request, write_crosses(script, request), areas);
-  write_pictures(script, files, request.title, plots(request, areas), entries);
+  write_pictures(script, files, request.title, plots(request, areas), entries, shape);
   return script.str();
 }
 

@@ -24,16 +24,33 @@ std::array<int, 3> red_green_blue(std::string_view colour) {
   return parts;
 }
 
+/// (L1 + 0.05)/(L2 + 0.05) with the relative luminance L of sRGB (WCAG 2.1).
+double contrast_to_white(const std::array<int, 3>& colour) {
+  constexpr std::array<double, 3> weights{0.2126, 0.7152, 0.0722};
+  double luminance = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double part = colour[i] / 255.0;
+    luminance += weights[i] * (part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+  }
+  return 1.05 / (luminance + 0.05);
+}
+
+std::string written(const std::array<int, 3>& colour) {
+  std::ostringstream text;
+  text << '#' << std::hex << std::uppercase << std::setfill('0');
+  for (const int part : colour) text << std::setw(2) << part;
+  return text.str();
+}
+
 /// A colour between those of a list, at 0 the first and at 1 the last.
 std::string mixed(const std::array<std::string_view, 9>& colours, double place) {
   const double at = place * (static_cast<double>(colours.size()) - 1);
   const auto below = std::min(static_cast<std::size_t>(at), colours.size() - 2);
   const std::array<int, 3> from = red_green_blue(colours[below]), to = red_green_blue(colours[below + 1]);
-  std::ostringstream text;
-  text << '#' << std::hex << std::uppercase << std::setfill('0');
+  std::array<int, 3> parts{};
   for (std::size_t i = 0; i < 3; ++i)
-    text << std::setw(2) << std::lround(from[i] + (at - static_cast<double>(below)) * (to[i] - from[i]));
-  return text.str();
+    parts[i] = static_cast<int>(std::lround(from[i] + (at - static_cast<double>(below)) * (to[i] - from[i])));
+  return written(parts);
 }
 
 /// gnuplot's maxcolors draws the bar of fewer bands than colours with other steps than the picture: there each band is
@@ -56,6 +73,19 @@ void write_palette(std::ostream& script, const std::array<std::string_view, 9>& 
 constexpr double lesser_sign = 0.25;  // of the greater: from there on both signs matter
 
 }  // namespace
+
+std::string ordered_colour(std::size_t place, std::size_t count) {
+  constexpr double lightest = 0.64;
+  return mixed(viridis, count < 2 ? 0 : lightest * static_cast<double>(place) / static_cast<double>(count - 1));
+}
+
+std::string letter_colour(std::string_view colour) {
+  constexpr double wanted = 4.5, step = 0.97;
+  std::array<int, 3> parts = red_green_blue(colour);
+  while (contrast_to_white(parts) < wanted)
+    for (int& part : parts) part = static_cast<int>(part * step);
+  return written(parts);
+}
 
 ColourBands::ColourBands(double lowest, double highest) {
   lowest = std::min(lowest, 0.0);

@@ -10,6 +10,13 @@
 
 namespace rollres {
 
+/// The colour of the n-th of several curves in an order: from dark violet to green (viridis without its light end), so
+/// that the order is seen in grey too; each has a contrast of 2.5 to white at least.
+std::string ordered_colour(std::size_t place, std::size_t count);
+
+/// A colour for letters on white: as given, or darkened until its contrast to white is 4.5 (WCAG 2.1, 1.4.3).
+std::string letter_colour(std::string_view colour);
+
 /// Even levels of a field, and the colours of the bands between them.
 struct ColourBands {
   std::vector<double> levels;  ///< rising, the lowest and the highest enclose the field

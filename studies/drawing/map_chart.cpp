@@ -56,10 +56,11 @@ class MapDrawing : PictureBuilder {
   PictureText text() {
     paint();
     blank();
+    draw_limits();
     draw_designs();
     mark_peak();
-    PictureText text = finished(request_.title + ": " + request_.value.name,
-                                {.left = left_edge, .right = right_edge, .bottom = lower_edge});
+    PictureText text = finished(request_.title,
+                                {.left = left_edge, .right = right_edge, .bottom = lower_edge, .subtitle = subtitle()});
     std::string head;
     for (const char letter : request_.comment + "\n")
       head += head.empty() || head.back() == '\n' ? std::string("# ") + letter : std::string(1, letter);
@@ -131,6 +132,35 @@ class MapDrawing : PictureBuilder {
     explain(look, meaning);
   }
 
+  /// What is shown, and at which values of the other axes.
+  std::string subtitle() const {
+    return request_.value.name + (request_.subtitle.empty() ? "" : " at " + request_.subtitle);
+  }
+
+  /// Veils what breaks a constraint, and draws the border on which it is met.
+  void draw_limits() {
+    std::vector<std::string> looks{"lines lc rgb 'white' lw 2.5 dt (6,3)", "lines lc rgb 'white' lw 2.5 dt (2,2)"};
+    for (std::size_t i = 0; i < request_.limits.size(); ++i) {
+      const MapLimit& limit = request_.limits[i];
+      PlaneField field{request_.field.x, request_.field.y, limit.excess};
+      if (std::none_of(field.values.begin(), field.values.end(), [](double value) { return value > 0; })) continue;
+      field = filled(field);
+      for (double& x : field.x) x = x_.along(x);
+      for (double& y : field.y) y = y_.along(y);
+      std::vector<ContourLoop> loops = contour_loops(field, std::array{0.0}, -std::numeric_limits<double>::infinity());
+      for (ContourLoop& loop : loops)
+        for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
+      const std::string block = add("beyond " + limit.meaning, columns(), loops);
+      if (loops.size() == 1)  // a hole in it would be veiled, too
+        for (const char* const veil : {"'white' fs transparent solid 0.5", "'#000000' fs transparent pattern 4"})
+          plot(block + " using 1:2 with filledcurves closed fc rgb " + veil + " noborder notitle");
+      plot(block + " using 1:2 with lines lc rgb 'black' lw 4.5 notitle");
+      const std::string& look = looks[i % looks.size()];
+      plot(block + " using 1:2 with " + look + " notitle");
+      explain("boxes fc rgb '#000000' fs transparent pattern 4 border lc rgb 'black'", "breaks " + limit.meaning);
+    }
+  }
+
   void draw_designs() {
     const std::string halo = "points pt 7 ps 0.55 lc rgb 'black'", star = "points pt 9 ps 1.4 lc rgb '#D55E00'";
     std::vector<DataRow> rows;
@@ -139,7 +169,7 @@ class MapDrawing : PictureBuilder {
     if (!rows.empty()) {
       const std::string block = plot_block("designs", rows, halo);
       plot(block + " using 1:2 with points pt 7 ps 0.35 lc rgb 'white' notitle");
-      explain(halo, "designs looked at");
+      explain("points pt 6 ps 0.5 lw 1.2 lc rgb 'black'", "designs looked at");
     }
     if (!request_.optimum || !inside(*request_.optimum)) return;
     const std::string block =
@@ -210,7 +240,10 @@ ChartFiles draw_map(const MapRequest& request, const std::filesystem::path& name
                                 request.x.name + " and along " + request.y.name + ", and an answer");
   MapDrawing drawing(request, files, span_of(request.field.x, request.x), span_of(request.field.y, request.y));
   const PictureText text = drawing.text();
-  draw_pictures(files, text.data, text.script, gnuplot);
+  draw_pictures(files, text.data, text.script,
+                {request.title, "contour map of " + request.value.name + " over " + request.x.name + " and " +
+                                    request.y.name + (request.subtitle.empty() ? "" : ", " + request.subtitle)},
+                gnuplot);
   return files;
 }
 

@@ -17,11 +17,18 @@ struct MapPoint {
   double x = 0, y = 0;
 };
 
+/// A constraint: by how much it is kept or broken at each node of the field.
+struct MapLimit {
+  std::string meaning;         ///< "peak_pressure <= 4 MPa"
+  std::vector<double> excess;  ///< above 0 where it is broken, NaN where that is not known
+};
+
 struct MapRequest {
-  std::string title;
+  std::string title, subtitle = {};
   ChartAxis x, y, value;
   PlaneField field;                      ///< in the units of the axes; NaN where there is no answer
   std::vector<MapNode> nodes;            ///< of the field's nodes, in their order
+  std::vector<MapLimit> limits = {};     ///< constraints on what is shown
   std::vector<MapPoint> designs = {};    ///< that an optimisation looked at: small dots
   std::optional<MapPoint> optimum = {};  ///< its best: a star
   std::string optimum_meaning = {};      ///< "least rolling_resistance"

@@ -119,7 +119,7 @@ class ModelsBeside {
     models_.push_back({"the limit of fast rolling",
                        fast_rolling_resistance(elastic.load, elastic.approach, square / pressure, scene_.radius,
                                                scene_.speed, fast_loss_time(scene_.stiffening, scene_.creep_time)),
-                       elastic.error_estimate, elastic.seconds});
+                       RollingSolution::absent, elastic.seconds});  // its own R_r is 0, and no measure
   }
 
   const RollingScene& scene_;
@@ -135,6 +135,34 @@ std::vector<SimplerModel> simpler_models(const RollingScene& scene, const Rollin
   return ModelsBeside(scene, solution, evaluate).run();
 }
 
+namespace {
+
+/// Beyond it a model tells nothing about the scene.
+constexpr double beside_the_point = 1;
+
+/// Whether it has more in it than the model of the scene, not less.
+bool is_richer(const SimplerModel& model) { return model.name == "with inertia"; }
+
+/// "nearest: without friction, 3.9 % off; none is within the tolerance of 0.001"
+std::string verdict(const std::vector<SimplerModel>& models, const std::optional<double>& tolerance, double full) {
+  const SimplerModel* nearest = nullptr;
+  const auto off = [&](const SimplerModel& model) { return std::abs(model.rolling_resistance / full - 1); };
+  std::string within;
+  for (const SimplerModel& model : models) {
+    if (is_richer(model) || !std::isfinite(off(model))) continue;
+    if (!nearest || off(model) < off(*nearest)) nearest = &model;
+    if (tolerance && off(model) <= *tolerance) within += (within.empty() ? "" : ", ") + model.name;
+  }
+  if (!within.empty()) return "enough for the tolerance of " + short_number(*tolerance, 2) + ": " + within;
+  std::string text = !nearest || off(*nearest) > beside_the_point
+                         ? std::string("no simpler model comes near: all of this scene's model is needed")
+                         : "nearest: " + nearest->name + ", " + percent(off(*nearest), 2) + " off";
+  if (tolerance && nearest) text += "; none is within the tolerance of " + short_number(*tolerance, 2);
+  return text;
+}
+
+}  // namespace
+
 std::string simpler_models_text(const RollingScene& scene, const RollingSolution& solution,
                                 const std::vector<SimplerModel>& models) {
   const std::string_view unit = scene.indenter == Indenter::sphere ? "N" : "N/m";
@@ -143,16 +171,29 @@ std::string simpler_models_text(const RollingScene& scene, const RollingSolution
   Table table{{"model", "R_r", "off by", "own error", "seconds", ""}, {}};
   table.rows.push_back({std::string("this one"), readable(full, unit), none, percent(solution.error_estimate, 2),
                         short_number(solution.seconds, 2), none});
+  std::string unlike, richer;
   for (const SimplerModel& model : models) {
     const double off = model.rolling_resistance / full - 1;
+    if (is_richer(model)) {
+      richer =
+          model.name + " R_r would be " + readable(model.rolling_resistance, unit) + ", " + percent(off, 2) + " off";
+      continue;
+    }
+    if (!(std::abs(off) <= beside_the_point)) {
+      unlike += (unlike.empty() ? "" : ", ") + model.name +
+                (std::isfinite(off) ? " (" + short_number(1 + off, 2) + " times)" : " (no answer)");
+      continue;
+    }
     const bool solved = model.seconds > 0, near = scene.tolerance && std::abs(off) <= *scene.tolerance;
     table.rows.push_back({model.name, readable(model.rolling_resistance, unit), percent(off, 2),
                           solved ? percent(model.error_estimate, 2) : none,
                           solved ? short_number(model.seconds, 2) : std::string("closed form"),
                           near ? std::string("within the tolerance") : none});
   }
-  std::ostringstream text("simpler models\n", std::ios::ate);
+  std::ostringstream text("simpler models: " + verdict(models, scene.tolerance, full) + '\n', std::ios::ate);
   write_aligned(text, table, "", "  ");
+  if (!unlike.empty()) text << "  far from this scene: " << unlike << '\n';
+  if (!richer.empty()) text << "  " << richer << '\n';
   return text.str();
 }
 

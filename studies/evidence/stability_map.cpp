@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "studies/scene_io/scene_inputs.hpp"
-#include "studies/text/words.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -83,7 +83,7 @@ PictureText stability_map(const std::vector<Trial>& trials, const ChartFiles& fi
 ChartFiles draw_stability_map(const std::vector<Trial>& trials, const std::filesystem::path& name) {
   const ChartFiles files = chart_files(name);
   const PictureText text = stability_map(trials, files);
-  draw_pictures(files, text.data, text.script);
+  draw_pictures(files, text.data, text.script, {title_of(trials), "outcomes over speed and friction"});
   return files;
 }
 

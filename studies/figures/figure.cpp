@@ -83,7 +83,10 @@ std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std
 ChartFiles draw_figure(const Figure& figure, const FigureSource& source, const std::filesystem::path& directory) {
   const ChartFiles files = chart_files(directory / figure.file_name());
   const PictureText text = figure.draw(figure, source, files);
-  draw_pictures(files, text.data, text.script);
+  draw_pictures(
+      files, text.data, text.script,
+      {std::string(figure.title), "figure " + std::to_string(figure.number) + " of Zehil and Gavin (2013), of a " +
+                                      std::string(name_of(figure.indenter)) + " that rolls along x"});
   return files;
 }
 

@@ -47,6 +47,44 @@ FieldOfFigure field_of_figure(const FigureSource& source, std::string_view name,
           gnuplot::symbol(shown.symbol) + "  [" + typeset_unit(unit.name) + "]"};
 }
 
+/// Writes the levels of contour lines on them, each where none stands yet; small loops bear none.
+void write_levels(std::ostream& script, const std::vector<ContourLoop>& loops, const MapView& view) {
+  constexpr double apart = 0.085, smallest = 0.1;  // of the map
+  std::vector<std::array<double, 2>> taken;
+  script << "set style textbox opaque noborder fillcolor rgb 'white' margins 0.3,0.2\n";
+  for (std::size_t number = 0; number < loops.size(); ++number) {
+    const ContourLoop& loop = loops[number];
+    const auto fraction = [&](const std::array<double, 2>& point) {
+      return std::array<double, 2>{view.x.fraction(point[0]), view.y.fraction(point[1])};
+    };
+    const auto [lowest, highest] = std::minmax_element(
+        loop.points.begin(), loop.points.end(), [](const auto& one, const auto& other) { return one[1] < other[1]; });
+    if (fraction(*highest)[1] - fraction(*lowest)[1] < smallest) continue;
+    const std::size_t size = loop.points.size();
+    for (std::size_t step = 0; step < size; ++step) {
+      const auto& point = loop.points[(number * size / 5 + step) % size];  // not all on one side
+      const auto [x, y] = fraction(point);
+      if (x < 0.06 || x > 0.94 || y < 0.05 || y > 0.95) continue;
+      if (std::any_of(taken.begin(), taken.end(), [&, x = x, y = y](const auto& other) {
+            return std::abs(other[0] - x) < 1.4 * apart && std::abs(other[1] - y) < 0.7 * apart;
+          }))
+        continue;
+      taken.push_back({x, y});
+      script << "set label " << gnuplot::quoted(short_number(loop.level, 3)) << " at first " << short_number(point[0])
+             << ", first " << short_number(point[1]) << " center boxed front font ',11'\n";
+      break;
+    }
+  }
+}
+
+/// What is drawn of loops above and below zero: a list of their blocks, for a loop of the script.
+std::string blocks_of(const std::vector<ContourLoop>& loops, bool negative) {
+  std::vector<std::string> blocks;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if ((loops[i].level < 0) == negative) blocks.push_back(std::to_string(i));
+  return listed(blocks);
+}
+
 }  // namespace
 
 ShownField shown_field(const FigureSource& source, std::string_view name) {
@@ -79,15 +117,18 @@ PictureText contour_map(const Figure& figure, const FigureSource& source, const 
     map.add("loop", map.columns() + "; level " + short_number(loop.level) + ", inside about " + inside.back(),
             closed(loop));
   }
-  map.script() << "# The inside of each loop of the data, in its colour; then the loops.\nbands = \"" << listed(inside)
-               << "\"\n";
+  map.script() << "# The inside of each loop of the data, in its colour; then the loops, dashed below zero.\nbands = \""
+               << listed(inside) << "\"\npositive = \"" << blocks_of(loops, false) << "\"\nnegative = \""
+               << blocks_of(loops, true) << "\"\n";
+  write_levels(map.script(), loops, view);
   if (shown.traction)  // zero outside the contact
     map.script() << "set object rectangle from graph 0, graph 0 to graph 1, graph 1 fillcolor palette cb "
                  << short_number(bands.inside(0, bands.levels.back() > 0)) << " fillstyle solid noborder behind\n";
   map.plot(
       "for [i = 1 : words(bands)] data index (i - 1) using 1:2 with filledcurves closed "
       "fillcolor palette cb real(word(bands, i)) notitle");
-  map.plot("for [i = 1 : words(bands)] data index (i - 1) using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
+  map.plot("for [i in positive] data index (int(i)) using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
+  map.plot("for [i in negative] data index (int(i)) using 1:2 with lines lc rgb '#80000000' lw 1 dt (6,4) notitle");
   if (shown.traction) map.blank_outside();
   map.draw_borders();
   return map.finished();

@@ -92,7 +92,9 @@ PictureText line_figure(const Figure& figure, const FigureSource& source, const 
   for (std::size_t i = 0; i < lines.size(); ++i) {
     picture.plot(block + " using 1:" + std::to_string(i + 2) + " with lines " + lines[i].look + " notitle");
     if (i + 1 < lines.size() && lines[i + 1].look == lines[i].look) continue;
-    picture.explain({"lines " + lines[i].look, gnuplot::symbol(lines[i].symbol) + kept_blanks, width(lines[i].symbol)});
+    const auto lowered = static_cast<std::size_t>(lines[i].symbol.find('_') != std::string_view::npos);
+    picture.explain(
+        {"lines " + lines[i].look, gnuplot::symbol(lines[i].symbol) + kept_blanks, width(lines[i].symbol) - lowered});
   }
   const auto bar = [&](Zone zone, const std::string& look) {
     std::vector<DataRow> boxes;

@@ -30,6 +30,11 @@ class MapView {
   /// The contact and `room` times its half-length around it.
   MapView(const FigureSource& source, double room);
 
+  /// Whether a place, in units of the axes, is inside.
+  bool holds(double at_x, double at_y) const {
+    return at_x >= x.lowest && at_x <= x.highest && at_y >= y.lowest && at_y <= y.highest;
+  }
+
   /// Nodes inside, about `most` at most along the longer side, the trailing edge and the axis y = 0 among them.
   ShownNodes nodes(const SurfaceGrid& grid, int most) const;
 

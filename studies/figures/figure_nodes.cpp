@@ -57,8 +57,10 @@ PictureText arrow_map(const Figure& figure, const FigureSource& source, const Ch
       for (const int column : nodes.columns) {
         const auto node = static_cast<std::size_t>(grid.index(column, row));
         if (source.surface.zone[node] != zone) continue;
-        rows.push_back({grid.x(column) / view.length.factor, grid.y(row) / view.length.factor,
-                        field.x[node] / unit.factor + 0.0, field.y[node] / unit.factor + 0.0});
+        const double x = grid.x(column) / view.length.factor, y = grid.y(row) / view.length.factor;
+        const double half = 0.5 * longest_arrow / longest, along = half * field.x[node], across = half * field.y[node];
+        if (!view.holds(x - along, y - across) || !view.holds(x + along, y + across)) continue;  // would be cut off
+        rows.push_back({x, y, field.x[node] / unit.factor + 0.0, field.y[node] / unit.factor + 0.0});
       }
     if (rows.empty()) return;
     const std::string symbol(field.symbol);

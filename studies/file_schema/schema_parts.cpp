@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 
 namespace rollres::json_schema {
@@ -157,7 +158,7 @@ Json input_number() { return {{"anyOf", {{{"type", "number"}}, reference(with_un
 
 Json ignored_texts() {
   Json texts = Json::object();
-  for (const FileKey& key : study_keys)
+  for (const FileKey& key : fit_keys)
     if (find_name(ignored_keys, key.key) >= 0)
       texts[std::string(key.key)] = {{"type", "string"}, {"description", key.meaning}};
   return texts;

@@ -73,7 +73,7 @@ class Picture {
 
   std::filesystem::path draw() {
     write_pictures(script_, files_, title_, plots_, entries_);
-    draw_pictures(files_, data_.str(), script_.str());
+    draw_pictures(files_, data_.str(), script_.str(), {title_, y_.axis.name + " against " + x_.axis.name});
     return files_.svg;
   }
 

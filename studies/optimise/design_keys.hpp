@@ -10,7 +10,7 @@ namespace rollres {
 inline constexpr std::array design_keys{
     FileKey{"$schema", "schema of this file, for editors", a_text},
     FileKey{"study", "name of the study in the database", a_name, is_needed},
-    FileKey{"comment", "a text that the program ignores", a_text},
+    FileKey{"comment", "what the study is about: the title of its report", a_text},
     FileKey{"scene", "name of a scene file, relative to this file, or a scene; the variables may be missing in it",
             KeyForm{}, is_needed},
     FileKey{"set", "inputs that replace those of the scene"},

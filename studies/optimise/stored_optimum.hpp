@@ -4,6 +4,7 @@
 
 #include "db/rows/result_store.hpp"
 #include "studies/optimise/design.hpp"
+#include "studies/optimise/optimise.hpp"
 
 namespace rollres {
 
@@ -11,6 +12,9 @@ struct StoredOptimum {
   DesignProblem problem;        ///< of several, from which a choice is made, that of the best design
   std::vector<Design> designs;  ///< that have a value, feasible or not
   std::optional<Design> best;   ///< the best feasible one
+  /// The search for it, gone through again; empty where it asked for what is not stored (it had other options), and
+  /// for a front.
+  std::optional<OptimiseReport> search = {};
 
   /// Place of an input among the variables, or -1.
   int variable(std::string_view key) const;

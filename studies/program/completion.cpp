@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/scene/solution.hpp"
+#include "db/rows/fit_store.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 
@@ -64,8 +65,8 @@ Completion assignments(const std::vector<std::string>& keys, const std::string& 
   return completion;
 }
 
-/// Studies of the database that --db names among these words.
-Completion stored_studies(std::span<const std::string> words) {
+/// Studies of the database that --db names among these words; its fits, too, where a command takes them.
+Completion stored_names(std::span<const std::string> words, bool with_fits) {
   Completion completion;
   std::string file;
   for (std::size_t i = 0; i < words.size(); ++i)
@@ -75,13 +76,17 @@ Completion stored_studies(std::span<const std::string> words) {
       file = words[i + 1];
   if (const char* const home = std::getenv("HOME"); home && file.starts_with("~/")) file.replace(0, 1, home);
   if (file.empty()) return completion;
-  for (const std::string& study : ResultStore(file, Access::read).study_names()) completion.add(study);
+  ResultStore store(file, Access::read);
+  for (const std::string& study : store.study_names()) completion.add(study);
+  if (with_fits)
+    for (const auto& fit : stored_fits(store.database())) completion.add(fit.name);
   return completion;
 }
 
 /// What may be the value of an option or a positional word: told by its choices, else by the word for its value; of all
 /// other words nothing is known.
-Completion values(const OptionWords& option, std::span<const std::string> words, const std::string& begun) {
+Completion values(const CommandWords& command, const OptionWords& option, std::span<const std::string> words,
+                  const std::string& begun) {
   static const std::map<std::string, std::string, std::less<>> kinds{
       {"KEY", "key"},       {"KEY,...", "key"},
       {"FILTER", "filter"}, {"KEY=VALUE", "assignment"},
@@ -97,7 +102,7 @@ Completion values(const OptionWords& option, std::span<const std::string> words,
   if (kind->second == "key") return list_of(all_keys(), begun);
   if (kind->second == "filter") return assignments(all_keys(), begun);
   if (kind->second == "assignment") return assignments(keys_of_inputs(), begun);
-  if (kind->second == "stored") return stored_studies(words);
+  if (kind->second == "stored") return stored_names(words, command.name == "report");
   return {.kind = kind->second};
 }
 
@@ -121,15 +126,15 @@ Completion words_of(const CommandWords& command, std::span<const std::string> wo
   if (const std::size_t sign = begun.find('='); begun.starts_with("--") && sign != std::string::npos) {
     const OptionWords* const option = find_option(command, begun.substr(0, sign));
     if (option == nullptr) return {};
-    Completion completion = values(*option, words, begun.substr(sign + 1));
+    Completion completion = values(command, *option, words, begun.substr(sign + 1));
     for (std::string& word : completion.words) word.insert(0, begun, 0, sign + 1);
     return completion;
   }
   const OptionWords* const option = words.size() > 1 ? find_option(command, words[words.size() - 2]) : nullptr;
-  if (option != nullptr && !option->value.empty()) return values(*option, words, begun);
+  if (option != nullptr && !option->value.empty()) return values(command, *option, words, begun);
   if (begun.starts_with('-')) return names_of(command);
   for (const OptionWords& positional : command.options)
-    if (positional.positional) return values(positional, words, begun);
+    if (positional.positional) return values(command, positional, words, begun);
   return {};
 }
 

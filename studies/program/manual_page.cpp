@@ -89,7 +89,8 @@ std::string inputs() {
 
 }  // namespace
 
-std::string manual_page(const CommandWords& program, const std::string& version) {
+std::string manual_page(const CommandWords& program, const std::string& version,
+                        const std::vector<ManualSection>& files) {
   std::string title;
   for (const char letter : program.name) title += static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
   std::string summary = program.meaning;
@@ -100,7 +101,14 @@ std::string manual_page(const CommandWords& program, const std::string& version)
                      "\" \"User Commands\"\n" + section("NAME") + plain(program.name) + " \\- " + plain(summary) +
                      "\n" + section("SYNOPSIS") + bold(program.name) + " " + slanted("command") + " [" +
                      slanted("options") + "]\n" + closing_words(program.footer);
-  text += section("OPTIONS");
+  text += section("DESCRIPTION") +
+          plain(
+              "What it costs to roll a cylinder or a sphere over layers of rubber, at a speed, a load and a friction "
+              "coefficient, by steady-state frictional rolling contact with viscoelastic layers. A scene is a JSON "
+              "file with the inputs below; a study varies some of them, and its answers are kept in an SQLite "
+              "database, from which they are listed, drawn and reported. Other files describe optimisations and fits "
+              "of materials to measurements.") +
+          "\n" + section("OPTIONS");
   for (const OptionWords& option : program.options) text += option_entry(option);
   text += section("COMMANDS");
   for (const CommandWords& command : program.commands) {
@@ -110,7 +118,18 @@ std::string manual_page(const CommandWords& program, const std::string& version)
       if (option.names.back() != "--help") text += option_entry(option);
     text += closing_words(command.footer);
   }
-  return text + inputs() + section("SEE ALSO") + ".BR gnuplot (1),\n.BR sqlite3 (1)\n";
+  text += inputs();
+  for (const ManualSection& file : files) {
+    text += section(plain(file.title));
+    for (const ManualEntry& one : file.entries) text += entry(bold(one.head), plain(one.text));
+  }
+  text += section("EXIT STATUS");
+  for (const auto& [status, meaning] :
+       {std::pair("0", "answered"), std::pair("1", "a scene has no answer or did not converge; the output says why"),
+        std::pair("2", "the input or the command is wrong; the message names file, key, value and rule"),
+        std::pair("3", "a file, the database or the disk failed")})
+    text += entry(bold(status), plain(meaning));
+  return text + section("SEE ALSO") + ".BR gnuplot (1),\n.BR sqlite3 (1)\n";
 }
 
 }  // namespace rollres

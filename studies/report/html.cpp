@@ -1,72 +1,10 @@
 #include "studies/report/html.hpp"
 
-#include <algorithm>
-#include <cstdint>
-
-#include "studies/text/printable.hpp"
+#include "studies/report/report_look.hpp"
 
 namespace rollres::html {
 
 namespace {
-
-constexpr std::string_view style = R"(
-:root { color-scheme: light; }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 62rem; padding: 1rem; font: 16px/1.45 system-ui, sans-serif; color: #1a1a1a;
-  background: #fff; overflow-wrap: anywhere; }
-h1 { font-size: 1.6rem; line-height: 1.2; margin: 0.5rem 0; }
-h2 { font-size: 1.2rem; margin: 2rem 0 0.5rem; padding-bottom: 0.2rem; border-bottom: 2px solid #0072B2; }
-p { margin: 0.5rem 0; }
-.table { overflow-x: auto; margin: 0.7rem 0; }
-table { border-collapse: collapse; font-size: 0.86rem; font-variant-numeric: tabular-nums; }
-th, td { padding: 0.22rem 0.6rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top;
-  overflow-wrap: normal; }
-th { border-bottom: 2px solid #888; vertical-align: bottom; }
-.number { text-align: right; }
-td.number { white-space: nowrap; }
-tr.marked td { background: #fdecea; }
-pre { margin: 0.7rem 0; padding: 0.7rem; background: #f4f4f4; font-size: 0.8rem; white-space: pre-wrap;
-  overflow-wrap: anywhere; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 1rem; }
-figure { margin: 0.5rem 0; }
-img { display: block; width: 100%; height: auto; }
-figcaption { font-size: 0.86rem; color: #444; }
-@media (max-width: 480px) { body { padding: 0.6rem; font-size: 15px; } th, td { padding: 0.2rem 0.4rem; } }
-@media print {
-  @page { size: A4; margin: 15mm; }
-  body { max-width: none; padding: 0; font-size: 10pt; }
-  h2 { break-after: avoid; }
-  .table { overflow: visible; }
-  table { font-size: 7.5pt; width: 100%; }
-  th, td { padding: 0.12rem 0.3rem; overflow-wrap: break-word; }
-  td.number { white-space: normal; }
-  thead { display: table-header-group; }
-  tr, figure { break-inside: avoid; }
-  .pictures { display: block; }
-  figure { max-width: 150mm; }
-  pre { font-size: 7.5pt; }
-  tr.marked td { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-}
-)";
-
-/// Length of the valid UTF-8 sequence at the start, or 0 (RFC 3629).
-std::size_t sequence(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t length = byte(0) < 0x80   ? 1
-                             : byte(0) < 0xc2 ? 0
-                             : byte(0) < 0xe0 ? 2
-                             : byte(0) < 0xf0 ? 3
-                             : byte(0) < 0xf5 ? 4
-                                              : 0;
-  if (length == 0 || length > text.size()) return 0;
-  std::uint32_t code = length == 1 ? byte(0) : byte(0) & (0x7fU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0U) != 0x80U) return 0;
-    code = code << 6 | (byte(i) & 0x3fU);
-  }
-  const bool shortest = length < 3 || code >= (length == 3 ? 0x800U : 0x10000U);
-  return shortest && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000) ? length : 0;
-}
 
 /// As part of a URL: what is not a plain letter or sign as %XX (RFC 3986).
 std::string percent_encoded(std::string_view text) {
@@ -91,40 +29,23 @@ std::string cell(const char* tag, bool number, std::string_view plain) {
 
 }  // namespace
 
-std::string text(std::string_view plain) {
-  std::string escaped;
-  while (!plain.empty()) {
-    const std::size_t length = sequence(plain);
-    const char first = plain.front();
-    if (length == 0)
-      escaped += "\uFFFD";
-    else if (first == '&')
-      escaped += "&amp;";
-    else if (first == '<')
-      escaped += "&lt;";
-    else if (first == '>')
-      escaped += "&gt;";
-    else if (first == '"')
-      escaped += "&quot;";
-    else if (first == '\'')
-      escaped += "&#39;";
-    else if (is_control(plain.substr(0, length)) && first != '\n' && first != '\t')
-      escaped += ' ';
-    else
-      escaped += plain.substr(0, length);
-    plain.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return escaped;
-}
-
 std::string heading(std::string_view plain) { return "<h2>" + text(plain) + "</h2>\n"; }
 
 std::string paragraph(std::string_view plain) { return "<p>" + text(plain) + "</p>\n"; }
 
+std::string lead(std::string_view plain) { return "<p class=\"lead\">" + text(plain) + "</p>\n"; }
+
+std::string folded(std::string_view summary, std::string_view body) {
+  return "<details><summary>" + text(summary) + "</summary>\n" + std::string(body) + "</details>\n";
+}
+
 std::string listing(std::string_view plain) { return "<pre>" + text(plain) + "</pre>\n"; }
 
 std::string table(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows) {
-  std::string markup = "<div class=\"table\"><table>\n<thead><tr>";
+  constexpr std::size_t few = 3;  // rows that nobody sorts
+  const bool sortable = rows.size() > few;
+  std::string markup = std::string("<div class=\"table\" tabindex=\"0\"><table") +
+                       (sortable ? " class=\"sortable\"" : "") + ">\n<thead><tr>";
   for (const TableColumn& column : columns) markup += cell("th", column.number, column.head);
   markup += "</tr></thead>\n<tbody>\n";
   for (const TableRow& row : rows) {
@@ -136,9 +57,10 @@ std::string table(const std::vector<TableColumn>& columns, const std::vector<Tab
   return markup + "</tbody></table></div>\n";
 }
 
-std::string picture(std::string_view svg, std::string_view meaning) {
-  return "<figure><img alt=\"" + text(meaning) + "\" src=\"data:image/svg+xml;charset=utf-8," + percent_encoded(svg) +
-         "\"><figcaption>" + text(meaning) + "</figcaption></figure>\n";
+std::string picture(std::string_view svg, std::string_view meaning, const ChartOverlay& overlay) {
+  return "<figure><div class=\"picture\"><img alt=\"" + text(meaning) + "\" src=\"data:image/svg+xml;charset=utf-8," +
+         percent_encoded(svg) + "\">" + overlay.layer + "</div>" + overlay.buttons + "<figcaption>" + text(meaning) +
+         "</figcaption></figure>\n";
 }
 
 std::string page(std::string_view title, std::string_view body) {
@@ -147,10 +69,12 @@ std::string page(std::string_view title, std::string_view body) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>";
   markup += text(title);
   markup += "</title>\n<style>";
-  markup += style;
-  markup += "</style>\n</head>\n<body>\n";
+  markup += style();
+  markup += "</style>\n</head>\n<body>\n<main>\n";
   markup += body;
-  return markup + "</body>\n</html>\n";
+  markup += "</main>\n<script>";
+  markup += script();
+  return markup + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace rollres::html

@@ -11,16 +11,15 @@ namespace {
 
 /// What stands at the end: the file from which all of it can be computed again.
 std::string file_section(const std::string& heading, const std::string& text) {
-  return text.empty() ? "" : html::heading(heading) + html::listing(text);
+  return text.empty() ? "" : html::folded(heading, html::listing(text));
 }
 
 StudyReport fit_report(const FitRecord& fit, const std::string& file) {
   const PictureSection section = fit_section(fit);
   return {fit.name,
-          "<h1>" + html::text(fit.name) + "</h1>\n" +
-              html::paragraph("A fit in " + file + "; the database holds no study of this name.") + section.html +
-              file_section("Fit file", fit.definition),
-          section.pictures};
+          "<h1>" + html::text(fit.name) + "</h1>\n" + section.html + html::heading("Provenance") +
+              html::paragraph("Stored in " + file + ".") + file_section("Fit file", fit.definition),
+          section.pictures, fit.name};
 }
 
 /// A report without the frame of a page.
@@ -37,9 +36,19 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   const ReportSource source{store, study, text, definition_in(text, file + ": " + study.name),
                             StudyRows(store, study.name)};
   const PictureSection charts = chart_section(source, options), errors = accuracy_pictures(source);
-  StudyReport report{study.name, "<h1>" + html::text(study.name) + "</h1>\n", charts.pictures + errors.pictures};
-  report.html += asked_section(source) + charts.html + optimum_section(source) + scene_section(source) +
-                 model_section(source) + result_section(source, options.most_rows) + failure_section(source);
+  const std::string title = title_of_study(source.definition, study.name);
+  StudyReport report{study.name, "<h1>" + html::text(title) + "</h1>\n", charts.pictures + errors.pictures};
+  const PictureSection sketch = sketch_section(source);
+  report.pictures += sketch.pictures;
+  if (const auto found = stored_optimum(store, study.name)) {
+    const PictureSection optimum = optimum_section(source, *found);
+    report.html += summary_section(source, optimum_sentences(*found)) + optimum.html;
+    report.pictures += optimum.pictures;
+  } else {
+    report.html += summary_section(source);
+  }
+  report.html += charts.html + html::heading("Scene") + sketch.html + scene_section(source) + failure_section(source) +
+                 model_section(source) + result_section(source, options.most_rows);
   std::string fit_file;
   if (const auto fit = find_fit(store.database(), study.name, FitParts::with_data)) {
     const PictureSection section = fit_section(*fit);
@@ -49,6 +58,7 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   }
   report.html += accuracy_section(source) + errors.html + provenance_section(source) +
                  file_section("Study file", text) + file_section("Fit file", fit_file);
+  report.title = title;
   return report;
 }
 
@@ -67,7 +77,7 @@ StudyReport study_report(ResultStore& store, const ReportOptions& options) {
     report.html += one.html;
     report.pictures += one.pictures;
   }
-  report.html = html::page(report.study, report.html);
+  report.html = html::page(options.more_studies.empty() ? report.title : report.study, report.html);
   return report;
 }
 

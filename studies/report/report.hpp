@@ -22,6 +22,7 @@ struct StudyReport {
   std::string study;
   std::string html;
   std::size_t pictures = 0;
+  std::string title = {};  ///< of the page
 };
 
 /// @throws std::invalid_argument if the database holds no such study and no fit of that name, or the study has no

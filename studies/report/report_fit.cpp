@@ -1,8 +1,10 @@
+#include <cctype>
 #include <cmath>
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -22,7 +24,7 @@ std::string parameter_table(const FitRecord& fit) {
   std::vector<TableRow> rows;
   for (const FitParameterRecord& p : fit.parameters)
     rows.push_back(
-        {{p.name, readable(p.value, p.unit), p.fixed ? "fixed" : readable(p.standard_error, p.unit),
+        {{in_words(p.name), readable(p.value, p.unit), p.fixed ? "fixed" : readable(p.standard_error, p.unit),
           p.fixed ? "" : percent(p.relative_error), p.fixed ? "" : interval(p.linear_lowest, p.linear_highest, p.unit),
           p.profile_low.empty() ? "-" : interval(p.profile_lowest, p.profile_highest, p.unit), p.flag},
          false});
@@ -53,31 +55,48 @@ std::string test_table(const FitRecord& fit) {
   return html::table({{"what"}, {"value"}}, rows);
 }
 
+/// "The fit of 24 measurements is usable: creep time = 251 ms (± 3.9 %), ... "
+std::string fit_in_words(const FitRecord& fit) {
+  std::string status;
+  for (const char letter : in_words(fit.status))
+    status += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  std::string text = "The fit of " + std::to_string(fit.data.size()) + " measurements is " + status;
+  for (const FitParameterRecord& p : fit.parameters)
+    text += (&p == &fit.parameters.front() ? ": " : ", ") + in_words(p.name) + " = " + readable(p.value, p.unit) +
+            (p.fixed                           ? " (fixed)"
+             : std::isfinite(p.relative_error) ? " (± " + percent(p.relative_error, 2) + ")"
+                                               : "");
+  text += ". ";
+  if (fit.deviations_known && std::isfinite(fit.reduced_chi_squared))
+    text += "It misses the measurements by " + short_number(std::sqrt(fit.reduced_chi_squared), 2) +
+            " of their stated deviations on average; so large a misfit or a larger one comes by chance in " +
+            percent(fit.p_value, 2) + " of all cases.";
+  else if (std::isfinite(fit.rms))
+    text += "It misses the measurements by " + short_number(fit.rms, 3) + " (SI, root mean square).";
+  return text;
+}
+
 }  // namespace
 
 PictureSection fit_section(const FitRecord& fit) {
-  std::string section = html::heading("Fit") + html::paragraph(fit.name + " (" + fit.kind + "): " + fit.status);
+  std::string section = html::heading("Fit") + html::lead(fit_in_words(fit));
   for (const std::string* const words : {&fit.reason, &fit.warnings})
     if (!words->empty()) section += html::listing(*words);
-  section += parameter_table(fit) + test_table(fit);
+  const PictureSection pictures = fit_pictures(fit);
+  section += parameter_table(fit) + pictures.html + test_table(fit);
   std::vector<TableRow> pairs, data;
   for (const FitCorrelationRecord& pair : fit.correlations)
-    pairs.push_back({{pair.first, pair.second, number(pair.correlation)}});
+    pairs.push_back({{in_words(pair.first), in_words(pair.second), number(pair.correlation)}});
   if (!pairs.empty()) section += html::table({{"parameter"}, {"and"}, {"correlation", true}}, pairs);
-  const PictureSection pictures = fit_pictures(fit);
-  section += pictures.html;
   for (const FitDataRecord& one : fit.data)
     data.push_back({{std::filesystem::path(one.place).filename().string(), short_number(one.measured),
                      number(one.deviation), short_number(one.predicted), number(one.residual), number(one.band)},
                     std::abs(one.residual) > 3});
+  const std::vector<html::TableColumn> columns{
+      {"measurement"},    {"measured [SI]", true},      {"deviation [SI]", true},
+      {"fit [SI]", true}, {"residual/deviation", true}, {"95 % band [SI]", true}};
   if (!data.empty())
-    section += html::table({{"measurement"},
-                            {"measured [SI]", true},
-                            {"deviation", true},
-                            {"fit", true},
-                            {"residual/deviation", true},
-                            {"95 % band", true}},
-                           data);
+    section += html::folded("Table of " + std::to_string(data.size()) + " measurements", html::table(columns, data));
   return {section, pictures.pictures};
 }
 

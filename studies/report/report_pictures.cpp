@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
 #include "studies/charts/study_chart.hpp"
+#include "studies/drawing/chart_frame.hpp"
+#include "studies/figures/scene_sketch.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
+#include "studies/scene_io/cells.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -24,8 +28,12 @@ std::string content(const std::filesystem::path& file) {
 class Pictures {
  public:
   void add(const std::string& meaning, const std::function<ChartFiles(const std::filesystem::path&)>& draw) {
-    const ChartFiles files = draw(folder_ / "picture.svg");
-    html_ += html::picture(content(files.svg), meaning);
+    html_ += html::picture(content(draw(folder_ / "picture.svg").svg), meaning);
+    ++count_;
+  }
+  void add(const std::string& meaning, const ChartRequest& request) {
+    const std::string svg = content(draw_chart(request, folder_ / "picture.svg").svg);
+    html_ += html::picture(svg, meaning, chart_overlay(request, svg));
     ++count_;
   }
   std::string html() const { return count_ == 0 ? "" : "<div class=\"pictures\">\n" + html_ + "</div>\n"; }
@@ -88,7 +96,7 @@ void add_charts(const ReportSource& source, Pictures& pictures, std::string& ref
           const ChartRequest& request = chart.request;
           pictures.add(request.y.name + " against " + request.x.name +
                            (request.family.name.empty() ? "" : ", by " + request.family.name),
-                       [&](const auto& file) { return draw_chart(request, file); });
+                       request);
         },
         &refusal);
 }
@@ -100,7 +108,7 @@ void add_shares(const ReportSource& source, Pictures& pictures) {
         stored_chart(source.store, {.study = source.study.name, .shares = true, .filters = fixed.filters});
     if (!chart.request.lines) return;
     pictures.add("what of the rolling resistance is lost in the layer and what to friction" + fixed.words,
-                 [&](const auto& file) { return draw_chart(chart.request, file); });
+                 chart.request);
   });
 }
 
@@ -141,9 +149,7 @@ void add_work_precision(const ReportSource& source, Pictures& pictures) {
       methods[value_in_words(rows.cell(row, *find_quantity_column("method")), "")].push_back(
           {rows.number(row, "seconds") / seconds.unit.factor, rows.number(row, "error_estimate") / error.unit.factor});
   for (auto& [method, points] : methods) request.curves.push_back({method, std::move(points)});
-  where_possible([&] {
-    pictures.add("estimated error against seconds", [&](const auto& file) { return draw_chart(request, file); });
-  });
+  where_possible([&] { pictures.add("estimated error against seconds", request); });
 }
 
 }  // namespace
@@ -154,11 +160,41 @@ PictureSection together_section(ResultStore& store, const ReportOptions& options
   where_possible(
       [&] {
         const StoredChart chart = stored_chart(store, {.study = options.study, .more_studies = options.more_studies});
-        pictures.add(chart.request.y.name + " against " + chart.request.x.name + ", all studies",
-                     [&](const auto& file) { return draw_chart(chart.request, file); });
+        pictures.add(chart.request.y.name + " against " + chart.request.x.name + ", all studies", chart.request);
       },
       &refusal);
   return {html::heading("All studies") + pictures.html() + refusal, pictures.count()};
+}
+
+PictureSection sketch_section(const ReportSource& source) {
+  const std::vector<std::string> keys = source.store.points(source.study.name);
+  for (std::size_t i = 0; i < keys.size(); ++i) {  // from the middle on, round
+    const auto answer = source.store.find(keys[(i + keys.size() / 2) % keys.size()]);
+    if (!answer || answer->solution.status != Status::converged) continue;
+    const RollingScene& scene = answer->scene;
+    const std::string place = joined(source.varied(), ", ", [&](const QuantityColumn* axis) {
+      return in_words(axis->quantity.key) + " = " +
+             value_in_words(axis->quantity, input_of(scene, key_of(*axis)), axis->quantity.unit_for(scene.indenter));
+    });
+    Pictures pictures;
+    const std::string meaning = "One of the scenes, to scale" + (place.empty() ? "" : ": " + place);
+    where_possible([&] {
+      pictures.add(meaning, [&](const std::filesystem::path& file) {
+        const ChartFiles files = chart_files(file);
+        const PictureText text = scene_sketch(scene, answer->solution, "Scene, to scale", files);
+        draw_pictures(files, text.data, text.script, {meaning, sketch_in_words(scene)});
+        return files;
+      });
+    });
+    return {pictures.html(), pictures.count()};
+  }
+  return {};
+}
+
+PictureSection chart_pictures(const std::vector<std::pair<std::string, ChartRequest>>& charts) {
+  Pictures pictures;
+  for (const auto& [meaning, request] : charts) where_possible([&] { pictures.add(meaning, request); });
+  return {pictures.html(), pictures.count()};
 }
 
 PictureSection chart_section(const ReportSource& source, const ReportOptions& options) {
@@ -178,21 +214,56 @@ PictureSection accuracy_pictures(const ReportSource& source) {
   return {pictures.html(), pictures.count()};
 }
 
-PictureSection fit_pictures(const FitRecord& fit) {
+namespace {
+
+/// The axis of a fit's values: logarithmic where they are positive and span a decade.
+ChartAxis value_axis(const FitRecord& fit, const std::string& name) {
+  constexpr double decade = 10;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const FitDataRecord& one : fit.data) {
+    smallest = std::min({smallest, one.measured, one.predicted});
+    largest = std::max({largest, one.measured, one.predicted});
+  }
+  return {.name = name, .unit = "SI", .logarithmic = smallest > 0 && largest > decade * smallest, .margin = 0.03};
+}
+
+/// Measurements with their deviations against what the fit says, beside the line on which both are the same.
+ChartRequest measured_and_fitted(const FitRecord& fit) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  ChartRequest request{.title = fit.name + ": data and fit",
+                       .x = value_axis(fit, "fit"),
+                       .y = value_axis(fit, "measured"),
+                       .curves = {{"measured", {}}, {"as the fit says", {}}},
+                       .areas = "deviation",
+                       .mark_peaks = false};
+  Span span;
+  for (const FitDataRecord& one : fit.data) {
+    if (!std::isfinite(one.predicted)) continue;
+    span.include(one.predicted);
+    request.curves[0].points.push_back(
+        {one.predicted, one.measured, true, one.measured - one.deviation, one.measured + one.deviation});
+    request.curves[0].points.push_back({nothing, nothing});  // no line joins them
+  }
+  request.curves[1].points = {{span.lowest, span.lowest}, {span.highest, span.highest}};
+  return request;
+}
+
+ChartRequest residuals_of(const FitRecord& fit) {
   ChartRequest request{.title = fit.name + ": residuals",
-                       .x = {.name = "measurement", .margin = 0.03},
-                       .y = {.name = "residual, in deviations"},
+                       .x = value_axis(fit, "fit"),
+                       .y = {.name = "(fit - measured)/deviation"},
                        .curves = {{}},
                        .lines = false,
                        .mark_peaks = false};
-  for (std::size_t i = 0; i < fit.data.size(); ++i)
-    request.curves.front().points.push_back({static_cast<double>(i + 1), fit.data[i].residual});
-  Pictures pictures;
-  where_possible([&] {
-    pictures.add("residuals of the fit, (predicted - measured) over deviation",
-                 [&](const auto& file) { return draw_chart(request, file); });
-  });
-  return {pictures.html(), pictures.count()};
+  for (const FitDataRecord& one : fit.data) request.curves.front().points.push_back({one.predicted, one.residual});
+  return request;
+}
+
+}  // namespace
+
+PictureSection fit_pictures(const FitRecord& fit) {
+  return chart_pictures({{"each measurement with its deviation against what the fit says", measured_and_fitted(fit)},
+                         {"residuals of the fit, over the deviations", residuals_of(fit)}});
 }
 
 }  // namespace rollres

@@ -1,9 +1,11 @@
 #pragma once
 
-/// The sections of a report (report.hpp), each as HTML: report_tables.cpp, report_model.cpp, report_pictures.cpp,
-/// report_fit.cpp.
+/// The sections of a report (report.hpp), each as HTML: report_summary.cpp, report_optimum.cpp,
+/// report_tables.cpp, report_model.cpp, report_pictures.cpp, report_fit.cpp.
 
 #include "db/rows/fit_store.hpp"
+#include "studies/drawing/chart.hpp"
+#include "studies/optimise/stored_optimum.hpp"
 #include "studies/report/report.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/study_definition.hpp"
@@ -27,8 +29,14 @@ struct ReportSource {
 /// with the ranges of these.
 std::string count_table(const std::string& what, const std::vector<std::string>& texts);
 
-/// Points, answers, and the least and the greatest rolling resistance.
-std::string asked_section(const ReportSource& source);
+/// A cell with its own unit.
+std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column);
+/// "speed = 50 mm/s, load = 20 kN/m"
+std::string place_of(const ReportSource& source, std::size_t row);
+
+/// What the study is about, and three sentences: what was asked, what came out, how sure it is.
+/// @param sentences  in place of those, if there are any
+std::string summary_section(const ReportSource& source, const std::vector<std::string>& sentences = {});
 /// Axes, inputs that all points share, and those at their defaults.
 std::string scene_section(const ReportSource& source);
 /// Methods, parts of the model, and warnings.
@@ -39,14 +47,22 @@ std::string failure_section(const ReportSource& source);
 std::string accuracy_section(const ReportSource& source);
 std::string provenance_section(const ReportSource& source);
 
-/// The best design, if the study is an optimisation.
-std::string optimum_section(const ReportSource& source);
-
 /// HTML, and how many pictures are in it.
 struct PictureSection {
   std::string html;
   std::size_t pictures = 0;
 };
+
+/// One of the study's scenes as a sketch.
+PictureSection sketch_section(const ReportSource& source);
+
+/// Charts with their meanings.
+PictureSection chart_pictures(const std::vector<std::pair<std::string, ChartRequest>>& charts);
+
+/// The best design in sentences: what it is, what holds it back, how many were looked at.
+std::vector<std::string> optimum_sentences(const StoredOptimum& found);
+/// Its variables, constraints and multipliers; all designs; the course of the search.
+PictureSection optimum_section(const ReportSource& source, const StoredOptimum& found);
 
 /// The charts of the study file, the shares of losses and a map where they can be drawn.
 PictureSection chart_section(const ReportSource& source, const ReportOptions& options);

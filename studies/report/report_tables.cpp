@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/optimise/stored_optimum.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/similar_texts.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -20,18 +20,6 @@ const QuantityColumn& output(const std::string& key) { return *find_quantity_col
 Indenter indenter_of(const StudyRows& rows, std::size_t row) {
   return rows.cell(row, output("indenter")) == Cell(std::string(name_of(Indenter::sphere))) ? Indenter::sphere
                                                                                             : Indenter::cylinder;
-}
-
-/// A cell with its own unit.
-std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
-  return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(indenter_of(rows, row)));
-}
-
-/// "speed = 50 mm/s, load = 20 kN/m"
-std::string place_of(const ReportSource& source, std::size_t row) {
-  return joined(source.varied(), ", ", [&](const QuantityColumn* axis) {
-    return in_words(axis->quantity.key) + " = " + shown_cell(source.rows, row, *axis);
-  });
 }
 
 std::string to_the_second(const std::string& time) {
@@ -86,6 +74,20 @@ struct ResultColumn {
   }
 };
 
+/// From where to where some points lie along each axis.
+std::string span_of_points(const ReportSource& source, const std::vector<std::size_t>& points) {
+  return joined(source.varied(), ", ", [&](const QuantityColumn* axis) {
+    const auto less = [&](std::size_t a, std::size_t b) {
+      return source.rows.cell(a, *axis) < source.rows.cell(b, *axis);
+    };
+    const auto [least, greatest] = std::minmax_element(points.begin(), points.end(), less);
+    const std::string from = shown_cell(source.rows, *least, *axis), to = shown_cell(source.rows, *greatest, *axis);
+    return in_words(axis->quantity.key) + " = " + (from == to ? from : from + " to " + to);
+  });
+}
+
+constexpr std::size_t most_open_rows = 24;  // more are folded
+
 std::vector<ResultColumn> result_columns(const ReportSource& source) {
   constexpr std::size_t most = 9;
   std::vector<ResultColumn> columns;
@@ -106,6 +108,16 @@ std::vector<ResultColumn> result_columns(const ReportSource& source) {
 
 }  // namespace
 
+std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
+  return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(indenter_of(rows, row)));
+}
+
+std::string place_of(const ReportSource& source, std::size_t row) {
+  return joined(source.varied(), ", ", [&](const QuantityColumn* axis) {
+    return in_words(axis->quantity.key) + " = " + shown_cell(source.rows, row, *axis);
+  });
+}
+
 std::vector<const QuantityColumn*> ReportSource::varied() const {
   std::vector<const QuantityColumn*> axes;
   for (const std::string& key : study.axes)
@@ -114,41 +126,8 @@ std::vector<const QuantityColumn*> ReportSource::varied() const {
   return axes;
 }
 
-std::string asked_section(const ReportSource& source) {
-  const StudySummary& study = source.study;
-  std::string section = html::heading("What was asked");
-  const bool optimisation = is_optimisation(source.definition_text, source.file() + ": " + study.name);
-  section +=
-      html::paragraph(std::to_string(study.points) + " points: " + std::to_string(study.answered - study.failed) +
-                      " converged, " + std::to_string(study.failed) + " without an answer, " +
-                      std::to_string(study.points - study.answered) + " not computed yet. First started " +
-                      to_the_second(study.created) + " UTC, last result " + to_the_second(study.last_result) + " UTC.");
-  std::optional<std::size_t> least, greatest;
-  for (std::size_t row = 0; row < source.rows.size(); ++row) {
-    const double value = source.rows.number(row, "rolling_resistance");
-    if (!source.rows.converged(row) || std::isnan(value)) continue;
-    if (!least || value < source.rows.number(*least, "rolling_resistance")) least = row;
-    if (!greatest || value > source.rows.number(*greatest, "rolling_resistance")) greatest = row;
-  }
-  for (const auto& [name, row] : {std::pair("Least", least), std::pair("Greatest", greatest)})
-    if (row) {
-      const std::string place = place_of(source, *row);
-      section += html::paragraph(std::string(name) +
-                                 " rolling resistance: " + shown_cell(source.rows, *row, output("rolling_resistance")) +
-                                 (place.empty() ? "" : " at " + place));
-    }
-  section +=
-      html::paragraph(source.definition_text.empty()
-                          ? "The study file was not stored."
-                          : "This command computes what is missing, from the study file at the end of this report:");
-  if (!source.definition_text.empty())
-    section += html::listing(std::string("rollres ") + (optimisation ? "optimise" : "sweep") + " study.json --db " +
-                             shell_word(source.file()));
-  return section;
-}
-
 std::string scene_section(const ReportSource& source) {
-  std::string section = html::heading("Scene");
+  std::string section;
   std::vector<TableRow> axes, inputs;
   std::string defaults;
   const auto varied = source.varied();
@@ -186,8 +165,12 @@ std::string scene_section(const ReportSource& source) {
 }
 
 std::string result_section(const ReportSource& source, std::size_t most_rows) {
-  std::string section = html::heading("Results");
-  const std::vector<ResultColumn> columns = result_columns(source);
+  std::vector<ResultColumn> columns = result_columns(source);
+  std::erase_if(columns, [&](const ResultColumn& column) {  // that no row has
+    for (std::size_t row = 0; row < source.rows.size(); ++row)
+      if (column.cell(source.rows, row) != "-") return false;
+    return true;
+  });
   const std::size_t points = source.rows.size(), step = std::max<std::size_t>(1, (points + most_rows - 1) / most_rows);
   std::vector<TableColumn> heads;
   for (const ResultColumn& column : columns) heads.push_back(column.head());
@@ -199,30 +182,44 @@ std::string result_section(const ReportSource& source, std::size_t most_rows) {
     line.cells.push_back(in_words(source.rows.text(row, "status")));
     rows.push_back(std::move(line));
   }
+  std::string section = html::heading("Results"), note;
   if (step > 1)
-    section += html::paragraph("Shown is one of every " + std::to_string(step) + " points, of " +
-                               std::to_string(points) + ".");
+    note = html::paragraph("Shown is one of every " + std::to_string(step) + " points, of " + std::to_string(points) +
+                           ".");
   section += html::paragraph("All columns of all points: rollres query --db " + shell_word(source.file()) + " " +
                              shell_word("study=" + source.study.name) + " --format csv");
-  return section + html::table(heads, rows);
+  const std::string table = note + html::table(heads, rows);
+  if (rows.size() <= most_open_rows) return section + table;
+  return section + html::folded("Table of " + std::to_string(rows.size()) + " points", table);
 }
 
 std::string failure_section(const ReportSource& source) {
-  constexpr std::size_t most = 40;
+  constexpr std::size_t most = 200;
   std::vector<std::string> reasons;
+  std::vector<std::size_t> failed;
   std::vector<TableRow> places;
   for (std::size_t row = 0; row < source.rows.size(); ++row) {
     if (source.rows.converged(row)) continue;
     const std::string status = in_words(source.rows.text(row, "status")), reason = source.rows.text(row, "reason");
     reasons.push_back(status + (reason.empty() ? "" : ": ") + reason);
+    failed.push_back(row);
     if (places.size() < most) places.push_back({{place_of(source, row), status, reason}});
   }
   std::string section = html::heading("Failures");
   if (reasons.empty()) return section + html::paragraph("None: every computed point converged.");
-  section += count_table("reason", reasons) + html::table({{"point"}, {"status"}, {"reason"}}, places);
+  std::map<std::string, std::vector<std::size_t>> kinds;
+  const std::vector<std::string> kind = with_ranges(reasons);
+  for (std::size_t i = 0; i < failed.size(); ++i) kinds[kind[i]].push_back(failed[i]);
+  std::vector<TableRow> rows;
+  for (const auto& [words, points] : kinds)
+    rows.push_back({{words, std::to_string(points.size()), span_of_points(source, points)}});
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return std::stoul(a.cells[1]) > std::stoul(b.cells[1]); });
+  section += html::table({{"reason"}, {"points", true}, {"where"}}, rows);
+  std::string all = html::table({{"point"}, {"status"}, {"reason"}}, places);
   if (reasons.size() > most)
-    section += html::paragraph(std::to_string(reasons.size() - most) + " further points are not listed.");
-  return section;
+    all += html::paragraph(std::to_string(reasons.size() - most) + " further points are not listed.");
+  return section + html::folded("The points without an answer, one by one", all);
 }
 
 std::string accuracy_section(const ReportSource& source) {
@@ -263,32 +260,6 @@ std::string accuracy_section(const ReportSource& source) {
   return section;
 }
 
-std::string optimum_section(const ReportSource& source) {
-  const auto found = stored_optimum(source.store, source.study.name);
-  if (!found) return "";
-  const DesignProblem& problem = found->problem;
-  const Indenter indenter = problem.indenter();
-  std::string section =
-      html::heading("Best design") +
-      html::paragraph(std::string(problem.goal.maximise ? "Greatest " : "Least ") + problem.goal.formula.text() +
-                      " among " + std::to_string(found->designs.size()) + " designs with an answer.");
-  if (!found->best) return section + html::paragraph("No design meets the constraints.");
-  const Design& best = *found->best;
-  std::vector<TableRow> rows{
-      {{problem.goal.formula.text(), readable(best.value, unit_of(problem.goal.formula, indenter)), ""}}};
-  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
-    const Variable& variable = problem.variables[i];
-    const std::string_view unit = variable.quantity.unit_for(indenter);
-    rows.push_back({{in_words(std::string(variable.quantity.key)), readable(best.point[i], unit),
-                     readable(variable.lowest, unit) + " to " + readable(variable.highest, unit)}});
-  }
-  for (std::size_t j = 0; j < best.constraints.size(); ++j)
-    rows.push_back(
-        {{constraint_name(problem, j),
-          short_number(best.constraints[j].left, 5) + " against " + short_number(best.constraints[j].right, 5), ""}});
-  return section + html::table({{"quantity"}, {"value"}, {"range"}}, rows);
-}
-
 std::string provenance_section(const ReportSource& source) {
   std::vector<TableRow> rows;
   for (const ComputedShare& share : computed_shares(source.store, source.study.name))
@@ -297,7 +268,19 @@ std::string provenance_section(const ReportSource& source) {
           share.program.compiler, share.program.machine, std::to_string(share.points), readable(share.seconds, "s"),
           to_the_second(share.first) + " to " + to_the_second(share.last)}});
   const Provenance& here = this_program();
-  return html::heading("Provenance") +
+  const bool optimisation = is_optimisation(source.definition_text, source.file() + ": " + source.study.name);
+  const StudySummary& study = source.study;
+  std::string again =
+      html::paragraph(std::to_string(study.points) + " points: " + std::to_string(study.answered - study.failed) +
+                      " converged, " + std::to_string(study.failed) + " without an answer, " +
+                      std::to_string(study.points - study.answered) + " not computed yet. First started " +
+                      to_the_second(study.created) + " UTC, last result " + to_the_second(study.last_result) + " UTC.");
+  again += source.definition_text.empty()
+               ? html::paragraph("The study file was not stored.")
+               : html::paragraph("This command computes what is missing, from the study file below:") +
+                     html::listing(std::string("rollres ") + (optimisation ? "optimise" : "sweep") +
+                                   " study.json --db " + shell_word(source.file()));
+  return html::heading("Provenance") + again +
          html::table({{"rollres"},
                       {"solver"},
                       {"compiler"},

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "core/newton/surface_window.hpp"
+#include "studies/scene_io/solution_json.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -39,6 +41,39 @@ std::vector<Column> columns_of(const RollingScene& scene, const SurfaceFields& f
 
 std::string triple(double x, double y, double z) { return shortest(x) + ' ' + shortest(y) + ' ' + shortest(z); }
 
+/// A text as VTK's ASCII format has it: the codes of its bytes, and zero.
+std::string text_array(const std::string& name, const std::string& text) {
+  std::string codes;
+  for (const char byte : text) codes += std::to_string(static_cast<int>(static_cast<unsigned char>(byte))) + ' ';
+  return "<DataArray type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"1\" format=\"ascii\">\n" + codes +
+         "0\n</DataArray>\n";
+}
+
+std::string field_data(const RollingScene& scene, const RollingSolution& solution) {
+  std::string text =
+      "<FieldData>\n" + text_array("scene", scene_json(scene)) + text_array("zone", "0 free, 1 stick, 2 slip");
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+      if (std::isfinite(value))
+        text += "<DataArray type=\"Float64\" Name=\"" + std::string(quantity.key) +
+                unit_in_brackets(quantity.unit_for(scene.indenter)) + "\" NumberOfTuples=\"1\" format=\"ascii\">\n" +
+                shortest(value) + "\n</DataArray>\n";
+  });
+  return text + "</FieldData>\n";
+}
+
+/// Height of the body's lower surface at each node [m]; beside the body, that of its axis.
+std::vector<double> body_surface(const RollingScene& scene, const SurfaceGrid& grid, double approach) {
+  std::vector<double> heights;
+  const double radius = scene.radius;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const double x = grid.x(column), y = scene.indenter == Indenter::sphere ? grid.y(row) : 0;
+      heights.push_back(radius - approach - std::sqrt(std::max(radius * radius - x * x - y * y, 0.0)));
+    }
+  return heights;
+}
+
 }  // namespace
 
 std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields) {
@@ -59,7 +94,7 @@ std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields) {
   return text;
 }
 
-std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields) {
+std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, const RollingSolution& solution) {
   std::vector<Column> columns = columns_of(scene, fields);
   std::erase_if(columns, [](const Column& column) {
     return !std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
@@ -69,14 +104,15 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"0.1\">\n<ImageData WholeExtent=\"" + extent +
       "\" Origin=\"" + triple(grid.x(0), grid.y(0), 0) + "\" Spacing=\"" + triple(grid.spacing_x, grid.spacing_y, 1) +
-      "\">\n<Piece Extent=\"" + extent + "\">\n<PointData Scalars=\"sigma_z\" Vectors=\"displacement\">\n";
+      "\">\n" + field_data(scene, solution) + "<Piece Extent=\"" + extent +
+      "\">\n<PointData Scalars=\"sigma_z [Pa]\" Vectors=\"displacement [m]\">\n";
   auto open = [&](const std::string& type, const std::string& name, int components) {
     text += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
             std::to_string(components) + "\" format=\"ascii\">\n";
   };
   auto close = [&] { text += "</DataArray>\n"; };
   for (const Column& column : columns) {
-    open("Float64", column.name, 1);
+    open("Float64", column.name + " [" + column.unit + "]", 1);
     for (const double value : column.values) text += shortest(value) + '\n';
     close();
   }
@@ -90,20 +126,22 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields) {
       text += triple(component(x, node), component(y, node), factor_z * component(z, node) + 0.0) + '\n';
     close();
   };
-  vectors("displacement", fields.u, fields.v, fields.w, 1);
-  vectors("traction", fields.shear_x, fields.shear_y, fields.pressure, -1);
+  vectors("displacement [m]", fields.u, fields.v, fields.w, 1);
+  vectors("traction [Pa]", fields.shear_x, fields.shear_y, fields.pressure, -1);
   const SurfaceVelocity velocity = surface_velocity(scene, fields);
-  vectors("velocity", velocity.x, velocity.y, {}, 1);
+  vectors("velocity [m/s]", velocity.x, velocity.y, {}, 1);
+  if (std::isfinite(solution.approach)) vectors("body [m]", {}, {}, body_surface(scene, grid, solution.approach), 1);
   open("Int8", "zone", 1);
   for (const Zone zone : fields.zone) text += std::to_string(static_cast<int>(zone)) + '\n';
   close();
   return text + "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
 }
 
-void write_fields(const std::filesystem::path& directory, const RollingScene& scene, const SurfaceFields& fields) {
+void write_fields(const std::filesystem::path& directory, const RollingScene& scene, const SurfaceFields& fields,
+                  const RollingSolution& solution) {
   make_directory(directory);
   write_file(directory / "fields.csv", fields_csv(scene, fields));
-  write_file(directory / "fields.vti", fields_vti(scene, fields));
+  write_file(directory / "fields.vti", fields_vti(scene, fields, solution));
 }
 
 }  // namespace rollres

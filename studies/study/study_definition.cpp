@@ -4,6 +4,7 @@
 
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_variants.hpp"
+#include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/words.hpp"
 
@@ -65,9 +66,20 @@ const StudyChart& StudyDefinition::chart(const std::string& name, const std::str
   throw std::invalid_argument(place + ": chart = " + name + ": must be one of " + joined(names));
 }
 
+std::string title_of_study(const StudyDefinition& definition, const std::string& name) {
+  constexpr std::size_t most_letters = 96;
+  std::string title = definition.comment.empty() ? name : definition.comment;
+  for (const char* const clause_end : {". ", ": ", "; ", ", "})
+    if (const std::size_t end = title.find(clause_end); width(title) > most_letters && end != std::string::npos)
+      title.resize(end);
+  return title;
+}
+
 StudyDefinition definition_in(const std::string& text, const std::string& place) {
-  StudyDefinition definition{.charts = {}, .compute = {}, .formulas = {}, .logarithmic = {}, .together = {}, .sampled = {}};
+  StudyDefinition definition{
+      .comment = {}, .charts = {}, .compute = {}, .formulas = {}, .logarithmic = {}, .together = {}, .sampled = {}};
   const Json study = text.empty() ? Json::object() : parse_object(text, place);
+  definition.comment = text_under(study, "comment");
   if (const Json& chart = under(study, "chart"); chart.is_object()) definition.charts = {chart_in(chart)};
   for (const Json& chart : under(study, "charts"))
     if (chart.is_object()) definition.charts.push_back(chart_in(chart));

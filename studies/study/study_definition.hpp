@@ -12,6 +12,7 @@
 namespace rollres {
 
 struct StudyDefinition {
+  std::string comment = {};                     ///< what the study is about; may be empty
   std::vector<StudyChart> charts;               ///< at least one; it is empty where the file has none
   std::vector<std::string> compute;             ///< outputs and formulas; empty where the file says nothing
   FormulaDefinitions formulas;                  ///< of `compute`
@@ -30,6 +31,10 @@ struct StudyDefinition {
   /// Name of each chart, or its number where it has none.
   std::vector<std::string> chart_names() const;
 };
+
+/// What a picture of the study is called: its comment, without what follows the first clause where it is long; without
+/// a comment its name.
+std::string title_of_study(const StudyDefinition& definition, const std::string& name);
 
 /// @param text   of the study file; may be empty
 /// @param place  for messages

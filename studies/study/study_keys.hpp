@@ -43,7 +43,7 @@ inline constexpr int most_points = 1'000'000;
 inline constexpr std::array study_keys{
     FileKey{"$schema", "schema of this file, for editors", a_text},
     FileKey{"study", "name of the study in the database", a_name, is_needed},
-    FileKey{"comment", "a text that the program ignores", a_text},
+    FileKey{"comment", "what the study is about: the title of its charts and reports", a_text},
     FileKey{"scene", "name of a scene file, relative to this file, or a scene; what the axes give may be missing in it",
             KeyForm{}, is_needed},
     FileKey{"set", "inputs that replace those of the scene"},

@@ -43,7 +43,8 @@ struct ScaledUnit {
 ScaledUnit scaled_unit(std::string_view unit, double size);
 
 /// The same for an axis from `smallest` to `largest` (magnitudes, > 0) in logarithmic spacing: no prefix where the
-/// plain unit keeps within 0.001 and 10000, else the prefix that centres the axis about 1.
+/// largest number is between 1 and 10000; below that it is scaled to lie between 1 and 1000, and above it the prefix
+/// centres the axis about 1.
 ScaledUnit scaled_unit_logarithmic(std::string_view unit, double smallest, double largest);
 
 /// A unit as it is printed: "mm2" as "mm²", "N.m" as "N·m".

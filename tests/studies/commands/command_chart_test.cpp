@@ -71,6 +71,18 @@ TEST_CASE("rollres chart draws all charts of a study, each into files of its own
   CHECK(unknown.err == "rollres: " + file + ": two: chart = c: must be one of 1, a/b\n");
 }
 
+TEST_CASE("rollres chart says what is filtered on the picture, and refuses an axis that never changes",
+          "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  const std::string file = database(scratch);
+  const std::string out = (scratch / "a").string();
+  REQUIRE(run({"chart", "--db", file, "--where", "load=10 kN/m", "--out", out}).status == 0);
+  CHECK_THAT(file_text(scratch / "a.svg"), Contains(">load = 10 kN/m  <"));
+  const Run constant = run({"chart", "--db", file, "--x", "radius", "--out", out});
+  CHECK(constant.status == 2);
+  CHECK(constant.err == "rollres: x = radius: is 100 mm in all 6 points shown; these vary: load, speed\n");
+}
+
 TEST_CASE("rollres chart tells how many points have no answer", "[studies][chart]") {
   const TemporaryDirectory scratch;
   const std::string file = database(scratch, [](const RollingScene& scene) {

@@ -8,6 +8,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
+#include "tests/studies/same_picture.hpp"
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -147,7 +148,13 @@ TEST_CASE("every command of the README and of the guide runs, and every file tha
   }
   CHECK(unused.empty());
   CHECK(ran > 15);
-  CHECK(std::filesystem::exists(directory / "out" / "speed_resistance.svg"));
+
+  // What these commands drew is what the pages show.
+  for (const char* name : {"speed_resistance", "conveyor_belt", "caster_wheel", "ball_on_mat", "paper_cylinder_sketch"}) {
+    const std::string picture = std::string(name) + ".svg";
+    INFO(picture << ": draw it anew by the command of the README, and copy it from out/ to studies/examples/");
+    CHECK(difference_of_pictures(file_text(directory / "out" / picture), file_text(example(picture))) == "");
+  }
 
   // The table of verification, but for differences, which rounding makes.
   const ShellRun table = run_shell(here + "rollres verify --summary --format markdown");
@@ -162,6 +169,22 @@ TEST_CASE("every command of the README and of the guide runs, and every file tha
   REQUIRE(std::regex_search(table.out, match, count));
   for (const char* page : pages)
     CHECK_THAT(file_text(source_directory() / page), Contains("solves " + match[1].str() + " cases"));
+}
+
+TEST_CASE("pictures are the same but for rounding", "[studies][readme]") {
+  const std::string svg = R"(<path d='M10.1,20.5 L30,40'/><text x='3'>peak 5.93 N/m</text>)";
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string other = svg;
+    other.replace(other.find(from), from.size(), to);
+    return difference_of_pictures(svg, other);
+  };
+  CHECK(difference_of_pictures(svg, svg) == "");
+  CHECK(changed("20.5", "20.6") == "");
+  CHECK(changed("5.93", "5.94") == "");
+  CHECK(changed("20.5", "22.5") != "");
+  CHECK(changed("5.93", "5.62") != "");
+  CHECK(changed("peak", "least") != "");
+  CHECK(changed(" L30,40", "") != "");
 }
 
 TEST_CASE("links, pictures, paths, options and files of the README and of the guide are as they say",

@@ -7,6 +7,8 @@
 #include <limits>
 #include <sstream>
 
+#include "studies/drawing/chart_frame.hpp"
+#include "studies/drawing/colour_map.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
@@ -49,13 +51,17 @@ TEST_CASE("a chart is drawn as SVG and PNG with its script and data beside them"
   CHECK(file_text(files.png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
   const std::string svg = file_text(files.svg);
   CHECK_THAT(svg, Contains("<svg") && Contains("</svg>"));
+  CHECK_THAT(svg, Contains("<title>speed and load</title>") &&
+                      Contains("<desc>rolling resistance [N/m] against speed [m/s], one curve for each load: 10 kN/m, "
+                               "20 kN/m; peak at 10 kN/m 140 at 0.1</desc>"));
   CHECK_THAT(svg, Contains("speed and load") && Contains("rolling resistance") && Contains("10 kN/m"));
   CHECK_THAT(file_text(files.data), Contains("0.1 140 1 1\n"));
 
   // The files left behind draw the same picture again.
   fs::remove(files.svg);
   gnuplot::run(files.script);
-  CHECK(file_text(files.svg) == svg);
+  const auto pictured = [](const std::string& text) { return text.substr(text.find("</desc>")); };
+  CHECK(pictured(file_text(files.svg)) == pictured(svg));
 }
 
 TEST_CASE("a point without an answer stays in the data as a gap, with its status", "[studies][chart]") {
@@ -88,7 +94,7 @@ TEST_CASE("the peak of a curve lies between lower converged points", "[studies][
   CHECK_FALSE(peak({"", {}}));
 
   const std::string script = chart_script(two_loads(), chart_files("chart"));
-  CHECK_THAT(script, Contains("set label '140' at first 0.1, first 140"));
+  CHECK_THAT(script, Contains("set label '140' at graph 0.333"));
   CHECK_THAT(script, Contains("data index 0 every ::1::1 using 1:2 with points pt 6"));
   CHECK_THAT(script, !Contains("data index 1 every"));
 }
@@ -101,15 +107,87 @@ TEST_CASE("the value of a peak has as many digits as its axis tells apart", "[st
   CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.09'"));
 }
 
-TEST_CASE("values of peaks are left out where they would cover a curve or each other", "[studies][chart]") {
+TEST_CASE("every peak has its value, clear of the curves and of each other, with a line where it stands apart",
+          "[studies][chart]") {
   ChartRequest request = two_loads();
   request.curves = {{"a", {{0.01, 10}, {0.1, 100}, {1, 10}}},
                     {"b", {{0.01, 11}, {0.1, 101}, {1, 11}}},
                     {"c", {{0.01, 12}, {0.1, 102}, {1, 12}}}};
   const std::string script = chart_script(request, chart_files("chart"));
-  CHECK_THAT(script, Contains("set label '102'") && Contains("center offset 0,0.9"));
-  CHECK_THAT(script, Contains("set label '101'") && Contains("center offset 0,-0.9"));
-  CHECK_THAT(script, !Contains("set label '100'"));
+  CHECK_THAT(script, Contains("set label '102'") && Contains("set label '101'") && Contains("set label '100'"));
+  CHECK_THAT(script, !Contains("set arrow from first 0.1"));
+  for (int i = 3; i < 14; ++i)
+    request.curves.push_back({std::to_string(i), {{0.01, 10.0 + i}, {0.1, 100.0 + i}, {1, 10.0 + i}}});
+  const std::string crowded = chart_script(request, chart_files("chart"));
+  for (int i = 0; i < 14; ++i) CHECK_THAT(crowded, Contains("set label '" + std::to_string(100 + i) + "' at graph"));
+  CHECK_THAT(crowded, Contains("set arrow from first 0.1, first 1"));
+}
+
+TEST_CASE("curves in an order go from dark to light, and many of them bear label and peak at their ends",
+          "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.ordered = true;
+  request.curves.clear();
+  for (int i = 1; i <= 3; ++i)
+    request.curves.push_back({std::to_string(i) + " kN/m", {{0.01, 1.0 * i}, {0.1, 4.0 * i}, {1, 2.0 * i}}});
+  CHECK_THAT(chart_script(request, chart_files("chart")),
+             Contains("set linetype 1 lc rgb '#440154'") && Contains("title '{/:Italic P} = 1 kN/m"));
+  for (int i = 4; i <= 12; ++i)
+    request.curves.push_back({std::to_string(i) + " kN/m", {{0.01, 1.0 * i}, {0.1, 4.0 * i}, {1, 2.0 * i}}});
+  const std::string script = chart_script(request, chart_files("chart"));
+  CHECK_THAT(script, !Contains("keyentry with linespoints"));
+  CHECK_THAT(script, Contains("set label '{/:Italic P}: peak") && Contains("set label '12 kN/m: 48"));
+  std::istringstream lines(script);
+  std::vector<double> heights;
+  for (std::string line; std::getline(lines, line);)
+    if (const auto at = line.find(" at graph 1.06, graph "); at != std::string::npos && line.find(" kN/m") < at)
+      heights.push_back(std::stod(line.substr(at + 22)));
+  REQUIRE(heights.size() == 12);
+  for (std::size_t i = 1; i < heights.size(); ++i) CHECK(heights[i] - heights[i - 1] > 0.06);
+  CHECK(heights.front() >= 0);
+  CHECK(heights.back() <= 1);
+}
+
+TEST_CASE("colours of curves and letters have the contrast that eyes need", "[studies][chart]") {
+  const auto luminance = [](const std::string& colour) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double part = std::stoi(colour.substr(1 + 2 * static_cast<std::size_t>(i), 2), nullptr, 16) / 255.0;
+      const double weights[] = {0.2126, 0.7152, 0.0722};
+      sum += weights[i] * (part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+  };
+  const auto contrast = [&](const std::string& colour) { return 1.05 / (luminance(colour) + 0.05); };
+  for (std::size_t i = 0; i < 7; ++i) {
+    CHECK(contrast(std::string(curve_colour(i))) >= 3);
+    CHECK(contrast(letter_colour(curve_colour(i))) >= 4.5);
+  }
+  for (std::size_t i = 0; i < 12; ++i) {
+    CHECK(contrast(ordered_colour(i, 12)) >= 2.5);
+    CHECK(contrast(letter_colour(ordered_colour(i, 12))) >= 4.5);
+    if (i > 0) CHECK(luminance(ordered_colour(i, 12)) > luminance(ordered_colour(i - 1, 12)));
+  }
+  CHECK(letter_colour("#000000") == "#000000");
+}
+
+TEST_CASE("a long title is broken into two lines, and what is shown stands below it", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.title = "Rolling resistance of the paper's cylinder against speed, from creeping to glassy";
+  request.subtitle = "load = 20 kN/m";
+  const std::string script = chart_script(request, chart_files("chart"));
+  CHECK_THAT(script, Contains("paper's cylinder") && Contains("set label 'against speed, from") &&
+                         Contains("set label 'load = 20 kN/m") && Contains("font ',14'"));
+  CHECK_THAT(chart_data(request), Contains("# load = 20 kN/m\n"));
+}
+
+TEST_CASE("a curve of one point shows its error as a bar", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.areas = "estimated error";
+  request.curves = {{"", {{0.1, 5, true, 4, 6}}}, {"", {{0.1, 3, true, 2, 4}, {1, 3, true, 2, 4}}}};
+  const std::string script = chart_script(request, chart_files("chart"));
+  CHECK_THAT(script, Contains("data index 0 using 1:2:5:6 with yerrorbars") &&
+                         Contains("data index 1 using 1:5:6 with filledcurves"));
 }
 
 TEST_CASE("an axis is logarithmic as asked for unless a value is not positive", "[studies][chart]") {

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <regex>
 
+#include "db/rows/fit_store.hpp"
 #include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
 #include "studies/text/words.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
@@ -56,6 +58,11 @@ TEST_CASE("commands, options, choices, keys and stored studies are completed", "
   for (const char* const name : {"belt", "wheel 2"}) ResultStore(file).start_study({name, {}, ""}, {});
   CHECK(offered({"chart", "--db", file, "--study", "w"}) == "words;wheel 2;");
   CHECK(offered({"chart", "--study", "w"}) == "words;");
+  FitRecord fit{};
+  fit.name = "wool";
+  save_fit(open_database(file, Access::write), fit);
+  CHECK(offered({"report", "--db", file, "--study", "w"}) == "words;wheel 2;wool;");  // it takes fits, too
+  CHECK(offered({"chart", "--db", file, "--study", "w"}) == "words;wheel 2;");
 }
 
 TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][completion]") {

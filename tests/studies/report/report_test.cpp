@@ -1,18 +1,24 @@
 #include "studies/report/report.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <regex>
 #include <set>
 #include <stdexcept>
 
 #include "db/rows/fit_store.hpp"
 #include "db/rows/schema.hpp"
+#include "studies/report/chart_overlay.hpp"
 #include "studies/report/html.hpp"
+#include "studies/report/report_look.hpp"
 #include "studies/run/sweep.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers html, report_tables, report_model, report_optimum, report_pictures and command_report, too.
+// Covers html, xml_text, chart_overlay, report_look, report_summary, report_tables, report_model, report_optimum,
+// report_pictures and command_report, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -21,7 +27,7 @@ namespace {
 
 /// What is wrong with the nesting of the tags, or nothing.
 std::string fault_of(const std::string& page) {
-  const std::set<std::string> without_end{"meta", "img"};
+  const std::set<std::string> without_end{"meta", "img", "polyline"};
   std::vector<std::string> open;
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
     const std::size_t end = page.find('>', at);
@@ -82,24 +88,93 @@ TEST_CASE("a report holds all that is known of a study in one file that stands b
       run_rollres({"report", "--db", file, "--out", (scratch / "new" / "report.html").string()}, closed_form);
   CHECK(run.err.empty());
   REQUIRE(run.status == 0);
-  CHECK_THAT(run.out, Contains("report.html: speed and load, 4 pictures"));
+  CHECK_THAT(run.out, Contains("report.html: speed and load, 5 pictures"));
   const std::string page = file_text(scratch / "new" / "report.html");
   CHECK(fault_of(page).empty());
-  for (const char* heading : {"What was asked", "Charts", "Scene", "Model", "Results", "Failures", "Speed and accuracy",
-                              "Provenance", "Study file"})
+  for (const char* heading :
+       {"Summary", "Charts", "Scene", "Model", "Results", "Failures", "Speed and accuracy", "Provenance"})
     CHECK_THAT(page, Contains("<h2>" + std::string(heading) + "</h2>"));
+  CHECK_THAT(page, Contains("<details><summary>Study file</summary>"));
+  CHECK(page.find("<h2>Provenance</h2>") > page.find("<h2>Speed and accuracy</h2>"));
+  CHECK_THAT(page, Contains("20 scenes of a rolling cylinder: load 10 kN/m, 20 kN/m, 30 kN/m, 40 kN/m; speed from 10 "
+                            "mm/s to 100 m/s (5 values). The rolling resistance lies between "));
+  CHECK_THAT(page, Contains("16 points converged, 4 have no answer; the estimated relative error"));
   CHECK_THAT(page, Contains("20 points: 16 converged, 4 without an answer, 0 not computed yet"));
   CHECK_THAT(page, Contains("<td>layer thickness</td><td>H</td><td>10 mm</td>"));
   CHECK_THAT(page, Contains("rolling resistance R_r [N/m]"));
   CHECK_THAT(page, Contains("<td>inertia left out</td><td class=\"number\">4</td>"));
   CHECK_THAT(page, Contains("<td>strain d/H = 0.2</td><td class=\"number\">16</td>"));
-  CHECK_THAT(page, Contains("Greatest rolling resistance: 200 N/m at load = 40 kN/m, speed = 1 m/s"));
+  CHECK_THAT(page, Contains(" and 200 N/m (load = 40 kN/m, speed = 1 m/s)."));
+  // Failures of one reason are one row, with where they lie.
+  CHECK_THAT(page, Contains("<td>no steady state: friction &lt;too&gt; small &amp; slow</td><td class=\"number\">4</td>"
+                            "<td>load = 10 kN/m to 40 kN/m, speed = 100 m/s</td>"));
   CHECK_THAT(page, Contains(this_program().compiler));
-  CHECK(count_of(page, "<img ") == 4);
-  CHECK(count_of(page, "src=\"data:image/svg+xml") == 4);
-  CHECK(count_of(page, "src=") == 4);
-  for (const char* outside : {"href=", "<script", "<link", "<iframe", "@import", "url("})
+  CHECK(count_of(page, "<img ") == 5);
+  CHECK(count_of(page, "<img alt=\"") == 5);
+  CHECK(count_of(page, "src=\"data:image/svg+xml") == 5);
+  CHECK(count_of(page, "src=") == 5);
+  CHECK(count_of(page, "<script>") == 1);
+  CHECK(count_of(page, "<h1>") == 1);
+  for (const char* outside : {"href=", "<script ", "<link", "<iframe", "@import", "url("})
     CHECK_THAT(page, !Contains(outside));
+}
+
+TEST_CASE("a chart of a report tells the numbers of its points and shows one curve alone", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  ResultStore store(stored(scratch, speed_and_load("speed and load")), Access::read);
+  const std::string page = study_report(store, {}).html;
+  CHECK_THAT(page,
+             Contains("<title>rolling resistance 200 N/m\nspeed 1 m/s\nload 40 kN/m\nestimated error ± 10</title>"));
+  CHECK(count_of(page, "aria-pressed=\"false\" data-curve=\"3\"") >= 1);
+  CHECK_THAT(page, Contains("</i>40 kN/m</button>"));
+  // The point lies where gnuplot drew it: at the ring of the peak.
+  const ChartRequest request{
+      .title = "t", .x = {.name = "x"}, .y = {.name = "y"}, .curves = {{"", {{0, 0}, {1, 2}, {4, 1}}}}};
+  const std::string svg = file_text(draw_chart(request, scratch / "chart").svg);
+  const std::string layer = chart_overlay(request, svg).layer;
+  std::smatch ring, point;
+  const std::regex ring_of("transform='translate\\(([0-9.]+),([0-9.]+)\\) scale\\(8"),
+      point_of("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"6\"><title>y 2\nx 1</title>");
+  REQUIRE(std::regex_search(svg, ring, ring_of));
+  REQUIRE(std::regex_search(layer, point, point_of));
+  CHECK(std::stod(point[1]) == Approx(std::stod(ring[1])).margin(0.3));
+  CHECK(std::stod(point[2]) == Approx(std::stod(ring[2])).margin(0.3));
+}
+
+TEST_CASE("letters of a report have a contrast of 4.5 on light and dark screens", "[studies][report]") {
+  const std::string style(html::style());
+  const std::size_t dark = style.find("prefers-color-scheme: dark");
+  REQUIRE(dark != std::string::npos);
+  const auto luminance = [&](const std::string& name, std::size_t from) {
+    const std::size_t at = style.find("--" + name + ": #", from);
+    REQUIRE(at != std::string::npos);
+    std::string hex = style.substr(at + name.size() + 5, 6);
+    if (hex.find(';') == 3) hex = {hex[0], hex[0], hex[1], hex[1], hex[2], hex[2]};
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double part = std::stoi(hex.substr(2 * i, 2), nullptr, 16) / 255.0, weights[] = {0.2126, 0.7152, 0.0722};
+      sum += weights[i] * (part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+  };
+  for (const std::size_t from : {std::size_t{0}, dark})
+    for (const auto& [letters, ground] :
+         {std::pair("text", "page"), std::pair("soft", "page"), std::pair("accent", "page"), std::pair("text", "card"),
+          std::pair("text", "mark"), std::pair("page", "accent")}) {
+      CAPTURE(letters, ground, from);
+      const double a = luminance(letters, from), b = luminance(ground, from);
+      CHECK((std::max(a, b) + 0.05) / (std::min(a, b) + 0.05) >= 4.5);
+    }
+}
+
+TEST_CASE("a long table is folded, a short one is not", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  Study study = speed_and_load("long");
+  study.axes[1].values.clear();
+  for (int i = 1; i <= 10; ++i) study.axes[1].values.push_back(0.1 * i);
+  ResultStore store(stored(scratch, study), Access::read);
+  CHECK_THAT(study_report(store, {}).html, Contains("<details><summary>Table of 40 points</summary>"));
+  CHECK_THAT(study_report(store, {.most_rows = 10}).html, !Contains("<details><summary>Table of"));
 }
 
 TEST_CASE("texts of a study cannot become markup of its report", "[studies][report]") {
@@ -109,9 +184,12 @@ TEST_CASE("texts of a study cannot become markup of its report", "[studies][repo
   ResultStore store(file, Access::read);
   const std::string page = study_report(store, {.study = name}).html;
   CHECK(fault_of(page).empty());
-  CHECK_THAT(page, Contains("<title>&lt;b onclick=&#39;x()&#39;&gt;&quot;A&amp;B&quot;&lt;/b&gt;</title>"));
+  CHECK_THAT(page, Contains("<title>&lt;script&gt;alert(1)&lt;/script&gt;</title>") && Contains("&lt;b onclick=") &&
+                       Contains("&quot;A&amp;B&quot;&lt;/b&gt;"));
+  CHECK_THAT(page, !Contains("<b onclick"));
   CHECK_THAT(page, Contains("friction &lt;too&gt; small &amp; slow"));
-  CHECK_THAT(page, Contains("&lt;script&gt;alert(1)&lt;/script&gt;") && !Contains("<script>"));
+  CHECK_THAT(page, Contains("&lt;script&gt;alert(1)&lt;/script&gt;"));
+  CHECK(count_of(page, "<script") == 1);
 }
 
 TEST_CASE("escaped text is UTF-8 without control characters", "[studies][report]") {
@@ -154,13 +232,37 @@ TEST_CASE("a fit of the study's name is in its report, and has one of its own wi
   ResultStore store(file, Access::read);
   const StudyReport both = study_report(store, {.study = "rubber"});
   CHECK(fault_of(both.html).empty());
-  CHECK(both.pictures == 5);
-  CHECK_THAT(both.html, Contains("<h2>Results</h2>") && Contains("<h2>Fit</h2>") && Contains("<h2>Fit file</h2>"));
-  CHECK_THAT(both.html, Contains("<td>creep_time</td><td class=\"number\">250 ms</td>") && Contains("&lt;flag&gt;"));
+  CHECK(both.pictures == 7);
+  CHECK_THAT(both.html,
+             Contains("<h2>Results</h2>") && Contains("<h2>Fit</h2>") && Contains("<summary>Fit file</summary>"));
+  CHECK_THAT(both.html, Contains("<td>creep time</td><td class=\"number\">250 ms</td>") && Contains("&lt;flag&gt;"));
   CHECK_THAT(both.html, Contains("<tr class=\"marked\"><td>data.csv, line 3</td>"));  // four deviations away
   const StudyReport alone = study_report(store, {.study = "alone"});
   CHECK(fault_of(alone.html).empty());
-  CHECK_THAT(alone.html, Contains("usable_with_warnings") && !Contains("<h2>Results</h2>"));
+  CHECK_THAT(alone.html, Contains("The fit of 2 measurements is usable with warnings: creep time = 250 ms") &&
+                             !Contains("<h2>Results</h2>"));
+}
+
+TEST_CASE("the report of an optimisation opens with the best design within its constraints, and what holds it back",
+          "[studies][report]") {
+  const TemporaryDirectory scratch;
+  const auto file =
+      scratch.write("design.json", R"({"study": "design", "scene": {"radius": 0.1, "layer_thickness": 0.01,
+    "static_shear_modulus": 1e6, "material": "elastic", "load": 1e4, "speed": 1}, "variables": {
+    "load": {"from": 1e4, "to": 4e4, "start": 3e4}, "speed": {"from": 0.1, "to": 0.9, "start": 0.5}},
+    "minimise": "rolling_resistance", "constraints": ["load * speed >= 6000"]})");
+  const std::string database = (scratch / "results.db").string();
+  REQUIRE(run_rollres({"optimise", file.string(), "--db", database}, closed_form).status == 0);
+  ResultStore store(database, Access::read);
+  const StudyReport report = study_report(store, {});
+  CHECK(fault_of(report.html).empty());
+  CHECK_THAT(report.html,
+             Contains("The least rolling resistance within the constraints is ") &&
+                 Contains("It is held back by load * speed &gt;= 6000, where 1 % more room would lower it by ") &&
+                 Contains("To first order no design near it is better.") && Contains("<h2>Best design</h2>") &&
+                 Contains("<td>reached</td>") && Contains("1 % more room is worth") &&
+                 !Contains("The rolling resistance lies between"));
+  CHECK(report.html.find("<h2>Best design</h2>") < report.html.find("<h2>Charts</h2>"));
 }
 
 TEST_CASE("rollres report refuses what it cannot report", "[studies][report]") {

@@ -25,6 +25,10 @@ TEST_CASE("a square takes the square of its prefix", "[studies][scaled_unit]") {
 
 TEST_CASE("a logarithmic axis keeps the plain unit where its numbers are short", "[studies][scaled_unit]") {
   CHECK(scaled_unit_logarithmic("m/s", 1e-3, 10).name == "m/s");
+  CHECK(scaled_unit_logarithmic("N/m", 1e-6, 628).name == "N/m");
+  CHECK(scaled_unit_logarithmic("N/m", 20, 1e4).name == "N/m");
+  CHECK(scaled_unit_logarithmic("m", 2e-3, 2e-2).name == "mm");
+  CHECK(scaled_unit_logarithmic("m", 1e-3, 0.5).name == "mm");
   CHECK(scaled_unit_logarithmic("Pa", 1e5, 1e9).name == "MPa");
   CHECK(scaled_unit_logarithmic("m", 1e-6, 1e-4).name == "µm");
   CHECK(scaled_unit_logarithmic("m", 1e-6, 1e-4).factor == Approx(1e-6));

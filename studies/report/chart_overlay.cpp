@@ -1,0 +1,117 @@
+#include "studies/report/chart_overlay.hpp"
+
+#include <algorithm>
+#include <regex>
+
+#include "studies/drawing/chart_frame.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/xml_text.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// The frame of the plot, and the size of the picture [px].
+struct Frame {
+  double left = 0, right = 0, top = 0, bottom = 0;
+  std::string view;  ///< "0 0 560 428"
+};
+
+/// gnuplot draws the axes as one path from the upper left corner to the lower right one.
+std::optional<Frame> frame_of(std::string_view svg) {
+  static const std::regex box("viewBox=\"([0-9. ]+)\"");
+  static const std::regex axes("d='M([0-9.]+),([0-9.]+) L\\1,([0-9.]+) L([0-9.]+),\\3 M\\4,\\2 M\\1,\\2 ");
+  std::cmatch view, path;
+  const char *const begin = svg.data(), *const end = begin + svg.size();
+  if (!std::regex_search(begin, end, view, box) || !std::regex_search(begin, end, path, axes)) return std::nullopt;
+  return Frame{std::stod(path[1]), std::stod(path[4]), std::stod(path[2]), std::stod(path[3]), view[1]};
+}
+
+class Overlay {
+ public:
+  Overlay(const ChartRequest& request, const Frame& frame)
+      : request_(request), frame_(frame), spans_(chart_spans(request)) {}
+
+  std::string layer() const {
+    std::string markup = "<svg class=\"points\" viewBox=\"" + frame_.view + "\" aria-hidden=\"true\">";
+    for (std::size_t i = 0; i < request_.curves.size(); ++i) markup += curve(i);
+    return markup + "</svg>";
+  }
+
+  std::string buttons() const {
+    if (request_.curves.size() < 2) return "";
+    std::string markup = "<div class=\"families\">";
+    if (!request_.family.name.empty()) markup += "<span>" + xml_text(request_.family.name) + "</span>";
+    for (std::size_t i = 0; i < request_.curves.size(); ++i)
+      markup += "<button type=\"button\" aria-pressed=\"false\" data-curve=\"" + std::to_string(i) +
+                "\"><i style=\"background:" + curve_colour(request_, i) + "\"></i>" + xml_text(name_of_curve(i)) +
+                "</button>";
+    return markup + "</div>";
+  }
+
+ private:
+  std::string place(const ChartPoint& point) const {
+    const double x = frame_.left + spans_.x.fraction(point.x) * (frame_.right - frame_.left);
+    const double y = frame_.bottom - spans_.y.fraction(point.y) * (frame_.bottom - frame_.top);
+    return short_number(x, 4) + "," + short_number(y, 4);
+  }
+
+  std::string name_of_curve(std::size_t i) const {
+    const std::string& label = request_.curves[i].label;
+    return label.empty() ? "curve " + std::to_string(i + 1) : label;
+  }
+
+  static std::string told(const ChartAxis& axis, double value) {
+    return axis.name + " " + short_number(value, 5) + (axis.unit.empty() ? "" : " " + axis.unit);
+  }
+
+  std::string words(std::size_t i, const ChartPoint& point) const {
+    std::string text = told(request_.y, point.y) + "\n" + told(request_.x, point.x);
+    if (!request_.curves[i].label.empty())
+      text += "\n" + (request_.family.name.empty() ? "" : request_.family.name + " ") + request_.curves[i].label;
+    if (!request_.areas.empty() && point.area())
+      text += "\n" + request_.areas + " ± " + short_number(0.5 * (point.high - point.low), 2);
+    if (!point.converged) text += "\nnot converged";
+    return text;
+  }
+
+  std::string curve(std::size_t i) const {
+    const std::string colour = curve_colour(request_, i);
+    std::string markup = "<g data-curve=\"" + std::to_string(i) + "\" style=\"color:" + colour + "\">", line;
+    const auto end_line = [&] {
+      if (request_.lines && !line.empty()) markup += "<polyline points=\"" + line + "\"/>";
+      line.clear();
+    };
+    for (const ChartPoint& point : request_.curves[i].points) {
+      if (!point.joined()) end_line();
+      if (point.joined()) line += (line.empty() ? "" : " ") + place(point);
+    }
+    end_line();
+    for (const ChartPoint& point : request_.curves[i].points) {
+      if (!point.drawn()) continue;
+      const std::string at = place(point);
+      const std::size_t comma = at.find(',');
+      markup += "<circle cx=\"" + at.substr(0, comma) + "\" cy=\"" + at.substr(comma + 1) + "\" r=\"6\"><title>" +
+                xml_text(words(i, point)) + "</title></circle>";
+    }
+    return markup + "</g>";
+  }
+
+  const ChartRequest& request_;
+  const Frame& frame_;
+  ChartSpans spans_;
+};
+
+}  // namespace
+
+ChartOverlay chart_overlay(const ChartRequest& request, std::string_view svg) {
+  constexpr std::size_t most_points = 3000;
+  std::size_t points = 0;
+  for (const ChartCurve& curve : request.curves) points += curve.points.size();
+  const std::optional<Frame> frame = frame_of(svg);
+  if (!frame || points > most_points) return {};
+  const Overlay overlay(request, *frame);
+  return {overlay.layer(), overlay.buttons()};
+}
+
+}  // namespace rollres

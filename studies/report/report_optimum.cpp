@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+
+#include "studies/optimise/design_choices.hpp"
+#include "studies/optimise/optimise_report.hpp"
+#include "studies/report/html.hpp"
+#include "studies/report/report_sections.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
+
+namespace rollres {
+
+namespace {
+
+using html::TableRow;
+
+std::string with_unit(const DesignProblem& problem, const Formula& formula, double value) {
+  return readable(value, problem.unit(formula));
+}
+
+/// "layer thickness = 1.63 mm, static shear modulus = 8 MPa"
+std::string design_in_words(const DesignProblem& problem, const Design& design) {
+  std::string text = chosen_in_words(problem);
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Quantity& quantity = problem.variables[i].quantity;
+    text +=
+        (text.empty() ? "" : ", ") + in_words(quantity.key) + " = " + readable(design.point[i], problem.unit(quantity));
+  }
+  return text;
+}
+
+/// The formula on the left of a constraint.
+const Formula& left_of(const DesignProblem& problem, std::size_t constraint) {
+  const std::size_t own = problem.constraints.size();
+  return constraint < own * problem.scenes.size() ? problem.constraints[constraint % own].left()
+                                                  : problem.bound->goal.formula;
+}
+
+std::string goal_in_words(const DesignProblem& problem) { return in_words(problem.goal.formula.text()); }
+
+/// What the active constraints and bounds cost, and what is known of the optimum.
+std::string why_it_is_best(const StoredOptimum& found) {
+  const DesignProblem& problem = found.problem;
+  const OptimiseReport& search = *found.search;
+  std::string text;
+  if (search.optimum)
+    for (std::size_t j = 0; j < search.optimum->constraints.size(); ++j)
+      if (const ConstraintState& state = search.optimum->constraints[j]; state.active)
+        text += std::string(text.empty() ? "It is held back by " : " and ") + constraint_name(problem, j) +
+                (std::isfinite(state.multiplier) && state.multiplier > 0
+                     ? ", where 1 % more room would " + std::string(problem.goal.maximise ? "raise" : "lower") +
+                           " it by " + short_number(state.multiplier, 3) + " %"
+                     : "");
+  if (search.optimum)
+    for (std::size_t i = 0; i < search.optimum->bounds.size(); ++i)
+      if (search.optimum->bounds[i] != ActiveBound::none)
+        text += std::string(text.empty() ? "It is held back by " : " and ") + "the " +
+                std::string(name_of(search.optimum->bounds[i])) + " " + in_words(problem.variables[i].quantity.key) +
+                " allowed";
+  if (!text.empty()) text += ". ";
+  return text + (search.status == DesignStatus::optimum
+                     ? "To first order no design near it is better."
+                     : "That it is the best near it is not confirmed" +
+                           (search.reason.empty() ? "." : ": " + search.reason + "."));
+}
+
+std::string elasticity(const OptimiseReport& search, std::size_t variable) {
+  if (!search.optimum) return "";
+  const double value = search.optimum->goal.of[variable];
+  return std::isfinite(value) ? short_number(value, 3) + " %" : "";
+}
+
+std::string design_table(const StoredOptimum& found) {
+  const DesignProblem& problem = found.problem;
+  const Design& best = *found.best;
+  std::vector<TableRow> rows;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Variable& variable = problem.variables[i];
+    const std::string_view unit = problem.unit(variable.quantity);
+    std::vector<std::string> cells{in_words(variable.quantity.key), readable(best.point[i], unit),
+                                   readable(variable.lowest, unit) + " to " + readable(variable.highest, unit)};
+    if (found.search) cells.push_back(elasticity(*found.search, i));
+    rows.push_back({cells});
+  }
+  std::vector<html::TableColumn> columns{{"variable"}, {"value", true}, {"allowed"}};
+  if (found.search) columns.push_back({"1 % more of it changes the goal by", true});
+  std::string section = html::table(columns, rows);
+  rows.clear();
+  for (std::size_t j = 0; j < best.constraints.size(); ++j) {
+    const ConstraintSides& sides = best.constraints[j];
+    std::vector<std::string> cells{constraint_name(problem, j), with_unit(problem, left_of(problem, j), sides.left),
+                                   with_unit(problem, left_of(problem, j), sides.right)};
+    if (found.search && found.search->optimum) {
+      const ConstraintState& state = found.search->optimum->constraints[j];
+      cells.push_back(state.active ? "reached" : percent(state.slack, 3) + " left");
+      cells.push_back(state.active && std::isfinite(state.multiplier) ? short_number(state.multiplier, 3) + " %" : "");
+    }
+    rows.push_back({cells});
+  }
+  columns = {{"constraint"}, {"value", true}, {"limit", true}};
+  if (found.search && found.search->optimum)
+    columns.insert(columns.end(), {{"room"}, {"1 % more room is worth", true}});
+  return section + (rows.empty() ? "" : html::table(columns, rows));
+}
+
+/// All designs over the first two variables: those that keep the constraints, those that do not, and the best.
+std::optional<ChartRequest> design_chart(const ReportSource& source, const StoredOptimum& found) {
+  const DesignProblem& problem = found.problem;
+  if (problem.variables.size() < 2) return std::nullopt;
+  const auto axis_of = [&](std::size_t i) {
+    const Variable& variable = problem.variables[i];
+    const auto& unit = problem.unit(variable.quantity);
+    const ScaledUnit scaled = variable.logarithmic ? scaled_unit_logarithmic(unit, variable.lowest, variable.highest)
+                                                   : scaled_unit(unit, variable.highest);
+    return std::pair(ChartAxis{.name = in_words(variable.quantity.key),
+                               .symbol = std::string(symbol_beside_name(variable.quantity)),
+                               .unit = typeset_unit(scaled.name),
+                               .logarithmic = variable.logarithmic,
+                               .margin = 0.03},
+                     scaled.factor);
+  };
+  const auto [x, x_factor] = axis_of(0);
+  const auto [y, y_factor] = axis_of(1);
+  ChartRequest request{.title = title_of_study(source.definition, source.study.name),
+                       .subtitle = "designs looked at",
+                       .x = x,
+                       .y = y,
+                       .curves = {{"meets the constraints", {}}, {"breaks a constraint", {}}, {"best", {}}},
+                       .lines = false,
+                       .mark_peaks = false};
+  const auto place = [&](const Design& design) {
+    return ChartPoint{design.point[0] / x_factor, design.point[1] / y_factor};
+  };
+  for (const Design& design : found.designs) request.curves[design.feasible() ? 0 : 1].points.push_back(place(design));
+  if (found.best) request.curves[2].points.push_back(place(*found.best));
+  std::erase_if(request.curves, [](const ChartCurve& curve) { return curve.points.empty(); });
+  return request;
+}
+
+}  // namespace
+
+std::vector<std::string> optimum_sentences(const StoredOptimum& found) {
+  const DesignProblem& problem = found.problem;
+  const std::string extreme = problem.goal.maximise ? "greatest " : "least ", goal = goal_in_words(problem);
+  const auto feasible =
+      std::count_if(found.designs.begin(), found.designs.end(), [](const Design& design) { return design.feasible(); });
+  const std::string counted = std::to_string(found.designs.size()) + " designs have an answer, " +
+                              std::to_string(feasible) + " of them meet " +
+                              (problem.constraints.size() == 1 ? "the constraint." : "the constraints.");
+  if (!found.best) return {"No design that was looked at meets the constraints.", counted};
+  const bool constrained = !found.best->constraints.empty();
+  std::vector<std::string> sentences{"The " + extreme + goal + (constrained ? " within the constraints" : "") + " is " +
+                                     with_unit(problem, problem.goal.formula, found.best->value) + ", with " +
+                                     design_in_words(problem, *found.best) + "."};
+  if (found.search) sentences.push_back(why_it_is_best(found));
+  sentences.push_back(counted);
+  return sentences;
+}
+
+PictureSection optimum_section(const ReportSource& source, const StoredOptimum& found) {
+  std::string section = html::heading("Best design");
+  if (!found.best) return {section + html::paragraph("No design meets the constraints."), 0};
+  section += design_table(found);
+  if (!found.search)
+    section += html::paragraph("What the constraints cost: rollres optimise tells it, with the file at the end.");
+  std::vector<std::pair<std::string, ChartRequest>> charts;
+  if (auto designs = design_chart(source, found)) charts.emplace_back("The designs that were looked at", *designs);
+  if (found.search && found.search->designs.size() > 1)
+    charts.emplace_back("The best design seen so far, in the course of the search",
+                        course_chart(found.problem, *found.search));
+  const PictureSection pictures = chart_pictures(charts);
+  return {section + pictures.html, pictures.pictures};
+}
+
+}  // namespace rollres
