@@ -183,6 +183,8 @@ Json material_fit() {
                                                                      {"loss_modulus", percentage()}})}}}}});
 }
 
+Json text_or(const Json& object) { return {{"anyOf", {name(), object}}}; }
+
 /// "minimise" or "maximise", and not both.
 Json one_goal() { return {{{"required", {"minimise"}}}, {{"required", {"maximise"}}}}; }
 
@@ -252,21 +254,27 @@ std::string optimisation_schema() {
   variables["properties"].erase("indenter");
   variables["minProperties"] = 1;
   add_variants(variables["properties"]);
-  Json pareto = object_of(pareto_keys);
+  const Json goal = text_or(object_of(goal_keys));
+  Json pareto = object_of(pareto_keys, {{"minimise", goal}, {"maximise", goal}});
   pareto["oneOf"] = one_goal();
   const Json tolerance{{"type", "number"}, {"minimum", 1e-8}, {"maximum", 0.1}};
   Json schema{{"$schema", draft}, {"title", "optimisation of rollres"}};
-  schema.update(object_of(design_keys, {{"scene", scene_or_file()},
-                                        {"set", set},
-                                        {"variables", variables},
-                                        {"compute", compute()},
-                                        {"scenes", list_of(object_of(duty_keys, {{"set", set}}))},
-                                        {"constraints", {{"type", "array"}, {"items", name()}}},
-                                        {"stop", object_of(stop_keys, {{"tolerance", tolerance}})},
-                                        {"pareto", pareto}}));
+  schema.update(
+      object_of(design_keys, {{"scene", scene_or_file()},
+                              {"set", set},
+                              {"variables", variables},
+                              {"compute", compute()},
+                              {"scenes", list_of(object_of(duty_keys, {{"set", set}}))},
+                              {"minimise", goal},
+                              {"maximise", goal},
+                              {"constraints", {{"type", "array"}, {"items", text_or(object_of(constraint_keys))}}},
+                              {"uncertain", uncertain()},
+                              {"stop", object_of(stop_keys, {{"tolerance", tolerance}})},
+                              {"pareto", pareto}}));
   schema["oneOf"] = one_goal();
   Json& definitions = schema["definitions"] = input_definitions();
   definitions[variable_name] = object_of(variable_keys);
+  definitions[distribution_name] = distribution();
   return printed(schema);
 }
 

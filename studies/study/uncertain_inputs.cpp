@@ -177,8 +177,10 @@ std::vector<CorrelatedPair> pairs_of(const Json& uncertain, const std::vector<Un
 
 void read_sampling(UncertainInputs& uncertain, const Json& object, const std::string& place) {
   uncertain.method = choice_or_first<SampleMethod>(object, "method", place);
-  const int scramblings = whole_number_or(object, "scramblings", 8, 1, 1000, place);
-  const int points = whole_number_or(object, "points", 64 * scramblings, 2, most_points, place);
+  const auto each = static_cast<int>(uncertain.points_of_each());
+  const int scramblings =
+      whole_number_or(object, "scramblings", static_cast<int>(uncertain.scramblings), 1, 1000, place);
+  const int points = whole_number_or(object, "points", each * scramblings, 2, most_points, place);
   if (points % scramblings != 0)
     refuse(place, "points", points,
            "must be a multiple of the " + std::to_string(scramblings) + " scramblings: " +
@@ -261,8 +263,8 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
 }
 
 UncertainInputs uncertain_inputs(const Json& file, const std::vector<SceneEntry>& scene, const std::string& file_place,
-                                 const std::vector<std::string>& varied) {
-  UncertainInputs uncertain;
+                                 const UncertainInputs& usual, const std::vector<std::string>& varied) {
+  UncertainInputs uncertain = usual;
   const auto found = file.find("uncertain");
   if (found == file.end()) return uncertain;
   const std::string place = file_place + ": uncertain";

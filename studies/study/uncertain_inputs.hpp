@@ -32,10 +32,13 @@ namespace rollres {
 inline constexpr std::array uncertain_keys{
     FileKey{"fit", "a stored fit whose parameters scatter by its covariance"},
     FileKey{"correlation", "pairs of inputs that scatter together, each with a correlation from -1 to 1"},
-    FileKey{"points", "number of points, a multiple of the scramblings; default 512", whole_from(2, most_points)},
+    FileKey{"points", "number of points, a multiple of the scramblings; default 512, in an optimisation 64",
+            whole_from(2, most_points)},
     FileKey{"method", "how the points are spread", one_of(ChoiceNames<SampleMethod>::names)},
-    FileKey{"scramblings", "parts of the points that are scrambled, or drawn, anew and tell the errors; default 8",
-            whole_from(1, 1000)},
+    FileKey{
+        "scramblings",
+        "parts of the points that are scrambled, or drawn, anew and tell the errors; default 8, in an optimisation 1",
+        whole_from(1, 1000)},
     FileKey{"seed", "the same seed gives the same points; default 1"},
     FileKey{"probability", "conditions of inputs and outputs whose probability is wanted"},
 };
@@ -61,10 +64,11 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
 
 /// Reads the object under "uncertain" of a file; empty without one.
 /// @param scene   entries of the scene, for units and for what scatters about its value
+/// @param usual   how many points there are where the file says nothing
 /// @param varied  inputs that may scatter about values that are not known yet: the variables of an optimisation
 /// @throws std::invalid_argument naming place, key, value and rule
 UncertainInputs uncertain_inputs(const Json& file, const std::vector<SceneEntry>& scene, const std::string& place,
-                                 const std::vector<std::string>& varied = {});
+                                 const UncertainInputs& usual = {}, const std::vector<std::string>& varied = {});
 
 /// Axes of a study with these points; they vary together.
 std::vector<GivenAxis> uncertain_axes(const UncertainInputs& uncertain, const std::string& place);
