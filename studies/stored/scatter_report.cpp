@@ -28,6 +28,7 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string in_words(const ScatterReport& report, std::size_t axis, const Cell& cell) {
+  if (const auto* const name = std::get_if<std::string>(&cell)) return *name;
   const Quantity& quantity = find_input(report.results.axes[axis])->quantity;
   return value_in_words(quantity, cell, quantity.unit_for(report.indenter()));
 }
@@ -118,7 +119,8 @@ std::string with_error(const ScatterEstimate& estimate, double factor) {
 std::string place_in_words(const ScatterReport& report, const ScatterPlace& place) {
   std::string text;
   for (std::size_t i = 0; i < place.at.size(); ++i) {
-    const std::string_view symbol = find_input(report.results.axes[i])->quantity.symbol;
+    const InputKind* const input = find_input(report.results.axes[i]);  // none: the variants
+    const std::string_view symbol = input ? input->quantity.symbol : "";
     text += i == 0 ? "" : ", ";
     if (!symbol.empty()) text += std::string(symbol) + " = ";
     text += in_words(report, i, place.at[i]);

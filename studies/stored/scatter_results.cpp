@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "db/rows/schema.hpp"
 #include "studies/scene_io/cells.hpp"
 #include "studies/study/study_axes.hpp"
 
@@ -39,13 +40,15 @@ ScatterResults scatter_results(const Study& study, const StudyPlan& plan, Result
   for (const Axis& axis : study.axes)
     if (axis.group != uncertain_group) results.axes.push_back(axis.key);
   const std::size_t together = study.uncertain.points, each = study.uncertain.points_of_each();
+  const std::vector<std::string> variants = plan.variants();
   std::optional<std::size_t> last;
   plan.for_each([&](std::size_t point, const RollingScene& scene) {
     const std::size_t combination = plan.combination(point), batch = combination % together / each;
     if (last != combination / together) {
       last = combination / together;
       results.places.push_back(empty_place(study, formulas.size(), conditions.size()));
-      for (const std::string& key : results.axes) results.places.back().at.push_back(input_of(scene, key));
+      for (const std::string& key : results.axes)
+        results.places.back().at.push_back(key == variant_key ? Cell(variants[point]) : input_of(scene, key));
     }
     ScatterPlace& place = results.places.back();
     ++place.points;

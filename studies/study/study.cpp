@@ -26,8 +26,7 @@ void refuse_set_uncertain(const std::vector<SceneEntry>& set, const std::vector<
   for (const UncertainInput& input : uncertain.inputs) {
     refuse_given_twice(variants, input.key, "is uncertain too");
     for (const SceneEntry& entry : set)
-      if (entry.key == input.key && !input.relative)
-        refuse(entry.place, entry.key, entry.value, "is uncertain too");
+      if (entry.key == input.key && !input.relative) refuse(entry.place, entry.key, entry.value, "is uncertain too");
   }
 }
 

@@ -35,11 +35,11 @@ const std::string scene_text =
 const std::string speeds = R"("variables": {"speed": {"from": 0.5, "to": 2, "scale": "linear"}})";
 const std::string friction = R"("uncertain": {"friction_coefficient": {"normal": [0.3, "10 %"]}, "points": 256})";
 
-std::string file_text(const std::string& rest) { return R"({"study": "robust", )" + scene_text + ", " + rest + "}"; }
+std::string robust_text(const std::string& rest) { return R"({"study": "robust", )" + scene_text + ", " + rest + "}"; }
 
 DesignProblem robust(const std::string& rest) {
   const TemporaryDirectory folder;
-  return read_design_problem(folder.write("study.json", file_text(rest)));
+  return read_design_problem(folder.write("study.json", robust_text(rest)));
 }
 
 Design best_of(const DesignProblem& problem, const Evaluate& evaluate = scattering) {
@@ -95,7 +95,7 @@ TEST_CASE("a variable scatters about its value", "[studies][optimise]") {
   const TemporaryDirectory folder;
   const auto study = folder.write(
       "study.json",
-      file_text(
+      robust_text(
           R"("variables": {"layer_thickness": {"from": "2 mm", "to": "20 mm"}}, "minimise": "rolling_resistance",
          "uncertain": {"layer_thickness": {"normal": "10 %"}, "points": 16}, "stop": {"evaluations": 400})"));
   const std::string database = (folder.path / "results.db").string();
@@ -140,7 +140,7 @@ TEST_CASE("a robust design is told with what it is the best of", "[studies][opti
   const TemporaryDirectory folder;
   const auto study = folder.write(
       "study.json",
-      file_text(speeds + ", " + friction + R"(, "minimise": {"formula": "rolling_resistance", "scatter": "P90"})"));
+      robust_text(speeds + ", " + friction + R"(, "minimise": {"formula": "rolling_resistance", "scatter": "P90"})"));
   const ProgramRun run =
       run_rollres({"optimise", study.string(), "--db", (folder.path / "results.db").string()}, scattering);
   CHECK(run.status == 0);
