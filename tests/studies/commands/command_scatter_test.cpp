@@ -161,5 +161,5 @@ TEST_CASE("the example of a scatter is solved in full", "[studies][command_scatt
   const std::string example = (source_directory() / "studies/examples/rubber_scatter.json").string();
   const ProgramRun run = run_rollres({"scatter", example, "--db", files.database, "--json"}, closed_form);
   REQUIRE(run.status == 0);
-  CHECK(parse_object(run.out, "output")["points"] == 9 * 128);
+  CHECK(parse_object(run.out, "output")["points"] == 7 * 64);
 }
