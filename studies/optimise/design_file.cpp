@@ -266,6 +266,26 @@ void refuse_absent(const Formula& formula, const RollingScene& scene, const std:
       throw std::invalid_argument(place + ": " + formula.text() + ": " + key + " is never there: " + why);
 }
 
+/// Shares are of values > 0, and what scatters by them stays in its range at both bounds of a variable.
+void refuse_no_scatter(const DesignProblem& problem, const Json& given, const std::string& place) {
+  for (const UncertainInput& input : problem.uncertain.inputs) {
+    if (!input.relative) continue;
+    std::vector<double> values;
+    for (const DutyScene& duty : problem.scenes) values.push_back(real_input(duty.scene, input.key));
+    for (const Variable& variable : problem.variables)
+      if (variable.quantity.key == input.key) values.insert(values.end(), {variable.lowest, variable.highest});
+    const Range& range = find_input(input.key)->quantity.range;
+    for (const double value : values) {
+      const std::string at = "at " + short_number(value) + ": ";
+      if (!(value > 0) || !std::isfinite(value))
+        refuse(place, input.key, given[input.key], at + "what scatters by shares must be > 0 and finite");
+      if (!input.truncated && weight_outside(times(input.distribution, value), range) > negligible_weight)
+        refuse(place, input.key, given[input.key],
+               at + "has weight outside its range (" + range.rule() + "): \"truncated\": true cuts it off there");
+    }
+  }
+}
+
 /// What scatters, at fewer points than a study has: each design asks for all of them.
 void read_uncertain(DesignProblem& problem, const Json& file, const std::vector<SceneEntry>& scene,
                     const std::vector<GivenVariable>& variables, const Choices& choices, const std::string& place) {
@@ -277,6 +297,7 @@ void read_uncertain(DesignProblem& problem, const Json& file, const std::vector<
   if (!problem.uncertain.probabilities.empty())
     refuse(place + ": uncertain", "probability", file["uncertain"]["probability"],
            "is told by rollres scatter; here a constraint with \"scatter\": \"P95\" keeps it below 5 %");
+  refuse_no_scatter(problem, file["uncertain"], place + ": uncertain");
   problem.uncertain_points = uncertain_points(problem.uncertain);
 }
 

@@ -56,6 +56,7 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
   };
   for (const DesignProblem& problem : problems)
     for (const std::vector<double>& point : points) {
+      if (!answers.contains(evaluation_key(scenes_at(problem, point).front(), ""))) continue;
       Design design = evaluate_design(problem, point, recall);
       if (!design.found()) continue;
       if (design.feasible() && (!found.best || problem.goal.better(design.value, found.best->value))) {

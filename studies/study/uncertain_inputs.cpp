@@ -144,7 +144,7 @@ UncertainInput uncertain_input(const std::string& key, const Json& object, const
   if (of_a_variable && !input->relative)
     refuse(place_text, name, given, "is a variable: it scatters about its value, by shares as in \"10 %\"");
   if (input->relative && !of_a_variable) input->about = value_about(place, scene, given);
-  refuse_weight_outside(place, *input, input->about, given);
+  if (!of_a_variable) refuse_weight_outside(place, *input, input->about, given);
   return *input;
 }
 

@@ -65,7 +65,8 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
 /// Reads the object under "uncertain" of a file; empty without one.
 /// @param scene   entries of the scene, for units and for what scatters about its value
 /// @param usual   how many points there are where the file says nothing
-/// @param varied  inputs that may scatter about values that are not known yet: the variables of an optimisation
+/// @param varied  inputs that may scatter about values that are not known yet, the variables of an optimisation: whether
+///                they stay inside their ranges is left to the caller
 /// @throws std::invalid_argument naming place, key, value and rule
 UncertainInputs uncertain_inputs(const Json& file, const std::vector<SceneEntry>& scene, const std::string& place,
                                  const UncertainInputs& usual = {}, const std::vector<std::string>& varied = {});

@@ -178,6 +178,18 @@ TEST_CASE("a robust problem that leaves something open is refused", "[studies][o
              Contains("minimise: scatter: often: must be \"mean\""));
   CHECK_THAT(refusal_of(R"("uncertain": {"speed": {"normal": [1, 0.1]}})" + goal),
              Contains("is a variable: it scatters about its value, by shares as in \"10 %\""));
+  const auto bounds = [&](const std::string& variable, const std::string& uncertain) {
+    return message_of([&] {
+      robust(R"("variables": {)" + variable + R"(}, "uncertain": {)" + uncertain + R"(}, "minimise": "speed")");
+    });
+  };
+  CHECK_THAT(
+      bounds(R"("friction_coefficient": {"from": 0, "to": 0.5})", R"("friction_coefficient": {"normal": "5 %"})"),
+      Contains("at 0: what scatters by shares must be > 0 and finite"));
+  CHECK_THAT(bounds(R"("poisson_ratio": {"from": 0.3, "to": 0.499})", R"("poisson_ratio": {"normal": "5 %"})"),
+             Contains("has weight outside its range (must be from 0 to 0.5)"));
+  CHECK(bounds(R"("poisson_ratio": {"from": 0.3, "to": 0.499})",
+               R"("poisson_ratio": {"normal": "5 %", "truncated": true})") == "nothing");
   CHECK_THAT(refusal_of(R"("uncertain": {"load": {"normal": "5 %"}, "probability": ["approach > 1 mm"]})" + goal),
              Contains("is told by rollres scatter"));
 }
