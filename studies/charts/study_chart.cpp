@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "studies/scatter/scatter_statistics.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
@@ -71,6 +72,7 @@ struct Choice {
   const QuantityColumn* y = nullptr;
   const QuantityColumn* along = nullptr;        // joins the points of a curve: x, or an axis if x is none
   std::vector<const QuantityColumn*> families;  // their values tell the curves apart
+  bool scatter = false;                         // several points at each place: their median, and a band
 
   bool is_resistance() const { return y->name == "rolling_resistance" || y->name == "rolling_resistance_coefficient"; }
 };
@@ -121,6 +123,10 @@ void refuse_constant(const ShownStudy& shown, const QuantityColumn& x) {
       std::to_string(rows.size()) + " points shown" + (varied.empty() ? "" : "; these vary: " + varied));
 }
 
+bool scatters(const StudyDefinition& definition, const QuantityColumn& column) {
+  return definition.uncertain.contains(key_of(column));
+}
+
 Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
   const auto& [file, study, definition, rows] = shown;
   Choice choice = wished(shown, hints, options);
@@ -134,24 +140,33 @@ Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChart
     axes.push_back(&column_of(key, study, rows, "axis"));
     if (axes.back() == choice.x) choice.along = choice.x;
     if (axes.back()->type == "TEXT" || taken(axes.back())) continue;
+    if (scatters(definition, *axes.back()) && longest && !scatters(definition, *longest)) continue;
+    if (!scatters(definition, *axes.back()) && longest && scatters(definition, *longest)) most = 0;
     if (const std::size_t count = rows.values(*axes.back()).size(); count > most) {
       most = count;
       longest = axes.back();
     }
   }
+  if (choice.x && !choice.along && !definition.uncertain.empty())  // numbers that scatter against each other
+    choice.along = &column_of(*definition.uncertain.begin(), study, "axis");
   if (!choice.along) choice.along = longest;
   if (!choice.x) choice.x = longest;
   if (!choice.x) throw std::invalid_argument(study.name + ": no axis is a number; choose one with --x");
   if (!choice.along) choice.along = choice.x;
   refuse_constant(shown, *choice.x);
+  choice.scatter = !definition.uncertain.empty() && !scatters(definition, *choice.along);
+  if (choice.scatter && options.shares)
+    throw std::invalid_argument(study.name + ": shares cannot be drawn where inputs scatter");
   for (const QuantityColumn* axis : axes) {
     if (axis == choice.along || taken(axis) || rows.values(*axis).size() <= 1) continue;
     std::vector<const QuantityColumn*> mates;  // drawn already, and varying together with this axis
     for (const QuantityColumn* drawn : axes)
       if ((drawn == choice.along || taken(drawn)) && definition.are_together(key_of(*drawn), key_of(*axis)))
         mates.push_back(drawn);
+    if (choice.scatter && scatters(definition, *axis)) continue;  // in the band
     const bool scattered =  // drawn as points without lines: nothing need tell them apart
-        definition.sampled.contains(key_of(*choice.along)) && definition.sampled.contains(key_of(*axis));
+        (definition.sampled.contains(key_of(*choice.along)) && definition.sampled.contains(key_of(*axis))) ||
+        (scatters(definition, *choice.along) && scatters(definition, *axis));
     if (!scattered && (mates.empty() || !follows(rows, *axis, mates))) choice.families.push_back(axis);
   }
   return choice;
@@ -183,6 +198,23 @@ void add_shares(ChartPoint& point, const StudyRows& rows, std::size_t row, doubl
   point.high = point.low + force * rows.number(row, "frictional_loss");
 }
 
+/// Values at one place of a curve whose inputs scatter, as their median and a band from P10 to P90.
+struct ScatteredValues {
+  double x = 0;
+  std::vector<double> values = {};
+  bool all_converged = true;
+
+  ChartPoint point() {
+    ChartPoint drawn{x, std::numeric_limits<double>::quiet_NaN(), all_converged};
+    if (values.empty()) return drawn;
+    std::sort(values.begin(), values.end());
+    drawn.y = quantile_of_sorted(values, 0.5);
+    drawn.low = quantile_of_sorted(values, 0.1);
+    drawn.high = quantile_of_sorted(values, 0.9);
+    return drawn;
+  }
+};
+
 /// The one curve of a chart as two, each with the area below it.
 void stack_shares(ChartRequest& request, const std::string& place) {
   if (request.curves.size() != 1)
@@ -203,10 +235,31 @@ void stack_shares(ChartRequest& request, const std::string& place) {
 /// The points of the curves: by the values of the families, then by that of the column along them.
 using Curves = std::map<std::vector<Cell>, std::map<Cell, ChartPoint>>;
 
+/// The same where several points at each place become their median and a band.
+Curves scattered_curves(const StudyRows& rows, const Choice& choice, const ChartScales& scales) {
+  std::map<std::vector<Cell>, std::map<Cell, ScatteredValues>> found;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::vector<Cell> values;
+    for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
+    ScatteredValues& here = found[values][rows.cell(row, *choice.along)];
+    const double value = rows.number(row, *choice.y) / scales.y.unit.factor;
+    here.x = rows.number(row, *choice.x) / scales.x.unit.factor;
+    if (rows.converged(row) && std::isfinite(value))
+      here.values.push_back(value);
+    else
+      here.all_converged = false;
+  }
+  Curves curves;
+  for (auto& [values, places] : found)
+    for (auto& [place, scattered] : places) curves[values][place] = scattered.point();
+  return curves;
+}
+
 Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScales& scales, bool shares) {
   const StudyRows& rows = shown.rows;
   Curves curves;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
+  if (choice.scatter) curves = scattered_curves(rows, choice, scales);
+  for (std::size_t row = 0; row < rows.size() && !choice.scatter; ++row) {
     std::vector<Cell> values;
     for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
     ChartPoint& point = curves[values][rows.cell(row, *choice.along)];
@@ -317,7 +370,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
   request.comment = shown.comment();
   request.x = scaled_axis(*choice.x, scales.x);
   request.y = scaled_axis(*choice.y, scales.y);
-  request.lines = definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*choice.along));
+  request.lines = !scatters(definition, *choice.along) &&
+                  (definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*choice.along)));
   if (!request.lines) request.x.margin = 0.03;  // no mark is cut by the frame
   if (choice.families.size() == 1) {
     request.family = described(*choice.families.front());
@@ -327,6 +381,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
   request.curves = labelled(curves, choice, rows);
   if (options.shares)
     stack_shares(request, study.name);
+  else if (choice.scatter)
+    request.areas = "P10 to P90, line: median";
   else if (choice.is_resistance())
     request.areas = "estimated error";
   return chart;

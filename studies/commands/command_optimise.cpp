@@ -8,7 +8,6 @@
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
-#include "studies/stored/study_redefinition.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -66,13 +65,11 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
   StudyRecord study{problem.name, {}, standalone_study(arguments.study)};
   for (const ChosenValue& chosen : problem.chosen) study.axes.push_back(chosen.key);
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-  {
-    ResultStore store(arguments.database);
-    if (const auto redefined = start_again(store, study, {}, arguments.replace))
-      session.err << study.name << ": defined anew: " << redefined->in_words() << '\n';
-  }
   const StopSignal signal;
-  StoredEvaluations evaluations(session.evaluate, arguments.database, study, &signal.requested());
+  StoredEvaluations evaluations(session.evaluate, arguments.database, study, &signal.requested(),
+                                {arguments.replace, [&](const Redefinition& redefined) {
+                                   session.err << study.name << ": defined anew: " << redefined.in_words() << '\n';
+                                 }});
 
   OptimiseOptions options{.jobs = arguments.jobs};
   StatusLine line(session.err);

@@ -35,7 +35,7 @@ struct SensitivityArguments {
   std::vector<std::string> overrides, ranges;
   int samples = 0, jobs = 0;
   std::uint64_t seed = 0;
-  bool json = false;
+  bool json = false, replace = false;
 };
 
 void draw(const BarChart& chart, const SensitivityArguments& arguments, Session& session) {
@@ -163,7 +163,11 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   } else {
     StudyRecord study{problem.name + " " + arguments.indices, {}, standalone_study(arguments.file)};
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-    evaluations.emplace(session.evaluate, arguments.database, study, &signal.requested());
+    const auto tell = [&, name = study.name](const Redefinition& redefined) {
+      session.err << name << ": defined anew: " << redefined.in_words() << '\n';
+    };
+    evaluations.emplace(session.evaluate, arguments.database, study, &signal.requested(),
+                        StudyStart{arguments.replace, tell});
   }
   std::optional<StatusLine> line(session.err);
   std::mutex one_at_a_time;
@@ -245,6 +249,8 @@ void add_sensitivity(Command& program, Session& session) {
   with_indices(command->add_option("--seed S", arguments.seed, "of the sample; default 0"));
   with_indices(
       command->add_option("--db FILE", arguments.database, "database; every evaluation is stored and recalled"));
+  with_indices(command->add_flag("--replace", arguments.replace,
+                                 "take the place of a study of this name that is defined otherwise; its rows stay"));
   command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--out PATH", arguments.out, "draw bars with their errors as PATH.svg and PATH.png");
   command->add_flag("--json", arguments.json, "print one JSON object");

@@ -123,8 +123,9 @@ std::string chart_data(const ChartRequest& request) {
     const ChartCurve& curve = request.curves[i];
     if (i > 0) data << "\n\n";
     comment(described(request.family) + (request.family.name.empty() ? "" : " = ") + curve.label);
-    const std::vector<bool> marks =
-        request.lines ? marked(curve.points, i) : std::vector<bool>(curve.points.size(), true);
+    const std::vector<bool> marks = request.lines && request.marks
+                                        ? marked(curve.points, i)
+                                        : std::vector<bool>(curve.points.size(), !request.lines);
     for (std::size_t j = 0; j < curve.points.size(); ++j) {
       const ChartPoint& point = curve.points[j];
       data << short_number(point.x, 15) << " " << (point.drawn() ? short_number(point.y, 15) : "NaN") << " "

@@ -53,6 +53,7 @@ struct ChartRequest {
   bool ordered = false;    ///< the curves come in the order of the family's values
   std::string areas = {};  ///< what the areas of the points mean, as bands round the curves; empty: they fill the chart
   bool lines = true;       ///< join the points of a curve; else each bears a mark and no peak is marked
+  bool marks = true;       ///< on some points of each curve; else the line alone
   bool mark_peaks = true;  ///< marks the peak of each curve with its value
   std::string comment = {};  ///< what else to know, line by line, for the head of the data file
 };

@@ -264,7 +264,10 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
     if (label.empty() || labels_at_ends(request)) continue;
     const std::string& symbol = request.family.symbol;
     const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
-    entries.push_back({(request.lines ? "linespoints linetype " : "points linetype ") + std::to_string(i + 1),
+    entries.push_back({(!request.lines  ? "points linetype "
+                        : request.marks ? "linespoints linetype "
+                                        : "lines linetype ") +
+                           std::to_string(i + 1),
                        equals + gnuplot::plain(label) + kept_blanks,
                        width(label) + (symbol.empty() ? 0 : width(symbol) + 3)});
   }
@@ -306,7 +309,7 @@ std::vector<std::string> plots(const ChartRequest& request, bool areas) {
     const std::string type = "linetype " + std::to_string(i + 1) + " notitle";
     if (std::any_of(points.begin(), points.end(), [](const auto& point) { return point.joined(); })) {
       if (request.lines) parts.push_back(data + "1 ? $2 : NaN) with lines " + type);
-      parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
+      if (!request.lines || request.marks) parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
     }
     if (std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; }))
       parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(request, i).hollow) +

@@ -9,6 +9,7 @@
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
+#include "studies/study/uncertain_inputs.hpp"
 
 namespace rollres {
 
@@ -91,6 +92,39 @@ Json sample() {
   return object_of(sample_keys, {{"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 0}}}, {"ranges", ranges}});
 }
 
+constexpr const char* distribution_name = "distribution";
+
+/// A number of a distribution: of the input, or a share.
+Json distribution() {
+  const Json number = input_number();
+  const auto list = [&](int size) {
+    return Json{{"type", "array"}, {"items", number}, {"minItems", size}, {"maxItems", size}};
+  };
+  const Json share{{"type", "string"}, {"pattern", R"(%\s*$)"}};
+  const Json moments{{"anyOf", {share, {{"type", "array"}, {"items", number}, {"minItems", 1}, {"maxItems", 2}}}}};
+  Json object = object_of(distribution_keys, {{"normal", moments},
+                                              {"lognormal", moments},
+                                              {"uniform", list(2)},
+                                              {"loguniform", list(2)},
+                                              {"triangular", list(3)}});
+  Json one = Json::array();
+  for (const std::string_view name : ChoiceNames<DistributionKind>::names) one.push_back({{"required", {name}}});
+  object["oneOf"] = one;
+  return object;
+}
+
+Json uncertain() {
+  Json schema = inputs_and_layers([](const InputKind&) { return reference(distribution_name); }, real_input);
+  const Json number{{"type", "number"}, {"exclusiveMinimum", -1}, {"exclusiveMaximum", 1}};
+  const Json pair{{"type", "array"}, {"items", {name(), name(), number}}, {"minItems", 3}, {"maxItems", 3}};
+  const Json options = object_of(uncertain_keys, {{"fit", object_of(uncertain_fit_keys)},
+                                                  {"correlation", {{"type", "array"}, {"items", pair}}},
+                                                  {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 1}}},
+                                                  {"probability", {{"type", "array"}, {"items", name()}}}});
+  schema["properties"].update(options["properties"]);
+  return schema;
+}
+
 /// Outputs, and formulas by their names.
 Json compute() {
   const Json formulas{{"type", "object"},
@@ -149,6 +183,8 @@ Json material_fit() {
                                                                      {"loss_modulus", percentage()}})}}}}});
 }
 
+Json text_or(const Json& object) { return {{"anyOf", {name(), object}}}; }
+
 /// "minimise" or "maximise", and not both.
 Json one_goal() { return {{{"required", {"minimise"}}}, {{"required", {"maximise"}}}}; }
 
@@ -174,11 +210,12 @@ std::string study_schema() {
                                        {"set", inputs_and_layers(input_reference, any_input)},
                                        {"axes", axes()},
                                        {"sample", sample()},
+                                       {"uncertain", uncertain()},
                                        {"constraints", list_of(name())},
                                        {"compute", compute()},
                                        {"chart", {{"allOf", {reference(chart_name)}}}},
                                        {"charts", list_of(reference(chart_name))}}));
-  schema["anyOf"] = {{{"required", {"axes"}}}, {{"required", {"sample"}}}};
+  schema["anyOf"] = {{{"required", {"axes"}}}, {{"required", {"sample"}}}, {{"required", {"uncertain"}}}};
   schema["not"] = {{"required", {"chart", "charts"}}};
   const Json holds_formula{{"anyOf", {{{"type", "object"}}, {{"type", "array"}, {"contains", {{"type", "object"}}}}}}};
   schema["if"] = {{"required", {"compute"}}, {"properties", {{"compute", holds_formula}}}};
@@ -187,6 +224,7 @@ std::string study_schema() {
   Json& definitions = schema["definitions"] = input_definitions();
   definitions[interval_name] = object_of(interval_keys);
   definitions[range_name] = object_of(range_keys);
+  definitions[distribution_name] = distribution();
   definitions[chart_name] = chart(true);
   definitions[plain_chart_name] = chart(false);
   return printed(schema);
@@ -216,21 +254,27 @@ std::string optimisation_schema() {
   variables["properties"].erase("indenter");
   variables["minProperties"] = 1;
   add_variants(variables["properties"]);
-  Json pareto = object_of(pareto_keys);
+  const Json goal = text_or(object_of(goal_keys));
+  Json pareto = object_of(pareto_keys, {{"minimise", goal}, {"maximise", goal}});
   pareto["oneOf"] = one_goal();
   const Json tolerance{{"type", "number"}, {"minimum", 1e-8}, {"maximum", 0.1}};
   Json schema{{"$schema", draft}, {"title", "optimisation of rollres"}};
-  schema.update(object_of(design_keys, {{"scene", scene_or_file()},
-                                        {"set", set},
-                                        {"variables", variables},
-                                        {"compute", compute()},
-                                        {"scenes", list_of(object_of(duty_keys, {{"set", set}}))},
-                                        {"constraints", {{"type", "array"}, {"items", name()}}},
-                                        {"stop", object_of(stop_keys, {{"tolerance", tolerance}})},
-                                        {"pareto", pareto}}));
+  schema.update(
+      object_of(design_keys, {{"scene", scene_or_file()},
+                              {"set", set},
+                              {"variables", variables},
+                              {"compute", compute()},
+                              {"scenes", list_of(object_of(duty_keys, {{"set", set}}))},
+                              {"minimise", goal},
+                              {"maximise", goal},
+                              {"constraints", {{"type", "array"}, {"items", text_or(object_of(constraint_keys))}}},
+                              {"uncertain", uncertain()},
+                              {"stop", object_of(stop_keys, {{"tolerance", tolerance}})},
+                              {"pareto", pareto}}));
   schema["oneOf"] = one_goal();
   Json& definitions = schema["definitions"] = input_definitions();
   definitions[variable_name] = object_of(variable_keys);
+  definitions[distribution_name] = distribution();
   return printed(schema);
 }
 

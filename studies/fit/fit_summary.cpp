@@ -46,14 +46,13 @@ Table parameter_table(const FitReport& report, const FitContext& context) {
   return table;
 }
 
-/// Pairs whose correlation is above 0.1, the strongest first.
-std::vector<FitCorrelationRecord> correlations_of(const FitReport& report) {
-  constexpr double worth_telling = 0.1;
+/// Pairs whose correlation is known and above `least`, the strongest first.
+std::vector<FitCorrelationRecord> correlations_of(const FitReport& report, double least) {
   std::vector<FitCorrelationRecord> pairs;
   const Eigen::MatrixXd& all = report.errors.correlations;
   for (Eigen::Index j = 0; j < all.rows(); ++j)
     for (Eigen::Index k = j + 1; k < all.cols(); ++k)
-      if (std::abs(all(j, k)) > worth_telling)
+      if (std::abs(all(j, k)) > least)
         pairs.push_back({report.parameters[static_cast<std::size_t>(j)].parameter.name,
                          report.parameters[static_cast<std::size_t>(k)].parameter.name, all(j, k)});
   std::stable_sort(pairs.begin(), pairs.end(),
@@ -160,7 +159,7 @@ std::string fit_summary(const FitReport& report, const FitContext& context) {
   if (report.values.empty()) return text.str();
   text << '\n';
   write_statistics(text, report, context);
-  const std::vector<FitCorrelationRecord> pairs = correlations_of(report);
+  const std::vector<FitCorrelationRecord> pairs = correlations_of(report, 0.1);
   if (pairs.empty()) return text.str();
   constexpr std::size_t most_shown = 12;
   text << "\ncorrelations above 0.1"
@@ -244,7 +243,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
   for (const FitContext::Fixed& fixed : context.fixed)
     record.parameters.push_back(
         {.name = fixed.name, .unit = fixed.unit, .fixed = true, .value = fixed.value, .flag = "fixed"});
-  record.correlations = correlations_of(report);
+  record.correlations = correlations_of(report, 0);
   for (const FittedValue& value : report.values)
     record.data.push_back({value.measured.place, value.measured.value, value.measured.deviation, value.predicted,
                            value.residual, value.band});

@@ -6,29 +6,90 @@
 #include "core/numerics/parallel.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
 
 namespace {
 
-double combined(const DesignProblem& problem, const Formula& formula, const std::vector<RollingScene>& scenes,
-                const std::vector<RollingSolution>& solutions) {
-  std::optional<double> all;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const double one = problem.scenes[i].weight * formula(scenes[i], solutions[i]);
-    if (!all)
-      all = one;
-    else if (problem.over_scenes == OverScenes::sum)
-      *all += one;
-    else
-      *all = std::max(*all, one);  // NaN is found by the caller: the sum of all
+/// The numbers of the scenes as one.
+double combined(const DesignProblem& problem, OverScenes over, const std::vector<double>& values) {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sum += problem.scenes[i].weight * values[i];
+    weights += problem.scenes[i].weight;
   }
-  return *all;
+  if (!std::isfinite(sum)) return RollingSolution::absent;
+  switch (over) {
+    case OverScenes::sum:
+      return sum;
+    case OverScenes::mean:
+      return sum / weights;
+    case OverScenes::max:
+      return *std::max_element(values.begin(), values.end());
+    case OverScenes::min:
+      break;
+  }
+  return *std::min_element(values.begin(), values.end());
 }
 
-std::string place_of(const DesignProblem& problem, std::size_t scene) {
-  return problem.scenes.size() == 1 ? "" : "scene " + std::to_string(scene + 1) + ": ";
+/// The scenes of a design with their answers.
+struct AnsweredScenes {
+  const DesignProblem& problem;
+  const std::vector<RollingScene>& scenes;
+  std::vector<RollingSolution> solutions;
+
+  double value(const Formula& formula, std::size_t scene, std::size_t point) const {
+    const std::size_t place = scene * problem.scatter_points() + point;
+    return formula(scenes[place], solutions[place]);
+  }
+  /// Of one scene.
+  double value(const Formula& formula, std::size_t scene, const ScatterMeasure& scatter) const {
+    std::vector<double> values;
+    for (std::size_t point = 0; point < problem.scatter_points(); ++point)
+      values.push_back(value(formula, scene, point));
+    return measured(values, scatter);
+  }
+  /// Over all scenes.
+  double value(const Formula& formula, OverScenes over, const ScatterMeasure& scatter) const {
+    std::vector<double> values;
+    for (std::size_t point = 0; point < problem.scatter_points(); ++point) {
+      std::vector<double> of_scenes;
+      for (std::size_t scene = 0; scene < problem.scenes.size(); ++scene)
+        of_scenes.push_back(value(formula, scene, point));
+      values.push_back(combined(problem, over, of_scenes));
+    }
+    return measured(values, scatter);
+  }
+
+ private:
+  /// A value that is missing makes the whole missing.
+  double measured(const std::vector<double>& values, const ScatterMeasure& scatter) const {
+    if (!problem.uncertain.any()) return values.front();
+    for (const double value : values)
+      if (!std::isfinite(value)) return RollingSolution::absent;
+    return scatter(values);
+  }
+};
+
+ConstraintSides sides_of(const AnsweredScenes& answered, const ConstraintPlace& place) {
+  const DesignConstraint& constraint = answered.problem.constraints[place.constraint];
+  ConstraintSides sides{.at_most = constraint.at_most()};
+  sides.left = place.scene ? answered.value(constraint.left(), *place.scene, constraint.scatter)
+                           : answered.value(constraint.left(), *constraint.over, constraint.scatter);
+  sides.right = answered.value(constraint.right(), place.scene.value_or(0), std::size_t{0});
+  sides.holds = constraint.holds_with(sides.at_most ? sides.left - sides.right : sides.right - sides.left);
+  return sides;
+}
+
+/// Of a scene of a design, for messages.
+std::string place_of(const DesignProblem& problem, std::size_t place) {
+  const std::size_t points = problem.scatter_points();
+  std::string text;
+  if (problem.scenes.size() > 1) text = "scene " + std::to_string(place / points + 1) + ": ";
+  if (points > 1) text += "point " + std::to_string(place % points + 1) + " of the scatter: ";
+  return text;
 }
 
 /// ln x, continued by its tangent below `least`, where a quantity that is positive as a rule is not.
@@ -55,7 +116,15 @@ std::vector<RollingScene> scenes_at(const DesignProblem& problem, std::span<cons
   std::vector<RollingScene> scenes;
   for (const DutyScene& duty : problem.scenes) {
     const Objective there{duty.scene, problem.variables, {}, {}};
-    scenes.push_back(scene_at(there, point));
+    const RollingScene scene = scene_at(there, point);
+    for (std::size_t k = 0; k < problem.scatter_points(); ++k) {
+      scenes.push_back(scene);
+      for (std::size_t i = 0; i < problem.uncertain.inputs.size(); ++i) {
+        const UncertainInput& input = problem.uncertain.inputs[i];
+        const Distribution distribution = input.around(input.relative ? real_input(scene, input.key) : 1);
+        set_input(scenes.back(), input.key, quantile(distribution, problem.uncertain_points[i][k]));
+      }
+    }
   }
   return scenes;
 }
@@ -64,30 +133,29 @@ Design evaluate_design(const DesignProblem& problem, std::span<const double> poi
                        int jobs) {
   Design design{{point.begin(), point.end()}};
   const std::vector<RollingScene> scenes = scenes_at(problem, point);
-  std::vector<RollingSolution> solutions(scenes.size());
-  for_each_piece(scenes.size(), jobs, [&](std::size_t i) { solutions[i] = evaluate(scenes[i]); });
+  AnsweredScenes answered{problem, scenes, std::vector<RollingSolution>(scenes.size())};
+  for_each_piece(scenes.size(), jobs, [&](std::size_t i) { answered.solutions[i] = evaluate(scenes[i]); });
 
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const RollingSolution& solution = solutions[i];
+    const RollingSolution& solution = answered.solutions[i];
     design.keys.push_back(evaluation_key(scenes[i]));
     if (design.found() && solution.status != Status::converged)
       design.reason =
           place_of(problem, i) + (solution.reason.empty() ? std::string(name_of(solution.status)) : solution.reason);
-    for (const Condition& condition : problem.constraints)
-      design.constraints.push_back({condition.left()(scenes[i], solution), condition.right()(scenes[i], solution),
-                                    condition.at_most(), condition.holds(scenes[i], solution)});
   }
-  const auto value_of = [&](const Formula& formula) {
+  for (const ConstraintPlace& place : constraint_places(problem))
+    design.constraints.push_back(sides_of(answered, place));
+  const auto value_of = [&](const Goal& goal) {
     for (std::size_t i = 0; i < scenes.size() && design.found(); ++i)
-      if (!std::isfinite(formula(scenes[i], solutions[i])))
-        design.reason = place_of(problem, i) + formula.text() + ": has no finite value";
-    return design.found() ? combined(problem, formula, scenes, solutions) : RollingSolution::absent;
+      if (!std::isfinite(goal.formula(scenes[i], answered.solutions[i])))
+        design.reason = place_of(problem, i) + goal.formula.text() + ": has no finite value";
+    return design.found() ? answered.value(goal.formula, goal.over, goal.scatter) : RollingSolution::absent;
   };
-  design.value = value_of(problem.goal.formula);
-  if (problem.pareto) design.second = value_of(problem.pareto->goal.formula);
+  design.value = value_of(problem.goal);
+  if (problem.pareto) design.second = value_of(problem.pareto->goal);
   if (problem.bound) {
     const auto& [goal, limit] = *problem.bound;
-    const double value = value_of(goal.formula);
+    const double value = value_of(goal);
     design.constraints.push_back({value, limit, !goal.maximise, goal.maximise ? value >= limit : value <= limit});
   }
   for (std::size_t j = 0; j < design.constraints.size() && design.found(); ++j)
@@ -97,13 +165,49 @@ Design evaluate_design(const DesignProblem& problem, std::span<const double> poi
   return design;
 }
 
+std::vector<ConstraintPlace> constraint_places(const DesignProblem& problem) {
+  std::vector<ConstraintPlace> places;
+  for (std::size_t scene = 0; scene < problem.scenes.size(); ++scene)
+    for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+      if (!problem.constraints[i].over) places.push_back({i, scene});
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+    if (problem.constraints[i].over) places.push_back({i});
+  return places;
+}
+
+namespace {
+
+std::string over_in_words(const DesignProblem& problem, OverScenes over) {
+  if (problem.scenes.size() == 1) return {};
+  const bool weighted = over == OverScenes::sum || over == OverScenes::mean;
+  return ", " + std::string(weighted ? "weighted " : "") + std::string(name_of(over)) + " over " +
+         std::to_string(problem.scenes.size()) + " scenes";
+}
+
+std::string scatter_in_words(const DesignProblem& problem, const ScatterMeasure& scatter) {
+  if (!problem.uncertain.any()) return {};
+  return ", " + scatter.text() + " of " + std::to_string(problem.scatter_points()) + " points";
+}
+
+}  // namespace
+
+std::string measure_in_words(const DesignProblem& problem, const Goal& goal) {
+  return over_in_words(problem, goal.over) + scatter_in_words(problem, goal.scatter);
+}
+
 std::string constraint_name(const DesignProblem& problem, std::size_t constraint) {
-  const std::size_t own = problem.constraints.size();
-  if (constraint >= own * problem.scenes.size())
-    return problem.bound->goal.formula.text() + (problem.bound->goal.maximise ? " >= " : " <= ") +
-           short_number(problem.bound->limit);
-  const std::string& text = problem.constraints[constraint % own].text();
-  return problem.scenes.size() == 1 ? text : text + ", scene " + std::to_string(constraint / own + 1);
+  const std::vector<ConstraintPlace> places = constraint_places(problem);
+  if (constraint >= places.size()) {
+    const auto& [goal, limit] = *problem.bound;
+    return goal.formula.text() + (goal.maximise ? " >= " : " <= ") + short_number(limit) +
+           measure_in_words(problem, goal);
+  }
+  const auto& [place, scene] = places[constraint];
+  const DesignConstraint& own = problem.constraints[place];
+  std::string text = own.text();
+  if (own.over) text += over_in_words(problem, *own.over);
+  if (scene && problem.scenes.size() > 1) text += ", scene " + std::to_string(*scene + 1);
+  return text + scatter_in_words(problem, own.scatter);
 }
 
 std::vector<double> point_in_box(const DesignProblem& problem, std::span<const double> place) {

@@ -3,8 +3,14 @@
 /// A design problem: inputs of a scene to be chosen so that a formula of its results is least or greatest, and what a
 /// choice of them is worth.
 ///
-/// With several scenes (a duty cycle) the value of a design is the weighted sum of the formula over them, or the
-/// largest of its weighted values, and every constraint holds in each of them.
+/// With several scenes (a duty cycle) the value of a goal is the weighted sum of its formula over them, their weighted
+/// mean, or the largest or least value that it has in one of them, whatever the weights. A constraint holds in each
+/// scene, or for such a number of its left side.
+///
+/// Where inputs scatter, each scene stands at the same fixed points of them at every design (common random numbers:
+/// Asmussen and Glynn, 2007, "Stochastic Simulation", section V.6), so that what is made of the scatter
+/// (ScatterMeasure) is as smooth in the variables as the answers are. The numbers over the scenes come first: the
+/// scatter is that of a thing that goes through all of them.
 ///
 /// A search sees the problem in DesignScale's terms: variables in the unit box, least values, constraints c <= 0. Along
 /// each side of the box the scaled variable (the logarithm, or the value) runs evenly from one bound to the other.
@@ -13,8 +19,10 @@
 /// are the multipliers of the constraints, whatever the units.
 
 #include "core/derivatives/objective.hpp"
+#include "studies/scatter/scatter_measure.hpp"
 #include "studies/scene_io/formula.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
+#include "studies/study/uncertain.hpp"
 
 namespace rollres {
 
@@ -27,19 +35,28 @@ struct ChoiceNames<Algorithm> {
 };
 
 /// How the values of several scenes become one.
-enum class OverScenes { sum, max };
+enum class OverScenes { sum, mean, max, min };
 template <>
 struct ChoiceNames<OverScenes> {
-  static constexpr std::array<std::string_view, 2> names{"sum", "max"};
+  static constexpr std::array<std::string_view, 4> names{"sum", "mean", "max", "min"};
 };
 
 /// A formula to be made small or large.
 struct Goal {
   Formula formula;
   bool maximise = false;
+  OverScenes over = OverScenes::sum;
+  ScatterMeasure scatter = {};
 
   /// Whether value `a` is better than value `b`.
   bool better(double a, double b) const { return maximise ? a > b : a < b; }
+};
+
+/// A condition on each scene, or on a number of its left side over all of them.
+struct DesignConstraint : Condition {
+  using Condition::Condition;
+  std::optional<OverScenes> over = {};  ///< none: in each scene
+  ScatterMeasure scatter = {};          ///< of the left side
 };
 
 /// A bound of a second goal's value, as a constraint: its largest allowed value, or its least if it is maximised.
@@ -77,16 +94,20 @@ struct DesignProblem {
   std::vector<Variable> variables;
   std::vector<double> start;  ///< [SI]
   Goal goal;
-  OverScenes over_scenes = OverScenes::sum;
-  std::vector<Condition> constraints = {};
+  std::vector<DesignConstraint> constraints = {};
   std::optional<GoalBound> bound = {};
   std::optional<Algorithm> algorithm = {};
   bool global = false;  ///< look for the best of several optima
   DesignStop stop = {};
   std::optional<ParetoWish> pareto = {};
   std::vector<ChosenValue> chosen = {};  ///< what this problem takes from the lists of its file
+  UncertainInputs uncertain = {};
+  std::vector<std::vector<double>> uncertain_points = {};  ///< of these, as uncertain_points() has them
 
   std::string variant() const;  ///< of `chosen`; empty if there is none
+  /// Points at which each scene stands: 1 where nothing scatters.
+  std::size_t scatter_points() const { return uncertain_points.empty() ? 1 : uncertain_points.front().size(); }
+  std::size_t scenes_of_a_design() const { return scenes.size() * scatter_points(); }
   Indenter indenter() const { return scenes.front().scene.indenter; }
   /// Of a value, or of a formula's, in the scenes.
   std::string_view unit(const Quantity& quantity) const { return quantity.unit_for(indenter()); }
@@ -105,7 +126,7 @@ struct Design {
   std::vector<double> point;                      ///< values of the variables [SI]
   double value = RollingSolution::absent;         ///< of the goal [SI]
   double second = RollingSolution::absent;        ///< of the goal of a front [SI]
-  std::vector<ConstraintSides> constraints = {};  ///< scene by scene, and last the bound
+  std::vector<ConstraintSides> constraints = {};  ///< as constraint_places, and last the bound
   std::string reason = {};                        ///< why there is no value; empty if there is one
   std::vector<std::string> keys = {};             ///< of the evaluations, one for each scene
 
@@ -113,7 +134,7 @@ struct Design {
   bool feasible() const;  ///< has a value, and all constraints hold
 };
 
-/// The scenes of a design.
+/// The scenes of a design: those of the duty cycle, each at all points of what scatters before the next.
 std::vector<RollingScene> scenes_at(const DesignProblem& problem, std::span<const double> point);
 
 /// Evaluates a design. A scene without a converged answer and a formula without a finite value are failures with a
@@ -123,7 +144,20 @@ std::vector<RollingScene> scenes_at(const DesignProblem& problem, std::span<cons
 Design evaluate_design(const DesignProblem& problem, std::span<const double> point, const Evaluate& evaluate,
                        int jobs = 1);
 
-/// Text of a constraint as messages name it: "peak_pressure <= 2 MPa", with ", scene 2" where there are several.
+/// A constraint in one scene, or over all.
+struct ConstraintPlace {
+  std::size_t constraint;
+  std::optional<std::size_t> scene = {};
+};
+
+/// Those that hold in each scene, scene by scene, then those over all.
+std::vector<ConstraintPlace> constraint_places(const DesignProblem& problem);
+
+/// How the values in the scenes and at the points become one: ", weighted sum over 2 scenes, mean + 2 sd of 64 points".
+std::string measure_in_words(const DesignProblem& problem, const Goal& goal);
+
+/// Text of a constraint as messages name it: "peak_pressure <= 2 MPa", with ", scene 2" where there are several, and
+/// what of the scatter it holds for.
 std::string constraint_name(const DesignProblem& problem, std::size_t constraint);
 
 /// The values of the variables at a place in the unit box [SI]; places outside are moved to its sides.

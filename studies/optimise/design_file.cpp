@@ -12,6 +12,7 @@
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/study/study_variants.hpp"
+#include "studies/study/uncertain_inputs.hpp"
 #include "studies/text/file_kind.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
@@ -157,31 +158,79 @@ std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntr
   return scenes;
 }
 
+/// What goals and constraints of one file share.
+struct GoalContext {
+  const FormulaDefinitions& formulas;
+  OverScenes over;  ///< of a goal that does not say so itself
+  bool uncertain;   ///< inputs scatter
+};
+
+/// How a goal or a constraint is given: a text, or an object with the text under a key.
+struct GivenText {
+  std::string text;
+  Json options = Json::object();
+  std::string place;
+};
+
+GivenText given_text(const Json& value, const std::string& outer, const char* name, const char* key,
+                     std::span<const FileKey> known, const std::string& rule) {
+  if (value.is_string() && !value.get<std::string>().empty())
+    return {.text = value.get<std::string>(), .place = outer + ": " + name};
+  if (!value.is_object()) refuse(outer, name, value, rule);
+  const std::string place = outer + ": " + name;
+  refuse_unknown_keys(value, known, place);
+  return {needed_text(value, key, place, rule), value, place};
+}
+
+std::optional<ScatterMeasure> scatter_of(const GivenText& given, bool uncertain) {
+  if (!given.options.contains("scatter")) return std::nullopt;
+  const std::string text = needed_text(given.options, "scatter", given.place, "must be a text such as \"P90\"");
+  if (!uncertain) refuse(given.place, "scatter", text, "needs \"uncertain\": no input scatters");
+  return refusing_at(given.place + ": scatter", [&] { return ScatterMeasure(text); });
+}
+
 /// What "minimise" or "maximise" says.
-Goal goal_of(const Json& object, const FormulaDefinitions& formulas, const std::string& place) {
+Goal goal_of(const Json& object, const GoalContext& context, const std::string& place) {
   const bool least = object.contains("minimise"), greatest = object.contains("maximise");
   if (least == greatest)
     throw std::invalid_argument(place + ": minimise: there must be a formula under minimise or maximise, and not both");
   const std::string key = least ? "minimise" : "maximise";
-  const std::string text = needed_text(object, key, place, "must be a formula of inputs and outputs");
-  return refusing_at(place + ": " + key, [&] {
-    return Goal{Formula(text, FormulaNames::inputs_and_outputs, formulas), greatest};
+  const GivenText given = given_text(object[key], place, key.c_str(), "formula", goal_keys,
+                                     "must be a formula of inputs and outputs, or an object with formula");
+  Goal goal = refusing_at(given.place, [&] {
+    return Goal{Formula(given.text, FormulaNames::inputs_and_outputs, context.formulas), greatest, context.over};
   });
+  if (given.options.contains("over")) goal.over = choice_or_first<OverScenes>(given.options, "over", given.place);
+  if (const auto scatter = scatter_of(given, context.uncertain)) goal.scatter = *scatter;
+  return goal;
 }
 
-std::vector<Condition> constraints_of(const Json& file, Indenter indenter, const FormulaDefinitions& formulas,
-                                      const std::string& place) {
-  std::vector<Condition> conditions;
+/// One condition. A number of scenes or points is one of its left side.
+DesignConstraint constraint_of(const Json& item, Indenter indenter, const GoalContext& context, const std::string& place) {
+  const GivenText given =
+      given_text(item, place, "constraints", "condition", constraint_keys,
+                 "must be a list of conditions of inputs and outputs, or of objects with condition");
+  DesignConstraint constraint = refusing_at(
+      given.place, [&] { return DesignConstraint(given.text, FormulaNames::inputs_and_outputs, indenter, context.formulas); });
+  if (given.options.contains("over")) constraint.over = choice_or_first<OverScenes>(given.options, "over", given.place);
+  const auto scatter = scatter_of(given, context.uncertain);
+  if (context.uncertain && !scatter)
+    refuse(given.place, "condition", given.text,
+           "what of the scatter must hold it? Write {\"condition\": ..., \"scatter\": \"P95\"}, or \"mean\", "
+           "\"mean + 2 sd\"");
+  if (scatter) constraint.scatter = *scatter;
+  if ((constraint.over || scatter) && !constraint.right().keys().empty())
+    refuse(given.place, "condition", given.text, "its right side must be a number: divide by what stands there");
+  return constraint;
+}
+
+std::vector<DesignConstraint> constraints_of(const Json& file, Indenter indenter, const GoalContext& context,
+                                             const std::string& place) {
+  std::vector<DesignConstraint> conditions;
   const auto found = file.find("constraints");
   if (found == file.end()) return conditions;
-  const std::string rule = "must be a list of conditions of inputs and outputs";
-  if (!found->is_array()) refuse(place, "constraints", *found, rule);
-  for (const Json& item : *found) {
-    if (!item.is_string()) refuse(place, "constraints", item, rule);
-    refusing_at(place + ": constraints", [&] {
-      conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, indenter, formulas);
-    });
-  }
+  if (!found->is_array()) refuse(place, "constraints", *found, "must be a list of conditions of inputs and outputs");
+  for (const Json& item : *found) conditions.push_back(constraint_of(item, indenter, context, place));
   return conditions;
 }
 
@@ -200,13 +249,13 @@ DesignStop stop_of(const Json& file, const std::string& place) {
   return stop;
 }
 
-std::optional<ParetoWish> pareto_of(const Json& file, const FormulaDefinitions& formulas, const std::string& place) {
+std::optional<ParetoWish> pareto_of(const Json& file, const GoalContext& context, const std::string& place) {
   const Json* const object = object_at(file, "pareto", place);
   if (!object) return std::nullopt;
   const std::string own = place + ": pareto";
   refuse_unknown_keys(*object, pareto_keys, own);
   return ParetoWish{
-      goal_of(*object, formulas, own),
+      goal_of(*object, context, own),
       whole_number(needed(*object, "points", own, "how many designs on the front"), "points", 2, most_points, own)};
 }
 
@@ -215,6 +264,41 @@ void refuse_absent(const Formula& formula, const RollingScene& scene, const std:
   for (const std::string& key : formula.keys())
     if (const std::string why = why_absent(scene, key); !why.empty())
       throw std::invalid_argument(place + ": " + formula.text() + ": " + key + " is never there: " + why);
+}
+
+/// Shares are of values > 0, and what scatters by them stays in its range at both bounds of a variable.
+void refuse_no_scatter(const DesignProblem& problem, const Json& given, const std::string& place) {
+  for (const UncertainInput& input : problem.uncertain.inputs) {
+    if (!input.relative) continue;
+    std::vector<double> values;
+    for (const DutyScene& duty : problem.scenes) values.push_back(real_input(duty.scene, input.key));
+    for (const Variable& variable : problem.variables)
+      if (variable.quantity.key == input.key) values.insert(values.end(), {variable.lowest, variable.highest});
+    const Range& range = find_input(input.key)->quantity.range;
+    for (const double value : values) {
+      const std::string at = "at " + short_number(value) + ": ";
+      if (!(value > 0) || !std::isfinite(value))
+        refuse(place, input.key, given[input.key], at + "what scatters by shares must be > 0 and finite");
+      if (!input.truncated && weight_outside(times(input.distribution, value), range) > negligible_weight)
+        refuse(place, input.key, given[input.key],
+               at + "has weight outside its range (" + range.rule() + "): \"truncated\": true cuts it off there");
+    }
+  }
+}
+
+/// What scatters, at fewer points than a study has: each design asks for all of them.
+void read_uncertain(DesignProblem& problem, const Json& file, const std::vector<SceneEntry>& scene,
+                    const std::vector<GivenVariable>& variables, const Choices& choices, const std::string& place) {
+  std::vector<std::string> keys;
+  for (const GivenVariable& variable : variables) keys.push_back(variable.choice.key);
+  for (const auto& [key, alternatives] : choices.lists) keys.push_back(key);
+  problem.uncertain = uncertain_inputs(file, scene, place, {.points = 64, .scramblings = 1}, keys);
+  if (!problem.uncertain.any()) return;
+  if (!problem.uncertain.probabilities.empty())
+    refuse(place + ": uncertain", "probability", file["uncertain"]["probability"],
+           "is told by rollres scatter; here a constraint with \"scatter\": \"P95\" keeps it below 5 %");
+  refuse_no_scatter(problem, file["uncertain"], place + ": uncertain");
+  problem.uncertain_points = uncertain_points(problem.uncertain);
 }
 
 /// The problem with what is chosen. @param base  entries of the scene with these choices
@@ -228,25 +312,27 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
 
   const Indenter indenter = indenter_of(base);
   const FormulaDefinitions formulas = compute_wish(file, {&indenter, 1}, place).formulas;
+  const GoalContext context{formulas, choice_or_first<OverScenes>(file, "over_scenes", place),
+                            file.contains("uncertain")};
   DesignProblem problem{.name = needed_text(file, "study", place, "must be the name of the study"),
                         .scenes = duty_scenes(file, base, variables, choices, place),
                         .variables = {},
                         .start = {},
-                        .goal = goal_of(file, formulas, place)};
+                        .goal = goal_of(file, context, place)};
   std::vector<InputChoice> inputs;
   for (const GivenVariable& variable : variables) inputs.push_back(variable.choice);
   refusing_at(variables_place, [&] {
     for (const DutyScene& duty : problem.scenes) problem.variables = variables_of(duty.scene, inputs);
   });
   problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
-  problem.over_scenes = choice_or_first<OverScenes>(file, "over_scenes", place);
-  problem.constraints = constraints_of(file, indenter, formulas, place);
+  problem.constraints = constraints_of(file, indenter, context, place);
+  read_uncertain(problem, file, base, variables, choices, place);
   if (file.contains("algorithm")) problem.algorithm = choice_or_first<Algorithm>(file, "algorithm", place);
   problem.global = is_true(file, "global", place);
   if (problem.algorithm && problem.variables.size() < traits(*problem.algorithm).fewest_variables)
     refuse(place, "algorithm", file["algorithm"], "needs at least two variables");
   problem.stop = stop_of(file, place);
-  problem.pareto = pareto_of(file, formulas, place);
+  problem.pareto = pareto_of(file, context, place);
   for (const DutyScene& duty : problem.scenes) {
     refuse_absent(problem.goal.formula, duty.scene, place);
     if (problem.pareto) refuse_absent(problem.pareto->goal.formula, duty.scene, place + ": pareto");
@@ -259,9 +345,10 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
 }
 
 /// The problems of all combinations, the last list varying fastest.
-std::vector<DesignProblem> problems_in(const Json& file, const std::filesystem::path& path) {
+std::vector<DesignProblem> problems_in(Json file, const std::filesystem::path& path) {
   const std::string place = path.string();
   require_kind(FileKind::design, file, place);
+  resolve_fit(file, path, place);
   refuse_unknown_keys(file, design_keys, place);
   refuse_ignored_other_than_texts(file, place);
   const std::string rule = "must be an object with at least one input";

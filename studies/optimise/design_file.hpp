@@ -20,10 +20,23 @@
 /// the constraints. What may be added:
 ///
 ///     "scenes": [{"set": {"speed": "1 m/s"}, "weight": 0.3}, {"set": {"speed": "5 m/s"}, "weight": 0.7}],
-///     "over_scenes": "sum" or "max",                 how the weighted values of the scenes become one; default sum
+///     "over_scenes": "sum", "mean", "max" or "min",  how the values of the scenes become one; sum, the default, and
+///     mean
+///                                                    are weighted, max and min are what they are in one scene
 ///     "algorithm": "cobyla", "global": true,         default: chosen from the problem (optimise.hpp)
 ///     "stop": {"evaluations": 200, "tolerance": 1e-4},
-///     "pareto": {"minimise" or "maximise": FORMULA, "points": 9}
+///     "pareto": {"minimise" or "maximise": FORMULA, "points": 9},
+///     "uncertain": {...}                             inputs that scatter (uncertain_inputs.hpp), at 64 points unless
+///     it
+///                                                    says otherwise; a variable scatters by shares about its value
+///
+/// A goal may also be an object, and so may a constraint:
+///
+///     "minimise": {"formula": "rolling_resistance", "over": "max", "scatter": "mean + 2 sd"},
+///     "constraints": [{"condition": "peak_pressure <= 4 MPa", "over": "mean", "scatter": "P95"}]
+///
+/// "scatter" says what of the scatter is meant (scatter_measure.hpp); a goal's default is the mean. A constraint with
+/// "over" or "scatter" has a number on its right side.
 
 #include <filesystem>
 

@@ -18,17 +18,26 @@ inline constexpr std::array design_keys{
             "inputs to be chosen, each between two bounds or from a list; under variant named sets of them", KeyForm{},
             is_needed},
     FileKey{"compute", "outputs, and formulas with a name that goals, constraints and questions may use"},
-    FileKey{"minimise", "formula of inputs and outputs to be made small", a_name},
-    FileKey{"maximise", "formula of inputs and outputs to be made large", a_name},
-    FileKey{"scenes", "duty cycle: inputs and weight of each scene"},
-    FileKey{"over_scenes", "how the weighted values of the scenes become one; default sum",
-            one_of(ChoiceNames<OverScenes>::names)},
-    FileKey{"constraints", "conditions of inputs and outputs that hold in every scene"},
-    FileKey{"algorithm", "algorithm of the search; default: chosen from the problem",
+    FileKey{"minimise", "formula of inputs and outputs to be made small"},
+    FileKey{"maximise", "formula of inputs and outputs to be made large"},
             one_of(ChoiceNames<Algorithm>::names)},
     FileKey{"global", "whether to look for the best of several optima", yes_or_no},
     FileKey{"stop", "when the search ends"},
     FileKey{"pareto", "a second goal, for a front between the two"},
+};
+
+inline constexpr std::array goal_keys{
+    FileKey{"formula", "of inputs and outputs", a_name, is_needed},
+    FileKey{"over", "how its values in the scenes become one: weighted sum (the default) or mean, largest or least",
+            one_of(ChoiceNames<OverScenes>::names)},
+    FileKey{"scatter", "what of the scatter is meant: mean (the default), mean + 2 sd, sd, P90", a_name},
+};
+
+inline constexpr std::array constraint_keys{
+    FileKey{"condition", "of inputs and outputs", a_name, is_needed},
+    FileKey{"over", "number of the scenes for which it holds; left out: in each of them",
+            one_of(ChoiceNames<OverScenes>::names)},
+    FileKey{"scatter", "what of the scatter it holds for: mean, mean + 2 sd, P95", a_name},
 };
 
 inline constexpr std::array variable_keys{
@@ -41,7 +50,7 @@ inline constexpr std::array variable_keys{
 
 inline constexpr std::array duty_keys{
     FileKey{"set", "inputs that replace those of the scene"},
-    FileKey{"weight", "of this scene's value; default 1", a_positive},
+    FileKey{"weight", "of this scene's value in a sum or mean; default 1", a_positive},
 };
 
 inline constexpr std::array stop_keys{
@@ -53,8 +62,8 @@ inline constexpr std::array stop_keys{
 };
 
 inline constexpr std::array pareto_keys{
-    FileKey{"minimise", "formula of inputs and outputs to be made small", a_name},
-    FileKey{"maximise", "formula of inputs and outputs to be made large", a_name},
+    FileKey{"minimise", "formula of inputs and outputs to be made small"},
+    FileKey{"maximise", "formula of inputs and outputs to be made large"},
     FileKey{"points", "designs on the front, both ends included", whole_from(2, most_points), is_needed},
 };
 

@@ -175,6 +175,12 @@ std::vector<double> limits_between(double from, double to, std::size_t count) {
   return limits;
 }
 
+/// Whether two values differ by more than the searches miss the best ones by.
+bool differ(double a, double b) {
+  constexpr double relative = 1e-3;
+  return std::abs(a - b) > relative * std::max(std::abs(a), std::abs(b));
+}
+
 /// The problem of the second goal alone, whose designs tell the first as their second value.
 DesignProblem turned(DesignProblem problem) {
   std::swap(problem.goal, problem.pareto->goal);
@@ -191,7 +197,7 @@ std::size_t evaluation_limit(const DesignProblem& problem) {
   if (problem.stop.evaluations > 0) return static_cast<std::size_t>(problem.stop.evaluations);
   const Algorithm algorithm = problem.algorithm.value_or(default_algorithm(problem));
   const std::size_t for_each = global_search(problem, algorithm) ? 300 : 100;
-  return for_each * (problem.variables.size() + 1) * problem.scenes.size();
+  return for_each * (problem.variables.size() + 1) * problem.scenes_of_a_design();
 }
 
 OptimiseReport optimise(const DesignProblem& problem, StoredEvaluations& evaluations, const OptimiseOptions& options) {
@@ -229,7 +235,8 @@ ParetoReport pareto_front(const DesignProblem& problem, StoredEvaluations& evalu
   const std::optional<Design> end = last.report.best;
 
   DesignProblem bounded = problem;
-  if (end && end->second != first->second)
+  front.conflict = !end || differ(first->second, end->second) || differ(first->value, end->value);
+  if (end && front.conflict)
     for (const double limit :
          limits_between(first->second, end->second, static_cast<std::size_t>(problem.pareto->points - 2))) {
       if (front.interrupted) break;

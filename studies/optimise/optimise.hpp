@@ -117,6 +117,7 @@ struct ParetoPoint {
 struct ParetoReport {
   std::vector<ParetoPoint> points;  ///< from the end of the first goal to that of the second
   bool interrupted = false;
+  bool conflict = true;  ///< false: one design is the best for both goals, and there is no front between them
   EvaluationCount count = {};
 
   bool complete() const;  ///< every point is an optimum

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <ostream>
 
-#include "studies/text/words.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -64,8 +64,8 @@ FormulaAxis axis_of(const DesignProblem& problem, const Formula& formula, double
   return {{.name = in_words(formula.text()), .unit = typeset_unit(unit.name)}, unit.factor};
 }
 
-std::string goal_in_words(const Goal& goal) {
-  return (goal.maximise ? "maximise " : "minimise ") + goal.formula.text();
+std::string goal_in_words(const DesignProblem& problem, const Goal& goal) {
+  return (goal.maximise ? "maximise " : "minimise ") + goal.formula.text() + measure_in_words(problem, goal);
 }
 
 std::string searches_in_words(const OptimiseReport& report) {
@@ -95,10 +95,11 @@ Table variables_table(const DesignProblem& problem, const OptimiseReport& report
 Table constraints_table(const DesignProblem& problem, const OptimiseReport& report) {
   Table table{{"constraint", "left", "right", "slack", "multiplier"}, {}};
   for (const Variable& variable : problem.variables) table.columns.emplace_back(variable.quantity.key);
+  const std::vector<ConstraintPlace> places = constraint_places(problem);
   for (std::size_t j = 0; j < report.best->constraints.size(); ++j) {
     const ConstraintSides& sides = report.best->constraints[j];
-    const std::size_t own = problem.constraints.size(), scenes = problem.scenes.size();
-    const Formula& left = j < own * scenes ? problem.constraints[j % own].left() : problem.bound->goal.formula;
+    const Formula& left =
+        j < places.size() ? problem.constraints[places[j].constraint].left() : problem.bound->goal.formula;
     std::vector<Cell> row{constraint_name(problem, j), value_in_words(problem, left, sides.left),
                           value_in_words(problem, left, sides.right)};
     if (report.optimum) {
@@ -115,15 +116,25 @@ Table constraints_table(const DesignProblem& problem, const OptimiseReport& repo
 }
 
 Table front_table(const DesignProblem& problem, const ParetoReport& front) {
-  Table table{{problem.goal.formula.text(), problem.pareto->goal.formula.text()}, {}};
-  for (const Variable& variable : problem.variables) table.columns.emplace_back(variable.quantity.key);
+  Table table{{problem.goal.formula.text()}, {}};
+  const auto shown_already = [&](std::string_view name) {
+    return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
+  };
+  const bool second = !shown_already(problem.pareto->goal.formula.text());
+  if (second) table.columns.push_back(problem.pareto->goal.formula.text());
+  std::vector<std::size_t> variables;  // that are no goals
+  for (std::size_t i = 0; i < problem.variables.size(); ++i)
+    if (const std::string_view key = problem.variables[i].quantity.key; !shown_already(key)) {
+      table.columns.emplace_back(key);
+      variables.push_back(i);
+    }
   for (const char* const name : {"status", "dominated"}) table.columns.emplace_back(name);
   for (const ParetoPoint& point : front.points) {
     std::vector<Cell> row;
     if (const auto& best = point.report.best) {
-      row = {value_in_words(problem, problem.goal.formula, best->value),
-             value_in_words(problem, problem.pareto->goal.formula, best->second)};
-      for (std::size_t i = 0; i < best->point.size(); ++i)
+      row = {value_in_words(problem, problem.goal.formula, best->value)};
+      if (second) row.emplace_back(value_in_words(problem, problem.pareto->goal.formula, best->second));
+      for (const std::size_t i : variables)
         row.emplace_back(value_in_words(problem, problem.variables[i], best->point[i]));
     }
     row.resize(table.columns.size() - 2);
@@ -164,15 +175,16 @@ void print_text(const DesignProblem& problem, const OptimiseReport& report, std:
   out << problem.name << ": " << name_of(report.status) << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
   if (report.best) {
     const Indenter indenter = problem.indenter();
-    out << goal_in_words(problem.goal) << ": " << readable(report.value(), unit_of(problem.goal.formula, indenter))
-        << "\n\n";
+    out << goal_in_words(problem, problem.goal) << ": "
+        << readable(report.value(), unit_of(problem.goal.formula, indenter)) << "\n\n";
     write_aligned(out, variables_table(problem, report));
     out << '\n';
     if (!report.best->constraints.empty()) {
       write_aligned(out, constraints_table(problem, report));
       out << '\n';
     }
-    for (const std::string& key : report.best->keys) out << "evaluation " << key << '\n';
+    if (!problem.uncertain.any())
+      for (const std::string& key : report.best->keys) out << "evaluation " << key << '\n';
   } else if (report.nearest) {
     print_nearest(problem, *report.nearest, out);
   }
@@ -181,8 +193,10 @@ void print_text(const DesignProblem& problem, const OptimiseReport& report, std:
 }
 
 void print_text(const DesignProblem& problem, const ParetoReport& front, std::ostream& out) {
-  out << problem.name << ": " << goal_in_words(problem.goal) << ", " << goal_in_words(problem.pareto->goal) << "\n\n";
+  out << problem.name << ": " << goal_in_words(problem, problem.goal) << "; "
+      << goal_in_words(problem, problem.pareto->goal) << "\n\n";
   write_aligned(out, front_table(problem, front));
+  if (!front.conflict) out << "\nthe goals do not conflict: one design is the best for both\n";
   out << '\n' << in_words(front.count) << '\n';
   for (const ParetoPoint& point : front.points)
     if (!point.report.reason.empty() && point.report.status != DesignStatus::optimum)
@@ -194,6 +208,7 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
               {"status", name_of(report.status)},
               {"reason", report.reason},
               {problem.goal.maximise ? "maximise" : "minimise", problem.goal.formula.text()},
+              {"over", name_of(problem.goal.over)},
               {"value", finite_or_null(report.value())},
               {"unit", problem.unit(problem.goal.formula)},
               {"best", report.best ? json_of(problem, *report.best) : Json(nullptr)},
@@ -203,6 +218,11 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
               {"searches", Json::array()},
               {"variables", Json::array()},
               {"constraints", Json::array()}};
+  if (problem.uncertain.any()) {
+    object["scatter"] = problem.goal.scatter.text();
+    object["scatter_points"] = problem.scatter_points();
+    object["uncertain"] = in_words(problem.uncertain, problem.indenter());
+  }
   object["evaluations"]["limit"] = evaluation_limit(problem);
   for (const SearchReport& search : report.searches) {
     const char* const ends[] = {"tolerance", "limit", "failed"};
@@ -246,12 +266,16 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
 
 Json json_of(const DesignProblem& problem, const ParetoReport& front) {
   const auto goal_json = [](const Goal& goal) {
-    return Json{{goal.maximise ? "maximise" : "minimise", goal.formula.text()}};
+    return Json{{goal.maximise ? "maximise" : "minimise", goal.formula.text()}, {"over", name_of(goal.over)}};
   };
-  Json object{
-      {"study", problem.name},        {"goal", goal_json(problem.goal)},  {"second", goal_json(problem.pareto->goal)},
-      {"complete", front.complete()}, {"interrupted", front.interrupted}, {"evaluations", json_of(front.count)},
-      {"front", Json::array()}};
+  Json object{{"study", problem.name},
+              {"goal", goal_json(problem.goal)},
+              {"second", goal_json(problem.pareto->goal)},
+              {"conflict", front.conflict},
+              {"complete", front.complete()},
+              {"interrupted", front.interrupted},
+              {"evaluations", json_of(front.count)},
+              {"front", Json::array()}};
   for (const ParetoPoint& point : front.points)
     object["front"].push_back({{"limit", finite_or_null(point.limit)},
                                {"status", name_of(point.report.status)},

@@ -35,6 +35,15 @@ std::optional<OptimiseReport> searched_again(const StoredOptimum& found, const E
   return report;
 }
 
+/// Of a variable that scatters: its value at the first point of the scatter over that of the design. Of the rows, those
+/// at the first point lead back to designs so; what comes of the others has no answers and is left out.
+double first_ratio(const DesignProblem& problem, std::string_view key) {
+  for (std::size_t i = 0; i < problem.uncertain.inputs.size(); ++i)
+    if (problem.uncertain.inputs[i].key == key)
+      return quantile(problem.uncertain.inputs[i].distribution, problem.uncertain_points[i].front());
+  return 1;
+}
+
 }  // namespace
 
 std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::string& study) {
@@ -49,7 +58,8 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
   for (std::size_t row = 0; row < rows.size(); ++row) {
     std::vector<double> point;
     for (const Variable& variable : found.problem.variables)
-      point.push_back(rows.number(row, *find_quantity_column(input_column(variable.quantity.key))));
+      point.push_back(rows.number(row, *find_quantity_column(input_column(variable.quantity.key))) /
+                      first_ratio(found.problem, variable.quantity.key));
     points.insert(std::move(point));
   }
   // By keys made now: those that are stored may be an older program's.
@@ -63,6 +73,7 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
   };
   for (const DesignProblem& problem : problems)
     for (const std::vector<double>& point : points) {
+      if (!answers.contains(evaluation_key(scenes_at(problem, point).front(), ""))) continue;
       Design design = evaluate_design(problem, point, recall);
       if (!design.found()) continue;
       if (design.feasible() && (!found.best || problem.goal.better(design.value, found.best->value))) {

@@ -11,7 +11,9 @@ namespace rollres {
 struct StoredEvaluations::Store {
   explicit Store(const std::filesystem::path& database) : writing(database), reading(database, Access::read) {}
 
-  void start(const StudyRecord& record) {
+  void start(const StudyRecord& record, const StudyStart& how) {
+    const std::optional<Redefinition> redefined = start_again(writing, record, {}, how.replace);
+    if (redefined && how.redefined) how.redefined(*redefined);
     study = record.name;
     std::vector<std::string> known, known_variants;
     if (writing.definition(study) == record.definition) {
@@ -51,7 +53,7 @@ struct StoredEvaluations::Store {
   }
 
   ResultStore writing, reading;
-  std::mutex writing_mutex, mutex;  // of `writing`; of `reading` and all below
+  std::mutex writing_mutex, mutex;                    // of `writing`; of `reading` and all below
   std::string study, variant;                         // variant: of new points
   std::unordered_set<std::string> points;             // of the study
   std::vector<std::string> new_points, new_variants;  // to become such
@@ -65,9 +67,9 @@ StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::filesystem::p
     : evaluate_(std::move(evaluate)), store_(std::make_unique<Store>(database)) {}
 
 StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, const StudyRecord& study,
-                                     const std::atomic<bool>* stop)
+                                     const std::atomic<bool>* stop, const StudyStart& start)
     : evaluate_(std::move(evaluate)), stop_(stop), store_(std::make_unique<Store>(database)) {
-  store_->start(study);
+  store_->start(study, start);
 }
 
 StoredEvaluations::~StoredEvaluations() {

@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/run/result_writer.hpp"
+#include "studies/stored/study_redefinition.hpp"
 
 namespace rollres {
 
@@ -31,6 +33,12 @@ struct EvaluationCount {
   }
 };
 
+/// How a study is started whose name stands in the database already.
+struct StudyStart {
+  bool replace = false;                                     ///< a definition that differs
+  std::function<void(const Redefinition&)> redefined = {};  ///< called before that happens
+};
+
 /// Recalls a scene's stored answer, or solves and saves it, without its fields. A repeated question is answered from
 /// memory; threads that ask the same at the same time wait for one solution of it, so that a second run recalls exactly
 /// what the first one saw. A thread of its own stores answers as they come, those that come faster than twenty times a
@@ -41,9 +49,10 @@ class StoredEvaluations {
   explicit StoredEvaluations(Evaluate evaluate, const std::atomic<bool>* stop = nullptr);
   StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database);
   /// Makes every scene a point of the study, too. Starts it; it keeps its points if it was defined by the same text
-  /// before.
+  /// before. If it was defined otherwise, it is defined anew where that is asked for.
+  /// @throws std::invalid_argument saying what changed and what to do, where it is not (start_again)
   StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, const StudyRecord& study,
-                    const std::atomic<bool>* stop = nullptr);
+                    const std::atomic<bool>* stop = nullptr, const StudyStart& start = {});
 
   /// Stores what is left; where that fails, it is lost: call `flush` before.
   ~StoredEvaluations();

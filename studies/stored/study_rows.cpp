@@ -10,6 +10,7 @@
 #include "db/rows/point_states.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/stored/derived_columns.hpp"
+#include "studies/stored/learned_cost.hpp"
 #include "studies/study/predicted_cost.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/study/study_definition.hpp"
@@ -259,33 +260,38 @@ StudyStatus study_status(const Study& study, std::span<const std::filesystem::pa
   const StudyPlan plan(study);
   std::vector<std::string> keys(plan.size());
   if (!databases.empty() || shards > 1) keys = plan.keys();
-  const std::vector<double> predictions = predicted_seconds(plan);
+  std::vector<double> predictions;
+  std::vector<CostKind> kinds;
+  plan.for_each([&](std::size_t, const RollingScene& scene) {
+    predictions.push_back(predicted_seconds(scene));
+    kinds.push_back(cost_kind(scene));
+  });
   std::vector<PointState> best(keys.size());
+  LearnedCost own, others;
   for (const std::filesystem::path& file : databases) {
     const std::vector<PointState> here = point_states(ReadableSource(file).database(), keys);
     for (std::size_t i = 0; i < best.size(); ++i)
       if (here[i].answer > best[i].answer) best[i] = here[i];
+    ResultStore store(file, Access::read);
+    others = learned_cost(store, others);
   }
+  for (std::size_t i = 0; i < best.size(); ++i)
+    if (best[i].answer != Answer::missing) own.add(kinds[i], predictions[i], best[i].seconds);
 
   StudyStatus status;
   status.points = keys.size();
   status.seconds_left = 0;
   const std::vector<int> shard = shards_of_points(keys, predictions, shards);
   std::set<int> missing;
-  double took = 0, predicted = 0;
   for (std::size_t i = 0; i < best.size(); ++i) {
-    const double seconds = predictions[i];
     if (best[i].answer == Answer::missing) {
       ++status.missing;
-      status.seconds_left += seconds;
+      status.seconds_left += predictions[i] * (own.knows(kinds[i]) ? own : others).ratio(kinds[i]);
       missing.insert(shard[i]);
       continue;
     }
     ++(best[i].answer == Answer::converged ? status.converged : status.failed);
-    took += best[i].seconds;
-    predicted += seconds;
   }
-  if (took > 0) status.seconds_left *= took / predicted;
   status.shards_missing.assign(missing.begin(), missing.end());
   return status;
 }

@@ -131,7 +131,8 @@ struct StudyStatus {
   std::size_t converged = 0;
   std::size_t failed = 0;   ///< answered, but without a solution
   std::size_t missing = 0;  ///< not answered
-  /// Of one core, for what is missing: predicted_seconds, scaled by what the answered points took; NaN: not predicted.
+  /// Of one core, for what is missing: predicted_seconds, scaled by what stored points of the kind took
+  /// (learned_cost.hpp), those of the study first; NaN: not predicted.
   double seconds_left = std::numeric_limits<double>::quiet_NaN();
   std::vector<int> shards_missing{};  ///< shards with a missing point, from 1
 };

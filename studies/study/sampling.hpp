@@ -34,4 +34,15 @@ struct ChoiceNames<SampleMethod> {
 std::vector<std::vector<double>> unit_sample(SampleMethod method, std::size_t points, std::size_t dimensions,
                                              std::uint64_t seed = 0);
 
+/// The sequence of Sobol' scrambled at random: each dimension's digits are multiplied by a random lower triangular
+/// matrix and shifted (Matousek, 1998, J. Complexity 14, 527, "On the L2-discrepancy for anchored boxes", random linear
+/// scrambling). Each point is uniform in the open unit cube, and the first 2^m points are a (t, m, s)-net as before:
+/// the mean of a function over them has no bias, and scramblings of different seeds tell its error.
+std::vector<std::vector<double>> scrambled_sobol(std::size_t points, std::size_t dimensions, std::uint64_t seed);
+
+/// Points in batches that are independent of each other: scrambled anew, or drawn anew; batch after batch.
+/// @return coordinates in (0, 1), one list of batches * points_of_each numbers for each dimension
+std::vector<std::vector<double>> batched_sample(SampleMethod method, std::size_t batches, std::size_t points_of_each,
+                                                std::size_t dimensions, std::uint64_t seed);
+
 }  // namespace rollres

@@ -6,12 +6,29 @@
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/study/study_variants.hpp"
+#include "studies/study/uncertain_inputs.hpp"
 #include "studies/text/file_kind.hpp"
 #include "studies/text/files.hpp"
 
 namespace rollres {
 
 namespace {
+
+/// Units of a distribution are those of one body.
+void refuse_several_bodies(const std::vector<GivenAxis>& axes, const std::string& place) {
+  for (const GivenAxis& axis : axes)
+    if (axis.key == "indenter") refuse(place, "indenter", axis.shown, "cannot be an axis where inputs are uncertain");
+}
+
+/// An input that scatters about its value may be set; one that has a distribution of its own may not.
+void refuse_set_uncertain(const std::vector<SceneEntry>& set, const std::vector<GivenVariant>& variants,
+                          const UncertainInputs& uncertain) {
+  for (const UncertainInput& input : uncertain.inputs) {
+    refuse_given_twice(variants, input.key, "is uncertain too");
+    for (const SceneEntry& entry : set)
+      if (entry.key == input.key && !input.relative) refuse(entry.place, entry.key, entry.value, "is uncertain too");
+  }
+}
 
 void refuse_given_twice(const std::vector<SceneEntry>& set, const std::vector<GivenAxis>& axes,
                         const std::vector<GivenVariant>& variants) {
@@ -57,7 +74,7 @@ std::vector<Indenter> indenters_of(const Study& study) {
 Study read_study(const std::filesystem::path& file) {
   const std::string place = file.string();
   const std::string text = whole_file(file, largest_json);
-  const Json object = parse_object(text, place);
+  Json object = parse_object(text, place);
   require_kind(FileKind::study, object, place);
   refuse_unknown_keys(object, study_keys, place);
   refuse_ignored_other_than_texts(object, place);
@@ -67,12 +84,20 @@ Study read_study(const std::filesystem::path& file) {
   study.source = place;
   const std::vector<GivenVariant> variants =
       given_variants(object.contains("axes") ? object["axes"] : Json(), file.parent_path(), place + ": axes");
-  const std::vector<GivenAxis> given = given_axes(object, place, variants.size());
+  std::vector<GivenAxis> given = given_axes(object, place, variants.size());
   const std::vector<SceneEntry> set = set_entries(object, place);
   refuse_given_twice(set, given, variants);
   const CompleteScene scene = complete_scene(object, file, place);
+  const std::vector<SceneEntry> entries = overridden(scene_entries(scene.inputs, {}, scene.place), set);
+  resolve_fit(object, file, place);
   study.definition = standalone_text(object, text, scene, file);
-  add_scenes(study, overridden(scene_entries(scene.inputs, {}, scene.place), set), given, variants, place);
+  study.uncertain = uncertain_inputs(object, entries, place);
+  if (study.uncertain.any()) {
+    refuse_several_bodies(given, place);
+    refuse_set_uncertain(set, variants, study.uncertain);
+    given = given_axes(object, place, variants.size(), uncertain_axes(study.uncertain, place));
+  }
+  add_scenes(study, entries, given, variants, place);
   const std::vector<Indenter> indenters = indenters_of(study);
   ComputeWish wish = compute_wish(object, indenters, place);
   study.compute = std::move(wish.columns);

@@ -29,6 +29,9 @@
 ///                "ranges": {"layer_thickness": {"from": "2 mm", "to": "20 mm", "spacing": "logarithmic"},
 ///                           "static_shear_modulus": {"from": "1 MPa", "to": "5 MPa"}}}
 ///
+/// `uncertain` lets inputs scatter (uncertain_inputs.hpp); its points, too, are combined with every combination of the
+/// axes.
+///
 /// `constraints` are conditions between inputs; points that break one are dropped:
 ///
 ///     "constraints": ["layer_thickness <= radius / 2", "speed >= 36 km/h"]
@@ -48,6 +51,7 @@
 
 #include "core/scene/scene.hpp"
 #include "studies/scene_io/formula.hpp"
+#include "studies/study/uncertain.hpp"
 
 namespace rollres {
 
@@ -87,8 +91,9 @@ struct Study {
   FormulaDefinitions formulas = {};         ///< of `compute`
   bool fields = false;                      ///< keep the fields of every solution
   std::vector<StudyChart> charts = {};
-  std::string source = {};      ///< where the study was read from, for messages
-  std::string definition = {};  ///< text of a study file that needs no other: the scene stands in it in full
+  UncertainInputs uncertain = {};  ///< their points are the last axes
+  std::string source = {};         ///< where the study was read from, for messages
+  std::string definition = {};     ///< text of a study file that needs no other: the scene stands in it in full
 };
 
 /// Reads a study file. Its values are checked one by one; StudyPlan checks them together, at every point.
@@ -107,6 +112,8 @@ class StudyPlan {
 
   std::size_t size() const { return combinations_.size(); }
   RollingScene scene(std::size_t point) const;
+  /// The place of a point among all combinations of the axes, those that constraints drop included.
+  std::size_t combination(std::size_t point) const { return combinations_.at(point); }
   /// Calls `visit(point, scene)` for all points in their order: faster than `scene` for each.
   void for_each(const std::function<void(std::size_t point, const RollingScene& scene)>& visit) const;
   /// evaluation_key of every point.

@@ -52,8 +52,9 @@ GivenAxis single_axis(const std::string& key, const Json& value, const std::stri
 
 std::vector<GivenAxis> zip(const std::string& name, const Json& object, const std::string& axes_place) {
   const std::string place = axes_place + ": " + name;
-  if (find_input(name) || name == sample_group || name.empty())
-    refuse(place, "zip", object["zip"], "a zip needs a name of its own, not that of an input and not \"sample\"");
+  if (find_input(name) || name == sample_group || name == uncertain_group || name.empty())
+    refuse(place, "zip", object["zip"],
+           "a zip needs a name of its own, not that of an input and not \"sample\" nor \"uncertain\"");
   refuse_unknown_keys(object, zip_keys, place);
   const Json& inputs = object["zip"];
   if (!inputs.is_object() || inputs.size() < 2) refuse(place, "zip", inputs, "must be an object of two or more inputs");
@@ -162,7 +163,7 @@ Axis axis_of(const std::vector<GivenAxis>& all, const GivenAxis& given, Indenter
 /// The same value, or the same values of what varies together, would be the same point again.
 void refuse_repeated_values(const std::vector<GivenAxis>& given, const std::vector<Axis>& axes) {
   for (const auto& group : groups_of(axes)) {
-    if (!given[group.front()].positions.empty()) continue;
+    if (!given[group.front()].positions.empty() || axes[group.front()].group == uncertain_group) continue;
     std::set<std::vector<std::string>> seen;
     for (std::size_t i = 0; i < axes[group.front()].size(); ++i) {
       std::vector<std::string> values;
@@ -178,10 +179,11 @@ void refuse_repeated_values(const std::vector<GivenAxis>& given, const std::vect
 
 }  // namespace
 
-std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, std::size_t variants) {
+std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, std::size_t variants,
+                                  const std::vector<GivenAxis>& uncertain) {
   const auto axes = study.find("axes"), box = study.find("sample");
-  if (axes == study.end() && box == study.end())
-    throw std::invalid_argument(place + ": axes is missing: a study needs axes or a sample");
+  if (axes == study.end() && box == study.end() && !study.contains("uncertain"))
+    throw std::invalid_argument(place + ": axes is missing: a study needs axes, a sample or uncertain inputs");
   std::vector<GivenAxis> given;
   if (axes != study.end()) {
     if (!axes->is_object() || axes->empty()) refuse(place, "axes", *axes, "must be an object with at least one input");
@@ -195,6 +197,7 @@ std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, s
   }
   if (box != study.end())
     for (GivenAxis& axis : sample(*box, place + ": sample")) given.push_back(std::move(axis));
+  given.insert(given.end(), uncertain.begin(), uncertain.end());
   refuse_axes_that_exclude_each_other(given);
   double count = static_cast<double>(std::max<std::size_t>(variants, 1));
   for (const auto& group : groups_of(given)) count *= static_cast<double>(given[group.front()].size());

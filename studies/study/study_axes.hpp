@@ -27,13 +27,17 @@ struct GivenAxis {
   std::size_t size() const { return positions.empty() ? values.size() : positions.size(); }
 };
 
-/// Group of the axes of a sample.
+/// Group of the axes of a sample, and of those of what scatters.
 inline constexpr const char* sample_group = "sample";
+inline constexpr const char* uncertain_group = "uncertain";
 
-/// What the file varies but for its variants, the sample last.
-/// @param place the file   @param variants  how many variants each combination is met with
+/// What the file varies but for its variants, the sample last but for what scatters.
+/// @param place      the file
+/// @param variants   how many variants each combination is met with
+/// @param uncertain  axes of what scatters
 /// @throws std::invalid_argument naming place, key, value and rule; values are read later, by `axes_of`
-std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, std::size_t variants = 1);
+std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, std::size_t variants = 1,
+                                  const std::vector<GivenAxis>& uncertain = {});
 
 /// The neighbours that vary together, as places in `axes`.
 template <class AnyAxis>

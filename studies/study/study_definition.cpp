@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_variants.hpp"
 #include "studies/text/readable_number.hpp"
@@ -95,6 +96,11 @@ StudyDefinition definition_in(const std::string& text, const std::string& place)
     }
   if (const Json& sample = under(study, "sample"); sample.is_object())
     definition.sampled = add_group(definition, under(sample, "ranges"));
+  if (const Json& uncertain = under(study, "uncertain"); uncertain.is_object()) {
+    for (const auto& [key, distribution] : uncertain.items())
+      if (find_input(key) && distribution.is_object()) definition.uncertain.insert(key);
+    definition.together.push_back(definition.uncertain);
+  }
   if (const Json& variables = under(study, "variables"); variables.is_object())  // of an optimisation
     definition.sampled = add_group(definition, variables);
   return definition;

@@ -19,6 +19,7 @@ struct StudyDefinition {
   std::set<std::string> logarithmic;            ///< inputs that are spaced so
   std::vector<std::set<std::string>> together;  ///< inputs that vary together
   std::set<std::string> sampled;                ///< inputs of a sample
+  std::set<std::string> uncertain = {};         ///< inputs that scatter
 
   /// Whether two inputs vary together.
   bool are_together(const std::string& one, const std::string& other) const;

@@ -50,6 +50,7 @@ inline constexpr std::array study_keys{
     FileKey{"axes",
             "inputs that vary, and under variant named sets of them; every combination of their values is one point"},
     FileKey{"sample", "points spread over ranges of inputs; each is combined with every combination of the axes"},
+    FileKey{"uncertain", "inputs that scatter: their distributions, correlations and points"},
     FileKey{"constraints", "conditions between inputs; points that break one are dropped"},
     FileKey{"compute", "outputs that the study is about, in the order of its tables, and formulas with a name"},
     FileKey{"fields", "whether the fields of every solution are kept", yes_or_no},

@@ -7,6 +7,7 @@
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/study/study_variants.hpp"
+#include "studies/study/uncertain_inputs.hpp"
 #include "studies/text/files.hpp"
 
 namespace rollres {
@@ -59,7 +60,7 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
 
 std::string standalone_text(Json study, const std::string& text, const CompleteScene& scene,
                             const std::filesystem::path& file) {
-  bool stood_alone = scene.stood_alone;
+  bool stood_alone = scene.stood_alone && study == parse_object(text, file.string());  // no fit took its place in it
   for (const char* const varied : {"axes", "variables"})
     if (study.contains(varied) && inline_variants(study[varied], file.parent_path(), file.string() + ": " + varied))
       stood_alone = false;
@@ -70,7 +71,8 @@ std::string standalone_text(Json study, const std::string& text, const CompleteS
 
 std::string standalone_study(const std::filesystem::path& file) {
   const std::string text = whole_file(file, largest_json), place = file.string();
-  const Json study = parse_object(text, place);
+  Json study = parse_object(text, place);
+  resolve_fit(study, file, place);
   return study.contains("scene") ? standalone_text(study, text, complete_scene(study, file, place), file) : text;
 }
 

@@ -100,3 +100,22 @@ TEST_CASE("sensitivity refuses ranges that are none", "[studies][sensitivity]") 
   CHECK_THAT(refusal({"--range", "load=1:2"}), Contains("--indices"));
   CHECK_THAT(refusal({"--output", "resistance"}), Contains("--output: resistance: unknown output"));
 }
+
+TEST_CASE("indices do not take the place of another study of their name unasked", "[studies][sensitivity]") {
+  const TemporaryDirectory folder;
+  const auto run = [&](const char* radius, std::vector<std::string> more) {
+    const auto file = folder.write("study.json", R"({"study": "s", "axes": {"speed": {"from": 1, "to": 2, "points": 2}},
+      "scene": {"radius": )" + std::string(radius) + R"(, "layer_thickness": 0.01, "static_shear_modulus": 1e6,
+                "stiffening": 1, "creep_time": 0.1, "load": 1e4, "friction_coefficient": 0}})");
+    more.insert(more.begin(),
+                {"sensitivity", file, "--indices", "morris", "--samples", "2", "--db", folder / "results.db"});
+    return run_rollres(more, power_law);
+  };
+  CHECK(run("0.1", {}).status == 0);
+  const ProgramRun refused = run("0.2", {});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("study = s morris: is there already, defined otherwise: scene.radius 0.1 -> 0.2"));
+  const ProgramRun replaced = run("0.2", {"--replace"});
+  CHECK(replaced.status == 0);
+  CHECK_THAT(replaced.err, Contains("s morris: defined anew: "));
+}

@@ -135,7 +135,7 @@ zipped = {'run': {'zip': {'speed': [1, '2 m/s'], 'method': ['newton', 'active_se
 for study in studies:
     assert valid['study']({**study, 'axes': zipped, 'fields': True, 'scene': {'radius': '5 mm'}})
     refused('study', study, lambda s: s.update(chrt={}))
-    refused('study', study, lambda s: (s.pop('axes', 0), s.pop('sample', 0)))
+    refused('study', study, lambda s: (s.pop('axes', 0), s.pop('sample', 0), s.pop('uncertain', 0)))
     refused('study', study, lambda s: s.update(axes={'sped': [1]}))
     refused('study', study, lambda s: s.update(axes={'speed': []}))
     refused('study', study, lambda s: s.update(axes={'speed': {'from': 1, 'to': 2}}))

@@ -56,7 +56,7 @@ TEST_CASE("the study file of an optimisation gives variables, goal, constraints 
   CHECK(problem.scenes[1].scene.approach == 1e-4);
   CHECK_FALSE(problem.scenes[1].scene.load);
   CHECK(problem.constraints.size() == 2);
-  CHECK(problem.over_scenes == OverScenes::max);
+  CHECK(problem.goal.over == OverScenes::max);
   CHECK(problem.algorithm == Algorithm::slsqp);
   CHECK(problem.global);
   CHECK(problem.stop.evaluations == 70);
@@ -121,7 +121,7 @@ TEST_CASE("what is wrong in the study file of an optimisation is refused with fi
              Contains("scene 1: set: layer_thickness = 1: is a variable too"));
   CHECK_THAT(refusal(good + R"("scenes": [{"set": {"indenter": "sphere"}}])"),
              Contains("must be the same in all scenes"));
-  CHECK_THAT(refusal(good + R"("over_scenes": "mean")"), Contains("must be one of sum, max"));
+  CHECK_THAT(refusal(good + R"("over_scenes": "median")"), Contains("must be one of sum, mean, max, min"));
   CHECK_THAT(refusal(good + R"("pareto": {"minimise": "load"})"), Contains("pareto: points is missing"));
   CHECK_THAT(refusal(good + R"("pareto": {"points": 3})"), Contains("pareto: minimise: there must be a formula"));
   CHECK_THAT(refusal(good + R"("axes": {})"), Contains("axes = {}: unknown key"));

@@ -111,3 +111,22 @@ TEST_CASE("an answer that was forgotten is recalled from the store", "[studies][
   CHECK(solved == 1);
   CHECK(evaluations.count().recalled == 1);
 }
+
+TEST_CASE("a study that stands there defined otherwise is replaced only where that is asked for",
+          "[studies][stored_evaluations]") {
+  const TemporaryDirectory folder;
+  const std::filesystem::path file = folder / "results.db";
+  {
+    StoredEvaluations evaluations(closed_form, file, {"study", {"speed"}, R"({"scene": {"radius": 1}})"});
+    evaluations(scene_at(0.1));
+  }
+  const StudyRecord other{"study", {"speed"}, R"({"scene": {"radius": 2}})"};
+  CHECK_THAT(message_of([&] { StoredEvaluations(closed_form, file, other); }),
+             Contains("study = study: is there already, defined otherwise: scene.radius 1 -> 2"));
+  CHECK(ResultStore(file, Access::read).points("study").size() == 1);
+  std::string told;
+  StoredEvaluations evaluations(closed_form, file, other, nullptr,
+                                {true, [&](const Redefinition& redefined) { told = redefined.in_words(); }});
+  CHECK(told == "scene.radius 1 -> 2; 1 point of it leaves the study, their rows stay");
+  CHECK(ResultStore(file, Access::read).points("study").empty());
+}

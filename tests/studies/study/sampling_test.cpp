@@ -80,3 +80,39 @@ TEST_CASE("a sample is told by its seed alone, on every machine", "[studies][sam
   CHECK(sample[0] ==
         std::vector<double>{0.48666695022257045, 0.7548177645076066, 0.1012255362002179, 0.5628294544294477});
 }
+
+TEST_CASE("scrambled points of Sobol' are a net, and uniform over all scramblings", "[studies][sampling]") {
+  double mean = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto sample = scrambled_sobol(64, 2, seed);
+    if (seed < 3)
+      for (int rows = 1; rows <= 64; rows *= 2) CHECK(counts(sample, rows, 64 / rows) == std::vector<int>(64, 1));
+    mean += sample[0][5] / 200;
+  }
+  CHECK(mean == Approx(0.5).margin(5 / std::sqrt(12.0 * 200)));  // five standard deviations
+}
+
+TEST_CASE("scrambled points integrate a product far better than plain draws", "[studies][sampling]") {
+  // The integral of x y over the unit square is 1/4; plain draws have a variance of (1/9 - 1/16) / n.
+  double squares = 0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto sample = scrambled_sobol(64, 2, seed);
+    double sum = 0;
+    for (std::size_t i = 0; i < 64; ++i) sum += sample[0][i] * sample[1][i] / 64;
+    squares += (sum - 0.25) * (sum - 0.25) / 50;
+  }
+  CHECK(squares < (1.0 / 9 - 1.0 / 16) / 64 / 50);
+}
+
+TEST_CASE("batches of a sample are independent, and a seed tells them all", "[studies][sampling]") {
+  for (const SampleMethod method : {SampleMethod::sobol, SampleMethod::latin_hypercube}) {
+    const auto sample = batched_sample(method, 4, 8, 2, 1);
+    REQUIRE(sample.size() == 2);
+    REQUIRE(sample[0].size() == 32);
+    CHECK(sample == batched_sample(method, 4, 8, 2, 1));
+    CHECK(sample != batched_sample(method, 4, 8, 2, 2));
+    for (const double place : sample[0]) CHECK((place > 0 && place < 1));
+    CHECK(std::vector<double>(sample[0].begin(), sample[0].begin() + 8) !=
+          std::vector<double>(sample[0].begin() + 8, sample[0].begin() + 16));
+  }
+}

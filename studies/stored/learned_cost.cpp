@@ -1,0 +1,49 @@
+#include "studies/stored/learned_cost.hpp"
+
+#include <cmath>
+
+#include "core/surface/scene_rules.hpp"
+#include "db/queries/query.hpp"
+#include "studies/study/predicted_cost.hpp"
+
+namespace rollres {
+
+static_assert(ChoiceNames<Method>::names.size() * 8 <= LearnedCost::kinds);
+
+CostKind cost_kind(const RollingScene& scene) {
+  auto kind = static_cast<CostKind>(resolved_method(scene));
+  for (const bool one :
+       {scene.indenter == Indenter::sphere, scene.friction_coefficient > 0, scene.tolerance && !scene.spacing})
+    kind = 2 * kind + (one ? 1 : 0);
+  return kind;
+}
+
+void LearnedCost::add(CostKind kind, double predicted, double seconds) {
+  if (!(seconds > 0) || !(predicted > 0)) return;
+  Sums& sums = sums_.at(kind);
+  sums.predicted += predicted;
+  sums.seconds += seconds;
+  ++sums.count;
+}
+
+double LearnedCost::ratio(CostKind kind) const {
+  if (knows(kind)) return sums_.at(kind).seconds / sums_.at(kind).predicted;
+  Sums all;
+  for (const Sums& one : sums_) {
+    all.predicted += one.predicted;
+    all.seconds += one.seconds;
+  }
+  return all.predicted > 0 ? all.seconds / all.predicted : 1;
+}
+
+LearnedCost learned_cost(ResultStore& store, LearnedCost known) {
+  constexpr std::int64_t newest = 400;
+  const Table rows = run_query(store.database(), {.columns = {"id"}, .sort = {"-id"}, .limit = newest});
+  for (const std::vector<Cell>& row : rows.rows) {
+    const auto found = store.find(std::get<std::int64_t>(row.front()));
+    if (found) known.add(cost_kind(found->scene), predicted_seconds(found->scene), found->solution.seconds);
+  }
+  return known;
+}
+
+}  // namespace rollres

@@ -1,0 +1,43 @@
+#pragma once
+
+/// How long scenes will take on this machine: what is predicted from their inputs (predicted_cost.hpp) times how much
+/// longer than predicted stored solutions of their kind took. Kinds are told by what the predictions differ most in:
+/// the method, the body, friction, and whether a tolerance or a spacing decides on the grid.
+
+#include <array>
+#include <cstddef>
+
+#include "db/rows/result_store.hpp"
+
+namespace rollres {
+
+using CostKind = std::size_t;
+CostKind cost_kind(const RollingScene& scene);
+
+class LearnedCost {
+ public:
+  /// A solution that took so many seconds.
+  void add(CostKind kind, double predicted, double seconds);
+
+  /// Seconds that others took over those predicted: of the kind, once `enough` of it are known; else of all; 1 without
+  /// any.
+  double ratio(CostKind kind) const;
+  /// Whether the kind has enough of its own.
+  bool knows(CostKind kind) const { return sums_.at(kind).count >= enough; }
+
+  static constexpr std::size_t enough = 8, kinds = 64;
+
+ private:
+  struct Sums {
+    double predicted = 0, seconds = 0;
+    std::size_t count = 0;
+  };
+  std::array<Sums, kinds> sums_{};
+};
+
+/// From the newest rows of a database, 400 at most, whichever study they are of.
+/// @param known  what is learned already
+/// @throws std::runtime_error naming the file if the database fails
+LearnedCost learned_cost(ResultStore& store, LearnedCost known = {});
+
+}  // namespace rollres
