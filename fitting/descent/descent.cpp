@@ -24,9 +24,9 @@ class Position : public LeastSquares {
     tolerance = options.tolerance;
     radius = options.radius;
     for (std::size_t j = 0; j < problem.size(); ++j) {
-      const double start = start_[static_cast<Eigen::Index>(j)];
-      parameters.push_back({start, start, start});
-      reaches_.push_back(reach_of(problem.parameters[j].variable, start));
+      const double here = start_[static_cast<Eigen::Index>(j)];
+      parameters.push_back({here, here, here});
+      reaches_.push_back(reach_of(problem.parameters[j].variable, here));
     }
     for (const std::size_t j : options.held) parameters[j].held = true;
   }

@@ -43,7 +43,7 @@ class Patience {
   }
 
  private:
-  static constexpr double many = 30, least = 0.1, recalled = 1e-4;
+  static constexpr double many = 12, least = 0.1, recalled = 1e-4;
   std::atomic<double> fastest_ = std::numeric_limits<double>::infinity();
 };
 
@@ -64,7 +64,7 @@ Evaluate logging(const Evaluate& evaluate, const FitProblem& problem, const std:
       if (solution.status == Status::converged) patience->answered(seconds_used() - begin);
     } catch (const Interrupted&) {
       if (ending->reached()) throw;
-      solution.reason = "costs far more than with other parameters: left out";
+      solution.reason = costs_far_more;
     }
     if (solution.status == Status::converged && rollres::on_grid(solution.method)) *on_grid = true;
     if (solution.status == Status::converged)
