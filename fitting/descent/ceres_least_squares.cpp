@@ -96,7 +96,7 @@ ceres::Solver::Options solver_options(const LeastSquares& problem) {
   options.initial_trust_region_radius = problem.radius;
   options.min_trust_region_radius = 1e-14;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.line_search_interpolation_type = ceres::BISECTION;  // within bounds: the others want slopes
+  options.max_num_line_search_step_size_iterations = 0;  // none at bounds: a shorter radius costs less
   options.logging_type = ceres::SILENT;
   options.update_state_every_iteration = true;
   return options;

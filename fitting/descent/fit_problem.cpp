@@ -35,6 +35,53 @@ FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& ro
   return part;
 }
 
+FitProblem in_variables(const FitProblem& problem, const std::vector<Variable>& variables) {
+  FitProblem other = problem;
+  std::vector<Variable> own;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    own.push_back(problem.parameters[j].variable);
+    other.parameters[j].variable = variables[j];
+  }
+  other.differentiate = [own, variables, differentiate = problem.differentiate](const FitPoint& point,
+                                                                                const Prediction& prediction) {
+    Slopes slopes = differentiate(point, prediction);
+    for (std::size_t j = 0; slopes.found() && j < point.size(); ++j) {
+      const double factor = std::abs(variables[j].slope(point[j]) / own[j].slope(point[j]));
+      slopes.derivatives.col(static_cast<Eigen::Index>(j)) *= factor;
+      slopes.errors.col(static_cast<Eigen::Index>(j)) *= factor;
+      slopes.steps[static_cast<Eigen::Index>(j)] /= factor;
+    }
+    return slopes;
+  };
+  return other;
+}
+
+FitProblem in_logarithms(const FitProblem& problem) {
+  constexpr double smallest = 1e-6;  // of the start: a lower bound where 0 is none
+  std::vector<Variable> variables;
+  for (const FitParameter& parameter : problem.parameters) {
+    Variable variable = parameter.variable;
+    if (!variable.logarithmic && variable.quantity.range.lowest >= 0 && variable.lowest >= 0 && parameter.start > 0) {
+      variable.logarithmic = true;
+      variable.size = 1;
+      variable.lowest = std::max(variable.lowest, smallest * parameter.start);
+    }
+    variables.push_back(variable);
+  }
+  return in_variables(problem, variables);
+}
+
+FitProblem sized_at(const FitProblem& problem, const FitPoint& point) {
+  std::vector<Variable> variables;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    Variable variable = problem.parameters[j].variable;
+    const bool vanished = std::abs(point[j]) < 1e-3 * variable.size;  // then the size is the only one there is
+    if (!variable.logarithmic && variable.quantity.range.lowest >= 0 && !vanished) variable.size = std::abs(point[j]);
+    variables.push_back(variable);
+  }
+  return in_variables(problem, variables);
+}
+
 FitPoint start_point(const FitProblem& problem) {
   FitPoint point;
   for (const FitParameter& parameter : problem.parameters) point.push_back(parameter.start);
@@ -65,8 +112,9 @@ Eigen::VectorXd residuals(const FitProblem& problem, const Prediction& predictio
   return answer;
 }
 
-LossValue loss_of(const FitProblem& problem, double s) {
-  const double c = problem.loss_scale, square = c * c;
+LossValue loss_of(const FitProblem& problem, std::size_t datum, double residual) {
+  const double c = problem.loss_scale, square = c * c, s = residual * residual;
+  if (problem.data[datum].prior()) return {s, 1};
   if (problem.loss == Loss::huber && s > square) return {2 * c * std::sqrt(s) - square, c / std::sqrt(s)};
   if (problem.loss == Loss::cauchy) return {square * std::log1p(s / square), 1 / (1 + s / square)};
   return {s, 1};
@@ -74,7 +122,8 @@ LossValue loss_of(const FitProblem& problem, double s) {
 
 double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals) {
   double sum = 0;
-  for (const double residual : residuals) sum += loss_of(problem, residual * residual).value;
+  for (std::size_t i = 0; i < problem.data.size(); ++i)
+    sum += loss_of(problem, i, residuals[static_cast<Eigen::Index>(i)]).value;
   return sum;
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/derivatives/objective.hpp"
+#include "fitting/descent/fit_ending.hpp"
 
 namespace rollres {
 
@@ -22,12 +23,20 @@ struct FitParameter {
   std::string name;   ///< the key of its quantity, with its data set where it belongs to one only
   Variable variable;  ///< what it is, its bounds and its scale
   double start;       ///< [SI]
+  /// Where other starts are looked for [SI]; NaN: a factor around the start.
+  double usual_lowest = RollingSolution::absent, usual_highest = RollingSolution::absent;
 };
 
 struct MeasuredValue {
   double value;            ///< [SI]
   double deviation;        ///< standard deviation [SI]; where none is known, what residuals are measured in
   std::string place = {};  ///< "data.csv, line 7"
+  int set = 0;             ///< data set that it belongs to; `of_prior`: none, it is what was known before
+  std::string_view unit = {};
+  double along = RollingSolution::absent;  ///< what a misfit is looked for along: the speed [SI]
+
+  static constexpr int of_prior = -1;
+  bool prior() const { return set == of_prior; }
 };
 
 using FitPoint = std::vector<double>;
@@ -115,14 +124,25 @@ struct FitProblem {
   /// The predictions of some of the data only, where that costs less; may be empty.
   std::function<Prediction(const FitPoint&, const std::vector<std::size_t>& rows)> predict_rows = {};
   std::function<Slopes(const FitPoint&, const Prediction&)> differentiate;
-  std::string noise_remedy = {};  ///< in words: what to do if the noise of the model is too large for the data
+  std::string noise_remedy = {};           ///< in words: what to do if the noise of the model is too large for the data
+  std::vector<FitPoint> suggestions = {};  ///< points where a descent may well begin, beside the start
+  std::function<Prediction(const FitPoint&)> estimate = {};  ///< roughly the predictions at no cost; may be empty
   std::shared_ptr<EvaluationLog> log = std::make_shared<EvaluationLog>();  ///< of what the model evaluated
+  std::shared_ptr<FitEnding> ending = std::make_shared<FitEnding>();       ///< asked before every solution
 
   std::size_t size() const { return parameters.size(); }
 };
 
 /// The problem with some of its data, and rough slopes. @param rows  of the data; predict_rows must be there
 FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows);
+
+/// The same problem in other scaled variables of the same parameters.
+FitProblem in_variables(const FitProblem& problem, const std::vector<Variable>& variables);
+/// In logarithms wherever a parameter cannot be negative and does not start at 0: a descent from afar changes it by
+/// factors.
+FitProblem in_logarithms(const FitProblem& problem);
+/// With the sizes of linear variables as they are at a point.
+FitProblem sized_at(const FitProblem& problem, const FitPoint& point);
 
 FitPoint start_point(const FitProblem& problem);
 Eigen::VectorXd scaled_point(const FitProblem& problem, const FitPoint& point);
@@ -132,11 +152,12 @@ FitPoint point_of(const FitProblem& problem, const Eigen::VectorXd& scaled);
 /// (prediction - measurement) / deviation.
 Eigen::VectorXd residuals(const FitProblem& problem, const Prediction& prediction);
 
-/// The loss of a squared residual, and its derivative by the square: the weight of the residual.
+/// The loss of a residual, and its derivative by the residual's square: the weight of the residual. What was known
+/// before is no outlier: its loss is the square.
 struct LossValue {
   double value, weight;
 };
-LossValue loss_of(const FitProblem& problem, double squared_residual);
+LossValue loss_of(const FitProblem& problem, std::size_t datum, double residual);
 
 /// The sum of the losses: chi squared if there is no robust loss.
 double misfit(const FitProblem& problem, const Eigen::VectorXd& residuals);

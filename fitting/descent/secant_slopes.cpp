@@ -43,11 +43,13 @@ FitProblem with_secants(const FitProblem& problem, SecantOptions options) {
       CarriedSlopes next = carried_to(point, prediction, *known, state->problem);
       if (next.missed <= state->options.trusted_miss) {
         known = std::move(next.slopes);
+        if (state->options.latest) *state->options.latest = known;
         return known->slopes;
       }
     }
     Slopes slopes = state->options.evaluate(point, prediction);
     if (slopes.found()) known = {point, prediction, slopes};
+    if (state->options.latest) *state->options.latest = known;
     return slopes;
   };
   return quick;

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "fitting/descent/fit_problem.hpp"
@@ -39,6 +40,7 @@ struct SecantOptions {
   double trusted_miss = std::numeric_limits<double>::infinity();
   /// In place of the problem's own slopes where some are evaluated.
   std::function<Slopes(const FitPoint&, const Prediction&)> evaluate = {};
+  std::shared_ptr<std::optional<KnownSlopes>> latest = {};  ///< gets the slopes of the last point, if it is there
 };
 
 /// The same problem with slopes by secants. It is for one descent after the other, not for two at a time.

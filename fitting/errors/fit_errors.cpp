@@ -34,17 +34,22 @@ int degrees_of_freedom(const FitProblem& problem) {
   return static_cast<int>(std::ssize(problem.data) - std::ssize(problem.parameters));
 }
 
-FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eigen::VectorXd& residuals,
-                     const Slopes& slopes) {
+void require_enough_data(const FitProblem& problem) {
   const int degrees = degrees_of_freedom(problem);
   if (degrees < 0 || (degrees == 0 && !problem.deviations_known))
     throw std::invalid_argument(std::to_string(problem.data.size()) + " measurements cannot tell " +
                                 std::to_string(problem.size()) + " parameters" +
                                 (degrees == 0 ? " and their own scatter; give sigma or more data" : ""));
+}
+
+FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eigen::VectorXd& residuals,
+                     const Slopes& slopes) {
+  require_enough_data(problem);
+  const int degrees = degrees_of_freedom(problem);
   const Eigen::Index rows = residuals.size(), columns = std::ssize(point);
   Eigen::VectorXd roots(rows), deviations(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    roots[i] = std::sqrt(loss_of(problem, residuals[i] * residuals[i]).weight);
+    roots[i] = std::sqrt(loss_of(problem, static_cast<std::size_t>(i), residuals[i]).weight);
     deviations[i] = problem.data[static_cast<std::size_t>(i)].deviation;
   }
   const Eigen::VectorXd whitening = roots.cwiseQuotient(deviations);
@@ -70,8 +75,10 @@ FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eig
   errors.correlations = errors.covariance;
   errors.deviations = Eigen::VectorXd::Constant(columns, absent);
   errors.weakest = errors.step = Eigen::VectorXd::Zero(columns);
+  errors.directions = Eigen::MatrixXd::Zero(columns, std::ssize(inside));
+  errors.direction_deviations = Eigen::VectorXd::Constant(std::ssize(inside), infinite);
   errors.condition = 1;
-  errors.weakest_deviation = 0;
+  errors.weakest_deviation = errors.fall = 0;
   if (inside.empty()) return errors;
 
   const Eigen::MatrixXd own = whitened(Eigen::all, inside);
@@ -90,12 +97,16 @@ FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eig
   covariance *= errors.scale;
   errors.condition = smallest > rank_limit ? values[0] / smallest : infinite;
   errors.weakest_deviation = smallest > rank_limit ? std::sqrt(errors.scale) / smallest : infinite;
+  for (Eigen::Index k = 0; k < count; ++k)
+    if (values[k] > rank_limit) errors.direction_deviations[k] = std::sqrt(errors.scale) / values[k];
   const Eigen::VectorXd step = -svd.least_squares(weighted);
+  errors.fall = (svd.u.transpose() * weighted).squaredNorm();
   for (Eigen::Index a = 0; a < count; ++a) {
     const Eigen::Index j = inside[static_cast<std::size_t>(a)];
     errors.deviations[j] = std::sqrt(covariance(a, a));
     errors.weakest[j] = svd.v(a, count - 1);
     errors.step[j] = step[a];
+    errors.directions.row(j) = svd.v.row(a);
     for (Eigen::Index b = 0; b < count; ++b) {
       const Eigen::Index k = inside[static_cast<std::size_t>(b)];
       errors.covariance(j, k) = covariance(a, b);

@@ -21,10 +21,13 @@ struct FitErrors {
   Eigen::MatrixXd covariance;  ///< scaled variables; infinite where slopes leave a direction free
   Eigen::VectorXd deviations;  ///< roots of its diagonal: relative standard errors of positive quantities
   Eigen::MatrixXd correlations;
-  double condition;          ///< largest over smallest singular value of A; infinite if a direction is free
-  Eigen::VectorXd weakest;   ///< unit vector of the smallest singular value; 0 for held parameters
-  double weakest_deviation;  ///< standard deviation along it; infinite if free
-  Eigen::VectorXd step;      ///< Gauss and Newton's from here: where the least misfit is thought to be
+  double condition;                      ///< largest over smallest singular value of A; infinite if a direction is free
+  Eigen::VectorXd weakest;               ///< unit vector of the smallest singular value; 0 for held parameters
+  double weakest_deviation;              ///< standard deviation along it; infinite if free
+  Eigen::MatrixXd directions;            ///< all such unit vectors, a column each, the best known first
+  Eigen::VectorXd direction_deviations;  ///< standard deviations along them
+  Eigen::VectorXd step;                  ///< Gauss and Newton's from here: where the least misfit is thought to be
+  double fall;                           ///< of the misfit, that this step promises
   /// For each parameter the estimated error of its column of A over the column: from 1 on, slopes are noise.
   Eigen::VectorXd slope_doubt;
   /// The same error in standard deviations of the data, for a change of the scaled parameter by 1: a slope whose error
@@ -33,6 +36,9 @@ struct FitErrors {
 };
 
 /// @throws std::invalid_argument if the data are fewer than the parameters, or as many while deviations are unknown
+void require_enough_data(const FitProblem& problem);
+
+/// @throws std::invalid_argument as require_enough_data
 FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eigen::VectorXd& residuals,
                      const Slopes& slopes);
 

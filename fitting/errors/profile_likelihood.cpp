@@ -25,7 +25,7 @@ class LocalParabola {
   LocalParabola(const FitProblem& problem, const Eigen::VectorXd& misses, const Slopes& slopes, Eigen::Index own)
       : own_(own), whitening_(misses.size()), misses_(misses), others_(misses.size(), slopes.derivatives.cols() - 1) {
     for (Eigen::Index i = 0; i < misses.size(); ++i) {
-      const double root = std::sqrt(loss_of(problem, misses[i] * misses[i]).weight);
+      const double root = std::sqrt(loss_of(problem, static_cast<std::size_t>(i), misses[i]).weight);
       misses_[i] *= root;
       whitening_[i] = root / problem.data[static_cast<std::size_t>(i)].deviation;
     }

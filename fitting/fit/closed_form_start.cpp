@@ -45,6 +45,21 @@ std::pair<double, double> contact(const RollingScene& scene, double modulus) {
   return {thin, cylinder ? coefficients.thin_layer_cylinder : coefficients.thin_layer_sphere};
 }
 
+/// The rows that closed forms can say something of: resistances under a load, and moduli.
+std::vector<MeasuredScene> known_by_closed_forms(const std::vector<MeasuredScene>& scenes, std::string_view output) {
+  std::vector<MeasuredScene> known;
+  for (const MeasuredScene& row : scenes) {
+    const std::string_view own = row.output.empty() ? output : std::string_view(row.output);
+    if (is_modulus(own) || (own == "rolling_resistance" && row.scene.load)) known.push_back(row);
+  }
+  return known;
+}
+
+bool concerns_any(const FittedInput& input, const std::vector<MeasuredScene>& scenes) {
+  return std::any_of(scenes.begin(), scenes.end(),
+                     [&](const MeasuredScene& row) { return input.set.empty() || input.set == row.set; });
+}
+
 }  // namespace
 
 bool has_closed_form_start(std::string_view key) { return find(key) != nullptr; }
@@ -62,12 +77,11 @@ double estimated_resistance(const RollingScene& scene) {
   return coefficient * (modulus.imag() / modulus.real()) * half_width / scene.radius * *scene.load;
 }
 
-std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene>& scenes,
+std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene>& given,
                                                  std::vector<FittedInput> inputs, std::string_view output) {
+  const std::vector<MeasuredScene> scenes = known_by_closed_forms(given, output);
   const auto wanted = [](const FittedInput& input) { return !input.start && has_closed_form_start(input.input.key); };
-  const bool possible = output == "rolling_resistance" &&
-                        std::all_of(scenes.begin(), scenes.end(), [](const auto& row) { return row.scene.load; });
-  if (!possible || std::none_of(inputs.begin(), inputs.end(), wanted)) return inputs;
+  if (scenes.empty() || std::none_of(inputs.begin(), inputs.end(), wanted)) return inputs;
   const Evaluate estimate = [](const RollingScene& scene) {
     RollingSolution solution;
     solution.rolling_resistance = estimated_resistance(scene);
@@ -83,10 +97,13 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
     for (MeasuredScene& row : usual) row.scene.stiffening = *input.start;
   }
   std::vector<FittedInput> searched;
+  std::vector<FittedInput> terms;
   std::vector<std::size_t> places;
   for (std::size_t j = 0; j < inputs.size(); ++j) {
+    if (is_measured_term(inputs[j].input.key) && concerns_any(inputs[j], scenes)) terms.push_back(inputs[j]);
     if (!wanted(inputs[j])) continue;
     FittedInput input = inputs[j];
+    input.prior.reset();
     const Placeholder& known = *find(input.input.key);
     input.input.lowest = std::max(input.input.lowest.value_or(0), known.usual / known.reach);
     input.input.highest = std::min(input.input.highest.value_or(1e300), known.usual * known.reach);
@@ -96,10 +113,46 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
     places.push_back(j);
   }
   if (searched.empty()) return inputs;
+  for (FittedInput& term : terms) {
+    term.prior.reset();
+    searched.push_back(std::move(term));
+  }
   const FitProblem problem = resistance_problem(usual, searched, estimate, {.jobs = 1});
   const FitReport found = fit(problem, {.starts = 16, .reach = 1e4, .profiles = false});
   for (std::size_t k = 0; k < places.size(); ++k) inputs[places[k]].start = found.parameters[k].value;
   return inputs;
+}
+
+void add_closed_forms(FitProblem& problem, const std::vector<MeasuredScene>& scenes,
+                      const std::vector<FittedInput>& inputs, std::string_view output) {
+  const bool one_layer = std::all_of(scenes.begin(), scenes.end(), [](const MeasuredScene& row) {
+    return row.scene.coating_layers.empty() && row.scene.lower_layers.empty();
+  });
+  const std::size_t known = known_by_closed_forms(scenes, output).size();
+  if (!one_layer || known == 0) return;
+  const Evaluate estimate = [](const RollingScene& scene) {
+    RollingSolution solution;
+    solution.rolling_resistance = estimated_resistance(scene);
+    solution.status = Status::converged;
+    return solution;
+  };
+  if (known == scenes.size())
+    problem.estimate =
+        resistance_problem(scenes, inputs, problem.parameters, estimate, {.output = std::string(output), .jobs = 1})
+            .predict;
+  std::vector<FittedInput> unstarted = inputs;
+  for (FittedInput& input : unstarted) {
+    if (has_closed_form_start(input.input.key)) input.start.reset();
+    if (!input.set.empty()) return;
+  }
+  const std::vector<FittedInput> started = with_closed_form_starts(scenes, unstarted, output);
+  FitPoint suggestion;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    const Variable& variable = problem.parameters[j].variable;
+    const double value = started[j].start.value_or(problem.parameters[j].start);
+    suggestion.push_back(std::clamp(value, variable.lowest, variable.highest));
+  }
+  problem.suggestions.push_back(std::move(suggestion));
 }
 
 }  // namespace rollres

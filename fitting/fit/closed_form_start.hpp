@@ -21,9 +21,15 @@ double closed_form_placeholder(std::string_view key);
 double estimated_resistance(const RollingScene& scene);
 
 /// The inputs with starts: those of the list above that have none get the one with which estimated_resistance fits the
-/// measured values best, the stiffening 2. For other outputs than the rolling resistance, and scenes without a load,
-/// nothing is added.
+/// measured values best, the stiffening 2. Other outputs than the rolling resistance and moduli, and scenes without a
+/// load, say nothing.
 std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene>& scenes,
                                                  std::vector<FittedInput> inputs, std::string_view output);
+
+/// Gives a problem what closed forms know of it: rough predictions, and the material that they fit best as a place to
+/// start from; rough predictions only where they are of all data. Nothing where a scene has more than one layer.
+/// @param problem  resistance_problem of these scenes and inputs
+void add_closed_forms(FitProblem& problem, const std::vector<MeasuredScene>& scenes,
+                      const std::vector<FittedInput>& inputs, std::string_view output);
 
 }  // namespace rollres

@@ -31,7 +31,7 @@ struct ParameterCoverage {
 };
 
 struct Coverage {
-  int draws = 0, fitted = 0;  ///< fitted: with a least misfit (USABLE, with warnings or not, or NOT IDENTIFIED)
+  int draws = 0, fitted = 0;  ///< fitted: with a least misfit (GOOD, USABLE WITH WARNINGS or NOT IDENTIFIED)
   std::uint64_t seed = 0;
   bool profiles = false;
   std::vector<ParameterCoverage> parameters = {};

@@ -29,7 +29,8 @@ Eigen::MatrixXd covariance_of(const FitReport& report) {
 double usual_relative_deviation(const FitReport& report) {
   std::vector<double> relative;
   for (const FittedValue& value : report.values)
-    relative.push_back(value.measured.deviation * std::sqrt(report.errors.scale) / std::abs(value.predicted));
+    if (!value.measured.prior())
+      relative.push_back(value.measured.deviation * std::sqrt(report.errors.scale) / std::abs(value.predicted));
   std::nth_element(relative.begin(), relative.begin() + std::ssize(relative) / 2, relative.end());
   return relative[relative.size() / 2];
 }

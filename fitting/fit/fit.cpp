@@ -3,93 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <stdexcept>
 
-#include "fitting/descent/latin_hypercube.hpp"
 #include "fitting/errors/statistics.hpp"
+#include "fitting/fit/fit_starts.hpp"
+#include "fitting/fit/misfit_cause.hpp"
 
 namespace rollres {
 
 namespace {
 
-/// Rows that a descent from afar can do with: few, spread over the table without a period that it could share.
-std::vector<std::size_t> few_rows(const FitProblem& problem) {
-  const std::size_t all = problem.data.size(), wanted = std::max<std::size_t>(8, 2 * problem.size() + 2);
-  if (!problem.predict_rows || 2 * wanted > all) return {};
-  constexpr double golden = 0.6180339887498949;
-  std::set<std::size_t> rows{0, all - 1};
-  for (double turns = 0.5; rows.size() < wanted; turns += golden)
-    rows.insert(static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(all)));
-  return {rows.begin(), rows.end()};
-}
-
-constexpr double near_the_end = 1e6;  // radius of a descent from close by: Gauss and Newton's steps
-
-/// A descent that will be gone on with: first by a few rows; by slopes that cost half as much, evaluated only where
-/// secants are not good enough; and no farther than they are worth. Where rough slopes do not exist, by the problem's
-/// own.
-Descent rough_descent(const FitProblem& problem, const FitPoint& start, const FitOptions& options) {
-  constexpr double tolerance = 1e-3, trusted_miss = 0.5;
-  const auto roughly = [&problem](const FitPoint& point, const Prediction& prediction) {
-    Slopes slopes = rough_differences(problem, point, prediction);
-    return slopes.found() ? slopes : problem.differentiate(point, prediction);
-  };
-  FitPoint begin = start;
-  int iterations = 0;
-  double radius = DescentOptions{}.radius;
-  if (const std::vector<std::size_t> rows = few_rows(problem); !rows.empty() && !options.known) {
-    const FitProblem quick = with_secants(part_of(problem, rows), {.trusted_miss = trusted_miss});
-    const Descent few = descend(quick, start, {.tolerance = 1e-2, .stop = options.stop});
-    if (few.found()) begin = few.end;
-    iterations = few.iterations;
-  }
-  const FitProblem quick =
-      with_secants(problem, {.known = options.known, .trusted_miss = trusted_miss, .evaluate = roughly});
-  if (options.known || iterations > 0) radius = near_the_end;
-  Descent answer = descend(quick, begin, {.tolerance = tolerance, .radius = radius, .stop = options.stop});
-  answer.start = start;
-  answer.iterations += iterations;
-  return answer;
-}
-
-/// The other starts: the best quarter of the points of a Latin hypercube.
-std::vector<FitPoint> other_starts(const FitProblem& problem, const FitOptions& options) {
-  const int wanted = options.starts - 1;
-  if (wanted <= 0) return {};
-  constexpr int tried_for_each = 4;
-  const double reach = std::log(options.reach);
-  const Eigen::VectorXd centre = scaled_point(problem, start_point(problem));
-  Eigen::VectorXd lowest = centre.array() - reach, highest = centre.array() + reach;
-  for (std::size_t j = 0; j < problem.size(); ++j) {
-    const Variable& variable = problem.parameters[j].variable;
-    const auto k = static_cast<Eigen::Index>(j);
-    lowest[k] = std::max(lowest[k], variable.scaled(variable.lowest));
-    highest[k] = std::min(highest[k], variable.scaled(variable.highest));
-  }
-  struct Candidate {
-    FitPoint point;
-    double misfit;
-  };
-  std::vector<Candidate> candidates;
-  const Eigen::MatrixXd sample = latin_hypercube(tried_for_each * wanted, centre.size(), options.seed);
-  for (Eigen::Index row = 0; row < sample.rows(); ++row) {
-    const Eigen::VectorXd unit = sample.row(row);
-    const FitPoint point = point_of(problem, lowest + unit.cwiseProduct(highest - lowest));
-    const Prediction prediction = problem.predict(point);
-    if (prediction.found()) candidates.push_back({point, misfit(problem, residuals(problem, prediction))});
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
-  std::vector<FitPoint> starts;
-  for (const Candidate& candidate : candidates)
-    if (std::ssize(starts) < wanted) starts.push_back(candidate.point);
-  return starts;
-}
-
 Descent& best_of(std::vector<Descent>& descents) {
   return *std::min_element(descents.begin(), descents.end(), [](const Descent& a, const Descent& b) {
-    const auto size = [](const Descent& d) { return d.found() ? d.misfit : std::numeric_limits<double>::infinity(); };
+    const auto size = [](const Descent& d) {
+      return d.found() && !d.abandoned ? d.misfit : std::numeric_limits<double>::infinity();
+    };
     return size(a) < size(b);
   });
 }
@@ -116,13 +44,26 @@ FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options)
   return scaled;
 }
 
-/// Whether Gauss and Newton's step from here is but a small part of the standard errors.
+/// Whether the slopes leave a direction of the parameters free: nothing along it is the least misfit.
+bool leaves_free(const FitReport& report) { return !(report.errors.weakest_deviation < 1); }
+
+/// Whether the deviations explain so little of the misfit that its least value to the last digit is of no interest.
+bool misses_by_far(const FitReport& report) {
+  constexpr double far = 20;
+  return report.deviations_known && report.reduced_chi_squared > far;
+}
+
+/// Whether Gauss and Newton's step from here is but a small part of the standard errors; where it is free along a
+/// direction, whether it promises next to nothing.
 bool arrived(const FitReport& report) {
-  constexpr double near = 0.002, exactly = 1e-7;
-  for (Eigen::Index j = 0; j < report.errors.step.size(); ++j) {
+  constexpr double near = 0.002, exactly = 1e-7, next_to_nothing = 1;
+  if (leaves_free(report) && report.errors.fall < next_to_nothing * report.errors.scale) return true;
+  constexpr double little = 0.01, smooth = 1e-5;
+  if (report.noise > smooth && report.errors.fall < little * report.errors.scale) return true;
+  const Eigen::VectorXd& step = report.errors.step;
+  for (Eigen::Index j = 0; j < step.size(); ++j) {
     const double deviation = report.errors.deviations[j];
-    if (std::abs(report.errors.step[j]) > std::max(std::isfinite(deviation) ? near * deviation : 0, exactly))
-      return false;
+    if (std::abs(step[j]) > std::max(std::isfinite(deviation) ? near * deviation : 0, exactly)) return false;
   }
   return true;
 }
@@ -141,7 +82,9 @@ std::vector<std::size_t> pressed_on_bounds(const FitReport& report) {
 void step_over_noise(const FitProblem& problem, Descent& best, const std::vector<Descent>& descents,
                      FitReport& report) {
   constexpr int most_steps = 3;
-  for (int steps = 0; steps < most_steps && report.slopes.found() && !arrived(report); ++steps) {
+  for (int steps = 0; steps < most_steps && report.slopes.found() && !arrived(report) && !leaves_free(report) &&
+                      !misses_by_far(report);
+       ++steps) {
     double variance = 0;
     for (std::size_t i = 0; i < report.values.size(); ++i) {
       const double noise = report.slopes.noise[static_cast<Eigen::Index>(i)] / report.values[i].measured.deviation;
@@ -169,13 +112,15 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
   constexpr double beside = 0.1, smooth = 1e-5;
   for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
     if (options.stop && options.stop->load()) break;
+    if ((leaves_free(report) && round > 0) || misses_by_far(report)) break;
     const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
     const KnownSlopes known{best.end, best.prediction, report.slopes};
-    const Descent further = descend(last ? problem : with_secants(problem, {.known = known}), best.end,
-                                    {.most_iterations = last ? 60 : 8,
-                                     .radius = last || report.noise > smooth ? DescentOptions{}.radius : near_the_end,
-                                     .held = pressed_on_bounds(report),
-                                     .stop = options.stop});
+    const Descent further =
+        descend(last ? problem : with_secants(problem, {.known = known}), best.end,
+                {.most_iterations = last ? 60 : 8,
+                 .radius = last || report.noise > smooth ? DescentOptions{}.radius : radius_near_the_end,
+                 .held = pressed_on_bounds(report),
+                 .stop = options.stop});
     if (!further.found() || !(further.misfit < best.misfit)) {
       round = std::max(round, most_rounds - 2);
       continue;
@@ -208,30 +153,69 @@ double interval_threshold(const FitProblem& problem) {
   return quantile * quantile;
 }
 
-FitReport fit(const FitProblem& given, const FitOptions& options) {
+namespace {
+
+/// The problem whose model answers no longer once the fit is over.
+FitProblem until_its_end(const FitProblem& problem) {
+  FitProblem ending = problem;
+  const auto over = [clock = problem.ending](std::string& reason) {
+    if (clock->reached()) reason = clock->why();
+    return !reason.empty();
+  };
+  ending.predict = [over, predict = problem.predict](const FitPoint& point) {
+    Prediction none;
+    return over(none.reason) ? none : predict(point);
+  };
+  if (problem.predict_rows)
+    ending.predict_rows = [over, predict = problem.predict_rows](const FitPoint& point,
+                                                                 const std::vector<std::size_t>& rows) {
+      Prediction none;
+      return over(none.reason) ? none : predict(point, rows);
+    };
+  ending.differentiate = [over, differentiate = problem.differentiate](const FitPoint& point,
+                                                                       const Prediction& prediction) {
+    Slopes none;
+    return over(none.reason) ? none : differentiate(point, prediction);
+  };
+  return ending;
+}
+
+/// Profiles are for fits that the data bind and that describe them: others need no finer intervals.
+bool worth_profiles(FitReport report, const FitProblem& problem) {
+  judge(report, problem);
+  return report.status >= FitStatus::usable_with_warnings || report.status == FitStatus::did_not_move;
+}
+
+}  // namespace
+
+FitReport fit(const FitProblem& given, const FitOptions& wanted) {
   for (const FitParameter& parameter : given.parameters)
     if (!(parameter.start >= parameter.variable.lowest && parameter.start <= parameter.variable.highest))
       throw std::invalid_argument(parameter.name + " = " + std::to_string(parameter.start) +
                                   ": the start must be inside its bounds");
-  const FitProblem problem = with_loss_scale(given, options);
-  std::vector<FitPoint> starts{start_point(problem)};
-  for (FitPoint& start : other_starts(problem, options)) starts.push_back(std::move(start));
-  std::vector<Descent> descents;
-  for (const FitPoint& start : starts) {
-    if (!descents.empty() && options.stop && options.stop->load()) break;
-    descents.push_back(rough_descent(problem, start, options));
-  }
+  require_enough_data(given);
+  given.ending->begin(wanted.stop, wanted.limits);
+  FitOptions options = wanted;
+  options.stop = &given.ending->over();
+  FitProblem problem = with_loss_scale(until_its_end(given), options);
+  std::vector<Descent> descents = rough_descents(problem, options);
+  if (!options.known) problem = sized_at(problem, best_of(descents).end);
   FitReport report = settled(problem, descents, options);
   constexpr int most_returns = 2;
-  for (int returns = 0; options.profiles && report.slopes.found(); ++returns) {
+  for (int returns = 0; options.profiles && report.slopes.found() && worth_profiles(report, problem); ++returns) {
     FitPoint better;
     add_profiles(report, problem, best_of(descents), options, better);
     if (better.empty() || returns == most_returns) break;
     descents.push_back(rough_descent(problem, better, options));
     report = settled(problem, descents, options);
   }
-  report.interrupted = options.stop && options.stop->load();
+  report.interrupted = given.ending->over();
+  report.ended = given.ending->why();
   judge(report, problem);
+  if (report.status == FitStatus::misfit && options.starts > 1) {
+    report.misfit_cause = misfit_cause(problem, report, options);
+    judge(report, problem);
+  }
   report.evaluations = problem.log->evaluations();
   report.failures = problem.log->failures();
   report.failure_reasons = problem.log->reasons();

@@ -16,13 +16,14 @@ namespace rollres {
 inline constexpr double confidence = 0.95;  ///< of all intervals
 
 struct FitOptions {
-  int starts = 1;          ///< the given one, and the best of a Latin hypercube's points within the bounds
-  double reach = 10;       ///< largest factor between the given start and the others
+  int starts = 1;          ///< 1: the given one; else so many of those that promise most (fit_starts.hpp)
+  double reach = 5;        ///< largest factor between the given start and the others
   std::uint64_t seed = 1;  ///< of the hypercube
   bool profiles = true;    ///< intervals by profile likelihood
   /// Slopes at or near the start that are known already: for many fits to much the same data.
   std::optional<KnownSlopes> known = {};
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: return what is known so far
+  FitLimits limits = {};
 };
 
 /// @throws std::invalid_argument if the data are too few, or the start of a parameter is outside its bounds

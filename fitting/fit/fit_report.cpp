@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/messages/message_text.hpp"
 #include "fitting/errors/statistics.hpp"
@@ -19,7 +20,24 @@ ConfidenceInterval linear_interval(const FitParameter& parameter, double value, 
   interval.lowest = at(variable.scaled(value) - quantile * deviation);
   interval.highest = at(variable.scaled(value) + quantile * deviation);
   interval.low = interval.high = IntervalEnd::closed;
+  if (interval.lowest < variable.lowest) interval.lowest = variable.lowest, interval.low = IntervalEnd::limit;
+  if (interval.highest > variable.highest) interval.highest = variable.highest, interval.high = IntervalEnd::limit;
   return interval;
+}
+
+/// Whether the end of a descent is no neighbour of the best: more than five standard errors and a tenth away.
+bool is_elsewhere(const FitReport& report, const FitProblem& problem, const Descent& best, const Descent& other) {
+  const Eigen::VectorXd distance = scaled_point(problem, other.end) - scaled_point(problem, best.end);
+  return report.errors.weakest_deviation < 1 &&
+         (distance.array().abs() > report.errors.deviations.array().cwiseMax(0.02) * 5).any();
+}
+
+/// "static_shear_modulus = 3.1e+06, creep_time = 0.2 (chi squared 31.2)"
+std::string parameters_in_words(const FitProblem& problem, const Descent& descent) {
+  std::string words;
+  for (std::size_t j = 0; j < problem.size(); ++j)
+    words += message_text<4>(j == 0 ? "" : ", ", problem.parameters[j].name, " = ", descent.end[j]);
+  return words + message_text<4>(" (chi squared ", descent.misfit, ")");
 }
 
 /// Counts the descents that led to the misfit of the best one, to a hundredth of what matters, and notes whether one
@@ -27,7 +45,13 @@ ConfidenceInterval linear_interval(const FitParameter& parameter, double value, 
 void compare(FitReport& report, const FitProblem& problem, const Descent& best, const std::vector<Descent>& ends) {
   const double enough = 0.01 * interval_threshold(problem) * report.errors.scale;
   for (const Descent& end : ends) {
-    if (!end.found() || end.misfit - best.misfit > enough) continue;
+    if (!end.found() || end.abandoned) continue;
+    if (end.misfit - best.misfit > enough) {
+      if (end.misfit - best.misfit < interval_threshold(problem) * report.errors.scale &&
+          is_elsewhere(report, problem, best, end))
+        report.second_best = parameters_in_words(problem, end);
+      continue;
+    }
     ++report.agreeing;
     const Eigen::VectorXd distance = scaled_point(problem, end.end) - scaled_point(problem, end.start);
     for (Eigen::Index j = 0; j < distance.size(); ++j) {
@@ -94,19 +118,28 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
   if (problem.deviations_known && report.degrees > 0 && problem.loss == Loss::none)
     report.p_value = chi_squared_tail(best.misfit, report.degrees);
   report.runs_p_value = runs_test(misses);
-  double squares = 0, relative_squares = 0;
+  std::vector<Eigen::Index> order(problem.data.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return best.prediction.values[a] < best.prediction.values[b];
+  });
+  report.trend_p_value = runs_test(misses(order));
+  double squares = 0, relative_squares = 0, count = 0;
   Eigen::Index largest = 0;
   misses.cwiseAbs().maxCoeff(&largest);
   report.largest_residual = static_cast<std::size_t>(largest);
   for (Eigen::Index i = 0; i < misses.size(); ++i) {
     const MeasuredValue& measured = problem.data[static_cast<std::size_t>(i)];
     const double miss = best.prediction.values[i] - measured.value;
-    squares += miss * miss;
-    relative_squares += std::pow(miss / measured.value, 2);
+    if (!measured.prior()) {
+      squares += miss * miss;
+      relative_squares += std::pow(miss / measured.value, 2);
+      ++count;
+    }
     report.values.push_back({measured, best.prediction.values[i], misses[i], absent});
   }
-  report.rms = std::sqrt(squares / static_cast<double>(misses.size()));
-  report.relative_rms = std::sqrt(relative_squares / static_cast<double>(misses.size()));
+  report.rms = std::sqrt(squares / count);
+  report.relative_rms = std::sqrt(relative_squares / count);
 
   report.slopes = slopes ? *slopes : problem.differentiate(best.end, best.prediction);
   if (!report.slopes.found()) return report;
@@ -133,6 +166,27 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
     report.values[static_cast<std::size_t>(i)].band = std::sqrt(slope.dot(slope * known));
   }
   return report;
+}
+
+std::string known_combinations(const FitProblem& problem, const FitErrors& errors) {
+  constexpr double known = 0.3, small = 0.05;
+  constexpr Eigen::Index most = 2;
+  std::string text;
+  for (Eigen::Index k = 0; k < std::min(most, errors.direction_deviations.size()); ++k) {
+    if (!(errors.direction_deviations[k] < known)) break;
+    const Eigen::VectorXd direction = errors.directions.col(k);
+    Eigen::Index largest = 0;
+    direction.cwiseAbs().maxCoeff(&largest);
+    std::string factors = problem.parameters[static_cast<std::size_t>(largest)].name;
+    for (Eigen::Index j = 0; j < direction.size(); ++j) {
+      const double exponent = direction[j] / direction[largest];
+      if (j != largest && std::abs(exponent) > small)
+        factors += message_text<2>(" x ", problem.parameters[static_cast<std::size_t>(j)].name, "^", exponent);
+    }
+    text += (text.empty() ? "" : ", and ") + factors +
+            message_text<2>(" to ", 100 * errors.direction_deviations[k] / std::abs(direction[largest]), " %");
+  }
+  return text;
 }
 
 std::string weakest_parameters(const FitProblem& problem, const FitErrors& errors) {

@@ -17,15 +17,17 @@ enum class FitStatus {
                   ///< least misfit is thought to be farther away than a tenth of a standard error and than the noise of
                   ///< the model explains
   did_not_move,   ///< every descent that led here ended where it began, which is no proof of a least misfit
+  misfit,  ///< the residuals are far larger than the deviations explain (p < 1e-3 and a reduced chi squared above
+           ///< 4), or without deviations a third of the values, or a fifth and with a system: errors mean little
   not_identified,  ///< the data do not bound a parameter: an interval is open, or along the weakest direction the
                    ///< parameters change by a factor of e or more within one standard deviation
   usable_with_warnings,
-  usable  ///< a least misfit that the parameters are bound to, and nothing to warn of
+  good  ///< a least misfit that the parameters are bound to, that the deviations explain, and nothing to warn of
 };
 template <>
 struct ChoiceNames<FitStatus> {
-  static constexpr std::array<std::string_view, 5> names{"NOT CONVERGED", "DID NOT MOVE", "NOT IDENTIFIED",
-                                                         "USABLE WITH WARNINGS", "USABLE"};
+  static constexpr std::array<std::string_view, 6> names{"NOT CONVERGED",  "DID NOT MOVE",         "MISFIT",
+                                                         "NOT IDENTIFIED", "USABLE WITH WARNINGS", "GOOD"};
 };
 
 /// What is known of one parameter.
@@ -63,18 +65,22 @@ struct FitReport {
   double reduced_chi_squared = RollingSolution::absent;
   double p_value = RollingSolution::absent;  ///< that chi squared is as large by chance; NaN without known deviations
   double rms = RollingSolution::absent;      ///< root mean square of prediction - measurement [SI]
-  double relative_rms = RollingSolution::absent;  ///< of the same over the measured values
-  double runs_p_value = RollingSolution::absent;  ///< runs test of the residuals in the order of the data
-  std::size_t largest_residual = 0;               ///< its place in `values`
-  double noise = RollingSolution::absent;         ///< of the model: largest standard deviation over the predicted value
+  double relative_rms = RollingSolution::absent;   ///< of the same over the measured values
+  double runs_p_value = RollingSolution::absent;   ///< runs test of the residuals in the order of the data
+  double trend_p_value = RollingSolution::absent;  ///< the same in the order of the predicted values
+  std::size_t largest_residual = 0;                ///< its place in `values`
+  double noise = RollingSolution::absent;  ///< of the model: largest standard deviation over the predicted value
 
   FitErrors errors;
   std::string weakest_direction;  ///< in words
   int starts = 0, agreeing = 0;   ///< descents, and those that led to the same least misfit
+  std::string second_best;        ///< another least misfit that the data do not tell from the best, in words
   bool moved = false;             ///< one of these began elsewhere
   int iterations = 0;             ///< of the best descent
   std::string stopped;            ///< Ceres's words on it
-  bool interrupted = false;
+  bool interrupted = false;       ///< by a wish from outside or a limit: the best so far
+  std::string ended;              ///< which of them
+  std::string misfit_cause;       ///< what most likely makes a MISFIT, in words; empty: nothing stands out
   std::size_t evaluations = 0, failures = 0;
   std::vector<EvaluationLog::Failure> failure_reasons;
   Slopes slopes;  ///< at the fit
@@ -90,6 +96,10 @@ ParameterPair worst_pair(const FitReport& report);
 
 /// "static_shear_modulus x 1.35 with creep_time x 0.74 raises chi squared by 1".
 std::string weakest_direction_in_words(const FitProblem& problem, const FitErrors& errors);
+
+/// The combinations of parameters that are known, and how well: "creep_time x stiffening^0.34 to 0.6 %"; empty if none
+/// is.
+std::string known_combinations(const FitProblem& problem, const FitErrors& errors);
 
 /// The parameters that share the weakest direction: "static_shear_modulus and creep_time".
 std::string weakest_parameters(const FitProblem& problem, const FitErrors& errors);

@@ -50,6 +50,7 @@ double doubt_of_step(const FitReport& report, Eigen::Index parameter) {
 
 /// Why this is no least misfit; empty if it is one.
 std::string not_converged(const FitReport& report) {
+  if (!report.ended.empty()) return report.ended + ": this is the best so far";
   if (!report.slopes.found()) return report.slopes.reason;
   for (std::size_t j = 0; j < report.parameters.size(); ++j) {
     const FittedParameter& fitted = report.parameters[j];
@@ -74,7 +75,7 @@ std::string not_converged(const FitReport& report) {
       return message_text<4>(fitted.parameter.name, " is thought to be ", distance / fitted.relative_error,
                              " standard errors away from the least misfit (the descent stopped: ", report.stopped, ")");
   }
-  return report.interrupted ? "interrupted" : "";
+  return "";
 }
 
 /// Whether the parameter moves along the weakest direction, and that changes no prediction.
@@ -82,6 +83,18 @@ bool has_no_effect(const FitReport& report, std::size_t parameter) {
   constexpr double share = 0.5;  // of the unit vector
   return report.errors.weakest.size() > 0 && !std::isfinite(report.errors.weakest_deviation) &&
          std::abs(report.errors.weakest[static_cast<Eigen::Index>(parameter)]) > share;
+}
+
+/// Whether the slopes do not bind a parameter: not to a factor of e within one standard deviation; or the interval is
+/// wider than the bounds that it was given, or than a factor of 1000 either way.
+bool not_bounded(const FitReport& report, std::size_t parameter) {
+  constexpr double widest = 6.9;
+  const FittedParameter& fitted = report.parameters[parameter];
+  if (fitted.at_bound != AtBound::no) return false;
+  const Variable& variable = fitted.parameter.variable;
+  const double half = fitted.relative_error * 1.96, here = variable.scaled(fitted.value);
+  const double below = here - variable.scaled(variable.lowest), above = variable.scaled(variable.highest) - here;
+  return !(fitted.relative_error < 1) || !(half < widest) || (half > below && half > above);
 }
 
 void flag_parameters(FitReport& report) {
@@ -97,7 +110,10 @@ void flag_parameters(FitReport& report) {
       profile = {};
       continue;
     }
-    if (fitted.profile.points.empty()) continue;
+    if (fitted.profile.points.empty()) {
+      if (not_bounded(report, j)) add("not bounded");
+      continue;
+    }
     if (profile.low == IntervalEnd::open && fitted.at_bound != AtBound::lowest) add("not bounded below");
     if (profile.high == IntervalEnd::open && fitted.at_bound != AtBound::highest) add("not bounded above");
   }
@@ -109,7 +125,10 @@ std::string not_identified(const FitReport& report, const FitProblem& problem) {
     const std::string names = weakest_parameters(problem, report.errors);
     return names.find(" and ") == std::string::npos ? std::string() : "; " + names + " are not separable by these data";
   };
-  if (!(report.errors.weakest_deviation < 1)) return report.weakest_direction + pair();
+  if (!(report.errors.weakest_deviation < 1)) {
+    const std::string known = known_combinations(problem, report.errors);
+    return report.weakest_direction + pair() + (known.empty() ? "" : "; they tell " + known);
+  }
   for (const FittedParameter& fitted : report.parameters)
     if (fitted.flag.find("not bounded") != std::string::npos)
       return "the interval of " + fitted.parameter.name + " does not close" + pair();
@@ -132,6 +151,9 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
     warn("the misfit is larger than the deviations of the data explain: p = ", report.p_value);
   if (1 - report.p_value < unlikely)
     warn("the misfit is smaller than the deviations of the data let expect: 1 - p = ", 1 - report.p_value);
+  if (report.degrees == 0) warn("there are as many parameters as data: no freedom is left to judge the fit by");
+  if (!(report.runs_p_value < unlikely) && report.trend_p_value < unlikely)
+    warn("the residuals are not random in the order of the predicted values: runs test p = ", report.trend_p_value);
   if (report.runs_p_value < unlikely)
     warn("the residuals are not random in the order of the data: runs test p = ", report.runs_p_value);
   const ParameterPair pair = worst_pair(report);
@@ -142,8 +164,7 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
       warn(problem.parameters[pair.first].name, " and ", problem.parameters[pair.second].name,
            " are hard to separate: correlation ", correlation);
   }
-  if (report.starts > 1 && 2 * report.agreeing < report.starts)
-    warn("only ", report.agreeing, " of ", report.starts, " starts led to this misfit");
+  if (!report.second_best.empty()) warn("other parameters fit nearly as well: " + report.second_best);
   const double scatter = std::sqrt(report.errors.scale);
   if (const std::string noise = noise_in_words(report, problem); !noise.empty()) warn(noise);
   if (report.relative_rms > 0.2)
@@ -152,6 +173,24 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
   if (std::abs(worst.residual) > 4 * scatter)
     warn(worst.measured.place.empty() ? "a measurement" : worst.measured.place, " is ",
          std::abs(worst.residual) / scatter, " standard deviations off the fit");
+}
+
+/// Why the model does not describe the data; empty if it may.
+std::string misfit_in_words(const FitReport& report) {
+  constexpr double least_p = 1e-3, far = 4, third = 1.0 / 3, fifth = 0.2;
+  std::string words;
+  if (report.deviations_known) {
+    if (!(report.p_value < least_p && report.reduced_chi_squared > far)) return "";
+    words = message_text<4>("the residuals are ", std::sqrt(report.reduced_chi_squared),
+                            " times as large as the deviations of the data explain (reduced chi squared ",
+                            report.reduced_chi_squared, ", p = ", report.p_value, ")");
+  } else {
+    const bool system = std::min(report.runs_p_value, report.trend_p_value) < unlikely;
+    if (!(report.relative_rms > third || (report.relative_rms > fifth && system))) return "";
+    words = "the fit misses the data by " + percent(report.relative_rms) + " (rms)";
+  }
+  words += ": the model does not describe these data";
+  return words + (report.misfit_cause.empty() ? "" : "; " + report.misfit_cause);
 }
 
 }  // namespace
@@ -166,6 +205,12 @@ void judge(FitReport& report, const FitProblem& problem) {
   report.reason = not_converged(report);
   if (const std::string noise = noise_in_words(report, problem); !report.reason.empty() && !noise.empty())
     report.reason += "; " + noise;
+  if (known && report.ended.empty() && report.degrees > 0)
+    if (const std::string misfit = misfit_in_words(report); !misfit.empty()) {
+      report.status = FitStatus::misfit;
+      report.reason = misfit;
+      return;
+    }
   if (known && !report.moved) {
     if (report.reason.empty()) report.status = FitStatus::did_not_move;
     report.reason += report.reason.empty() ? "" : "; ";
@@ -176,7 +221,7 @@ void judge(FitReport& report, const FitProblem& problem) {
   report.status = FitStatus::not_identified;
   report.reason = not_identified(report, problem);
   if (!report.reason.empty()) return;
-  report.status = report.warnings.empty() ? FitStatus::usable : FitStatus::usable_with_warnings;
+  report.status = report.warnings.empty() ? FitStatus::good : FitStatus::usable_with_warnings;
 }
 
 }  // namespace rollres

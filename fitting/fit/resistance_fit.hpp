@@ -8,6 +8,7 @@
 
 #include "core/solve/rolling_contact.hpp"
 #include "fitting/descent/fit_problem.hpp"
+#include "fitting/fit/measured_terms.hpp"
 
 namespace rollres {
 
@@ -16,13 +17,25 @@ struct MeasuredScene {
   RollingScene scene;
   MeasuredValue measured;
   std::string set = {};  ///< data set
+  /// Output that is measured; empty: that of the fit. Or a modulus of the scene's material, `storage_modulus_key` or
+  /// `loss_modulus_key`, at an angular frequency [rad/s].
+  std::string output = {};
+  double angular_frequency = RollingSolution::absent;
 };
 
-/// An input that is fitted: one value for all scenes, or for those of one data set.
+inline constexpr std::string_view storage_modulus_key = "storage_modulus", loss_modulus_key = "loss_modulus";
+inline bool is_modulus(std::string_view output) { return output == storage_modulus_key || output == loss_modulus_key; }
+
+/// What is measured, as a quantity. @throws std::invalid_argument if there is no such output that is a real number
+Quantity measured_quantity(std::string_view output);
+
+/// An input that is fitted: one value for all scenes, or for those of one data set. Its key may also be that of an
+/// offset or a scale of the measured values (measured_terms.hpp).
 struct FittedInput {
   InputChoice input;
-  std::optional<double> start = {};  ///< [SI]; default: the value in the first scene
+  std::optional<double> start = {};  ///< [SI]; default: the value in the first scene, 0 for an offset, 1 for a scale
   std::string set = {};              ///< empty: all
+  std::optional<Prior> prior = {};
 };
 
 struct ResistanceFitOptions {
@@ -36,10 +49,11 @@ struct ResistanceFitOptions {
 std::vector<FitParameter> fit_parameters(const std::vector<MeasuredScene>& scenes,
                                          const std::vector<FittedInput>& inputs);
 
-/// The problem of least squares. Slopes are differences whose steps suit the noise of the output, which is measured
-/// once for each input at the first point with slopes, on one of its scenes, or where that is not smooth on three
-/// (core/derivatives/calibration.hpp), and taken to be proportional to the output. Where it is all but rounding,
-/// differences are to one side. No scene outside the bounds is evaluated (core/derivatives/gradient.hpp).
+/// The problem of least squares; a prior is one datum more, behind those of the scenes. Slopes are differences whose
+/// steps suit the noise of the output, which is measured once for each input at the first point with slopes, on one of
+/// its scenes, or where that is not smooth on three (core/derivatives/calibration.hpp), and taken to be proportional to
+/// the output. Where it is all but rounding, differences are to one side. No scene outside the bounds is evaluated
+/// (core/derivatives/gradient.hpp).
 /// @param parameters  fit_parameters(scenes, inputs), or those of a fit to other scenes
 /// @param evaluate    called by several threads at once
 /// @throws std::invalid_argument naming key, value and rule

@@ -37,13 +37,20 @@ struct FitArguments {
   bool json = false, no_profiles = false, design = false, compare = false;
 };
 
+/// The unit of the measured values; empty where they are of several kinds.
+std::string_view unit_of_all(const FitFile& file) {
+  for (const MeasuredScene& row : file.scenes)
+    if (row.output != file.scenes.front().output) return "";
+  return measured_quantity(file.scenes.front().output).unit_for(file.indenter());
+}
+
 FitContext context_of(const FitFile& file) {
   FitContext context{.name = file.name,
                      .kind = "resistance",
                      .definition = file.definition,
                      .data_digest = file.data_digest,
                      .indenter = file.indenter(),
-                     .output_unit = real_output(file.output).unit_for(file.indenter()),
+                     .output_unit = unit_of_all(file),
                      .data_warnings = file.warnings,
                      .notes = file.notes};
   for (const FixedInput& fixed : file.fixed)
@@ -300,9 +307,14 @@ void add_fit(Command& program, Session& session) {
   command->add_flag("--no-profiles", arguments.no_profiles, "Leave out the intervals by profile likelihood");
   command->add_flag("--json", arguments.json, "Print one JSON object");
   command->footer(
-      "Status: USABLE; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); DID NOT MOVE (ended\n"
-      "where it started); NOT CONVERGED (no least misfit was found). Exit status 1 for the last three.\n"
-      "Examples: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit\n"
+      "Status: GOOD; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); MISFIT (the model does
+      "
+      "not describe the data); DID NOT MOVE (ended where it started); NOT CONVERGED (no least misfit was found, or
+      "
+      "interrupted). Exit status 1 for the last four.
+      "
+      "Examples: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit
+      "
       "          rollres fit zener.json prony.json --compare --db out/fit.db");
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/scene/solution.hpp"
 #include "db/rows/schema.hpp"
+#include "fitting/fit/measured_terms.hpp"
 #include "studies/file_schema/schema_parts.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design_keys.hpp"
@@ -161,12 +162,17 @@ Json scene_fit() {
       },
       real_input);
   parameters["minProperties"] = 1;
+  for (const std::string_view term : {offset_key, scale_key}) {  // of the measured values, no inputs
+    const Json one = reference(parameter_name);
+    parameters["properties"][std::string(term)] = {{"anyOf", {input_number(), one, list_of(one)}}};
+  }
   const Json set{{"anyOf", {name(), reference(data_set_name)}}};
   return object_of(fit_keys, {{"scene", scene_or_file()},
                               {"set", inputs_and_layers(input_reference, any_input)},
                               {"data", {{"anyOf", {name(), reference(data_set_name), list_of(set)}}}},
                               {"parameters", parameters},
                               {"output", names(number_outputs())},
+                              {"time_limit", input_number()},
                               {"step", {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 0.1}}}});
 }
 
@@ -238,8 +244,9 @@ std::string fit_schema() {
   schema["then"] = material_fit();
   schema["else"] = scene_fit();
   Json& definitions = schema["definitions"] = input_definitions();
-  definitions[parameter_name] = object_of(fit_parameter_keys);
-  definitions[data_set_name] = object_of(data_set_keys, {{"set", inputs_and_layers(input_reference, any_input)}});
+  definitions[parameter_name] = object_of(fit_parameter_keys, {{"prior", object_of(prior_keys)}});
+  definitions[data_set_name] =
+      object_of(data_set_keys, {{"set", inputs_and_layers(input_reference, any_input)}, {"output", name()}});
   return printed(schema);
 }
 

@@ -55,6 +55,7 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (std::size_t i = 0; i < file.scenes.size(); ++i) {
     const MeasuredScene& row = file.scenes[i];
+    if (row.output != file.output) continue;
     RollingScene same = row.scene;
     set_input(same, x, 1.0);
     const auto [place, fresh] = places.try_emplace(evaluation_key(same) + row.set, answer.curves.size());
@@ -67,10 +68,11 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   }
   constexpr double wide = 20;
   answer.x.logarithmic = lowest > 0 && highest > wide * lowest;
-  const auto [least, most] = std::minmax_element(
-      file.scenes.begin(), file.scenes.end(),
-      [](const MeasuredScene& a, const MeasuredScene& b) { return a.measured.value < b.measured.value; });
-  answer.y.logarithmic = least->measured.value > 0 && most->measured.value > wide * least->measured.value;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const MeasuredScene& row : file.scenes)
+    if (row.output == file.output)
+      least = std::min(least, row.measured.value), most = std::max(most, row.measured.value);
+  answer.y.logarithmic = least > 0 && most > wide * least;
 
   std::vector<FitParameter> parameters;
   for (const FittedParameter& fitted : report.parameters) parameters.push_back(fitted.parameter);

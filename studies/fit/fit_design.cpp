@@ -23,6 +23,7 @@ std::vector<MeasuredScene> groups_of(const FitFile& file) {
   std::map<std::string, bool> seen;
   std::vector<MeasuredScene> groups;
   for (const MeasuredScene& row : file.scenes) {
+    if (is_modulus(row.output)) continue;
     MeasuredScene group = row;
     group.scene.speed = 1;
     if (seen.try_emplace(evaluation_key(group.scene) + row.set, true).second && groups.size() < most_groups)
@@ -60,6 +61,7 @@ FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate
       group.scene.speed = spaced(0.1 * slowest->scene.speed, 10 * fastest->scene.speed, i, speeds_tried);
       candidates.push_back(group);
     }
+  if (candidates.empty()) return {};
   FitDesign answer{design(report, file.inputs, candidates, evaluate, options), {}};
   if (answer.speeds.choices.empty() || !answer.speeds.choices.front().scene.load) return answer;
   const auto [lightest, heaviest] =
@@ -68,7 +70,7 @@ FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate
   candidates.clear();
   const DesignChoice& best = answer.speeds.choices.front();
   for (int i = 0; i < loads_tried; ++i) {
-    candidates.push_back({best.scene, {}, best.set});
+    candidates.push_back({best.scene, {}, best.set, file.output});
     candidates.back().scene.load = spaced(*lightest->scene.load / 3, 3 * *heaviest->scene.load, i, loads_tried);
   }
   answer.loads = design(report, file.inputs, candidates, evaluate, options);

@@ -34,8 +34,12 @@ inline constexpr std::array fit_keys{
             one_of(weight_names)},
     FileKey{"loss", "none for least squares, or one that bears outliers", one_of(ChoiceNames<Loss>::names)},
     FileKey{"loss_scale", "the residual, in standard deviations, from which on the loss is robust", a_positive},
-    FileKey{"starts", "number of descents; default 1", fit_starts},
+    FileKey{"starts", "number of descents, from the places that promise most; default 4; 1: from the given start only",
+            fit_starts},
     FileKey{"seed", "of the other starts; default 1", fit_seed},
+    FileKey{"solutions_limit", "after so many solutions the fit ends with the best so far",
+            whole_from(1, 2'000'000'000)},
+    FileKey{"time_limit", "after so long the fit ends with the best so far: in s, or with a unit"},
     FileKey{"step", "of the differences, scaled, in place of steps that suit the noise"},
 };
 
@@ -43,6 +47,7 @@ inline constexpr std::array data_set_keys{
     FileKey{"file", "name of a CSV file, relative to this file", a_name, is_needed},
     FileKey{"name", "of the data set; default: the file's", a_name},
     FileKey{"set", "inputs that replace those of the scene for these data"},
+    FileKey{"output", "what is measured here: an output, or moduli; default: that of the fit"},
     FileKey{"sigma", "standard deviation of all these data: \"2 %\", or with a unit", a_number},
     FileKey{"comment", "a text that the program ignores", a_text},
 };
@@ -54,6 +59,14 @@ inline constexpr std::array fit_parameter_keys{
     FileKey{"scale", "logarithmic (default for positive quantities) or linear", one_of(spacing_names)},
     FileKey{"fixed", "whether it keeps its start", yes_or_no},
     FileKey{"data", "the data set that it belongs to; left out: all", a_name},
+    FileKey{"prior", "what was known of it: its mean, and sigma"},
+};
+
+inline constexpr std::array<std::string_view, 2> prior_names{"normal", "lognormal"};
+inline constexpr std::array prior_keys{
+    FileKey{"mean", "the mean; of a lognormal prior the median", a_number, is_needed},
+    FileKey{"sigma", "standard deviation: \"10 %\", or for a normal prior with a unit", a_number, is_needed},
+    FileKey{"kind", "normal (default), or lognormal: sigma is that of the logarithm", one_of(prior_names)},
 };
 
 /// Of a fit of a material to storage and loss moduli.

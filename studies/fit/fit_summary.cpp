@@ -71,13 +71,15 @@ void write_statistics(std::ostream& text, const FitReport& report, const FitCont
        report.deviations_known ? "as given (absolute)" : "not given: errors are scaled by the reduced chi squared");
   line("chi squared", number(report.chi_squared) + ", reduced " + number(report.reduced_chi_squared) +
                           (std::isnan(report.p_value) ? "" : ", p = " + number(report.p_value)));
-  line("rms", readable(report.rms, context.output_unit) + ", relative " + percent(report.relative_rms));
+  line("rms", (context.output_unit.empty() ? "" : readable(report.rms, context.output_unit) + ", ") + "relative " +
+                  percent(report.relative_rms));
   if (!report.values.empty()) {
     const FittedValue& worst = report.values[report.largest_residual];
     line("largest residual", short_number(worst.residual, 3) + " deviations" +
                                  (worst.measured.place.empty() ? "" : " at " + worst.measured.place));
   }
-  line("runs test", "p = " + number(report.runs_p_value));
+  line("runs test",
+       "p = " + number(report.runs_p_value) + "; in the order of the predicted values " + number(report.trend_p_value));
   line("condition", number(report.errors.condition) +
                         (report.weakest_direction.empty() ? "" : "; weakest: " + report.weakest_direction));
   line("noise of the model", number(report.noise) + " (relative)");
@@ -277,6 +279,10 @@ Json json_of(const FitReport& report, const FitContext& context) {
               {"agreeing", report.agreeing},
               {"iterations", report.iterations},
               {"stopped", report.stopped},
+              {"interrupted", report.interrupted},
+              {"misfit_cause", report.misfit_cause},
+              {"second_best", report.second_best},
+              {"trend_p_value", number(report.trend_p_value)},
               {"evaluations", report.evaluations},
               {"solved", context.solved},
               {"recalled", context.recalled},

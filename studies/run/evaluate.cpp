@@ -4,15 +4,18 @@
 #include <cmath>
 #include <exception>
 
+#include "core/numerics/solution_limits.hpp"
 #include "core/surface/scene_rules.hpp"
 
 namespace rollres {
 
-RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene, Fields fields) noexcept {
+RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene, Fields fields) {
   const auto begin = std::chrono::steady_clock::now();
   RollingSolution solution;
   try {
     solution = evaluate(scene);
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::exception& error) {
     solution = {};
     solution.method = resolved_method(scene);

@@ -12,7 +12,7 @@ enum class Fields { dropped, kept };
 
 /// `evaluate(scene)`, without its fields unless they are asked for. An exception becomes an answer with status
 /// not_converged and its message as the reason, so that one bad point never ends a study.
-RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene,
-                                Fields fields = Fields::dropped) noexcept;
+/// @throws Interrupted if somebody wished to stop: that is no answer
+RollingSolution evaluate_safely(const Evaluate& evaluate, const RollingScene& scene, Fields fields = Fields::dropped);
 
 }  // namespace rollres

@@ -65,7 +65,7 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   REQUIRE(first.status == 0);
   CHECK(first.err.empty());
   const json answer = json::parse(first.out);
-  CHECK(answer["status"].get<std::string>().starts_with("USABLE"));
+  CHECK((answer["status"] == "GOOD" || answer["status"] == "USABLE WITH WARNINGS"));
   CHECK(answer["deviations"] == "absolute");
   CHECK(answer["degrees"] == 13);
   CHECK(answer["recalled"] == 0);
@@ -94,8 +94,9 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
                                   Catch::Contains("degrees of freedom") && Catch::Contains("residuals of the fit"));
 
   const ProgramRun text = files.run(FitFiles::definition());
-  CHECK_THAT(text.out, Catch::StartsWith("half space: USABLE") && Catch::Contains("95 % profile") &&
-                           Catch::Contains("degrees of freedom") && Catch::Contains("recalled"));
+  CHECK_THAT(text.out, (Catch::StartsWith("half space: GOOD") || Catch::StartsWith("half space: USABLE")) &&
+                           Catch::Contains("95 % profile") && Catch::Contains("degrees of freedom") &&
+                           Catch::Contains("recalled"));
 }
 
 TEST_CASE("rollres fit designs, counts coverage and says what it keeps fixed", "[studies][fit]") {

@@ -1,0 +1,301 @@
+#include "fitting/fit/fit_starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "fitting/descent/latin_hypercube.hpp"
+#include "fitting/descent/secant_slopes.hpp"
+#include "fitting/errors/fit_errors.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Rows that a descent from afar can do with: few, spread over the table without a period that it could share, and all
+/// that was known before; all rows where they are not many more.
+std::vector<std::size_t> few_rows(const FitProblem& problem) {
+  std::vector<std::size_t> measured;
+  std::set<std::size_t> rows;
+  for (std::size_t i = 0; i < problem.data.size(); ++i) {
+    if (problem.data[i].prior())
+      rows.insert(i);
+    else
+      measured.push_back(i);
+  }
+  const std::size_t wanted = std::max<std::size_t>(8, 2 * problem.size() + 2), all = measured.size();
+  if (!problem.predict_rows || 2 * wanted > all) return {};
+  constexpr double golden = 0.6180339887498949;
+  std::set<std::size_t> chosen{0, all - 1};
+  for (double turns = 0.5; chosen.size() < wanted; turns += golden)
+    chosen.insert(static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(all)));
+  for (const std::size_t place : chosen) rows.insert(measured[place]);
+  return {rows.begin(), rows.end()};
+}
+
+double misfit_at(const FitProblem& problem, const FitPoint& point,
+                 const std::function<Prediction(const FitPoint&)>& predict) {
+  const Prediction prediction = predict(point);
+  if (!prediction.found()) return infinite;
+  const double found = misfit(problem, residuals(problem, prediction));
+  return std::isfinite(found) ? found : infinite;
+}
+
+/// What a parameter's values are looked for between, scaled.
+struct Span {
+  double lowest, highest;
+};
+
+std::vector<Span> spans_of(const FitProblem& problem, const FitOptions& options) {
+  constexpr double beside_closed_forms = 1;
+  std::vector<Span> spans;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    const FitParameter& parameter = problem.parameters[j];
+    const Variable& variable = parameter.variable;
+    const FitPoint* const suggested = problem.suggestions.empty() ? nullptr : &problem.suggestions.front();
+    const bool closed = suggested && (*suggested)[j] != parameter.start;
+    const double centre = variable.scaled(closed ? (*suggested)[j] : parameter.start);
+    const double reach = closed ? beside_closed_forms : std::log(options.reach);
+    Span span{centre - reach, centre + reach};
+    if (std::isfinite(parameter.usual_lowest))
+      span = {variable.scaled(parameter.usual_lowest), variable.scaled(parameter.usual_highest)};
+    span.lowest = std::clamp(span.lowest, variable.scaled(variable.lowest), variable.scaled(variable.highest));
+    span.highest = std::clamp(span.highest, span.lowest, variable.scaled(variable.highest));
+    spans.push_back(span);
+  }
+  return spans;
+}
+
+/// The given start, what is suggested, and points between.
+std::vector<FitPoint> candidates_of(const FitProblem& problem, const FitOptions& options) {
+  constexpr Eigen::Index for_each_start = 3;
+  std::vector<FitPoint> points = problem.suggestions;
+  points.push_back(start_point(problem));
+  const std::vector<Span> spans = spans_of(problem, options);
+  const Eigen::MatrixXd sample =
+      latin_hypercube(for_each_start * (options.starts - 1), std::ssize(spans), options.seed);
+  for (Eigen::Index row = 0; row < sample.rows(); ++row) {
+    Eigen::VectorXd scaled(std::ssize(spans));
+    for (Eigen::Index j = 0; j < scaled.size(); ++j) {
+      const Span& span = spans[static_cast<std::size_t>(j)];
+      scaled[j] = span.lowest + sample(row, j) * (span.highest - span.lowest);
+    }
+    points.push_back(point_of(problem, scaled));
+  }
+  return points;
+}
+
+/// Those of which a closed form does not say that they are far worse than others.
+std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPoint> points) {
+  if (!problem.estimate) return points;
+  constexpr double far_worse = 30;
+  std::vector<double> misfits;
+  for (const FitPoint& point : points) misfits.push_back(misfit_at(problem, point, problem.estimate));
+  const double best = *std::min_element(misfits.begin(), misfits.end());
+  std::vector<FitPoint> left;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (misfits[i] <= far_worse * best) left.push_back(std::move(points[i]));
+  return left;
+}
+
+bool beside(const FitProblem& problem, const FitPoint& a, const FitPoint& b, double distance) {
+  return ((scaled_point(problem, a) - scaled_point(problem, b)).array().abs() < distance).all();
+}
+
+}  // namespace
+
+FitProblem small_problem(const FitProblem& problem) {
+  const std::vector<std::size_t> rows = few_rows(problem);
+  return rows.empty() ? problem : part_of(problem, rows);
+}
+
+std::vector<FitPoint> starts_of(const FitProblem& given, const FitOptions& options) {
+  if (options.starts <= 1 || options.known) return {start_point(given)};
+  const FitProblem problem = in_logarithms(given), small = small_problem(problem);
+  struct Candidate {
+    FitPoint point;
+    double misfit;
+  };
+  std::vector<Candidate> candidates;
+  for (const FitPoint& point : not_far_worse(problem, candidates_of(problem, options)))
+    if (const double here = misfit_at(small, point, small.predict); std::isfinite(here))
+      candidates.push_back({point, here});
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+  constexpr double twice = 0.69;
+  std::vector<FitPoint> starts;
+  for (const Candidate& candidate : candidates) {
+    if (std::ssize(starts) == options.starts) break;
+    if (std::none_of(starts.begin(), starts.end(),
+                     [&](const FitPoint& start) { return beside(problem, start, candidate.point, twice); }))
+      starts.push_back(candidate.point);
+  }
+  if (starts.empty()) starts.push_back(start_point(given));
+  return starts;
+}
+
+namespace {
+
+/// A rough descent, and what the slopes at its end say; nothing where there are too few data for that.
+struct Way {
+  Descent descent;
+  std::optional<FitErrors> errors = {};
+};
+
+/// Down by slopes that cost half as much, evaluated only where secants are not good enough.
+Way way_down(const FitProblem& problem, const FitPoint& start, const FitOptions& options, DescentOptions how) {
+  constexpr double trusted_miss = 0.5;
+  // The problem's own slopes measure its noise where they are first asked for: of several starts none that is far off.
+  const auto roughly = [&problem, &options](const FitPoint& point, const Prediction& prediction) {
+    Slopes slopes = rough_differences(problem, point, prediction);
+    return slopes.found() || options.starts > 1 ? slopes : problem.differentiate(point, prediction);
+  };
+  const auto latest = std::make_shared<std::optional<KnownSlopes>>();
+  const FitProblem quick = with_secants(
+      problem, {.known = options.known, .trusted_miss = trusted_miss, .evaluate = roughly, .latest = latest});
+  // A change of the misfit by a twentieth of what a standard error makes is worth no step.
+  how.tolerance = std::max(how.tolerance, 0.05 / std::max(1, degrees_of_freedom(problem)));
+  how.stop = options.stop;
+  Way way{descend(quick, start, how)};
+  const int degrees = degrees_of_freedom(problem);
+  if (way.descent.found() && *latest && (degrees > 0 || (degrees == 0 && problem.deviations_known)))
+    way.errors = fit_errors(problem, way.descent.end, residuals(problem, way.descent.prediction), (*latest)->slopes);
+  return way;
+}
+
+constexpr DescentOptions by_few_rows{.tolerance = 1e-2}, by_all_rows{.most_iterations = 20, .tolerance = 1e-3};
+
+/// By all rows from where a descent by a few of them ended.
+Descent further(const FitProblem& problem, const Descent& few, const FitOptions& options, double rival) {
+  DescentOptions how = by_all_rows;
+  how.radius = radius_near_the_end;
+  how.rival = rival;
+  Descent answer = way_down(problem, few.found() ? few.end : few.start, options, how).descent;
+  answer.start = few.start;
+  answer.iterations += few.iterations;
+  return answer;
+}
+
+bool explains(const FitProblem& problem, const Descent& descent) {
+  constexpr double explained = 2, small = 0.1;
+  if (problem.deviations_known) return descent.misfit < explained * degrees_of_freedom(problem);
+  double squares = 0;
+  for (std::size_t i = 0; i < problem.data.size(); ++i)
+    squares += std::pow(descent.prediction.values[static_cast<Eigen::Index>(i)] / problem.data[i].value - 1, 2);
+  return squares < small * small * static_cast<double>(problem.data.size());
+}
+
+/// The variance of a residual by the least misfit that is known: 1 as far as deviations are and explain it.
+double scatter(const FitProblem& problem, double misfit) {
+  const double reduced = misfit / std::max(1, degrees_of_freedom(problem));
+  return problem.deviations_known ? std::max(1.0, reduced) : reduced;
+}
+
+/// The parameter that alone makes up the weakest direction, if that is free: the data feel it no longer.
+std::optional<std::size_t> idle_parameter(const FitErrors& errors) {
+  constexpr double alone = 0.95;
+  Eigen::Index largest = 0;
+  if (errors.weakest_deviation < 1 || errors.weakest.cwiseAbs().maxCoeff(&largest) < alone) return std::nullopt;
+  return static_cast<std::size_t>(largest);
+}
+
+/// A point with one parameter back at usual values, three over their span.
+std::vector<FitPoint> with_other_values(const FitProblem& problem, const FitPoint& point, std::size_t parameter,
+                                        const FitOptions& options) {
+  const Span span = spans_of(problem, options)[parameter];
+  std::vector<FitPoint> points;
+  for (const double part : {0.2, 0.45, 0.7}) {
+    points.push_back(point);
+    points.back()[parameter] =
+        problem.parameters[parameter].variable.value(span.lowest + part * (span.highest - span.lowest));
+  }
+  return points;
+}
+
+double misfit_of(const Way& way) { return way.descent.found() ? way.descent.misfit : infinite; }
+
+/// Down from each start.
+std::vector<Way> ways_down(const FitProblem& problem, const std::vector<FitPoint>& starts, const FitOptions& options,
+                           const DescentOptions& how) {
+  constexpr double free_by_far = 2;
+  std::vector<Way> ways;
+  double best = infinite;
+  for (std::size_t k = 0; k < starts.size() && !(k > 0 && options.stop && options.stop->load()); ++k) {
+    DescentOptions own = how;
+    if (std::isfinite(best)) own.rival = best;
+    ways.push_back(way_down(problem, starts[k], options, own));
+    best = std::min(best, misfit_of(ways.back()));
+    const std::optional<FitErrors>& errors = ways.back().errors;
+    if (k > 0 || !errors || errors->weakest_deviation < free_by_far) continue;
+    if (!idle_parameter(*errors) && explains(problem, ways.front().descent)) break;
+  }
+  return ways;
+}
+
+}  // namespace
+
+Descent rough_descent(const FitProblem& given, const FitPoint& start, const FitOptions& options) {
+  const FitProblem problem = options.known ? given : in_logarithms(given);
+  const std::vector<std::size_t> rows = options.known ? std::vector<std::size_t>() : few_rows(problem);
+  if (rows.empty()) {
+    DescentOptions how = by_all_rows;
+    if (options.known) how.radius = radius_near_the_end;
+    return way_down(problem, start, options, how).descent;
+  }
+  return further(problem, way_down(part_of(problem, rows), start, options, by_few_rows).descent, options,
+                 RollingSolution::absent);
+}
+
+std::vector<Descent> rough_descents(const FitProblem& given, const FitOptions& options) {
+  const std::vector<FitPoint> starts = starts_of(given, options);
+  if (starts.size() == 1) return {rough_descent(given, starts.front(), options)};
+  const FitProblem problem = in_logarithms(given);
+  const std::vector<std::size_t> rows = few_rows(problem);
+  std::vector<Descent> descents;
+  if (rows.empty()) {
+    for (Way& way : ways_down(problem, starts, options, by_all_rows)) descents.push_back(std::move(way.descent));
+    return descents;
+  }
+  const FitProblem part = part_of(problem, rows);
+  std::vector<Way> ways = ways_down(part, starts, options, by_few_rows);
+  const auto sort = [&ways] {
+    std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return misfit_of(a) < misfit_of(b); });
+  };
+  sort();
+  constexpr double same_place = 0.5, worse = 0.5;
+  constexpr std::size_t most_followed = 2;
+  if (ways.front().errors)
+    if (const std::optional<std::size_t> idle = idle_parameter(*ways.front().errors)) {
+      DescentOptions how = by_all_rows;
+      how.held = {*idle};
+      const Descent end = way_down(part, ways.front().descent.end, options, how).descent;
+      for (Way& way : ways_down(part, with_other_values(problem, end.end, *idle, options), options, by_few_rows))
+        ways.push_back(std::move(way));
+      sort();
+    }
+  const Descent few = ways.front().descent;
+  descents.push_back(further(problem, few, options, RollingSolution::absent));
+  std::size_t followed = 1;
+  for (std::size_t k = 1; k < ways.size(); ++k) {
+    const Descent& other = ways[k].descent;
+    const bool close = other.found() && other.misfit - few.misfit < worse * scatter(part, few.misfit);
+    if (close && beside(problem, other.end, few.end, same_place)) {
+      descents.push_back(descents.front());
+    } else if (close && followed < most_followed && descents.front().found()) {
+      descents.push_back(further(problem, other, options, descents.front().misfit));
+      ++followed;
+    } else {
+      descents.push_back(other);
+      descents.back().abandoned = true;
+      descents.back().misfit = descents.front().misfit * other.misfit / few.misfit;  // of all rows, about
+    }
+    descents.back().start = other.start;
+  }
+  return descents;
+}
+
+}  // namespace rollres

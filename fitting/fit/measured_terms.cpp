@@ -1,0 +1,190 @@
+#include "fitting/fit/measured_terms.hpp"
+
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+namespace rollres {
+
+namespace {
+
+using Rows = std::vector<std::size_t>;
+
+/// The model's predictions, those of the last few points kept.
+class RememberedModel {
+ public:
+  RememberedModel(FitProblem model, std::vector<MeasuredTerm> terms)
+      : model_(std::move(model)), terms_(std::move(terms)) {}
+
+  /// @param rows  none: all
+  Prediction predict(const FitPoint& point, const Rows& rows) {
+    FitPoint own = point;
+    for (const MeasuredTerm& term : terms_) own[term.parameter] = neutral(term.key);
+    {
+      const std::lock_guard lock(mutex_);
+      for (const Known& known : known_)
+        if (known.point == own && known.rows == rows) return known.prediction;
+    }
+    Prediction prediction = rows.empty() ? model_.predict(own) : model_.predict_rows(own, rows);
+    const std::lock_guard lock(mutex_);
+    if (prediction.found()) known_.push_back({own, rows, prediction});
+    constexpr std::size_t most = 8;
+    if (known_.size() > most) known_.pop_front();
+    return prediction;
+  }
+
+  Prediction predicted(const FitPoint& point, const Rows& rows) {
+    Prediction prediction = predict(point, rows);
+    for (Eigen::Index i = 0; prediction.found() && i < prediction.values.size(); ++i) {
+      const std::size_t datum = rows.empty() ? static_cast<std::size_t>(i) : rows[static_cast<std::size_t>(i)];
+      prediction.values[i] = factor(point, datum) * prediction.values[i] + shift(point, datum);
+    }
+    return prediction;
+  }
+
+  Slopes differentiate(const FitPoint& point, const Prediction& prediction) {
+    Prediction raw = prediction;
+    for (Eigen::Index i = 0; i < raw.values.size(); ++i) {
+      const auto datum = static_cast<std::size_t>(i);
+      raw.values[i] = (prediction.values[i] - shift(point, datum)) / factor(point, datum);
+    }
+    Slopes slopes = model_.differentiate(point, raw);
+    for (Eigen::Index i = 0; slopes.found() && i < raw.values.size(); ++i) {
+      const double by = factor(point, static_cast<std::size_t>(i));
+      slopes.derivatives.row(i) *= by;
+      slopes.errors.row(i) *= by;
+      slopes.noise[i] *= by;
+      for (const MeasuredTerm& term : terms_) {
+        if (!term.acts[static_cast<std::size_t>(i)]) continue;
+        const double slope = model_.parameters[term.parameter].variable.slope(point[term.parameter]);
+        slopes.derivatives(i, static_cast<Eigen::Index>(term.parameter)) =
+            term.key == offset_key ? slope : slope * by * raw.values[i] / point[term.parameter];
+      }
+    }
+    return slopes;
+  }
+
+ private:
+  struct Known {
+    FitPoint point;
+    Rows rows;
+    Prediction prediction;
+  };
+
+  static double neutral(std::string_view key) { return key == offset_key ? 0 : 1; }
+
+  double factor(const FitPoint& point, std::size_t datum) const {
+    double product = 1;
+    for (const MeasuredTerm& term : terms_)
+      if (term.key == scale_key && term.acts[datum]) product *= point[term.parameter];
+    return product;
+  }
+  double shift(const FitPoint& point, std::size_t datum) const {
+    double sum = 0;
+    for (const MeasuredTerm& term : terms_)
+      if (term.key == offset_key && term.acts[datum]) sum += point[term.parameter];
+    return sum;
+  }
+
+  FitProblem model_;
+  std::vector<MeasuredTerm> terms_;
+  std::mutex mutex_;
+  std::deque<Known> known_;
+};
+
+/// A prior and the parameter that it is of.
+struct PriorDatum {
+  std::size_t parameter;
+  Prior prior;
+
+  double value(double parameter_value) const { return prior.lognormal ? std::log(parameter_value) : parameter_value; }
+};
+
+}  // namespace
+
+Variable term_variable(std::string_view key, const Quantity& measured, double size) {
+  if (key == scale_key)
+    return {{scale_key, "", "1", "factor of measured values over true ones", positive},
+            std::numeric_limits<double>::min(),
+            std::numeric_limits<double>::infinity(),
+            true,
+            1};
+  Quantity offset = measured;
+  offset.key = offset_key;
+  offset.symbol = "";
+  offset.meaning = "what measured values have too much";
+  offset.range = any_number;
+  return {offset, offset.range.lowest, offset.range.highest, false, size};
+}
+
+FitProblem with_terms(const FitProblem& model, std::vector<MeasuredTerm> terms) {
+  if (terms.empty()) return model;
+  const auto remembered = std::make_shared<RememberedModel>(model, std::move(terms));
+  FitProblem problem = model;
+  problem.predict = [remembered](const FitPoint& point) { return remembered->predicted(point, {}); };
+  problem.predict_rows = [remembered](const FitPoint& point, const Rows& rows) {
+    return remembered->predicted(point, rows);
+  };
+  problem.differentiate = [remembered](const FitPoint& point, const Prediction& prediction) {
+    return remembered->differentiate(point, prediction);
+  };
+  return problem;
+}
+
+FitProblem with_priors(const FitProblem& problem, const std::vector<std::optional<Prior>>& priors) {
+  std::vector<PriorDatum> known;
+  for (std::size_t j = 0; j < priors.size(); ++j)
+    if (priors[j]) known.push_back({j, *priors[j]});
+  if (known.empty()) return problem;
+  FitProblem with = problem;
+  const std::size_t measured = problem.data.size();
+  for (const PriorDatum& one : known)
+    with.data.push_back({.value = one.value(one.prior.mean),
+                         .deviation = one.prior.deviation,
+                         .place = "prior of " + problem.parameters[one.parameter].name,
+                         .set = MeasuredValue::of_prior});
+  with.predict_rows = [known, measured, problem](const FitPoint& point, const Rows& rows) {
+    Rows own;
+    for (const std::size_t row : rows)
+      if (row < measured) own.push_back(row);
+    Prediction prediction = problem.predict_rows(point, own);
+    Eigen::VectorXd values(std::ssize(rows));
+    for (Eigen::Index i = 0, next = 0; i < values.size(); ++i) {
+      const std::size_t row = rows[static_cast<std::size_t>(i)];
+      values[i] = row < measured ? prediction.values[next++]
+                                 : known[row - measured].value(point[known[row - measured].parameter]);
+    }
+    prediction.values = values;
+    return prediction;
+  };
+  with.predict = [predict = with.predict_rows, all = with.data.size()](const FitPoint& point) {
+    Rows rows(all);
+    std::iota(rows.begin(), rows.end(), 0);
+    return predict(point, rows);
+  };
+  with.differentiate = [known, measured, problem](const FitPoint& point, const Prediction& prediction) {
+    Slopes slopes = problem.differentiate(point, {prediction.values.head(static_cast<Eigen::Index>(measured)), ""});
+    if (!slopes.found()) return slopes;
+    const auto rows = static_cast<Eigen::Index>(measured), more = std::ssize(known);
+    for (Eigen::MatrixXd* const matrix : {&slopes.derivatives, &slopes.errors}) {
+      matrix->conservativeResize(rows + more, Eigen::NoChange);
+      matrix->bottomRows(more).setZero();
+    }
+    slopes.noise.conservativeResize(rows + more);
+    slopes.noise.tail(more).setZero();
+    for (Eigen::Index i = 0; i < more; ++i) {
+      const PriorDatum& one = known[static_cast<std::size_t>(i)];
+      const double value = point[one.parameter], slope = problem.parameters[one.parameter].variable.slope(value);
+      slopes.derivatives(rows + i, static_cast<Eigen::Index>(one.parameter)) =
+          one.prior.lognormal ? slope / value : slope;
+    }
+    return slopes;
+  };
+  return with;
+}
+
+}  // namespace rollres

@@ -1,0 +1,129 @@
+#include "fitting/fit/scene_model.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/derivatives/gradient.hpp"
+#include "core/numerics/parallel.hpp"
+
+namespace rollres {
+
+Prediction SceneModel::predict(const FitPoint& point, const std::vector<std::size_t>& rows) const {
+  Prediction prediction{Eigen::VectorXd::Constant(std::ssize(rows), RollingSolution::absent)};
+  std::vector<std::string> reasons(rows.size());
+  std::atomic<bool> too_costly = false;
+  for_each_piece(rows.size(), jobs_, [&](std::size_t i) {
+    if (too_costly) return;
+    const SceneRow& row = rows_[rows[i]];
+    const ObjectiveValue answer = value_at(row.objective, row.own(point));
+    prediction.values[static_cast<Eigen::Index>(i)] = answer.value;
+    if (!answer.found()) reasons[i] = row.place + ": " + answer.reason;
+    if (answer.reason == costs_far_more) too_costly = true;  // then so are the others
+  });
+  for (std::string& reason : reasons)
+    if (prediction.reason.empty()) prediction.reason = std::move(reason);
+  return prediction;
+}
+
+Prediction SceneModel::predict(const FitPoint& point) const {
+  std::vector<std::size_t> all(rows_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return predict(point, all);
+}
+
+Slopes SceneModel::differentiate(const FitPoint& point, const Prediction& prediction) {
+  calibrate_at(point);
+  Slopes slopes{Eigen::MatrixXd::Zero(std::ssize(rows_), std::ssize(calibrations_)),
+                Eigen::MatrixXd::Zero(std::ssize(rows_), std::ssize(calibrations_)), noise_of(prediction),
+                Eigen::VectorXd::Zero(std::ssize(calibrations_))};
+  std::vector<std::string> reasons(rows_.size());
+  std::mutex mutex;
+  for_each_piece(rows_.size(), jobs_, [&](std::size_t i) {
+    const double centre = prediction.values[static_cast<Eigen::Index>(i)];
+    for (const bool smooth_ones : {true, false}) {  // differences to one side, to both
+      std::vector<std::size_t> columns;
+      for (const std::size_t column : rows_[i].columns)
+        if (is_smooth(column) == smooth_ones) columns.push_back(column);
+      if (columns.empty()) continue;
+      const Objective along = rows_[i].along(columns, point);
+      Calibration calibration{base_point(along), {centre, Status::converged}, {}};
+      for (const std::size_t column : columns) calibration.inputs.push_back(calibrations_[column].of(centre));
+      const Gradient found = gradient(along, calibration.point, calibration, {.order = smooth_ones ? 1 : 2, .jobs = 1});
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const InputGradient& input = found.inputs[k];
+        if (input.scheme == Scheme::none) {
+          reasons[i] = rows_[i].place + ": no derivative by " + std::string(along.variables[k].quantity.key) +
+                       (input.failures.empty() ? "" : ": " + input.failures.front().reason);
+          continue;
+        }
+        const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(columns[k]);
+        const double slope = std::abs(along.variables[k].slope(calibration.point[k]));
+        slopes.derivatives(row, column) = input.derivative * slope;
+        slopes.errors(row, column) = input.error() * slope;
+        const std::lock_guard lock(mutex);
+        slopes.steps[column] = std::max(slopes.steps[column], input.step);
+      }
+    }
+  });
+  for (std::string& reason : reasons)
+    if (slopes.reason.empty()) slopes.reason = std::move(reason);
+  return slopes;
+}
+
+void SceneModel::calibrate_at(const FitPoint& point) {
+  const std::lock_guard one_at_a_time(calibrating_);
+  std::vector<std::size_t> unknown;
+  for (std::size_t column = 0; column < calibrations_.size(); ++column)
+    if (!calibrations_[column].known() && !examples(column).empty()) unknown.push_back(column);
+  if (unknown.empty()) return;
+  std::vector<Piece> middle, others;
+  for (const std::size_t column : unknown) {
+    const std::vector<std::size_t> rows = examples(column);
+    for (const std::size_t row : rows) (row == rows.front() ? middle : others).push_back({column, row});
+  }
+  calibrate_pieces(middle, point);
+  const bool smooth_there = std::all_of(unknown.begin(), unknown.end(),
+                                        [&](std::size_t column) { return calibrations_[column].noise < smooth; });
+  if (!smooth_there || *on_grid_) calibrate_pieces(others, point);
+}
+
+Eigen::VectorXd SceneModel::noise_of(const Prediction& prediction) const {
+  return largest_noise() * prediction.values.cwiseAbs();
+}
+
+double SceneModel::largest_noise() const {
+  double relative = 0;
+  for (const RelativeCalibration& calibration : calibrations_)
+    if (calibration.known()) relative = std::max(relative, calibration.noise);
+  return relative;
+}
+
+void SceneModel::calibrate_pieces(const std::vector<Piece>& pieces, const FitPoint& point) {
+  std::mutex mutex;
+  for_each_piece(pieces.size(), jobs_, [&](std::size_t i) {
+    const auto [column, row] = pieces[i];
+    const Objective along = rows_[row].along({column}, point);
+    const Calibration found = calibrate(along, FitPoint{point[column]}, 1);
+    if (!found.centre.found()) return;
+    const std::lock_guard lock(mutex);
+    calibrations_[column].include(found.inputs.front(), found.centre.value);
+  });
+}
+
+std::vector<std::size_t> SceneModel::examples(std::size_t column) const {
+  std::vector<std::size_t> concerned;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (std::find(rows_[i].columns.begin(), rows_[i].columns.end(), column) != rows_[i].columns.end())
+      concerned.push_back(i);
+  std::stable_sort(concerned.begin(), concerned.end(), [&](std::size_t a, std::size_t b) {
+    return rows_[a].objective.base.speed < rows_[b].objective.base.speed;
+  });
+  if (concerned.empty()) return {};
+  std::vector<std::size_t> found{concerned[concerned.size() / 2]};
+  for (const std::size_t row : {concerned.front(), concerned.back()})
+    if (std::find(found.begin(), found.end(), row) == found.end()) found.push_back(row);
+  return found;
+}
+
+}  // namespace rollres
