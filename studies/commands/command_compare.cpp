@@ -122,6 +122,12 @@ void compare(CompareArguments arguments, Session& session) {
   if (studies.size() <= 2) return compare_two(arguments, session);
   if (arguments.format != "table")
     throw std::invalid_argument("--format = " + arguments.format + ": is for two studies; compare them two by two");
+  {
+    const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
+    ResultStore store(other, Access::read);
+    for (std::size_t i = 1; i < studies.size(); ++i)
+      stored_study(store, studies[i]);  // or refuses, before any is printed
+  }
   for (std::size_t i = 1; i < studies.size(); ++i) {
     arguments.studies = {studies.front(), studies[i]};
     session.out << (i == 1 ? "" : "\n") << studies.front() << " and " << studies[i] << '\n';

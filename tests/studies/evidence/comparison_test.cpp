@@ -165,7 +165,7 @@ TEST_CASE("compare refuses in one line what it cannot do", "[studies][compare]")
       {{"fine", "coarse", "--outputs", "status"}, "output = status: must be a number"},
       {{"fine", "coarse", "--within", "-1"}, ""},
       {{"fine", "coarse", "--format", "xml"}, ""},
-      {{"fine", "coarse", "elsewhere"}, ""}};
+      {{"fine", "coarse", "elsewher"}, file + ": study = elsewher: unknown study"}};
   for (const auto& [words, message] : refusals) {
     const ProgramRun run = compared.command(words);
     INFO(message + " / " + run.err);

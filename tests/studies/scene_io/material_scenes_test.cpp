@@ -167,7 +167,8 @@ TEST_CASE("lists of inputs have units, are overridden whole and cannot vary", "[
   const TemporaryDirectory folder;
   const auto study = folder.write(
       "study.json", R"({"study": "a", "scene": )" + text + R"(, "axes": {"relaxation_times": [[1, 2], [3, 4]]}})");
-  CHECK_THAT(message_of([&] { read_study(study); }), Contains("a list of numbers cannot vary"));
+  CHECK_THAT(message_of([&] { read_study(study); }),
+             Contains("a list cannot vary by itself; give each list in a variant"));
 }
 
 TEST_CASE("a scene with lists returns from the database bit by bit, and is found again", "[studies][material]") {

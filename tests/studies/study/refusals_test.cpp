@@ -180,7 +180,7 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"speed": [1]})", R"(, "charts": [{"name": "2"}])"),
      ": charts: 1: name = \"2\": must be a text, but not \"all\" and no number"},
     {study_with(R"({"speed": [1]})", R"(, "compute": "approach")"),
-     ": compute = \"approach\": must be a list of outputs"},
+     ": compute = \"approach\": must be a list of outputs and of objects {name: formula}, or such an object"},
     {study_with(R"({"speed": [1]})", R"(, "compute": ["aproach"])"),
      ": compute = \"aproach\": unknown output; did you mean approach?"},
     {study_with(R"({"speed": [1]})", R"(, "compute": ["approach", "approach"])"),
