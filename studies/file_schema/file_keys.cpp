@@ -5,6 +5,7 @@
 #include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/study/study_keys.hpp"
+#include "studies/study/uncertain_inputs.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -60,8 +61,13 @@ std::vector<KeySection> key_sections() {
           {"Study: a zip under `axes`", table_of(zip_keys)},
           {"Study: `sample`", table_of(sample_keys)},
           {"Study: a range under `sample`", table_of(range_keys)},
+          {"`uncertain`, beside the inputs that scatter", table_of(uncertain_keys)},
+          {"`uncertain`: an input's distribution", table_of(distribution_keys)},
+          {"`uncertain`: `fit`", table_of(uncertain_fit_keys)},
           {"Study: `chart`, and each of `charts`", table_of(chart_keys)},
           {"Optimisation", table_of(design_keys)},
+          {"Optimisation: a goal as an object", table_of(goal_keys)},
+          {"Optimisation: a constraint as an object", table_of(constraint_keys)},
           {"Optimisation: a variable between two bounds", table_of(variable_keys)},
           {"Optimisation: each of `scenes`", table_of(duty_keys)},
           {"Optimisation: `stop`", table_of(stop_keys)},
