@@ -112,7 +112,7 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
     searched.push_back(input);
     places.push_back(j);
   }
-  if (searched.empty()) return inputs;
+  if (searched.empty() || scenes.size() <= searched.size() + terms.size()) return inputs;
   for (FittedInput& term : terms) {
     term.prior.reset();
     searched.push_back(std::move(term));

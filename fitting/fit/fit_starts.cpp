@@ -46,13 +46,13 @@ double misfit_at(const FitProblem& problem, const FitPoint& point,
 }
 
 /// What a parameter's values are looked for between, scaled.
-struct Span {
+struct UsualSpan {
   double lowest, highest;
 };
 
-std::vector<Span> spans_of(const FitProblem& problem, const FitOptions& options) {
+std::vector<UsualSpan> spans_of(const FitProblem& problem, const FitOptions& options) {
   constexpr double beside_closed_forms = 1;
-  std::vector<Span> spans;
+  std::vector<UsualSpan> spans;
   for (std::size_t j = 0; j < problem.size(); ++j) {
     const FitParameter& parameter = problem.parameters[j];
     const Variable& variable = parameter.variable;
@@ -60,7 +60,7 @@ std::vector<Span> spans_of(const FitProblem& problem, const FitOptions& options)
     const bool closed = suggested && (*suggested)[j] != parameter.start;
     const double centre = variable.scaled(closed ? (*suggested)[j] : parameter.start);
     const double reach = closed ? beside_closed_forms : std::log(options.reach);
-    Span span{centre - reach, centre + reach};
+    UsualSpan span{centre - reach, centre + reach};
     if (std::isfinite(parameter.usual_lowest))
       span = {variable.scaled(parameter.usual_lowest), variable.scaled(parameter.usual_highest)};
     span.lowest = std::clamp(span.lowest, variable.scaled(variable.lowest), variable.scaled(variable.highest));
@@ -75,13 +75,13 @@ std::vector<FitPoint> candidates_of(const FitProblem& problem, const FitOptions&
   constexpr Eigen::Index for_each_start = 3;
   std::vector<FitPoint> points = problem.suggestions;
   points.push_back(start_point(problem));
-  const std::vector<Span> spans = spans_of(problem, options);
+  const std::vector<UsualSpan> spans = spans_of(problem, options);
   const Eigen::MatrixXd sample =
       latin_hypercube(for_each_start * (options.starts - 1), std::ssize(spans), options.seed);
   for (Eigen::Index row = 0; row < sample.rows(); ++row) {
     Eigen::VectorXd scaled(std::ssize(spans));
     for (Eigen::Index j = 0; j < scaled.size(); ++j) {
-      const Span& span = spans[static_cast<std::size_t>(j)];
+      const UsualSpan& span = spans[static_cast<std::size_t>(j)];
       scaled[j] = span.lowest + sample(row, j) * (span.highest - span.lowest);
     }
     points.push_back(point_of(problem, scaled));
@@ -206,7 +206,7 @@ std::optional<std::size_t> idle_parameter(const FitErrors& errors) {
 /// A point with one parameter back at usual values, three over their span.
 std::vector<FitPoint> with_other_values(const FitProblem& problem, const FitPoint& point, std::size_t parameter,
                                         const FitOptions& options) {
-  const Span span = spans_of(problem, options)[parameter];
+  const UsualSpan span = spans_of(problem, options)[parameter];
   std::vector<FitPoint> points;
   for (const double part : {0.2, 0.45, 0.7}) {
     points.push_back(point);

@@ -9,6 +9,19 @@
 
 namespace rollres {
 
+namespace {
+
+/// Whether a parameter differs by a third.
+bool is_far(const FitPoint& point, const FitPoint& other) {
+  constexpr double third = 1.0 / 3;
+  if (other.empty()) return true;
+  for (std::size_t j = 0; j < point.size(); ++j)
+    if (std::abs(point[j] - other[j]) > third * std::max(std::abs(point[j]), std::abs(other[j]))) return true;
+  return false;
+}
+
+}  // namespace
+
 Prediction SceneModel::predict(const FitPoint& point, const std::vector<std::size_t>& rows) const {
   Prediction prediction{Eigen::VectorXd::Constant(std::ssize(rows), RollingSolution::absent)};
   std::vector<std::string> reasons(rows.size());
@@ -58,11 +71,12 @@ Slopes SceneModel::differentiate(const FitPoint& point, const Prediction& predic
           continue;
         }
         const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(columns[k]);
-        const double slope = std::abs(along.variables[k].slope(calibration.point[k]));
+        const double slope = std::abs(rows_[i].variable(columns[k]).slope(calibration.point[k]));
         slopes.derivatives(row, column) = input.derivative * slope;
         slopes.errors(row, column) = input.error() * slope;
         const std::lock_guard lock(mutex);
-        slopes.steps[column] = std::max(slopes.steps[column], input.step);
+        slopes.steps[column] = std::max(slopes.steps[column],
+                                        input.step * std::abs(along.variables[k].slope(calibration.point[k])) / slope);
       }
     }
   });
@@ -73,6 +87,10 @@ Slopes SceneModel::differentiate(const FitPoint& point, const Prediction& predic
 
 void SceneModel::calibrate_at(const FitPoint& point) {
   const std::lock_guard one_at_a_time(calibrating_);
+  if (is_far(point, calibrated_at_)) {  // what was measured there says little of here
+    calibrations_.assign(calibrations_.size(), {});
+    calibrated_at_ = point;
+  }
   std::vector<std::size_t> unknown;
   for (std::size_t column = 0; column < calibrations_.size(); ++column)
     if (!calibrations_[column].known() && !examples(column).empty()) unknown.push_back(column);

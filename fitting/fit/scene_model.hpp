@@ -35,7 +35,13 @@ struct SceneRow {
     return values;
   }
 
-  /// The objective of some of the inputs, the others as they are at a point.
+  const Variable& variable(std::size_t column) const {
+    return objective
+        .variables[static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin())];
+  }
+
+  /// The objective of some of the inputs, the others as they are at a point; a linear one in the size that it has
+  /// there, for a start may be far off.
   Objective along(const std::vector<std::size_t>& some, const FitPoint& point) const {
     Objective part = objective;
     part.base = scene_at(objective, own(point));
@@ -43,6 +49,10 @@ struct SceneRow {
     for (std::size_t k = 0; k < columns.size(); ++k)
       if (std::find(some.begin(), some.end(), columns[k]) != some.end())
         part.variables.push_back(objective.variables[k]);
+    for (Variable& one : part.variables) {
+      const double here = std::abs(real_input(part.base, one.quantity.key));
+      if (!one.logarithmic && one.quantity.range.lowest >= 0 && here > 1e-3 * one.size) one.size = here;
+    }
     return part;
   }
 };
@@ -84,8 +94,8 @@ class SceneModel {
 
   Slopes differentiate(const FitPoint& point, const Prediction& prediction);
 
-  /// Measures noise and curvature where that is not done yet: on a middle row, and where that is not smooth, on the
-  /// slowest and the fastest as well.
+  /// Measures noise and curvature where that is not done yet, or was far from here: on a middle row, and where that is
+  /// not smooth, on the slowest and the fastest as well.
   void calibrate_at(const FitPoint& point);
 
   Eigen::VectorXd noise_of(const Prediction& prediction) const;
@@ -111,6 +121,7 @@ class SceneModel {
   std::vector<RelativeCalibration> calibrations_;
   std::shared_ptr<std::atomic<bool>> on_grid_;
   std::mutex calibrating_;
+  FitPoint calibrated_at_;
   int jobs_;
 };
 

@@ -243,7 +243,8 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
   const std::optional<FitRecord> fit = find_fit(open_database(database, Access::read), name);
   if (!fit) refuse(place + ": fit", "name", name, database.string() + " holds no fit of this name");
   const std::string fit_place = place + ": fit " + name;
-  if (fit->status != name_of(FitStatus::usable) && fit->status != name_of(FitStatus::usable_with_warnings))
+  const bool earlier = fit->status == "USABLE";  // as GOOD was called
+  if (!earlier && fit->status != name_of(FitStatus::good) && fit->status != name_of(FitStatus::usable_with_warnings))
     throw std::invalid_argument(fit_place + ": its status is " + fit->status + ": its errors tell nothing");
   Json resolved = Json::object();
   for (const FitParameterRecord& parameter : fit->parameters) {

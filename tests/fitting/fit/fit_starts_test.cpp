@@ -1,0 +1,90 @@
+#include "fitting/fit/fit_starts.hpp"
+
+#include <atomic>
+#include <cmath>
+
+#include "core/material/material.hpp"
+#include "fitting/fit/misfit_cause.hpp"
+#include "tests/catch.hpp"
+#include "tests/fitting/measured_hunter.hpp"
+
+// Covers measured_terms, scene_model and misfit_cause, too.
+
+using namespace rollres;
+
+namespace {
+
+FitProblem posed(const std::vector<MeasuredScene>& scenes, const std::vector<FittedInput>& inputs) {
+  FitProblem problem = resistance_problem(scenes, inputs, quick_resistance);
+  problem.deviations_known = true;
+  add_closed_forms(problem, scenes, inputs, "rolling_resistance");
+  return problem;
+}
+
+std::vector<MeasuredScene> noisy_data() {
+  return measured(quick_resistance, spread_speeds(0.003, 3, 12), {1e4, 3e4}, 0.02);
+}
+
+}  // namespace
+
+TEST_CASE("a start a hundred times off leads where a near one does, in fewer than 4000 solutions",
+          "[fitting][fit_starts]") {
+  const auto scenes = noisy_data();
+  const FitReport near = fit(posed(scenes, zener_inputs()), {.starts = 4});
+  auto inputs = zener_inputs();
+  inputs[0].start = 1e8, inputs[1].start = 200, inputs[2].start = 1e-3;
+  const FitReport far = fit(posed(scenes, inputs), {.starts = 4});
+  CAPTURE(near.evaluations, near.chi_squared, near.noise, near.errors.fall, name_of(near.status));
+  CAPTURE(far.evaluations, far.chi_squared, far.noise, far.errors.fall, name_of(far.status), far.reason);
+  CHECK(far.evaluations < 4000);
+  for (std::size_t j = 0; j < 3; ++j)
+    CHECK(std::abs(far.parameters[j].value - near.parameters[j].value) < 0.05 * near.parameters[j].standard_error);
+}
+
+TEST_CASE("an offset of the data is named where it is not modelled, and found where it is", "[fitting][fit_starts]") {
+  auto scenes = noisy_data();
+  for (MeasuredScene& row : scenes) row.measured.value += 100;
+  const FitReport without = fit(posed(scenes, zener_inputs()), {.starts = 4});
+  CHECK(name_of(without.status) == "MISFIT");
+  CHECK_THAT(without.reason, Catch::Contains("an offset"));
+  auto inputs = zener_inputs();
+  inputs.push_back({{"offset"}});
+  const FitReport with = fit(posed(scenes, inputs), {.starts = 4});
+  CHECK(with.status >= FitStatus::usable_with_warnings);
+  CHECK(std::abs(with.parameters[3].value - 100) < 3 * with.parameters[3].standard_error);
+}
+
+TEST_CASE("a prior adds its information, and moduli of the material theirs", "[fitting][fit_starts]") {
+  auto scenes = noisy_data();
+  auto inputs = zener_inputs();
+  const FitReport alone = fit(posed(scenes, inputs), {.profiles = false});
+  inputs[0].prior = Prior{.lognormal = true, .mean = 1e6, .deviation = 0.05};
+  const FitReport prior = fit(posed(scenes, inputs), {.profiles = false});
+  // Information adds: 1/s^2 of the data and of the prior, in the same scaled variable.
+  const double before = alone.errors.deviations[0];
+  CHECK(prior.errors.deviations[0] == Approx(1 / std::sqrt(1 / (before * before) + 400)).epsilon(0.1));
+  CHECK(prior.values.back().measured.prior());
+
+  inputs[0].prior.reset();
+  for (const double omega : {1.0, 10.0, 100.0}) {
+    MeasuredScene row = scenes.front();
+    row.output = storage_modulus_key;
+    row.angular_frequency = omega;
+    row.measured.value = complex_modulus(row.scene, omega).real();
+    row.measured.deviation = 0.01 * row.measured.value;
+    scenes.push_back(row);
+  }
+  const FitReport joint = fit(posed(scenes, inputs), {.profiles = false});
+  CHECK(joint.status >= FitStatus::usable_with_warnings);
+  for (std::size_t j = 0; j < 3; ++j) CHECK(joint.parameters[j].standard_error < alone.parameters[j].standard_error);
+}
+
+TEST_CASE("a fit that its limit or a wish ends says so and has the best so far", "[fitting][fit_starts]") {
+  const FitReport limited = fit(posed(noisy_data(), zener_inputs()), {.starts = 4, .limits = {.solutions = 300}});
+  CHECK(name_of(limited.status) == "NOT CONVERGED");
+  CHECK_THAT(limited.reason, Catch::Contains("solutions_limit = 300"));
+  CHECK(std::isfinite(limited.chi_squared));
+  const std::atomic<bool> stop = true;
+  CHECK_THAT(fit(posed(noisy_data(), zener_inputs()), {.starts = 4, .stop = &stop}).reason,
+             Catch::Contains("interrupted"));
+}
