@@ -148,7 +148,7 @@ Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChart
     }
   }
   if (choice.x && !choice.along && !definition.uncertain.empty())  // numbers that scatter against each other
-    choice.along = &column_of(*definition.uncertain.begin(), study, "axis");
+    choice.along = &column_of(*definition.uncertain.begin(), study, rows, "axis");
   if (!choice.along) choice.along = longest;
   if (!choice.x) choice.x = longest;
   if (!choice.x) throw std::invalid_argument(study.name + ": no axis is a number; choose one with --x");

@@ -307,14 +307,10 @@ void add_fit(Command& program, Session& session) {
   command->add_flag("--no-profiles", arguments.no_profiles, "Leave out the intervals by profile likelihood");
   command->add_flag("--json", arguments.json, "Print one JSON object");
   command->footer(
-      "Status: GOOD; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); MISFIT (the model does
-      "
-      "not describe the data); DID NOT MOVE (ended where it started); NOT CONVERGED (no least misfit was found, or
-      "
-      "interrupted). Exit status 1 for the last four.
-      "
-      "Examples: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit
-      "
+      "Status: GOOD; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); MISFIT (the model does\n"
+      "not describe the data); DID NOT MOVE (ended where it started); NOT CONVERGED (no least misfit was found, or\n"
+      "interrupted). Exit status 1 for the last four.\n"
+      "Examples: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit\n"
       "          rollres fit zener.json prony.json --compare --db out/fit.db");
 }
 
