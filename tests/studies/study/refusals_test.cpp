@@ -105,7 +105,7 @@ const std::vector<Wrong> wrong_scenes{
 };
 
 const std::vector<Wrong> wrong_studies{
-    {R"({"study": "s"})", ": axes is missing: a study needs axes or a sample"},
+    {R"({"study": "s"})", ": axes is missing: a study needs axes, a sample or uncertain inputs"},
     {R"({"scene": "a.json", "axes": {}})", ": study is missing: must be the name of the study"},
     {R"({"study": 5, "axes": {}})", ": study = 5: must be the name of the study"},
     {R"({"study": "s", "axes": {}})", ": axes = {}: must be an object with at least one input"},
@@ -212,7 +212,7 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"speed": {"zip": {"radius": [0.02], "speed": [1]}}})"),
      ": axes: speed: zip = {\"radius\":[0.02],\"speed\":[1]}: a zip needs a name of its own, not that of an input and "
      "not "
-     "\"sample\""},
+     "\"sample\" nor \"uncertain\""},
     {study_with(R"({"layer": {"zip": {"radius": [0.02, 0.02], "speed": [1, 1]}}})"),
      ": axes: layer: zip: radius = 0.02: values given twice, with those that vary together with it"},
     {study_with(R"({"speed": [1], "layer": {"zip": {"radius": [0.02], "speed": [1]}}})"),
