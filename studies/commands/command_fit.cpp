@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "db/rows/schema.hpp"
-#include "fitting/fit/material_problem.hpp"
+#include "fitting/material/material_problem.hpp"
 #include "studies/fit/fit_comparison.hpp"
 #include "studies/fit/fit_curves.hpp"
 #include "studies/fit/fit_file.hpp"

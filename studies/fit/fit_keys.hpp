@@ -5,7 +5,7 @@
 #include <array>
 
 #include "fitting/descent/fit_problem.hpp"
-#include "fitting/fit/material_fit.hpp"
+#include "fitting/material/material_fit.hpp"
 #include "studies/study/study_keys.hpp"
 
 namespace rollres {

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/fit/material_fit.hpp"
+#include "fitting/material/material_fit.hpp"
 
 namespace rollres {
 

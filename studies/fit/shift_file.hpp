@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/fit/shift_fit.hpp"
+#include "fitting/material/shift_fit.hpp"
 
 namespace rollres {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/material/master_curve.hpp"
-#include "fitting/fit/material_fit.hpp"
+#include "fitting/material/material_fit.hpp"
 
 namespace rollres {
 

@@ -1,9 +1,9 @@
-#include "fitting/fit/series_fit.hpp"
+#include "fitting/material/series_fit.hpp"
 
 #include <cmath>
 #include <random>
 
-#include "fitting/fit/even_series.hpp"
+#include "fitting/material/even_series.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "fitting/fit/material_fit.hpp"
+#include "fitting/material/material_fit.hpp"
 
 #include <cmath>
 #include <numbers>

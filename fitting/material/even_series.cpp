@@ -1,4 +1,4 @@
-#include "fitting/fit/even_series.hpp"
+#include "fitting/material/even_series.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/numerics/dense_algebra.hpp"
-#include "fitting/fit/material_fit.hpp"
+#include "fitting/material/material_fit.hpp"
 
 namespace rollres {
 

@@ -1,11 +1,11 @@
-#include "fitting/fit/shift_fit.hpp"
+#include "fitting/material/shift_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/numerics/dense_algebra.hpp"
-#include "fitting/fit/material_problem.hpp"
+#include "fitting/material/material_problem.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "fitting/fit/shift_fit.hpp"
+#include "fitting/material/shift_fit.hpp"
 
 #include <cmath>
 #include <random>

@@ -1,4 +1,4 @@
-#include "fitting/fit/series_fit.hpp"
+#include "fitting/material/series_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "core/material/master_curve.hpp"
 #include "core/messages/message_text.hpp"
-#include "fitting/fit/even_series.hpp"
-#include "fitting/fit/material_problem.hpp"
+#include "fitting/material/even_series.hpp"
+#include "fitting/material/material_problem.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "fitting/fit/material_problem.hpp"
+#include "fitting/material/material_problem.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fitting/fit/material_fit.hpp"
+#include "fitting/material/material_fit.hpp"
 
 namespace rollres {
 

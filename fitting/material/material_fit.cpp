@@ -1,12 +1,12 @@
-#include "fitting/fit/material_fit.hpp"
+#include "fitting/material/material_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/material/passivity.hpp"
-#include "fitting/fit/material_problem.hpp"
-#include "fitting/fit/series_fit.hpp"
+#include "fitting/material/material_problem.hpp"
+#include "fitting/material/series_fit.hpp"
 
 namespace rollres {
 
