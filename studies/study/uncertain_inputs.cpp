@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/derivatives/objective.hpp"
+#include "core/scene/scene_input.hpp"
 #include "db/rows/fit_store.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/fit/fit_report.hpp"
