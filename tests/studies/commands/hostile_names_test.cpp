@@ -148,8 +148,8 @@ TEST_CASE("what a file holds is printed with its control characters escaped", "[
 TEST_CASE("a program that gets too little memory says so", "[studies][hostile]") {
   for (const int megabytes : {60, 80, 100, 120, 150, 200}) {
     const ShellRun run =
-        run_shell("ulimit -v " + std::to_string(1000 * megabytes) + "; exec " ROLLRES_PROGRAM " solve " +
-                  example("paper_sphere.json") + " --set 'spacing=0.04 mm'");
+        run_shell("ulimit -v " + std::to_string(1000 * megabytes) + "; exec '" ROLLRES_PROGRAM "' solve '" +
+                  example("paper_sphere.json") + "' --set 'spacing=0.04 mm'");
     INFO(megabytes << " MB: " << run.out);
     CHECK((run.status == 0 || run.status == 1 || run.status == 3 || run.status == 127));  // 127: not even loaded
   }
@@ -159,8 +159,8 @@ TEST_CASE("a program that gets too little memory says so", "[studies][hostile]")
 TEST_CASE("a fit by a program that was copied without its library says what is missing", "[studies][hostile]") {
   const TemporaryDirectory folder;
   std::filesystem::copy_file(ROLLRES_PROGRAM, folder / "rollres");
-  const ShellRun run = run_shell("'" + (folder / "rollres").string() + "' fit " + example("fit_cylinder.json") +
-                                 " --db '" + (folder / "f.db").string() + "' 2>&1");
+  const ShellRun run = run_shell("'" + (folder / "rollres").string() + "' fit '" + example("fit_cylinder.json") +
+                                 "' --db '" + (folder / "f.db").string() + "' 2>&1");
   CHECK(run.status == 3);
   CHECK_THAT(run.out, Contains("librollres_ceres.so: cannot open shared object file"));
 }
