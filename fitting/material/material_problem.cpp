@@ -40,6 +40,25 @@ TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point) {
   return shift;
 }
 
+void answer_by(FitProblem& problem, std::function<Eigen::VectorXd(const FitPoint&)> values, double least_size) {
+  problem.predict = [values = std::move(values), log = problem.log](const FitPoint& point) {
+    Prediction prediction;
+    try {
+      prediction.values = values(point);
+      log->answered();
+    } catch (const std::invalid_argument& error) {
+      prediction.reason = error.what();
+      log->failed("", error.what());
+    }
+    return prediction;
+  };
+  const FitProblem plain = problem;
+  problem.differentiate = [plain, least_size](const FitPoint& point, const Prediction& prediction) {
+    constexpr double step = 1e-3, rounding = 1e-15;
+    return differences(plain, point, prediction, step, rounding * prediction.values.cwiseAbs().cwiseMax(least_size));
+  };
+}
+
 FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vector<FitParameter> parameters,
                             const MaterialFitOptions& options, const ModulusAt& modulus) {
   FitProblem problem;
@@ -50,29 +69,18 @@ FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vecto
     problem.data.push_back({row.storage, row.storage_deviation, row.place});
     problem.data.push_back({row.loss, row.loss_deviation, row.place});
   }
-  const auto log = problem.log;
-  problem.predict = [data, modulus, shift = options.shift, log](const FitPoint& point) {
-    Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
-    try {
-      const TemperatureShift here = shift_at(shift, point);
-      Eigen::Index row = 0;
-      for (const MeasuredModulus& measured : data) {
-        const auto value = modulus(point, measured.angular_frequency * shift_factor(here, measured.temperature));
-        prediction.values[row++] = value.real();
-        prediction.values[row++] = value.imag();
-      }
-      log->answered();
-    } catch (const std::invalid_argument& error) {
-      prediction.reason = error.what();
-      log->failed("", error.what());
+  const auto values = [data, modulus, shift = options.shift](const FitPoint& point) {
+    Eigen::VectorXd moduli(2 * std::ssize(data));
+    const TemperatureShift here = shift_at(shift, point);
+    Eigen::Index row = 0;
+    for (const MeasuredModulus& measured : data) {
+      const auto value = modulus(point, measured.angular_frequency * shift_factor(here, measured.temperature));
+      moduli[row++] = value.real();
+      moduli[row++] = value.imag();
     }
-    return prediction;
+    return moduli;
   };
-  const FitProblem plain = problem;
-  problem.differentiate = [plain](const FitPoint& point, const Prediction& prediction) {
-    constexpr double step = 1e-3, rounding = 1e-15;
-    return differences(plain, point, prediction, step, rounding * prediction.values.cwiseAbs());
-  };
+  answer_by(problem, values, 0);
   return problem;
 }
 

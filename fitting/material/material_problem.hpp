@@ -25,6 +25,11 @@ TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point);
 /// G* of the first values of a point [Pa].
 using ModulusAt = std::function<std::complex<double>(const FitPoint&, double reduced_frequency)>;
 
+/// Lets a problem be answered by closed forms, and by their differences.
+/// @param values  at a point; may throw std::invalid_argument, why there are none
+/// @param least_size  of a value, for its rounding
+void answer_by(FitProblem& problem, std::function<Eigen::VectorXd(const FitPoint&)> values, double least_size);
+
 /// The problem of a material of the first parameters and a shift of the last, which are added here.
 FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vector<FitParameter> parameters,
                             const MaterialFitOptions& options, const ModulusAt& modulus);

@@ -61,24 +61,13 @@ ShiftFit fit_shift(const std::vector<MeasuredShift>& data, const TemperatureShif
   problem.deviations_known = std::isfinite(deviation);
   for (const MeasuredShift& row : data)
     problem.data.push_back({std::log(row.factor), problem.deviations_known ? deviation : 1, row.place});
-  problem.predict = [data, law, log = problem.log](const FitPoint& point) {
-    Prediction prediction{Eigen::VectorXd(std::ssize(data))};
-    try {
-      for (std::size_t i = 0; i < data.size(); ++i)
-        prediction.values[static_cast<Eigen::Index>(i)] =
-            std::log(shift_factor(shift_at(law, point), data[i].temperature));
-      log->answered();
-    } catch (const std::invalid_argument& error) {
-      prediction.reason = error.what();
-      log->failed("", error.what());
-    }
-    return prediction;
+  const auto values = [data, law](const FitPoint& point) {
+    Eigen::VectorXd logarithms(std::ssize(data));
+    for (std::size_t i = 0; i < data.size(); ++i)
+      logarithms[static_cast<Eigen::Index>(i)] = std::log(shift_factor(shift_at(law, point), data[i].temperature));
+    return logarithms;
   };
-  const FitProblem plain = problem;
-  problem.differentiate = [plain](const FitPoint& point, const Prediction& prediction) {
-    constexpr double step = 1e-3, rounding = 1e-15;
-    return differences(plain, point, prediction, step, rounding * prediction.values.cwiseAbs().cwiseMax(1));
-  };
+  answer_by(problem, values, 1);
   ShiftFit answer{fit(problem, options), law};
   answer.shift = shift_at(law, answer.report.point());
   if (!answer.report.values.empty()) {

@@ -124,16 +124,22 @@ std::string model_in_words(const MaterialFitOptions& options, const MaterialFit&
   return words + ", " + std::string(shift_names[static_cast<std::size_t>(options.shift.law)]);
 }
 
+/// Of a fit of no scenes.
+template <class File>
+FitContext context_of(const File& file, const char* kind, const char* unit) {
+  return {.name = file.name,
+          .kind = kind,
+          .definition = file.definition,
+          .data_digest = file.data_digest,
+          .output_unit = unit,
+          .notes = file.notes};
+}
+
 MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   file.options.options.profiles = !arguments.no_profiles;
   const MaterialFit found = refusing_at(arguments.fit, [&] { return fit_material(file.data, file.options); });
-  FitContext context{.name = file.name,
-                     .kind = "material",
-                     .definition = file.definition,
-                     .data_digest = file.data_digest,
-                     .output_unit = "Pa",
-                     .notes = file.notes};
+  FitContext context = context_of(file, "material", "Pa");
   context.notes.insert(context.notes.end(), found.notes.begin(), found.notes.end());
   context.scene = fitted_scene(found, file);
   save(found.report, context, begin, arguments, session);
@@ -153,12 +159,7 @@ MadeFit make_shift_fit(const FitArguments& arguments, const ShiftFile& file, Ses
   options.profiles = !arguments.no_profiles;
   const ShiftFit found =
       refusing_at(arguments.fit, [&] { return fit_shift(file.data, file.law, file.deviation, options); });
-  FitContext context{.name = file.name,
-                     .kind = "shift",
-                     .definition = file.definition,
-                     .data_digest = file.data_digest,
-                     .output_unit = "1",
-                     .notes = file.notes};
+  FitContext context = context_of(file, "shift", "1");
   context.notes.push_back("the values are ln a_T, reference temperature " + readable(file.law.reference, "K"));
   context.scene = fitted_scene(found, file);
   save(found.report, context, begin, arguments, session);
