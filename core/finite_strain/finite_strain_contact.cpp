@@ -18,6 +18,8 @@ constexpr int meshes[] = {8, 12, 17, 24, 34, 48, 68, 96};
 constexpr int usual_cells = 17;
 /// Change of an edge by the half-width that needs no further coarse mesh.
 constexpr double settled = 0.03;
+/// What edges and peaks may still change from one mesh to the next, by the tolerance of the resistance, and at least.
+constexpr double looser = 5, least_change = 5e-3;
 /// A resistance below so much of the load's lever is rounding and the mesh's.
 constexpr double negligible = 1e-3;
 
@@ -95,7 +97,6 @@ class FiniteStrainSolution {
 
   void refine() {
     take_answer();
-    double before = solution_.rolling_resistance;
     for (const int cells : meshes) {
       if (cells == meshes[0]) continue;
       try {
@@ -105,21 +106,38 @@ class FiniteStrainSolution {
         outcome_.reason = limit.what();
         break;
       }
+      const RollingSolution before = solution_;
       take_answer();
-      const double change = std::abs(solution_.rolling_resistance - before);
-      before = solution_.rolling_resistance;
-      const double error = std::max(change, unbalanced_);
+      const double error = std::max(std::abs(solution_.rolling_resistance - before.rolling_resistance), unbalanced_);
       solution_.rolling_resistance_error = error;
-      solution_.error_estimate = error / std::abs(before);
-      if (error <= tolerance_ * scale() && (scene_.tolerance || level_->cells() >= usual_cells)) return;
+      solution_.error_estimate = error / std::abs(solution_.rolling_resistance);
+      changed_ = change_of_contact(before);
+      if (error <= tolerance_ * scale() && changed_ <= std::max(looser * tolerance_, least_change) &&
+          (scene_.tolerance || level_->cells() >= usual_cells))
+        return;
     }
     if (std::isnan(solution_.error_estimate)) {
       clear(outcome_.reason);
       return;
     }
-    solution_.warnings.push_back(message_text("the tolerance ", tolerance_, " was not reached with ", level_->cells(),
-                                              " cells in the contact: estimated error ", solution_.error_estimate,
-                                              outcome_.reason.empty() ? "" : "; ", outcome_.reason));
+    if (solution_.rolling_resistance_error > tolerance_ * scale())
+      solution_.warnings.push_back(message_text("the tolerance ", tolerance_, " was not reached with ", level_->cells(),
+                                                " cells in the contact: estimated error ", solution_.error_estimate,
+                                                outcome_.reason.empty() ? "" : "; ", outcome_.reason));
+    else
+      solution_.warnings.push_back(message_text("length and peaks of the contact still changed by ", changed_,
+                                                " with the last mesh, of ", level_->cells(), " cells in the contact",
+                                                outcome_.reason.empty() ? "" : "; ", outcome_.reason));
+  }
+
+  /// Largest relative change of the contact's length, the peak pressure and the peak shear (by the peak pressure).
+  double change_of_contact(const RollingSolution& before) const {
+    const RollingSolution& now = solution_;
+    const auto relative = [](double a, double b, double scale) { return std::abs(a - b) / scale; };
+    return std::max(
+        {relative(now.contact_area, before.contact_area, now.contact_area),
+         relative(now.peak_pressure, before.peak_pressure, now.peak_pressure),
+         scene_.friction_coefficient > 0 ? relative(now.peak_shear_x, before.peak_shear_x, now.peak_pressure) : 0.0});
   }
 
   double lever() const {
@@ -274,7 +292,7 @@ class FiniteStrainSolution {
 
   const RollingScene& scene_;
   FiniteProblem problem_;
-  double tolerance_, unbalanced_ = 0;
+  double tolerance_, unbalanced_ = 0, changed_ = 0;
   std::unique_ptr<MeshLevel> level_;
   FiniteOutcome outcome_;
   RollingSolution solution_;

@@ -77,6 +77,7 @@ struct RollingSolution {
   double friction_borne = absent;
   double error_estimate = absent;
   double rolling_resistance_error = absent;
+  double model_error = absent;  // linearity_error.hpp
   double spacing = absent;
   int iterations = 0;
   double seconds = absent;
@@ -129,6 +130,8 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
   visitor(Q{"rolling_resistance_error", "", "N", "estimated error of the rolling resistance", any_number, "N/m"},
           s.rolling_resistance_error);
+  visitor(Q{"model_error", "", "1", "rolling resistance at finite strain over this linear one, minus 1, where known"},
+          s.model_error);
   visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
   visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);
   visitor(Q{"seconds", "", "s", "wall time of the solution"}, s.seconds);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimate/linearity_error.hpp"
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
@@ -16,6 +17,14 @@ namespace {
 double half_length(const RollingSolution& solution) {
   const double length = solution.leading_edge - solution.trailing_edge;
   return 0.5 * (std::isnan(solution.spacing) ? length : length + solution.spacing);
+}
+
+constexpr double noticeable_strain = 0.1;
+
+/// Of two digits.
+double in_percent(double part) {
+  const double percent = 100 * part, unit = std::pow(10, std::floor(std::log10(std::abs(percent))) - 1);
+  return std::isfinite(unit) && unit > 0 ? unit * std::round(percent / unit) : percent;
 }
 
 /// rho V^2 / |G*| at the frequency V / half-length, of the layer where it is largest.
@@ -54,8 +63,15 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   std::vector<std::string> warnings;
   const bool linear = solution.method != Method::finite_strain;
   const double strain = solution.approach / total_thickness(scene);
-  if (linear && strain > 0.1)
-    warnings.push_back(message_text("strain d/H = ", strain, " is not small: the layer is taken as linear"));
+  if (const auto missed = linear ? linearity_error(scene, solution) : std::nullopt) {
+    if (strain > noticeable_strain || (scene.tolerance && std::abs(missed->value) > *scene.tolerance))
+      warnings.push_back(message_text("the layer is taken as linear: at finite strain (d/H = ", strain,
+                                      ") the rolling resistance would differ by ", in_percent(missed->value), " +- ",
+                                      in_percent(missed->scatter), " %; method \"finite_strain\" computes it"));
+  } else if (linear && strain > noticeable_strain) {
+    warnings.push_back(message_text("strain d/H = ", strain,
+                                    " is not small: the layer is taken as linear, and what that costs is not known"));
+  }
   const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
   if (linear && slope > 0.3)
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,

@@ -10,6 +10,7 @@
 
 #include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
+#include "core/estimate/linearity_error.hpp"
 #include "core/finite_strain/finite_strain_contact.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/newton/grid_error.hpp"
@@ -328,6 +329,7 @@ RollingSolution solve_in_flow(const RollingScene& given) {
                          " % (estimate): rows scatter, are too few or end near the frequencies of the contact, about ",
                          choice.scene.speed / (2 * std::numbers::pi * half_width), " Hz"));
     }
+    if (const auto missed = linearity_error(choice.scene, solution)) solution.model_error = missed->value;
     for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
   }
   return solution;

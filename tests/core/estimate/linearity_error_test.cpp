@@ -1,0 +1,101 @@
+#include "core/estimate/linearity_error.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "core/solve/rolling_contact.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+namespace {
+
+RollingScene consistent_cylinder(double load, double friction) {
+  RollingScene scene = paper_cylinder();
+  scene.spacing.reset();
+  scene.kinematics = Kinematics::consistent;
+  scene.load = load;
+  scene.friction_coefficient = friction;
+  return scene;
+}
+
+std::string warnings_text(const RollingSolution& solution) {
+  std::string text;
+  for (const std::string& warning : solution.warnings) text += warning + '\n';
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("what the linear theory misses is told within its scatter", "[core][estimate][linearity_error]") {
+  // The reference is method finite_strain; none of the scenes was used for the formula's factors. A wrong factor, a
+  // wrong loss modulus or a formula used at another load fails it.
+  struct Case {
+    const char* what;
+    double load, friction, speed, thickness, poisson, stiffening;
+  };
+  for (const Case& of : {Case{"slow, strongly pressed", 60e3, 0, 0.005, 5e-3, 0.5, 1},
+                         Case{"fast, strongly pressed", 60e3, 0, 0.5, 5e-3, 0.5, 3},
+                         Case{"thin, compressible", 60e3, 0, 0.02, 2e-3, 0.42, 1},
+                         Case{"with friction", 60e3, 0.4, 0.02, 5e-3, 0.5, 1}}) {
+    INFO(of.what);
+    RollingScene scene = consistent_cylinder(of.load, of.friction);
+    scene.speed = of.speed;
+    scene.layer_thickness = of.thickness;
+    scene.poisson_ratio = of.poisson;
+    scene.stiffening = of.stiffening;
+    const RollingSolution linear = solve(scene);
+    const auto missed = linearity_error(scene, linear);
+    REQUIRE(missed);
+    CHECK(linear.model_error == missed->value);
+    scene.method = Method::finite_strain;
+    scene.tolerance = 3e-3;
+    const RollingSolution finite = solve(scene);
+    REQUIRE(finite.status == Status::converged);
+    CHECK(std::isnan(finite.model_error));
+    const double real = finite.rolling_resistance / linear.rolling_resistance - 1;
+    INFO(real << ' ' << missed->value << " +- " << missed->scatter);
+    CHECK(std::abs(real - missed->value) < 2.5 * missed->scatter);
+    CHECK(missed->scatter < 0.06);
+  }
+}
+
+TEST_CASE("what the linear theory misses vanishes with the load, and is said where it counts",
+          "[core][estimate][linearity_error]") {
+  RollingScene scene = consistent_cylinder(20, 0);
+  const double small = std::abs(solve(scene).model_error);
+  CHECK(small < 1e-3);
+  CHECK(small > 0);
+
+  scene.tolerance = small / 2;
+  CHECK_THAT(warnings_text(solve(scene)), Contains("the layer is taken as linear"));
+  scene.tolerance = small * 2;
+  CHECK_THAT(warnings_text(solve(scene)), !Contains("linear"));
+  CHECK_THAT(warnings_text(solve(consistent_cylinder(60e3, 0))), Contains("at finite strain") && Contains("+-"));
+}
+
+TEST_CASE("what the linear theory misses is unknown where the formula was not fitted",
+          "[core][estimate][linearity_error]") {
+  const auto error = [](const RollingScene& scene) { return solve(scene).model_error; };
+  const RollingScene scene = consistent_cylinder(20e3, 0);
+  CHECK(std::isfinite(error(scene)));
+  RollingScene other = scene;
+  other.kinematics = Kinematics::printed;
+  CHECK(std::isnan(error(other)));
+  other = scene;
+  other.load.reset();
+  other.approach = 0.3e-3;
+  CHECK(std::isnan(error(other)));
+  other = scene;
+  other.layer_thickness = INFINITY;
+  CHECK(std::isnan(error(other)));
+  other = scene;
+  other.poisson_ratio = 0.3;
+  CHECK(std::isnan(error(other)));
+  other = scene;
+  other.material = MaterialModel::elastic;
+  other.stiffening = other.creep_time = 0;
+  CHECK(std::isnan(error(other)));
+}
