@@ -38,7 +38,7 @@ TEST_CASE("what the linear theory misses is told within its scatter", "[core][es
   };
   for (const Case& of : {Case{"slow, strongly pressed", 60e3, 0, 0.005, 5e-3, 0.5, 1},
                          Case{"fast, strongly pressed", 60e3, 0, 0.5, 5e-3, 0.5, 3},
-                         Case{"thin, compressible", 60e3, 0, 0.02, 2e-3, 0.42, 1},
+                         Case{"thin, compressible", 30e3, 0, 0.02, 2e-3, 0.42, 1},
                          Case{"with friction", 60e3, 0.4, 0.02, 5e-3, 0.5, 1}}) {
     INFO(of.what);
     RollingScene scene = consistent_cylinder(of.load, of.friction);
@@ -64,7 +64,8 @@ TEST_CASE("what the linear theory misses is told within its scatter", "[core][es
 
 TEST_CASE("what the linear theory misses vanishes with the load, and is said where it counts",
           "[core][estimate][linearity_error]") {
-  RollingScene scene = consistent_cylinder(20, 0);
+  RollingScene scene = consistent_cylinder(100, 0);
+  scene.radius = 0.5;
   const double small = std::abs(solve(scene).model_error);
   CHECK(small < 1e-3);
   CHECK(small > 0);
