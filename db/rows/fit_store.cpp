@@ -1,12 +1,14 @@
 #include "db/rows/fit_store.hpp"
 
 #include <cmath>
+#include <set>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "db/file/provenance.hpp"
 #include "db/file/sqlite.hpp"
+#include "db/rows/schema.hpp"
 
 namespace rollres {
 
@@ -29,7 +31,10 @@ constexpr auto columns<Fit> = std::tuple(
     std::pair("chi_squared", &Fit::chi_squared), std::pair("reduced_chi_squared", &Fit::reduced_chi_squared),
     std::pair("p_value", &Fit::p_value), std::pair("rms", &Fit::rms), std::pair("runs_p_value", &Fit::runs_p_value),
     std::pair("condition", &Fit::condition), std::pair("noise", &Fit::noise), std::pair("seconds", &Fit::seconds),
-    std::pair("deviations_known", &Fit::deviations_known));
+    std::pair("deviations_known", &Fit::deviations_known), std::pair("profile_threshold", &Fit::profile_threshold),
+    std::pair("x_name", &Fit::x_name), std::pair("x_unit", &Fit::x_unit), std::pair("y_name", &Fit::y_name),
+    std::pair("y_unit", &Fit::y_unit), std::pair("x_logarithmic", &Fit::x_logarithmic),
+    std::pair("y_logarithmic", &Fit::y_logarithmic));
 
 using Parameter = FitParameterRecord;
 template <>
@@ -54,7 +59,20 @@ template <>
 constexpr auto columns<Datum> = std::tuple(std::pair("place", &Datum::place), std::pair("measured", &Datum::measured),
                                            std::pair("deviation", &Datum::deviation),
                                            std::pair("predicted", &Datum::predicted),
-                                           std::pair("residual", &Datum::residual), std::pair("band", &Datum::band));
+                                           std::pair("residual", &Datum::residual), std::pair("band", &Datum::band),
+                                           std::pair("x", &Datum::x), std::pair("curve", &Datum::curve));
+
+using ProfileRow = FitProfileRecord;
+template <>
+constexpr auto columns<ProfileRow> = std::tuple(std::pair("parameter", &ProfileRow::parameter),
+                                                std::pair("value", &ProfileRow::value),
+                                                std::pair("rise", &ProfileRow::rise));
+
+using CurveRow = FitCurveRecord;
+template <>
+constexpr auto columns<CurveRow> = std::tuple(std::pair("curve", &CurveRow::curve),
+                                              std::pair("label", &CurveRow::label), std::pair("x", &CurveRow::x),
+                                              std::pair("value", &CurveRow::value), std::pair("band", &CurveRow::band));
 
 /// Calls `visit(name, value)` for each column of a record.
 template <class Record, class Visit>
@@ -141,6 +159,35 @@ void create_fit_tables(SQLite::Database& connection) {
                   ", PRIMARY KEY(fit, position)" + rowless);
 }
 
+namespace {
+
+/// Adds those columns of a record that a table of an older file lacks.
+template <class Record>
+void add_columns(SQLite::Database& connection, const std::string& table) {
+  const std::set<std::string> present = column_names(connection, table);
+  const Record record{};
+  visit_columns(record, [&](const char* name, const auto& value) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    const std::string usual = std::is_same_v<Value, std::string>    ? " DEFAULT ''"
+                              : std::is_same_v<Value, double>       ? ""
+                              : std::is_same_v<Value, std::int64_t> ? " DEFAULT -1"
+                                                                    : " DEFAULT 0";
+    if (!present.contains(name))
+      connection.exec("ALTER TABLE " + table + " ADD COLUMN " + name + " " + type_of(value) + usual);
+  });
+}
+
+}  // namespace
+
+void add_fit_curves(SQLite::Database& connection) {
+  add_columns<Fit>(connection, "fit");
+  add_columns<Datum>(connection, "fit_data");
+  const std::string rows = "(fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE, position INTEGER NOT NULL, ";
+  const std::string key = ", PRIMARY KEY(fit, position)) STRICT, WITHOUT ROWID";
+  connection.exec("CREATE TABLE fit_profile" + rows + column_list<ProfileRow>(true) + key);
+  connection.exec("CREATE TABLE fit_curve" + rows + column_list<CurveRow>(true) + key);
+}
+
 void add_fit_scenes(SQLite::Database& connection) {
   SQLite::Statement present(connection, "SELECT count(*) FROM pragma_table_info('fit') WHERE name = 'scene'");
   present.executeStep();
@@ -171,7 +218,8 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
   return naming(database.name(), [&] {
     SQLite::Database& connection = database.connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
-    for (const std::string table : {"fit_parameter", "fit_correlation", "fit_data", "fit"}) {
+    for (const std::string table :
+         {"fit_parameter", "fit_correlation", "fit_data", "fit_profile", "fit_curve", "fit"}) {
       SQLite::Statement remove(connection, "DELETE FROM " + table + " WHERE " + (table == "fit" ? "id" : "fit") +
                                                " IN (SELECT id FROM fit WHERE name = ? AND definition = ? AND "
                                                "data_digest = ?)");
@@ -183,12 +231,15 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
     insert(connection, "fit", "created, version, git_hash, solver", "strftime('%Y-%m-%dT%H:%M:%fZ', 'now'), ?, ?, ?",
            fit, program.version, program.git_hash, program.solver);
     const std::int64_t id = connection.getLastInsertRowid();
-    std::int64_t position = 0;
-    for (const Parameter& one : fit.parameters)
-      insert(connection, "fit_parameter", "fit, position", "?, ?", one, id, ++position);
+    const auto insert_all = [&](const char* table, const auto& rows) {
+      std::int64_t position = 0;
+      for (const auto& row : rows) insert(connection, table, "fit, position", "?, ?", row, id, ++position);
+    };
+    insert_all("fit_parameter", fit.parameters);
     for (const Correlation& pair : fit.correlations) insert(connection, "fit_correlation", "fit", "?", pair, id);
-    position = 0;
-    for (const Datum& one : fit.data) insert(connection, "fit_data", "fit, position", "?, ?", one, id, ++position);
+    insert_all("fit_data", fit.data);
+    insert_all("fit_profile", fit.profiles);
+    insert_all("fit_curve", fit.curves);
     transaction.commit();
     return id;
   });
@@ -204,7 +255,10 @@ std::optional<FitRecord> find_fit(const Database& database, const std::string& n
     FitRecord fit = read_record<Fit>(row, 1);
     fit.parameters = parts_of<Parameter>(connection, "fit_parameter", " ORDER BY position", id);
     fit.correlations = parts_of<Correlation>(connection, "fit_correlation", "", id);
-    if (parts == FitParts::with_data) fit.data = parts_of<Datum>(connection, "fit_data", " ORDER BY position", id);
+    if (parts == FitParts::without_data) return fit;
+    fit.data = parts_of<Datum>(connection, "fit_data", " ORDER BY position", id);
+    fit.profiles = parts_of<ProfileRow>(connection, "fit_profile", " ORDER BY position", id);
+    fit.curves = parts_of<CurveRow>(connection, "fit_curve", " ORDER BY position", id);
     return fit;
   });
 }

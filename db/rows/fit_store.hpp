@@ -6,6 +6,12 @@
 ///     fit_parameter    its parameters: value, errors, intervals
 ///     fit_correlation  pairs of them
 ///     fit_data         the measured values with what the fit makes of them
+///     fit_profile      the profile likelihood of each parameter, point by point
+///     fit_curve        the fitted curves between the measured values, point by point
+///
+/// Measured values lie over an axis, the speed where that varies: `fit.x_name`, `x_unit` and `x_logarithmic` name it,
+/// `fit_data.x` is where a value lies, `fit_data.curve` which curve it belongs to. Values of another output than the
+/// curves' have no x, and -1 as their curve.
 ///
 /// What is absent (NaN) is NULL; so is the end of an interval that is open.
 
@@ -34,8 +40,26 @@ struct FitParameterRecord {
 };
 
 struct FitDataRecord {
-  std::string place;  ///< "data.csv, line 7"
-  double measured, deviation, predicted, residual, band;
+  std::string place;                                      ///< "data.csv, line 7"
+  double measured, deviation, predicted, residual, band;  ///< band: standard error of what is predicted
+  double x = FitParameterRecord::absent;                  ///< its place on the axis, in fit.x_unit (SI)
+  std::int64_t curve = -1;                                ///< number of its curve, from 0; -1: none
+};
+
+/// A point of the profile of a parameter: the least misfit with the parameter held there.
+struct FitProfileRecord {
+  std::string parameter;
+  double value;  ///< of the parameter [SI], in rising order
+  /// Of the misfit above the least, over its scale [1]: the interval's ends are where it is fit.profile_threshold.
+  double rise;
+};
+
+/// A point of a fitted curve, in fit.x_unit and fit.y_unit (SI).
+struct FitCurveRecord {
+  std::int64_t curve;  ///< its number, from 0
+  std::string label;   ///< what tells it from the others: "P = 20 kN/m"; empty where there is one
+  double x, value;
+  double band;  ///< half-width of the 95 % band
 };
 
 struct FitCorrelationRecord {
@@ -52,9 +76,14 @@ struct FitRecord {
   std::int64_t degrees = 0, starts = 0, agreeing = 0, evaluations = 0, recalled = 0, failures = 0;
   double chi_squared, reduced_chi_squared, p_value, rms, runs_p_value, condition, noise, seconds;
   bool deviations_known = false;
+  double profile_threshold = FitParameterRecord::absent;           ///< rise at the ends of 95 % intervals [1]
+  std::string x_name = {}, x_unit = {}, y_name = {}, y_unit = {};  ///< the axes of the curves: words; empty: no curves
+  bool x_logarithmic = false, y_logarithmic = false;
   std::vector<FitParameterRecord> parameters;
   std::vector<FitCorrelationRecord> correlations;
   std::vector<FitDataRecord> data;
+  std::vector<FitProfileRecord> profiles;
+  std::vector<FitCurveRecord> curves;  ///< curve by curve, x in rising order
 };
 
 /// The tables above: a migration (schema.hpp).
@@ -79,7 +108,10 @@ std::vector<FitSummary> stored_fits(const Database& database);
 /// The table fit's column of fitted scenes: a migration.
 void add_fit_scenes(SQLite::Database& connection);
 
-enum class FitParts { without_data, with_data };
+/// What pictures of fits need: axes, profiles and curves. A migration.
+void add_fit_curves(SQLite::Database& connection);
+
+enum class FitParts { without_data, with_data };  ///< data with profiles and curves
 
 /// The newest fit of a name.
 std::optional<FitRecord> find_fit(const Database& database, const std::string& name,

@@ -217,7 +217,8 @@ std::span<const Migration> schema_migrations() {
   static constexpr Migration migrations[] = {create_first_tables, create_summary_and_fields,
                                              create_fit_tables,   add_kinematics,
                                              show_as_asked,       add_notes,
-                                             add_variants,        add_fit_scenes};
+                                             add_variants,        add_fit_scenes,
+                                             add_fit_curves};
   return migrations;
 }
 

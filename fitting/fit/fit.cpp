@@ -138,19 +138,23 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
 
 void add_profiles(FitReport& report, const FitProblem& problem, const Descent& best, const FitOptions& options,
                   FitPoint& better) {
+  const double threshold = interval_threshold(problem);
   for (std::size_t j = 0; j < problem.size() && better.empty(); ++j) {
     if (options.stop && options.stop->load()) return;
-    report.parameters[j].profile =
-        profile(problem, best, report.slopes, report.errors, j, interval_threshold(problem), options.stop);
+    report.parameters[j].profile = profile(problem, best, report.slopes, report.errors, j, threshold, options.stop);
     better = report.parameters[j].profile.better;
   }
 }
 
 }  // namespace
 
-double interval_threshold(const FitProblem& problem) {
-  const double quantile = two_sided_quantile(confidence, problem.deviations_known ? 0 : degrees_of_freedom(problem));
+double interval_threshold(bool deviations_known, int degrees) {
+  const double quantile = two_sided_quantile(confidence, deviations_known ? 0 : degrees);
   return quantile * quantile;
+}
+
+double interval_threshold(const FitProblem& problem) {
+  return interval_threshold(problem.deviations_known, degrees_of_freedom(problem));
 }
 
 namespace {

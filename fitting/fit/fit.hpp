@@ -37,6 +37,7 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
 
 /// The rise of the misfit, over its scale, at the ends of an interval: the square of the two-sided quantile, normal
 /// where deviations are known, else Student's.
+double interval_threshold(bool deviations_known, int degrees);
 double interval_threshold(const FitProblem& problem);
 
 /// Sets status and reason from what the report holds.

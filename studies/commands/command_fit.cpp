@@ -4,6 +4,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "core/numerics/solution_limits.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/material/material_problem.hpp"
 #include "studies/fit/fit_comparison.hpp"
@@ -86,9 +87,8 @@ void save(const FitReport& report, FitContext& context, std::chrono::steady_cloc
   if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
 }
 
-void draw(const FitReport& report, const FitCurves& curves, const std::string& name, Indenter indenter,
-          const FitArguments& arguments, Session& session) {
-  for (const auto& picture : draw_fit(report, curves, name, arguments.out, indenter))
+void draw(const FitReport& report, const FitContext& context, const FitArguments& arguments, Session& session) {
+  for (const auto& picture : draw_fit(report, context.curves, context.name, arguments.out, context.indenter))
     session.err << "drawn: " << picture.string() << '\n';
 }
 
@@ -113,6 +113,16 @@ MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredE
   made.context.recalled = stored.count().recalled;
   made.context.scene = fitted_scene(report, file);
   save(report, made.context, begin, arguments, session);
+  if (report.slopes.found() && !report.interrupted) {  // the fit is stored whatever becomes of its curves
+    const std::atomic<bool>* const stop = file.options.stop;
+    const Evaluate until_stopped = [&](const RollingScene& scene) {
+      if (stop && *stop) throw Interrupted();
+      return stored(scene);
+    };
+    made.context.curves =
+        fit_curves(file, report, until_stopped, arguments.jobs, arguments.out.empty() ? for_the_store : CurveDetail{});
+    save_fit(open_database(arguments.database, Access::write), fit_record(report, made.context));
+  }
   made.candidate.resistance = std::move(file);
   return made;
 }
@@ -142,6 +152,7 @@ MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Sess
   FitContext context = context_of(file, "material", "Pa");
   context.notes.insert(context.notes.end(), found.notes.begin(), found.notes.end());
   context.scene = fitted_scene(found, file);
+  if (found.report.slopes.found()) context.curves = modulus_curves(file, found);
   save(found.report, context, begin, arguments, session);
   const std::string model = model_in_words(file.options, found);
   return {{.source = arguments.fit,
@@ -162,6 +173,7 @@ MadeFit make_shift_fit(const FitArguments& arguments, const ShiftFile& file, Ses
   FitContext context = context_of(file, "shift", "1");
   context.notes.push_back("the values are ln a_T, reference temperature " + readable(file.law.reference, "K"));
   context.scene = fitted_scene(found, file);
+  if (found.report.slopes.found()) context.curves = shift_curves(file, shift_at(file.law, found.report.point()));
   save(found.report, context, begin, arguments, session);
   return {{.source = arguments.fit,
            .name = file.name,
@@ -183,9 +195,7 @@ void fit_shift_factors(const FitArguments& arguments, Session& session) {
     session.out << text_of(json_of(report, made.context), 2) << '\n';
   else
     session.out << fit_summary(report, made.context) << std::flush;
-  if (!arguments.out.empty() && report.slopes.found())
-    draw(report, shift_curves(file, shift_at(file.law, report.point())), file.name, Indenter::cylinder, arguments,
-         session);
+  if (!arguments.out.empty() && report.slopes.found()) draw(report, made.context, arguments, session);
 }
 
 void fit_resistance(const FitArguments& arguments, Session& session) {
@@ -212,8 +222,7 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
     object["coverage"] = json_of(counted);
     if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
   }
-  if (!arguments.out.empty() && known)
-    draw(report, fit_curves(given, report, evaluate, arguments.jobs), given.name, given.indenter(), arguments, session);
+  if (!arguments.out.empty() && known) draw(report, made.context, arguments, session);
   stored.flush();
   if (arguments.json) session.out << text_of(object, 2) << '\n';
 }
@@ -231,9 +240,7 @@ void fit_moduli(const FitArguments& arguments, Session& session) {
     session.out << text_of(json_of(report, made.context), 2) << '\n';
   else
     session.out << fit_summary(report, made.context) << std::flush;
-  if (!arguments.out.empty() && report.slopes.found())
-    draw(report, modulus_curves(*made.candidate.file, *made.candidate.material), made.candidate.name,
-         Indenter::cylinder, arguments, session);
+  if (!arguments.out.empty() && report.slopes.found()) draw(report, made.context, arguments, session);
 }
 
 /// Fits all of the files, and says which model the data are most likely on.

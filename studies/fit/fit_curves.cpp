@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "db/rows/result_store.hpp"
@@ -38,9 +39,22 @@ std::string label_of(const FitFile& file, const MeasuredScene& row, const std::s
   return joined(parts);
 }
 
+/// Half-width of the band at x: a straight line between those at the data.
+double between_data(const FitCurve& curve, const FitReport& report, double x, double quantile) {
+  std::map<double, double> known;
+  for (std::size_t i = 0; i < curve.data.size(); ++i) known[curve.data_x[i]] = report.values[curve.data[i]].band;
+  const auto above = known.lower_bound(x);
+  if (above == known.end()) return quantile * known.rbegin()->second;
+  if (above == known.begin()) return quantile * above->second;
+  const auto below = std::prev(above);
+  const double part = (x - below->first) / (above->first - below->first);
+  return quantile * (below->second + part * (above->second - below->second));
+}
+
 }  // namespace
 
-FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluate& evaluate, int jobs) {
+FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluate& evaluate, int jobs,
+                     const CurveDetail& detail) {
   const std::string x = horizontal(file);
   const Quantity& quantity = find_input(x)->quantity;
   const Quantity output = real_output(file.output);
@@ -79,7 +93,8 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   const double quantile = two_sided_quantile(confidence, report.deviations_known ? 0 : report.degrees);
   const Eigen::MatrixXd known =
       report.errors.covariance.unaryExpr([](double entry) { return std::isfinite(entry) ? entry : 0; });
-  constexpr int pieces = 40;
+  const int pieces = detail.points - 1;
+  if (answer.curves.size() > detail.most_curves) return answer;
   for (FitCurve& curve : answer.curves) {
     const auto [from, to] = std::minmax_element(curve.data_x.begin(), curve.data_x.end());
     std::vector<MeasuredScene> scenes;
@@ -94,7 +109,9 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
     const FitProblem problem =
         resistance_problem(scenes, file.inputs, parameters, evaluate, {.output = file.output, .jobs = jobs});
     const Prediction prediction = problem.predict(report.point());
-    const Slopes slopes = prediction.found() ? problem.differentiate(report.point(), prediction) : Slopes{};
+    if (prediction.values.size() == 0) continue;  // interrupted
+    const Slopes slopes =
+        detail.slopes && prediction.found() ? problem.differentiate(report.point(), prediction) : Slopes{};
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       if (!std::isfinite(prediction.values[row])) continue;
@@ -105,7 +122,8 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
       }
       curve.x.push_back(real_input(scenes[i].scene, x));
       curve.value.push_back(prediction.values[row]);
-      curve.band.push_back(quantile * std::sqrt(std::max(variance, 0.0)));
+      curve.band.push_back(detail.slopes ? quantile * std::sqrt(std::max(variance, 0.0))
+                                         : between_data(curve, report, curve.x.back(), quantile));
     }
   }
   return answer;

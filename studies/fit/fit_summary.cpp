@@ -193,6 +193,35 @@ std::string coverage_summary(const Coverage& coverage) {
   return text.str();
 }
 
+namespace {
+
+/// What pictures need: profiles, axes, curves, and where the data lie.
+void add_pictured(FitRecord& record, const FitReport& report, const FitCurves& curves) {
+  for (const FittedParameter& fitted : report.parameters)
+    for (const ProfilePoint& point : fitted.profile.points)
+      record.profiles.push_back({fitted.parameter.name, point.value, point.rise});
+  if (!record.profiles.empty()) record.profile_threshold = interval_threshold(report.deviations_known, report.degrees);
+  if (curves.curves.empty()) return;
+  record.x_name = curves.x.name;
+  record.x_unit = curves.x.unit;
+  record.x_logarithmic = curves.x.logarithmic;
+  record.y_name = curves.y.name;
+  record.y_unit = curves.y.unit;
+  record.y_logarithmic = curves.y.logarithmic;
+  for (std::size_t k = 0; k < curves.curves.size(); ++k) {
+    const FitCurve& curve = curves.curves[k];
+    const auto number = static_cast<std::int64_t>(k);
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      record.curves.push_back({number, curve.label, curve.x[i], curve.value[i], curve.band[i]});
+    for (std::size_t i = 0; i < curve.data.size(); ++i) {
+      record.data[curve.data[i]].x = curve.data_x[i];
+      record.data[curve.data[i]].curve = number;
+    }
+  }
+}
+
+}  // namespace
+
 FitRecord fit_record(const FitReport& report, const FitContext& context) {
   FitRecord record;
   record.name = context.name;
@@ -249,6 +278,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
   for (const FittedValue& value : report.values)
     record.data.push_back({value.measured.place, value.measured.value, value.measured.deviation, value.predicted,
                            value.residual, value.band});
+  add_pictured(record, report, context.curves);
   return record;
 }
 

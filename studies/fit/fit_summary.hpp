@@ -8,6 +8,7 @@
 #include "db/rows/fit_store.hpp"
 #include "fitting/fit/coverage.hpp"
 #include "fitting/fit/fit_report.hpp"
+#include "studies/fit/fit_chart.hpp"
 #include "studies/fit/fit_design.hpp"
 #include "studies/text/strict_json.hpp"
 
@@ -29,6 +30,7 @@ struct FitContext {
   std::string scene = {};               ///< what was fitted, as a scene: a JSON object
   std::size_t solved = 0, recalled = 0;
   double seconds = 0;
+  FitCurves curves = {};  ///< empty: not drawn
 };
 
 /// Status, parameters with errors and intervals, tests, and what to mind: for people.

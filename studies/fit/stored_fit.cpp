@@ -42,11 +42,29 @@ Table parameters_of(const FitRecord& fit) {
 }
 
 Table data_of(const FitRecord& fit) {
-  Table table{{"place", "measured", "deviation", "predicted", "residual", "band"}, {}};
+  Table table{{"place", "curve", "x", "measured", "deviation", "predicted", "residual", "band"}, {}};
   for (const FitDataRecord& one : fit.data)
-    table.rows.push_back(
-        {one.place, cell(one.measured), cell(one.deviation), cell(one.predicted), cell(one.residual), cell(one.band)});
+    table.rows.push_back({one.place, one.curve < 0 ? Cell() : Cell(one.curve), cell(one.x), cell(one.measured),
+                          cell(one.deviation), cell(one.predicted), cell(one.residual), cell(one.band)});
   return table;
+}
+
+Table profiles_of(const FitRecord& fit) {
+  Table table{{"parameter", "value", "rise"}, {}};
+  for (const FitProfileRecord& one : fit.profiles)
+    table.rows.push_back({one.parameter, cell(one.value), cell(one.rise)});
+  return table;
+}
+
+Table curves_of(const FitRecord& fit) {
+  Table table{{"curve", "label", "x", "value", "band"}, {}};
+  for (const FitCurveRecord& one : fit.curves)
+    table.rows.push_back({one.curve, one.label, cell(one.x), cell(one.value), cell(one.band)});
+  return table;
+}
+
+Json axis_json(const std::string& name, const std::string& unit, bool logarithmic) {
+  return {{"name", name}, {"unit", unit}, {"logarithmic", logarithmic}};
 }
 
 }  // namespace
@@ -91,7 +109,12 @@ Json json_of(const FitRecord& fit) {
           {"seconds", finite_or_null(fit.seconds)},
           {"scene", fit.scene.empty() ? Json(nullptr) : Json::parse(fit.scene)},
           {"parameters", json_of(parameters_of(fit))},
-          {"data", json_of(data_of(fit))}};
+          {"data", json_of(data_of(fit))},
+          {"profile_threshold", finite_or_null(fit.profile_threshold)},
+          {"profiles", json_of(profiles_of(fit))},
+          {"x", fit.x_name.empty() ? Json(nullptr) : axis_json(fit.x_name, fit.x_unit, fit.x_logarithmic)},
+          {"y", fit.x_name.empty() ? Json(nullptr) : axis_json(fit.y_name, fit.y_unit, fit.y_logarithmic)},
+          {"curves", json_of(curves_of(fit))}};
 }
 
 Table fit_table(const std::vector<FitSummary>& fits) {
@@ -104,11 +127,13 @@ Table fit_table(const std::vector<FitSummary>& fits) {
 
 std::vector<std::string> export_fit(const FitRecord& fit, const std::filesystem::path& folder) {
   make_directory(folder);
-  std::vector<std::string> files{"fit.json", "report.json", "parameters.csv", "data.csv"};
+  std::vector<std::string> files{"fit.json", "report.json", "parameters.csv", "data.csv", "profiles.csv", "curves.csv"};
   write_file(folder / files[0], fit.definition + "\n");
   write_file(folder / files[1], text_of(json_of(fit), 2) + "\n");
   write_file(folder / files[2], csv_of(parameters_of(fit)));
   write_file(folder / files[3], csv_of(data_of(fit)));
+  write_file(folder / files[4], csv_of(profiles_of(fit)));
+  write_file(folder / files[5], csv_of(curves_of(fit)));
   if (!fit.scene.empty()) write_file(folder / files.emplace_back("scene.json"), fit.scene + "\n");
   return files;
 }

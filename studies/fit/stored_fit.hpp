@@ -20,8 +20,8 @@ Json json_of(const FitRecord& fit);
 /// Fits as rows of a table: name, kind, status, parameters, measured values, chi squared, time.
 Table fit_table(const std::vector<FitSummary>& fits);
 
-/// Writes fit.json (the fit file), parameters.csv, data.csv, report.json and, where it is known, scene.json (what was
-/// fitted, with all digits) into a folder. @return the names of the files
+/// Writes fit.json (the fit file), parameters.csv, data.csv, profiles.csv, curves.csv, report.json and, where it is
+/// known, scene.json (what was fitted, with all digits) into a folder. @return the names of the files
 /// @throws std::runtime_error naming the file or folder that failed
 std::vector<std::string> export_fit(const FitRecord& fit, const std::filesystem::path& folder);
 

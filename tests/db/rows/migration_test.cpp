@@ -3,6 +3,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "db/queries/query.hpp"
 #include "db/rows/fit_store.hpp"
 #include "db/rows/result_store.hpp"
@@ -215,14 +217,56 @@ TEST_CASE("fits of before their scenes were stored are listed and read, without 
   FitParameterRecord time;
   time.name = "creep_time";
   fit.parameters.push_back(time);
+  fit.data.push_back({"data.csv, line 2", 1, 0.1, 1.1, 1, 0.05, 3, 0});
   save_fit(open_database(file, Access::write), fit);
   {
     SQLite::Database plain(file.string(), SQLite::OPEN_READWRITE);
-    plain.exec("ALTER TABLE fit DROP COLUMN scene; PRAGMA user_version = 7");  // the schema before
+    plain.exec(
+        "ALTER TABLE fit DROP COLUMN scene; DROP TABLE fit_profile; DROP TABLE fit_curve;"
+        "ALTER TABLE fit DROP COLUMN x_name; ALTER TABLE fit_data DROP COLUMN x;"
+        "ALTER TABLE fit_data DROP COLUMN curve; PRAGMA user_version = 7");  // the schema before
   }
   const Database database = open_database(file, Access::write);
   const std::vector<FitSummary> fits = stored_fits(database);
   REQUIRE(fits.size() == 1);
   CHECK(fits.front().parameters == "creep_time");
-  CHECK(find_fit(database, "a fit")->scene.empty());
+  const FitRecord read = *find_fit(database, "a fit", FitParts::with_data);
+  CHECK(read.scene.empty());
+  CHECK(read.x_name.empty());
+  REQUIRE(read.data.size() == 1);
+  CHECK(read.data.front().measured == 1);
+  CHECK(std::isnan(read.data.front().x));
+  CHECK(read.data.front().curve == -1);
+}
+
+TEST_CASE("profiles and curves of a fit are read as they were stored", "[db][fit_store]") {
+  const TemporaryDirectory folder;
+  const auto file = folder / "fits.db";
+  FitRecord fit{};
+  fit.name = "a fit";
+  fit.definition = "{}";
+  fit.x_name = "speed";
+  fit.x_unit = "m/s";
+  fit.x_logarithmic = true;
+  fit.profile_threshold = 3.84;
+  fit.data.push_back({"data.csv, line 2", 1, 0.1, 1.1, 1, 0.05, 3, 0});
+  fit.profiles = {{"creep_time", 0.1, 3.8}, {"creep_time", 0.2, 4.1}};
+  fit.curves = {{0, "P = 1 kN/m", 0.5, 10, 0.3}, {0, "P = 1 kN/m", 1.5, 11, std::nan("")}};
+  for (int again = 0; again < 2; ++again) save_fit(open_database(file, Access::write), fit);
+  const FitRecord read = *find_fit(open_database(file, Access::read), "a fit", FitParts::with_data);
+  CHECK(read.x_name == "speed");
+  CHECK(read.x_unit == "m/s");
+  CHECK(read.x_logarithmic);
+  CHECK(!read.y_logarithmic);
+  CHECK(read.profile_threshold == 3.84);
+  CHECK(read.data.front().x == 3);
+  CHECK(read.data.front().curve == 0);
+  REQUIRE(read.profiles.size() == 2);
+  CHECK(read.profiles[1].parameter == "creep_time");
+  CHECK(read.profiles[1].value == 0.2);
+  CHECK(read.profiles[1].rise == 4.1);
+  REQUIRE(read.curves.size() == 2);
+  CHECK(read.curves[1].label == "P = 1 kN/m");
+  CHECK(read.curves[0].band == 0.3);
+  CHECK(std::isnan(read.curves[1].band));
 }

@@ -80,8 +80,16 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   CHECK(again["solved"] == 0);
   CHECK(again["parameters"] == answer["parameters"]);
 
-  const auto stored = find_fit(open_database(files.database(), Access::read), "half space");
+  const auto stored = find_fit(open_database(files.database(), Access::read), "half space", FitParts::with_data);
   REQUIRE(stored);
+  CHECK(stored->x_name == "speed");
+  REQUIRE(stored->curves.size() >= 25);
+  CHECK(stored->curves.front().band > 0);
+  CHECK(stored->curves.front().value == stored->data.front().predicted);
+  CHECK(stored->data.front().curve == 0);
+  CHECK(stored->data.front().x == stored->curves.front().x);
+  CHECK(stored->profiles.size() >= 6);
+  CHECK(std::abs(stored->profile_threshold - 3.8415) < 1e-4);
   CHECK(stored->status == answer["status"]);
   CHECK(stored->parameters[0].value == time["value"].get<double>());
   CHECK(stored->data_digest == answer["data_digest"]);
