@@ -25,6 +25,7 @@ struct FitParameter {
   double start;       ///< [SI]
   /// Where other starts are looked for [SI]; NaN: a factor around the start.
   double usual_lowest = RollingSolution::absent, usual_highest = RollingSolution::absent;
+  bool saturates = false;  ///< beyond some value it acts no longer: descents are tried from all over the usual ones
 };
 
 struct MeasuredValue {

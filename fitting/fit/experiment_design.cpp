@@ -35,7 +35,55 @@ double usual_relative_deviation(const FitReport& report) {
   return relative[relative.size() / 2];
 }
 
+/// The covariance with some choices measured.
+Eigen::MatrixXd covariance_with(const MeasurementPlan& plan, const std::vector<std::size_t>& places) {
+  Eigen::MatrixXd covariance = plan.covariance;
+  for (const std::size_t place : places) {
+    const DesignChoice& choice = plan.choices[place];
+    const Eigen::VectorXd moved = covariance * choice.slope;
+    covariance -= moved * moved.transpose() / (choice.deviation * choice.deviation + choice.slope.dot(moved));
+  }
+  return covariance;
+}
+
 }  // namespace
+
+JointChoice best_together(const MeasurementPlan& plan, std::size_t count) {
+  JointChoice best;
+  if (plan.choices.empty()) return best;
+  const auto worst = [&](const std::vector<std::size_t>& places) {
+    return covariance_with(plan, places).diagonal().maxCoeff();
+  };
+  constexpr double better = 1 - 1e-9;
+  /// Puts into one place what is best there.
+  const auto choose = [&](std::size_t place) {
+    std::vector<std::size_t> tried = best.choices;
+    double least = worst(tried);
+    bool changed = false;
+    for (std::size_t i = 0; i < plan.choices.size(); ++i) {
+      tried[place] = i;
+      if (const double left = worst(tried); left < better * least) {
+        least = left;
+        best.choices[place] = i;
+        changed = true;
+      }
+    }
+    return changed;
+  };
+  for (std::size_t place = 0; place < count; ++place) {
+    best.choices.push_back(0);
+    choose(place);
+  }
+  constexpr int most_rounds = 10;
+  bool changed = true;
+  for (int round = 0; round < most_rounds && changed; ++round) {
+    changed = false;
+    for (std::size_t place = 0; place < count; ++place) changed |= choose(place);
+  }
+  std::sort(best.choices.begin(), best.choices.end());
+  best.deviations = covariance_with(plan, best.choices).diagonal().cwiseSqrt();
+  return best;
+}
 
 MeasurementPlan design(const FitReport& report, const std::vector<FittedInput>& inputs,
                        std::vector<MeasuredScene> candidates, const Evaluate& evaluate,
@@ -43,6 +91,7 @@ MeasurementPlan design(const FitReport& report, const std::vector<FittedInput>& 
   if (!report.slopes.found()) throw std::invalid_argument("a design needs a fit with slopes");
   const Eigen::MatrixXd covariance = covariance_of(report);
   MeasurementPlan answer;
+  answer.covariance = covariance;
   answer.deviations = covariance.diagonal().cwiseSqrt();
   Eigen::Index worst = 0;
   answer.deviations.maxCoeff(&worst);
@@ -72,7 +121,8 @@ MeasurementPlan design(const FitReport& report, const std::vector<FittedInput>& 
     const Eigen::VectorXd after =
         (covariance.diagonal().array() - moved.array().square() / (deviation * deviation + slope.dot(moved))).sqrt();
     if (slope.squaredNorm() > 0)
-      answer.choices.push_back({candidates[i].scene, candidates[i].set, prediction.values[row], deviation, after});
+      answer.choices.push_back(
+          {candidates[i].scene, candidates[i].set, prediction.values[row], deviation, after, slope});
   }
   std::stable_sort(answer.choices.begin(), answer.choices.end(), [&](const DesignChoice& a, const DesignChoice& b) {
     return a.deviations[worst] < b.deviations[worst];

@@ -19,12 +19,14 @@ struct DesignChoice {
   double predicted;            ///< [SI]
   double deviation;            ///< the standard deviation it is thought to have [SI]: relative as the data's median
   Eigen::VectorXd deviations;  ///< of the scaled parameters, afterwards
+  Eigen::VectorXd slope;       ///< j [SI]
 };
 
 struct MeasurementPlan {
   std::size_t worst;                  ///< the parameter with the largest standard deviation now
   Eigen::VectorXd deviations;         ///< of the scaled parameters, now
   std::vector<DesignChoice> choices;  ///< those with an answer; what shrinks the worst most comes first
+  Eigen::MatrixXd covariance;         ///< C, now
 
   /// The worst parameter's deviation after a choice over that now.
   double ratio(const DesignChoice& choice) const {
@@ -39,5 +41,13 @@ struct MeasurementPlan {
 MeasurementPlan design(const FitReport& report, const std::vector<FittedInput>& inputs,
                        std::vector<MeasuredScene> candidates, const Evaluate& evaluate,
                        const ResistanceFitOptions& options = {});
+
+/// The choices that together leave the parameter which is worst known afterwards best known: one after another, then
+/// each exchanged for any other as long as that helps (Fedorov 1972). A choice may be taken more than once.
+struct JointChoice {
+  std::vector<std::size_t> choices;  ///< places in plan.choices
+  Eigen::VectorXd deviations;        ///< of the scaled parameters, after all of them
+};
+JointChoice best_together(const MeasurementPlan& plan, std::size_t count);
 
 }  // namespace rollres

@@ -47,10 +47,11 @@ FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options)
 /// Whether the slopes leave a direction of the parameters free: nothing along it is the least misfit.
 bool leaves_free(const FitReport& report) { return !(report.errors.weakest_deviation < 1); }
 
-/// Whether the deviations explain so little of the misfit that its least value to the last digit is of no interest.
+/// Whether the deviations explain so little of the misfit that its least value to the last digit is of no interest,
+/// and the slopes promise no other.
 bool misses_by_far(const FitReport& report) {
-  constexpr double far = 20;
-  return report.deviations_known && report.reduced_chi_squared > far;
+  constexpr double far = 20, part = 0.25;
+  return report.deviations_known && report.reduced_chi_squared > far && report.errors.fall < part * report.chi_squared;
 }
 
 /// Whether Gauss and Newton's step from here is but a small part of the standard errors; where it is free along a
@@ -190,6 +191,34 @@ bool worth_profiles(FitReport report, const FitProblem& problem) {
   return report.status >= FitStatus::usable_with_warnings || report.status == FitStatus::did_not_move;
 }
 
+/// Whether the fit would say that the model does not describe the data, or knows nothing at all.
+bool misses_its_data(FitReport report, const FitProblem& problem) {
+  constexpr double far = 4, fifth = 0.2;
+  if (!report.slopes.found()) return true;
+  judge(report, problem);
+  return report.status <= FitStatus::misfit &&
+         (report.deviations_known ? report.reduced_chi_squared > far : report.relative_rms > fifth);
+}
+
+/// A misfit is believed when an offset or a scale of the data would explain it, or descents from elsewhere end no
+/// better.
+void doubt_misfit(const FitProblem& problem, std::vector<Descent>& descents, FitReport& report,
+                  const FitOptions& options) {
+  if (options.starts <= 1 || options.known || problem.ending->over() || !misses_its_data(report, problem)) return;
+  if (report.slopes.found()) report.misfit_cause = missing_term(problem, report, options);
+  if (!report.misfit_cause.empty()) return;
+  FitOptions elsewhere = options;
+  elsewhere.reach = 2 * options.reach;
+  ++elsewhere.seed;
+  const double before = best_of(descents).misfit;
+  for (Descent& descent : rough_descents(problem, elsewhere)) descents.push_back(std::move(descent));
+  constexpr double better = 0.9;
+  if (report.slopes.found() && !(best_of(descents).misfit < better * before)) return;
+  report = settled(problem, descents, options);
+  if (misses_its_data(report, problem) && report.slopes.found())
+    report.misfit_cause = missing_term(problem, report, options);
+}
+
 }  // namespace
 
 FitReport fit(const FitProblem& given, const FitOptions& wanted) {
@@ -205,6 +234,7 @@ FitReport fit(const FitProblem& given, const FitOptions& wanted) {
   std::vector<Descent> descents = rough_descents(problem, options);
   if (!options.known) problem = sized_at(problem, best_of(descents).end);
   FitReport report = settled(problem, descents, options);
+  doubt_misfit(problem, descents, report, options);
   constexpr int most_returns = 2;
   for (int returns = 0; options.profiles && report.slopes.found() && worth_profiles(report, problem); ++returns) {
     FitPoint better;
@@ -216,8 +246,8 @@ FitReport fit(const FitProblem& given, const FitOptions& wanted) {
   report.interrupted = given.ending->over();
   report.ended = given.ending->why();
   judge(report, problem);
-  if (report.status == FitStatus::misfit && options.starts > 1) {
-    report.misfit_cause = misfit_cause(problem, report, options);
+  if (report.status == FitStatus::misfit && options.starts > 1 && report.misfit_cause.empty()) {
+    report.misfit_cause = place_of_misfit(report);
     judge(report, problem);
   }
   report.evaluations = problem.log->evaluations();

@@ -52,6 +52,14 @@ struct FittedValue {
   double band;       ///< standard error of the prediction by the errors of the parameters [SI]
 };
 
+/// A term of the noise of measured values, where that is fitted (noise_fit.hpp).
+struct NoiseEstimate {
+  std::string name;
+  bool relative;  ///< a part of what is predicted [1]; else a level [SI]
+  double value;   ///< 0: it explains nothing
+  double standard_error;
+};
+
 struct FitReport {
   FitStatus status = FitStatus::not_converged;
   std::string reason;                 ///< of the status, in words; empty if usable
@@ -83,7 +91,8 @@ struct FitReport {
   std::string misfit_cause;       ///< what most likely makes a MISFIT, in words; empty: nothing stands out
   std::size_t evaluations = 0, failures = 0;
   std::vector<EvaluationLog::Failure> failure_reasons;
-  Slopes slopes;  ///< at the fit
+  Slopes slopes;                                ///< at the fit
+  std::vector<NoiseEstimate> noise_terms = {};  ///< where the noise is fitted
 
   FitPoint point() const;
 };

@@ -72,7 +72,7 @@ std::vector<UsualSpan> spans_of(const FitProblem& problem, const FitOptions& opt
 
 /// The given start, what is suggested, and points between.
 std::vector<FitPoint> candidates_of(const FitProblem& problem, const FitOptions& options) {
-  constexpr Eigen::Index for_each_start = 3;
+  const Eigen::Index for_each_start = problem.estimate ? 3 : 5;
   std::vector<FitPoint> points = problem.suggestions;
   points.push_back(start_point(problem));
   const std::vector<UsualSpan> spans = spans_of(problem, options);
@@ -140,14 +140,17 @@ std::vector<FitPoint> starts_of(const FitProblem& given, const FitOptions& optio
 
 namespace {
 
-/// A rough descent, and what the slopes at its end say; nothing where there are too few data for that.
+/// A rough descent, the slopes near its end, and what they say; nothing where there are too few data for that.
 struct Way {
   Descent descent;
+  std::optional<KnownSlopes> known = {};
   std::optional<FitErrors> errors = {};
 };
 
 /// Down by slopes that cost half as much, evaluated only where secants are not good enough.
-Way way_down(const FitProblem& problem, const FitPoint& start, const FitOptions& options, DescentOptions how) {
+/// @param known  slopes near the start, if there are any
+Way way_down(const FitProblem& problem, const FitPoint& start, const FitOptions& options, DescentOptions how,
+             const std::optional<KnownSlopes>& known) {
   constexpr double trusted_miss = 0.5;
   // The problem's own slopes measure its noise where they are first asked for: of several starts none that is far off.
   const auto roughly = [&problem, &options](const FitPoint& point, const Prediction& prediction) {
@@ -155,12 +158,13 @@ Way way_down(const FitProblem& problem, const FitPoint& start, const FitOptions&
     return slopes.found() || options.starts > 1 ? slopes : problem.differentiate(point, prediction);
   };
   const auto latest = std::make_shared<std::optional<KnownSlopes>>();
-  const FitProblem quick = with_secants(
-      problem, {.known = options.known, .trusted_miss = trusted_miss, .evaluate = roughly, .latest = latest});
+  const FitProblem quick =
+      with_secants(problem, {.known = known, .trusted_miss = trusted_miss, .evaluate = roughly, .latest = latest});
   // A change of the misfit by a twentieth of what a standard error makes is worth no step.
   how.tolerance = std::max(how.tolerance, 0.05 / std::max(1, degrees_of_freedom(problem)));
   how.stop = options.stop;
   Way way{descend(quick, start, how)};
+  way.known = *latest;
   const int degrees = degrees_of_freedom(problem);
   if (way.descent.found() && *latest && (degrees > 0 || (degrees == 0 && problem.deviations_known)))
     way.errors = fit_errors(problem, way.descent.end, residuals(problem, way.descent.prediction), (*latest)->slopes);
@@ -174,7 +178,7 @@ Descent further(const FitProblem& problem, const Descent& few, const FitOptions&
   DescentOptions how = by_all_rows;
   how.radius = radius_near_the_end;
   how.rival = rival;
-  Descent answer = way_down(problem, few.found() ? few.end : few.start, options, how).descent;
+  Descent answer = way_down(problem, few.found() ? few.end : few.start, options, how, options.known).descent;
   answer.start = few.start;
   answer.iterations += few.iterations;
   return answer;
@@ -227,7 +231,7 @@ std::vector<Way> ways_down(const FitProblem& problem, const std::vector<FitPoint
   for (std::size_t k = 0; k < starts.size() && !(k > 0 && options.stop && options.stop->load()); ++k) {
     DescentOptions own = how;
     if (std::isfinite(best)) own.rival = best;
-    ways.push_back(way_down(problem, starts[k], options, own));
+    ways.push_back(way_down(problem, starts[k], options, own, options.known));
     best = std::min(best, misfit_of(ways.back()));
     const std::optional<FitErrors>& errors = ways.back().errors;
     if (k > 0 || !errors || errors->weakest_deviation < free_by_far) continue;
@@ -236,49 +240,71 @@ std::vector<Way> ways_down(const FitProblem& problem, const std::vector<FitPoint
   return ways;
 }
 
-}  // namespace
-
-Descent rough_descent(const FitProblem& given, const FitPoint& start, const FitOptions& options) {
-  const FitProblem problem = options.known ? given : in_logarithms(given);
-  const std::vector<std::size_t> rows = options.known ? std::vector<std::size_t>() : few_rows(problem);
-  if (rows.empty()) {
-    DescentOptions how = by_all_rows;
-    if (options.known) how.radius = radius_near_the_end;
-    return way_down(problem, start, options, how).descent;
-  }
-  return further(problem, way_down(part_of(problem, rows), start, options, by_few_rows).descent, options,
-                 RollingSolution::absent);
+void sort_by_misfit(std::vector<Way>& ways) {
+  std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return misfit_of(a) < misfit_of(b); });
 }
 
-std::vector<Descent> rough_descents(const FitProblem& given, const FitOptions& options) {
-  const std::vector<FitPoint> starts = starts_of(given, options);
-  if (starts.size() == 1) return {rough_descent(given, starts.front(), options)};
-  const FitProblem problem = in_logarithms(given);
-  const std::vector<std::size_t> rows = few_rows(problem);
-  std::vector<Descent> descents;
-  if (rows.empty()) {
-    for (Way& way : ways_down(problem, starts, options, by_all_rows)) descents.push_back(std::move(way.descent));
-    return descents;
+/// From the best end with one parameter held at values all over its usual ones, each from where the one before ended,
+/// beginning where it acts least; then from the two best with that parameter free.
+void add_values_of(std::vector<Way>& ways, const FitProblem& problem, std::size_t parameter, const FitOptions& options,
+                   const DescentOptions& how) {
+  constexpr int values = 5;
+  constexpr std::size_t freed = 2;
+  if (!ways.front().descent.found()) return;
+  const UsualSpan span = spans_of(problem, options)[parameter];
+  DescentOptions holding = how;
+  holding.held = {parameter};
+  FitPoint from = ways.front().descent.end;
+  std::optional<KnownSlopes> known = ways.front().known;
+  std::vector<Way> held;
+  for (int k = values; k-- > 0 && !(options.stop && options.stop->load());) {
+    from[parameter] =
+        problem.parameters[parameter].variable.value(span.lowest + (span.highest - span.lowest) * k / (values - 1.0));
+    Way way = way_down(problem, from, options, holding, known);
+    if (!way.descent.found()) continue;  // too little friction for the drive, as an example
+    from = way.descent.end;
+    known = way.known;
+    held.push_back(std::move(way));
   }
-  const FitProblem part = part_of(problem, rows);
-  std::vector<Way> ways = ways_down(part, starts, options, by_few_rows);
-  const auto sort = [&ways] {
-    std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return misfit_of(a) < misfit_of(b); });
-  };
-  sort();
+  sort_by_misfit(held);
+  for (std::size_t k = 0; k < std::min(freed, held.size()); ++k)
+    ways.push_back(way_down(problem, held[k].descent.end, options, how, held[k].known));
+}
+
+/// The ways down from all starts, and from other values of a parameter that the best end no longer feels or that may
+/// act no longer; the best first.
+std::vector<Way> all_ways_down(const FitProblem& problem, const std::vector<FitPoint>& starts,
+                               const FitOptions& options, const DescentOptions& how) {
+  std::vector<Way> ways = ways_down(problem, starts, options, how);
+  sort_by_misfit(ways);
+  bool tried = false;
+  for (std::size_t j = 0; j < problem.size(); ++j)
+    if (problem.parameters[j].saturates) {
+      add_values_of(ways, problem, j, options, how);
+      sort_by_misfit(ways);
+      tried = true;
+    }
+  if (tried || !ways.front().errors) return ways;
+  if (const std::optional<std::size_t> idle = idle_parameter(*ways.front().errors)) {
+    DescentOptions holding = how;
+    holding.held = {*idle};
+    const Descent end = way_down(problem, ways.front().descent.end, options, holding, {}).descent;
+    for (Way& way : ways_down(problem, with_other_values(problem, end.end, *idle, options), options, how))
+      ways.push_back(std::move(way));
+    sort_by_misfit(ways);
+  }
+  return ways;
+}
+
+/// The ways by a few rows, the best of them followed by all rows.
+std::vector<Descent> by_few_then_all(const FitProblem& problem, const std::vector<std::size_t>& rows,
+                                     const std::vector<FitPoint>& starts, const FitOptions& options) {
   constexpr double same_place = 0.5, worse = 0.5;
   constexpr std::size_t most_followed = 2;
-  if (ways.front().errors)
-    if (const std::optional<std::size_t> idle = idle_parameter(*ways.front().errors)) {
-      DescentOptions how = by_all_rows;
-      how.held = {*idle};
-      const Descent end = way_down(part, ways.front().descent.end, options, how).descent;
-      for (Way& way : ways_down(part, with_other_values(problem, end.end, *idle, options), options, by_few_rows))
-        ways.push_back(std::move(way));
-      sort();
-    }
+  const FitProblem part = part_of(problem, rows);
+  const std::vector<Way> ways = all_ways_down(part, starts, options, by_few_rows);
   const Descent few = ways.front().descent;
-  descents.push_back(further(problem, few, options, RollingSolution::absent));
+  std::vector<Descent> descents{further(problem, few, options, RollingSolution::absent)};
   std::size_t followed = 1;
   for (std::size_t k = 1; k < ways.size(); ++k) {
     const Descent& other = ways[k].descent;
@@ -294,6 +320,54 @@ std::vector<Descent> rough_descents(const FitProblem& given, const FitOptions& o
       descents.back().misfit = descents.front().misfit * other.misfit / few.misfit;  // of all rows, about
     }
     descents.back().start = other.start;
+  }
+  return descents;
+}
+
+/// The rows, with some of those that had no prediction where a descent by the others ended.
+std::vector<std::size_t> with_unanswered(std::vector<std::size_t> rows, const Descent& descent) {
+  constexpr std::size_t most = 4;
+  std::size_t added = 0;
+  for (Eigen::Index i = 0; i < descent.prediction.values.size() && added < most; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (std::isfinite(descent.prediction.values[i]) || std::find(rows.begin(), rows.end(), row) != rows.end()) continue;
+    rows.push_back(row);
+    ++added;
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+}  // namespace
+
+Descent rough_descent(const FitProblem& given, const FitPoint& start, const FitOptions& options) {
+  const FitProblem problem = options.known ? given : in_logarithms(given);
+  const std::vector<std::size_t> rows = options.known ? std::vector<std::size_t>() : few_rows(problem);
+  if (rows.empty()) {
+    DescentOptions how = by_all_rows;
+    if (options.known) how.radius = radius_near_the_end;
+    return way_down(problem, start, options, how, options.known).descent;
+  }
+  return further(problem, way_down(part_of(problem, rows), start, options, by_few_rows, options.known).descent, options,
+                 RollingSolution::absent);
+}
+
+std::vector<Descent> rough_descents(const FitProblem& given, const FitOptions& options) {
+  const std::vector<FitPoint> starts = starts_of(given, options);
+  if (starts.size() == 1) return {rough_descent(given, starts.front(), options)};
+  const FitProblem problem = in_logarithms(given);
+  std::vector<std::size_t> rows = few_rows(problem);
+  std::vector<Descent> descents;
+  if (rows.empty()) {
+    for (Way& way : all_ways_down(problem, starts, options, by_all_rows)) descents.push_back(std::move(way.descent));
+    return descents;
+  }
+  constexpr int most_rounds = 3;
+  for (int round = 0; round < most_rounds; ++round) {
+    descents = by_few_then_all(problem, rows, starts, options);
+    const std::vector<std::size_t> more = with_unanswered(rows, descents.front());
+    if (descents.front().found() || more.size() == rows.size()) break;
+    rows = more;  // where some have no answer the few rows must know it
   }
   return descents;
 }

@@ -26,7 +26,9 @@ Descent rough_descent(const FitProblem& problem, const FitPoint& start, const Fi
 
 /// Rough descents from all starts. Those that end where another did are not followed further, nor those that end far
 /// above it. Where the first ends at a place that no longer feels one of the parameters, others begin there with usual
-/// values of that one. Where it explains the data and leaves a direction of several parameters free, it is the last.
+/// values of that one; always so for one that saturates. Rows without an answer where the best by a few rows ended join
+/// the few, and all begins anew. Where it explains the data and leaves a direction of several parameters free, it is
+/// the last.
 std::vector<Descent> rough_descents(const FitProblem& problem, const FitOptions& options);
 
 }  // namespace rollres

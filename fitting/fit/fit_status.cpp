@@ -207,9 +207,16 @@ void judge(FitReport& report, const FitProblem& problem) {
     report.reason += "; " + noise;
   if (known && report.ended.empty() && report.degrees > 0)
     if (const std::string misfit = misfit_in_words(report); !misfit.empty()) {
-      report.status = FitStatus::misfit;
-      report.reason = misfit;
-      return;
+      constexpr double settled = 0.5;  // what is left after the fall that slopes promise misses the data still
+      if (report.errors.fall < settled * report.chi_squared) {
+        report.status = FitStatus::misfit;
+        report.reason = misfit;
+        return;
+      }
+      if (report.reason.empty())
+        report.reason = message_text<4>("the misfit is large, and its slopes let ",
+                                        percent(report.errors.fall / report.chi_squared),
+                                        " of it fall (the descent stopped: ", report.stopped, "): start it elsewhere");
     }
   if (known && !report.moved) {
     if (report.reason.empty()) report.status = FitStatus::did_not_move;

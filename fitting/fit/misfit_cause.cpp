@@ -76,7 +76,7 @@ std::string largest_part(const std::map<std::string, double>& shares) {
 
 }  // namespace
 
-std::string misfit_cause(const FitProblem& problem, const FitReport& report, const FitOptions& options) {
+std::string missing_term(const FitProblem& problem, const FitReport& report, const FitOptions& options) {
   FitOptions tries = options;
   tries.starts = 3;
   tries.known.reset();
@@ -102,8 +102,11 @@ std::string misfit_cause(const FitProblem& problem, const FitReport& report, con
           " would explain ", 100 * (1 - part), " % of it: add the parameter \"", key, "\"");
     }
   }
-  if (!best.empty()) return best;
-  best = largest_part(parts(report, [](const FittedValue& value, double) {
+  return best;
+}
+
+std::string place_of_misfit(const FitReport& report) {
+  const std::string best = largest_part(parts(report, [](const FittedValue& value, double) {
     const std::string place = value.measured.place;
     return value.measured.prior() ? std::string("the priors") : place.substr(0, place.find(", line"));
   }));

@@ -9,8 +9,11 @@
 namespace rollres {
 
 /// In words: that an offset or a scale of the measured values would explain most of a misfit (descents with it, by a
-/// few of the data); or that one data set, or one end of the speeds, has most of it. Empty if nothing stands out.
+/// few of the data); empty if neither would.
 /// @param report  of a fit that misses its data
-std::string misfit_cause(const FitProblem& problem, const FitReport& report, const FitOptions& options);
+std::string missing_term(const FitProblem& problem, const FitReport& report, const FitOptions& options);
+
+/// In words: that one data set, or one end of the speeds, has most of the misfit; empty if nothing stands out.
+std::string place_of_misfit(const FitReport& report);
 
 }  // namespace rollres

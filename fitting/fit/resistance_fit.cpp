@@ -5,12 +5,9 @@
 #include <atomic>
 #include <cmath>
 #include <complex>
-#include <ctime>
 #include <limits>
-#include <mutex>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -26,46 +23,14 @@ namespace {
 
 bool concerns(const FittedInput& input, const std::string& set) { return input.set.empty() || input.set == set; }
 
-/// Processor time of this thread [s].
-double seconds_used() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// How long the solutions of one scene took that were answered, and how much longer one of them may take: parameters
-/// that make it cost far more are far off those that can be.
-class Patience {
- public:
-  double limit() const { return std::max(least, many * fastest_.load()); }
-  void answered(double seconds) {
-    if (seconds > recalled && seconds < fastest_) fastest_ = seconds;
-  }
-
- private:
-  static constexpr double many = 12, least = 0.1, recalled = 1e-4;
-  std::atomic<double> fastest_ = std::numeric_limits<double>::infinity();
-};
-
-/// Evaluates until the fit is over, or patience, and enters it in the log. @throws Interrupted once it is over
+/// Evaluates until the fit is over, and enters it in the log. @throws Interrupted once it is over
 Evaluate logging(const Evaluate& evaluate, const FitProblem& problem, const std::string& place,
                  const std::shared_ptr<std::atomic<bool>>& on_grid) {
-  const auto patience = std::make_shared<Patience>();
-  return [evaluate, log = problem.log, ending = problem.ending, place, on_grid, patience](const RollingScene& scene) {
+  return [evaluate, log = problem.log, ending = problem.ending, place, on_grid](const RollingScene& scene) {
     if (ending->reached()) throw Interrupted();
     ending->count_solution();
-    const double begin = seconds_used(), limit = patience->limit();
-    RollingSolution solution;
-    try {
-      const Interruptible interruptible([&, thread = std::this_thread::get_id()] {
-        return ending->reached() || (std::this_thread::get_id() == thread && seconds_used() - begin > limit);
-      });
-      solution = evaluate(scene);
-      if (solution.status == Status::converged) patience->answered(seconds_used() - begin);
-    } catch (const Interrupted&) {
-      if (ending->reached()) throw;
-      solution.reason = costs_far_more;
-    }
+    const Interruptible interruptible([&] { return ending->reached(); });
+    const RollingSolution solution = evaluate(scene);
     if (solution.status == Status::converged && rollres::on_grid(solution.method)) *on_grid = true;
     if (solution.status == Status::converged)
       log->answered();
@@ -147,16 +112,20 @@ std::string noise_remedy(const std::vector<MeasuredScene>& scenes) {
 struct UsualValues {
   std::string_view key;
   double lowest, highest;
+  bool saturates = false;
 };
 constexpr std::array<UsualValues, 3> usual_values{
-    {{"friction_coefficient", 0.02, 1}, {"fractional_order", 0.2, 1}, {"poisson_ratio", 0.3, 0.5}}};
+    {{"friction_coefficient", 0.02, 1, true}, {"fractional_order", 0.2, 1}, {"poisson_ratio", 0.3, 0.5}}};
 
 void add_usual_values(FitParameter& parameter) {
   const Quantity& quantity = parameter.variable.quantity;
   const std::string_view key = quantity.key;
   for (const UsualValues& usual : usual_values)
-    if (key == usual.key || key.ends_with("." + std::string(usual.key)))
-      parameter.usual_lowest = usual.lowest, parameter.usual_highest = usual.highest;
+    if (key == usual.key || key.ends_with("." + std::string(usual.key))) {
+      parameter.usual_lowest = usual.lowest;
+      parameter.usual_highest = usual.highest;
+      parameter.saturates = usual.saturates;
+    }
   constexpr double measured_badly = 1.5;  // lengths and loads are known to that at least
   if (quantity.unit == "m" || key == "load" || key == "speed") {
     parameter.usual_lowest = parameter.start / measured_badly;

@@ -25,14 +25,11 @@ bool is_far(const FitPoint& point, const FitPoint& other) {
 Prediction SceneModel::predict(const FitPoint& point, const std::vector<std::size_t>& rows) const {
   Prediction prediction{Eigen::VectorXd::Constant(std::ssize(rows), RollingSolution::absent)};
   std::vector<std::string> reasons(rows.size());
-  std::atomic<bool> too_costly = false;
   for_each_piece(rows.size(), jobs_, [&](std::size_t i) {
-    if (too_costly) return;
     const SceneRow& row = rows_[rows[i]];
     const ObjectiveValue answer = value_at(row.objective, row.own(point));
     prediction.values[static_cast<Eigen::Index>(i)] = answer.value;
     if (!answer.found()) reasons[i] = row.place + ": " + answer.reason;
-    if (answer.reason == costs_far_more) too_costly = true;  // then so are the others
   });
   for (std::string& reason : reasons)
     if (prediction.reason.empty()) prediction.reason = std::move(reason);

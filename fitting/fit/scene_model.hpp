@@ -11,7 +11,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/derivatives/calibration.hpp"
@@ -19,9 +18,6 @@
 #include "fitting/descent/fit_problem.hpp"
 
 namespace rollres {
-
-/// The reason of a solution that was given up because it costs far more than others of its scene.
-inline constexpr std::string_view costs_far_more = "costs far more than with other parameters: left out";
 
 /// One scene's output as a function of the inputs that concern it.
 struct SceneRow {

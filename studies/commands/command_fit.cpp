@@ -64,7 +64,9 @@ FitContext context_of(const FitFile& file) {
 Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArguments& arguments, Session& session) {
   FitFile alone = file;
   for (std::size_t j = 0; j < alone.inputs.size(); ++j) alone.inputs[j].start = report.parameters[j].value;
-  const FitProblem problem = problem_of(alone, session.evaluate, 1);
+  FitProblem problem = problem_of(alone, session.evaluate, 1);
+  for (std::size_t i = 0; i < report.values.size(); ++i)
+    problem.data[i].deviation = report.values[i].measured.deviation;  // where the noise was fitted
   StatusLine line(session.err);
   const auto show = [&](int draws) {
     line.show(std::to_string(draws) + " of " + std::to_string(arguments.coverage) + " draws fitted");
@@ -105,7 +107,7 @@ MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredE
       file, [&](const RollingScene& scene) { return stored(scene); }, arguments.jobs);
   MadeFit made{{.source = arguments.fit, .name = file.name, .model = "scene"}, context_of(file)};
   FitReport& report = made.candidate.report;
-  report = refusing_at(file.source, [&] { return fit(problem, file.options); });
+  report = refusing_at(file.source, [&] { return fit(problem, file); });
   std::vector<std::string> names;
   for (const FittedParameter& fitted : report.parameters) names.push_back(fitted.parameter.name);
   made.candidate.model = joined(names);

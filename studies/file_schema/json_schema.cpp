@@ -3,6 +3,7 @@
 #include "core/scene/solution.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/fit/measured_terms.hpp"
+#include "fitting/fit/noise_fit.hpp"
 #include "studies/file_schema/schema_parts.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design_keys.hpp"
@@ -166,6 +167,9 @@ Json scene_fit() {
     const Json one = reference(parameter_name);
     parameters["properties"][std::string(term)] = {{"anyOf", {input_number(), one, list_of(one)}}};
   }
+  const Json noise{{"type", "object"}, {"properties", {{"data", name()}}}, {"additionalProperties", false}};
+  for (const std::string_view term : {noise_level_key, relative_noise_key})
+    parameters["properties"][std::string(term)] = {{"anyOf", {noise, list_of(noise)}}};
   const Json set{{"anyOf", {name(), reference(data_set_name)}}};
   return object_of(fit_keys, {{"scene", scene_or_file()},
                               {"set", inputs_and_layers(input_reference, any_input)},
@@ -245,8 +249,9 @@ std::string fit_schema() {
   schema["else"] = scene_fit();
   Json& definitions = schema["definitions"] = input_definitions();
   definitions[parameter_name] = object_of(fit_parameter_keys, {{"prior", object_of(prior_keys)}});
-  definitions[data_set_name] =
-      object_of(data_set_keys, {{"set", inputs_and_layers(input_reference, any_input)}, {"output", name()}});
+  definitions[data_set_name] = object_of(data_set_keys, {{"set", inputs_and_layers(input_reference, any_input)},
+                                                         {"output", name()},
+                                                         {"ignore_columns", list_of(name())}});
   return printed(schema);
 }
 

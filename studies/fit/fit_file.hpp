@@ -18,7 +18,8 @@
 /// edges, or a grid tied to a sphere's contact), its own spacing is left out; one in a `set` or a column is kept.
 ///
 /// A parameter is a start, or an object with start, lowest, highest, scale ("logarithmic" or "linear"), fixed, and
-/// data: the set that it belongs to. Without a start, material parameters start from closed forms
+/// data: the set that it belongs to. noise_level and relative_noise (an empty object, or one with data) are fitted too
+/// where no sigma is given. Without a start, material parameters start from closed forms
 /// (closed_form_start.hpp), the others from the scene. Other keys: loss ("none", "huber", "cauchy"), loss_scale, starts
 /// (1), seed (1), step (scaled; in place of steps that suit the noise), comment.
 
@@ -37,6 +38,11 @@ struct FixedInput {
   double value;  ///< [SI]
 };
 
+/// A term of the noise that is fitted. @see fitting/fit/noise_fit.hpp
+struct FittedNoise {
+  std::string key, set;  ///< noise_level or relative_noise; set: empty: all
+};
+
 struct FitFile {
   std::string name;
   std::string source;      ///< for messages
@@ -46,6 +52,7 @@ struct FitFile {
   std::vector<std::string> varying;  ///< inputs that are columns of a table
   std::vector<FittedInput> inputs;
   std::vector<FixedInput> fixed;
+  std::vector<FittedNoise> noise;
   std::string output = "rolling_resistance";
   bool deviations_known = false;
   bool relative_weights = false;
@@ -66,5 +73,8 @@ FitFile read_fit(const std::filesystem::path& file);
 /// The problem that the file poses. @param jobs threads; 0: one for each core
 /// @throws std::invalid_argument naming the file, key, value and rule
 FitProblem problem_of(const FitFile& file, const Evaluate& evaluate, int jobs = 0);
+
+/// The fit of the problem by the file's options, with its noise where that is fitted.
+FitReport fit(const FitProblem& problem, const FitFile& file);
 
 }  // namespace rollres

@@ -49,6 +49,7 @@ inline constexpr std::array data_set_keys{
     FileKey{"set", "inputs that replace those of the scene for these data"},
     FileKey{"output", "what is measured here: an output, or moduli; default: that of the fit"},
     FileKey{"sigma", "standard deviation of all these data: \"2 %\", or with a unit", a_number},
+    FileKey{"ignore_columns", "columns of the table that are left out"},
     FileKey{"comment", "a text that the program ignores", a_text},
 };
 

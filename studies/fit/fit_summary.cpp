@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/scene/scene_input.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/scene_io/cells.hpp"
 #include "studies/text/readable_number.hpp"
@@ -30,6 +31,16 @@ std::string interval_text(const ConfidenceInterval& interval, std::string_view u
 /// The standard error over the value [1].
 double over_value(const FittedParameter& fitted) { return fitted.standard_error / std::abs(fitted.value); }
 
+/// 95 %, symmetric in the logarithm.
+ConfidenceInterval interval_of(const NoiseEstimate& noise) {
+  const double factor = std::exp(1.96 * noise.standard_error / noise.value);
+  return {noise.value / factor, noise.value * factor, IntervalEnd::closed, IntervalEnd::closed};
+}
+
+std::string_view noise_flag(const NoiseEstimate& noise) {
+  return noise.value > 0 ? "noise, by likelihood" : "noise that explains nothing";
+}
+
 Table parameter_table(const FitReport& report, const FitContext& context) {
   Table table{{"parameter", "value", "+-", "relative", "95 % linear", "95 % profile", "start", "flag"}, {}};
   for (const FittedParameter& fitted : report.parameters) {
@@ -39,6 +50,13 @@ Table parameter_table(const FitReport& report, const FitContext& context) {
                           percent(over_value(fitted)), interval_text(fitted.linear, unit),
                           profile ? interval_text(fitted.profile.interval, unit) : std::string("-"),
                           readable(fitted.parameter.start, unit), fitted.flag});
+  }
+  for (const NoiseEstimate& noise : report.noise_terms) {
+    const std::string_view unit = noise.relative ? "1" : context.output_unit;
+    const ConfidenceInterval interval = interval_of(noise);
+    table.rows.push_back({noise.name, readable(noise.value, unit), readable(noise.standard_error, unit),
+                          percent(noise.standard_error / noise.value), interval_text(interval, unit), std::string("-"),
+                          std::string("-"), std::string(noise_flag(noise))});
   }
   for (const FitContext::Fixed& fixed : context.fixed)
     table.rows.push_back({fixed.name, readable(fixed.value, fixed.unit), std::string("-"), std::string("-"),
@@ -67,8 +85,9 @@ void write_statistics(std::ostream& text, const FitReport& report, const FitCont
   const auto number = [](double value) { return std::isfinite(value) ? short_number(value, 4) : std::string("-"); };
   line("data", std::to_string(report.values.size()) + " values, " + std::to_string(report.degrees) +
                    " degrees of freedom, digest " + context.data_digest.substr(0, 12));
-  line("deviations",
-       report.deviations_known ? "as given (absolute)" : "not given: errors are scaled by the reduced chi squared");
+  line("deviations", report.deviations_known       ? "as given (absolute)"
+                     : !report.noise_terms.empty() ? "by the fitted noise"
+                                                   : "not given: errors are scaled by the reduced chi squared");
   line("chi squared", number(report.chi_squared) + ", reduced " + number(report.reduced_chi_squared) +
                           (std::isnan(report.p_value) ? "" : ", p = " + number(report.p_value)));
   line("rms", (context.output_unit.empty() ? "" : readable(report.rms, context.output_unit) + ", ") + "relative " +
@@ -127,7 +146,7 @@ Json parameter_json(const FittedParameter& fitted, const FitContext& context) {
   return object;
 }
 
-Json choices_json(const MeasurementPlan& design, const FitReport& report) {
+Json choices_json(const MeasurementPlan& design, const FitReport& report, const std::vector<std::string>& inputs = {}) {
   Json choices = Json::array();
   for (std::size_t i = 0; i < std::min(best_shown, design.choices.size()); ++i) {
     const DesignChoice& choice = design.choices[i];
@@ -141,8 +160,22 @@ Json choices_json(const MeasurementPlan& design, const FitReport& report) {
                        {"deviation", choice.deviation},
                        {"relative_errors", after},
                        {"ratio", design.ratio(choice)}});
+    for (const std::string& key : inputs) choices.back()[key] = real_input(choice.scene, key);
   }
   return choices;
+}
+
+Json together_json(const FitDesign& design, const FitReport& report) {
+  if (design.together.choices.empty()) return nullptr;
+  Json measured = Json::array(), after = Json::object();
+  for (const std::size_t place : design.together.choices) {
+    const DesignChoice& choice = design.anywhere.choices[place];
+    Json& one = measured.emplace_back(Json{{"data", choice.set}});
+    for (const std::string& key : design.inputs) one[key] = real_input(choice.scene, key);
+  }
+  for (std::size_t j = 0; j < report.parameters.size(); ++j)
+    after[report.parameters[j].parameter.name] = design.together.deviations[static_cast<Eigen::Index>(j)];
+  return {{"measurements", measured}, {"relative_errors", after}};
 }
 
 }  // namespace
@@ -271,6 +304,14 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
     row.profile_low = name_of(profile.low);
     row.profile_high = name_of(profile.high);
   }
+  for (const NoiseEstimate& noise : report.noise_terms)  // nothing that a scene could be given
+    record.parameters.push_back({.name = noise.name,
+                                 .unit = std::string(noise.relative ? "1" : context.output_unit),
+                                 .fixed = true,
+                                 .value = noise.value,
+                                 .standard_error = noise.standard_error,
+                                 .relative_error = noise.standard_error / noise.value,
+                                 .flag = std::string(noise_flag(noise))});
   for (const FitContext::Fixed& fixed : context.fixed)
     record.parameters.push_back(
         {.name = fixed.name, .unit = fixed.unit, .fixed = true, .value = fixed.value, .flag = "fixed"});
@@ -320,12 +361,19 @@ Json json_of(const FitReport& report, const FitContext& context) {
               {"seconds", context.seconds},
               {"scene", context.scene.empty() ? Json(nullptr) : Json::parse(context.scene)},
               {"parameters", Json::array()},
+              {"noise_terms", Json::array()},
               {"fixed", Json::array()},
               {"correlations", Json::array()},
               {"failures", Json::array()},
               {"data", Json::array()}};
   for (const FittedParameter& fitted : report.parameters)
     object["parameters"].push_back(parameter_json(fitted, context));
+  for (const NoiseEstimate& noise : report.noise_terms)
+    object["noise_terms"].push_back({{"name", noise.name},
+                                     {"unit", noise.relative ? "1" : context.output_unit},
+                                     {"value", number(noise.value)},
+                                     {"standard_error", number(noise.standard_error)},
+                                     {"interval", interval_json(interval_of(noise))}});
   for (const FitContext::Fixed& fixed : context.fixed)
     object["fixed"].push_back({{"name", fixed.name}, {"unit", fixed.unit}, {"value", fixed.value}});
   for (const FitCorrelationRecord& pair : record.correlations)
@@ -348,7 +396,9 @@ Json json_of(const FitDesign& design, const FitReport& report) {
   return {{"worst", report.parameters[design.speeds.worst].parameter.name},
           {"relative_error", number(design.speeds.deviations[static_cast<Eigen::Index>(design.speeds.worst)])},
           {"speeds", choices_json(design.speeds, report)},
-          {"loads", choices_json(design.loads, report)}};
+          {"loads", choices_json(design.loads, report)},
+          {"anywhere", choices_json(design.anywhere, report, design.inputs)},
+          {"together", together_json(design, report)}};
 }
 
 Json json_of(const Coverage& coverage) {

@@ -78,7 +78,8 @@ std::string fitted_scene(const ShiftFit& fit, const ShiftFile& file) {
 std::string fitted_scene(const FitReport& report, const FitFile& file) {
   RollingScene scene = file.scenes.front().scene;
   for (std::size_t j = 0; j < file.inputs.size(); ++j)
-    if (file.inputs[j].set.empty() || file.inputs[j].set == file.scenes.front().set)
+    if (!is_measured_term(file.inputs[j].input.key) &&
+        (file.inputs[j].set.empty() || file.inputs[j].set == file.scenes.front().set))
       set_input(scene, file.inputs[j].input.key, report.parameters[j].value);
   return scene_json(scene);
 }

@@ -1,6 +1,8 @@
 #include "fitting/fit/coverage.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
 #include "fitting/fit/experiment_design.hpp"
 #include "tests/catch.hpp"
@@ -59,4 +61,28 @@ TEST_CASE("a design foretells the errors of the fit with the measurement added",
       CHECK(after.parameters[j].relative_error ==
             Approx(choice->deviations[static_cast<Eigen::Index>(j)]).epsilon(0.02));
   }
+}
+
+TEST_CASE("measurements that are named together leave no parameter worse known than any other pair does",
+          "[fitting][design]") {
+  FitProblem problem = resistance_problem(thirty_values(), zener_inputs(), quick_resistance);
+  problem.deviations_known = true;
+  const FitReport report = fit(problem, {.profiles = false});
+  std::vector<MeasuredScene> candidates;
+  for (const double load : {3e3, 1e4, 4e4})
+    for (const double speed : {0.001, 0.03, 1.0, 20.0}) candidates.push_back({half_space_scene(speed, load), {}});
+  const MeasurementPlan plan = design(report, zener_inputs(), candidates, quick_resistance);
+  const JointChoice pair = best_together(plan, 2);
+  REQUIRE(pair.choices.size() == 2);
+  // Every pair, from the information J^T J / s^2 that it adds.
+  double least = std::numeric_limits<double>::infinity();
+  for (const DesignChoice& a : plan.choices)
+    for (const DesignChoice& b : plan.choices) {
+      Eigen::MatrixXd information = plan.covariance.inverse();
+      for (const DesignChoice* one : {&a, &b})
+        information += one->slope * one->slope.transpose() / (one->deviation * one->deviation);
+      least = std::min(least, information.inverse().diagonal().maxCoeff());
+    }
+  CHECK(pair.deviations.maxCoeff() == Approx(std::sqrt(least)).epsilon(1e-6));
+  CHECK(pair.deviations.maxCoeff() < plan.choices.front().deviations.maxCoeff());
 }

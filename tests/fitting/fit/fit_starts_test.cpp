@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <random>
 
 #include "core/material/material.hpp"
 #include "fitting/fit/misfit_cause.hpp"
@@ -39,6 +40,40 @@ TEST_CASE("a start a hundred times off leads where a near one does, in fewer tha
   CHECK(far.evaluations < 4000);
   for (std::size_t j = 0; j < 3; ++j)
     CHECK(std::abs(far.parameters[j].value - near.parameters[j].value) < 0.05 * near.parameters[j].standard_error);
+}
+
+TEST_CASE("friction is found from a start above the one that it ends to act at, and rows without an answer are minded",
+          "[fitting][fit_starts]") {
+  // In place of a solver: friction costs up to a third of the resistance, ends to act at 0.2, and the drive of the
+  // heavier loads needs some of it.
+  const Evaluate rubbing = [](const RollingScene& scene) {
+    const double friction = scene.friction_coefficient, part = std::min(friction / 0.2, 1.0);
+    RollingSolution solution = quick_resistance(scene);
+    solution.rolling_resistance *= 1 - part * (1 - part / 2) * scene.speed / (scene.speed + 0.1);
+    if (friction < 0.3 * solution.rolling_resistance / *scene.load) {
+      solution.status = Status::no_steady_state;
+      solution.reason = "the drive asks for more traction than friction can give";
+    }
+    return solution;
+  };
+  std::vector<MeasuredScene> scenes = measured(quick_resistance, spread_speeds(0.003, 3, 10), {1e4, 2e4, 4e4, 8e4});
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  for (MeasuredScene& row : scenes) {
+    row.scene.friction_coefficient = 0.12;
+    const double exact = rubbing(row.scene).rolling_resistance;
+    row.measured = {exact * (1 + 0.02 * normal(random)), 0.02 * exact, "row"};
+  }
+  auto inputs = zener_inputs();
+  inputs.push_back({{"friction_coefficient"}, 0.5});
+  FitProblem problem = resistance_problem(scenes, inputs, rubbing);
+  problem.deviations_known = true;
+  const FitReport report = fit(problem, {.starts = 4});
+  CAPTURE(report.evaluations, report.chi_squared);
+  INFO(name_of(report.status) << ": " << report.reason);
+  CHECK(report.status >= FitStatus::usable_with_warnings);
+  CHECK(report.evaluations < 3000);
+  CHECK(std::abs(report.parameters[3].value - 0.12) < 3 * report.parameters[3].standard_error);
 }
 
 TEST_CASE("an offset of the data is named where it is not modelled, and found where it is", "[fitting][fit_starts]") {

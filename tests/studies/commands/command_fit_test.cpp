@@ -13,8 +13,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers report_fit, fit_design, fit_file, material_file, fit_summary, fit_json, fit_chart, fit_curves, fit_comparison,
-// fitted_scene, stored_fit, shift_file and material_curves, too.
+// Covers report_fit, fit_design, fit_file, fit_data, material_file, fit_summary, fit_json, fit_chart, fit_curves,
+// fit_comparison, fitted_scene, stored_fit, shift_file and material_curves, too.
 
 using namespace rollres;
 using nlohmann::json;
@@ -121,6 +121,42 @@ TEST_CASE("rollres fit designs, counts coverage and says what it keeps fixed", "
   CHECK(answer["coverage"]["seed"] == 5);
   CHECK(answer["coverage"]["draws"] == 20);
   CHECK(answer["coverage"]["parameters"][1]["linear"].get<int>() >= 15);
+}
+
+TEST_CASE("an offset is fitted, stored and left out of the fitted scene; columns are ignored by name",
+          "[studies][fit]") {
+  FitFiles files;
+  files.table.replace(files.table.find("sigma [%]"), 9, "sigma [%],oven");
+  for (std::size_t end = files.table.find('\n') + 1; (end = files.table.find('\n', end)) != std::string::npos; end += 5)
+    files.table.insert(end, ",any");
+  json fit = FitFiles::definition();
+  fit["parameters"]["offset"] = json::object();
+  const ProgramRun refused = files.run(fit);
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Contains("oven") && Catch::Contains("ignore_columns"));
+  fit["data"] = {{"file", "table.csv"}, {"ignore_columns", {"oven"}}};
+  const ProgramRun run = files.run(fit, {"--json"});
+  REQUIRE(run.status == 0);
+  const json answer = json::parse(run.out);
+  CHECK(answer["parameters"][1]["name"] == "offset");
+  CHECK(!answer["scene"].contains("offset"));
+}
+
+TEST_CASE("noise is fitted where no sigma is given, and refused where there is one", "[studies][fit]") {
+  FitFiles files;
+  json fit = FitFiles::definition();
+  fit["parameters"]["relative_noise"] = json::object();
+  const ProgramRun refused = files.run(fit);
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Contains("relative_noise: the data have a sigma"));
+  fit["data"] = {{"file", "table.csv"}, {"ignore_columns", {"sigma"}}};
+  const ProgramRun run = files.run(fit, {"--json", "--no-profiles"});
+  REQUIRE(run.status == 0);
+  const json noise = json::parse(run.out)["noise_terms"][0];
+  CHECK(noise["name"] == "relative_noise");
+  CHECK(std::abs(noise["value"].get<double>() - 0.02) < 3 * noise["standard_error"].get<double>());
+  fit["parameters"]["relative_noise"] = 0.02;
+  CHECK_THAT(files.run(fit).err, Catch::Contains("relative_noise") && Catch::Contains("empty object"));
 }
 
 TEST_CASE("rollres fit warns of a row given twice and of a negative resistance", "[studies][fit]") {

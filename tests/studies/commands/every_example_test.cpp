@@ -1,9 +1,11 @@
 #include <set>
 
+#include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
+#include "tests/fitting/measured_hunter.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
 #include "tests/studies/program.hpp"
@@ -57,6 +59,33 @@ TEST_CASE("every key of studies and optimisations has an example", "[studies][ex
   check(pareto_keys, of_designs);
   for (const char* const key : {"variant", "master_curve_file"}) CHECK(of_studies.contains(key));
   CHECK(of_designs.contains("variant"));
+}
+
+TEST_CASE("every key of fits of scenes has an example, and each of these is fitted", "[studies][examples][fit]") {
+  std::set<std::string> used;
+  const TemporaryDirectory folder;
+  for (const char* const name : {"fit_rig", "fit_flank", "fit_robust"}) {
+    CAPTURE(name);
+    const std::string file = (source_directory() / "studies/examples" / (std::string(name) + ".json")).string();
+    add_keys(read_object(file), used);
+    const ProgramRun run =
+        run_rollres({"fit", file, "--db", (folder / "fits.db").string(), "--json", "--no-profiles"}, quick_resistance);
+    CHECK(run.status <= 1);  // a formula in place of the solver: whatever it makes of the data
+    const Json answer = Json::parse(run.out);
+    CHECK(answer["fit"] == name);
+    CHECK(answer["noise_terms"].size() == (std::string(name) == "fit_rig" ? 2 : 0));
+  }
+  const auto check = [&](const auto& keys) {
+    for (const FileKey& key : keys) {
+      CAPTURE(key.key);
+      CHECK(used.contains(std::string(key.key)));
+    }
+  };
+  check(fit_keys);
+  check(data_set_keys);
+  check(fit_parameter_keys);
+  check(prior_keys);
+  for (const char* const key : {"offset", "relative_noise"}) CHECK(used.contains(key));
 }
 
 TEST_CASE("every example of a study and of an optimisation is planned, run and drawn", "[studies][examples]") {
