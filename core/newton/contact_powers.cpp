@@ -1,5 +1,7 @@
 #include "core/newton/contact_powers.hpp"
 
+#include <numbers>
+
 namespace rollres {
 
 namespace {
@@ -23,6 +25,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
   const SurfaceGrid& grid = problem.grid;
   ContactPowers powers;
   const double turning = problem.turning_ratio(unknowns.rotation_ratio);
+  double load = 0, nodes = 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
@@ -33,6 +36,9 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
         return (values(at + 1) - values(behind)) / (static_cast<double>(at + 1 - behind) * grid.spacing_x);
       };
       const double force = weight * unknowns.pressure(i);
+      load += force;
+      nodes += problem.images(i);
+      if (zone[static_cast<std::size_t>(i)] == Zone::stick) powers.sticking += force;
       const double force_u = problem.friction ? weight * unknowns.shear_x(i) : 0;
       const double force_v = problem.friction && problem.lateral ? weight * unknowns.shear_y(i) : 0;
       powers.halves += std::abs(force * x) / problem.shape.radius();
@@ -44,6 +50,8 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       powers.layer -= force_u * along + force_v * across;
       powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) + force_v * across;
     }
+  if (load > 0) powers.sticking /= load;
+  powers.cells = std::sqrt(nodes / std::numbers::pi);
   powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio);
   powers.share = share_of_losses(powers.losses(), powers.halves);
   return powers;

@@ -19,6 +19,8 @@ struct ContactPowers {
   double resultants = 0;  ///< Q + T Omega/V
   double halves = 0;      ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are
   double share = 0;       ///< of the losses in `resistance`, 0 to 1, smooth in all inputs
+  double sticking = 0;    ///< part of the load that sticking nodes bear [1]
+  double cells = 0;       ///< on the radius of a circle of as many cells as a sphere's contact has [1]
 
   double losses() const { return layer + friction + unbalanced; }
   /// By which the balance misses: Delta of (N15).

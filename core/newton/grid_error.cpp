@@ -111,18 +111,34 @@ void warn_of_memory(const GridError& error, RollingSolution& solution) {
 }  // namespace
 
 double expected_change(int dimension, double last, double before) {
-  if (dimension == 3) return std::fmax(last, 0.2 * before);
+  if (dimension == 3) return last;
   constexpr double part = 0.15;
   if (std::isnan(last)) return part * before;
   return std::isnan(before) ? last : std::hypot(last, part * before);
 }
 
+namespace {
+
+/// Of a sphere (N22a): what cells at the edge and friction's one-sided differences are known to do on such a grid, and
+/// what the last change is beyond that.
+double sphere_change(double last, const ContactPowers& powers) {
+  constexpr double of_edge = 1.8e-4, edge_order = 2.3, usual_cells = 18, of_friction = 0.8, friction_order = 1.2;
+  const double lever = std::min(powers.halves, 10 * std::abs(powers.resistance()));
+  const double edge = of_edge * lever * std::pow(usual_cells / powers.cells, edge_order);
+  const double friction =
+      of_friction * powers.sticking * std::abs(powers.friction) * std::pow(powers.cells, -friction_order);
+  const double beyond = std::max(0.0, last - 2.5 * (edge + friction));
+  return std::hypot(edge, friction, (0.36 + 0.64 * powers.share) * beyond);
+}
+
+}  // namespace
+
 double expected_change(int dimension, double last, double before, const ContactPowers& powers) {
   const double missing = powers.missing();
-  if (std::isnan(last)) return 5 * missing;
+  if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers) : 0.0);
+  if (dimension == 3) return sphere_change(last, powers);
   if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
   const double expected = expected_change(dimension, last, before);
-  if (dimension == 3) return expected;
   const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
   return 0.6 * (1 + 2 * std::sqrt(friction)) * std::hypot(expected, 0.75 * missing);
 }

@@ -25,10 +25,12 @@ struct GridError {
 /// What finer grids may still change in a resistance [N]: what the last halving of the spacing changed, with a part of
 /// what was expected before it, as one change may be small by chance (the contact's edges move by whole cells). Either
 /// is NaN where there was none. Calibrated on random scenes (`rollres accuracy --random`), cylinders and spheres apart.
+/// Of a sphere it is the change itself.
 double expected_change(int dimension, double last, double before);
 
 /// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
-/// friction takes falls with the spacing, the viscous loss faster.
+/// friction takes falls with the spacing, the viscous loss faster. Of a sphere the number of cells tells most, as its
+/// error is the chance by which cells meet the edge.
 double expected_change(int dimension, double last, double before, const ContactPowers& powers);
 
 /// @param pressure on the problem's (half) grid [Pa]

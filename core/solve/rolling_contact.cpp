@@ -32,17 +32,14 @@ namespace {
 /// Nodes in contact beyond which a tolerance is given up.
 constexpr int most_nodes_2d = 20000, most_nodes_3d = 250000;
 
-/// Cells on the half-width of a sphere's contact. No sum of two squares lies within 1.2 % of the default's square, nor
-/// of half and of a quarter of it: where the contact is an ellipse, no node is near its edge. With a tolerance as many
-/// as an ordinary scene needs.
-double tied_cells(const RollingScene& scene) {
-  constexpr double by_default = 19.532;
-  if (!scene.tolerance) return by_default;
-  constexpr double tolerance_by_default = 2.2e-3, order = 1.7;  // as estimated for random scenes
-  constexpr double fewest = 8.37;                               // with a grid of half as many, to tell the error
-  const double most = std::sqrt(most_nodes_3d / M_PI);
-  return std::clamp(by_default * std::pow(tolerance_by_default / *scene.tolerance, 1 / order), fewest, most);
+/// Cells on the half-width of a sphere's contact, by steps of sqrt(2). No sum of two squares lies within 1.2 % of the
+/// square of the usual number (step 0), nor of half and of a quarter of it (steps -1 and -2): where the contact is an
+/// ellipse, no node is near its edge.
+double tied_cells(int step) {
+  constexpr double usual = 19.532;
+  return usual * std::exp2(0.5 * step);
 }
+constexpr int coarsest_step = -2, most_steps = 3;  // where a tolerance begins; at a time, as coarse grids tell little
 
 /// @param error of the rolling resistance [N] (per metre for a cylinder)
 void set_error(double error, RollingSolution& solution) {
@@ -51,7 +48,7 @@ void set_error(double error, RollingSolution& solution) {
 }
 
 GridSeries grids_of(const RollingScene& scene) {
-  if (dimensions(scene) == 3 && !scene.spacing) return tied_grids(scene, tied_cells(scene));
+  if (dimensions(scene) == 3 && !scene.spacing) return tied_grids(scene, tied_cells(0));
   return fixed_grids(scene, scene.spacing.value_or(default_spacing(scene)));
 }
 
@@ -64,19 +61,50 @@ constexpr int factorisable_nodes = 1000;
 /// seconds.
 constexpr double most_work = 2e7;
 
+/// How many times finer in nodes than its finest grid a solution can be had for a tolerance's sake.
+double room_for_nodes(const NestedOutcome& nested, int most_nodes) {
+  const NewtonOutcome& outcome = nested.finest.outcome;
+  const std::vector<Zone>& zone = outcome.zone;
+  const int images = dimensions(nested.finest.problem->scene) - 1;
+  const auto nodes =
+      static_cast<double>(images * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free)));
+  if (nodes * outcome.krylov_iterations > most_work) return 0;
+  return most_nodes / nodes;
+}
+
+/// A sphere whose grid is tied to its contact: as many cells as the estimate on a coarser grid asks for.
+NestedOutcome solve_sphere_to_tolerance(const RollingScene& scene, int most_nodes) {
+  int step = coarsest_step;
+  NestedOutcome found = solve_nested(scene, tied_grids(scene, tied_cells(step)));
+  if (found.status != Status::converged) {
+    step = 0;
+    found = solve_nested(scene, tied_grids(scene, tied_cells(step)));
+  }
+  while (found.status == Status::converged) {
+    const double room = room_for_nodes(found, most_nodes), missed = found.error_estimate() / *scene.tolerance;
+    if (missed <= 1 || room < 2) break;
+    // Nodes double with each step, and the error falls about as they grow.
+    const double wanted = std::min(std::ceil(std::log2(missed)), std::floor(std::log2(room)));
+    step += static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_steps)));
+    try {
+      NestedOutcome finer = solve_nested(scene, tied_grids(scene, tied_cells(step)));
+      if (finer.status != Status::converged) break;
+      found = std::move(finer);
+    } catch (const BeyondLimits& limit) {
+      found.reason = limit.what();
+      break;
+    }
+  }
+  return found;
+}
+
 /// @param most_nodes in contact; beyond, a tolerance is given up
 NestedOutcome solve_on_grids(const RollingScene& scene, int most_nodes) {
-  const int dimension = dimensions(scene);
-  std::function<bool(const NestedOutcome&)> finer;
-  if (scene.tolerance)
-    finer = [&](const NestedOutcome& nested) {
-      const std::vector<Zone>& zone = nested.finest.outcome.zone;
-      const auto nodes =
-          (dimension - 1) * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
-      return !(nested.error_estimate() <= *scene.tolerance) && 2 * (dimension - 1) * nodes <= most_nodes &&
-             static_cast<double>(nodes) * nested.finest.outcome.krylov_iterations <= most_work;
-    };
-  return solve_nested(scene, grids_of(scene), finer);
+  if (!scene.tolerance) return solve_nested(scene, grids_of(scene));
+  if (dimensions(scene) == 3) return solve_sphere_to_tolerance(scene, most_nodes);
+  return solve_nested(scene, grids_of(scene), [&](const NestedOutcome& nested) {
+    return !(nested.error_estimate() <= *scene.tolerance) && room_for_nodes(nested, most_nodes) >= 2;
+  });
 }
 
 RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& scene) {

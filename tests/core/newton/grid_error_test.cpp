@@ -130,6 +130,41 @@ TEST_CASE("the error of the paper's cylinder on its grid is below its estimate, 
   }
 }
 
+TEST_CASE("the error of the paper's sphere on its grids is below its estimate, and that below ten errors",
+          "[core][grid_error]") {
+  RollingScene scene = paper_sphere();
+  constexpr double limit = 3.0998;  // of 38,540 and 116,433 nodes: 3.09970, 3.09977
+  for (const double spacing : {0.25e-3, 0.125e-3}) {
+    scene.spacing = spacing;
+    const RollingSolution solution = solve(scene);
+    const double error = std::abs(solution.rolling_resistance - limit);
+    CHECK(error < solution.rolling_resistance_error);
+    CHECK(solution.rolling_resistance_error < 10 * error);
+  }
+}
+
+TEST_CASE("what a sphere's coarser grid changes counts only beyond the chance of where its cells meet the edge",
+          "[core][grid_error]") {
+  ContactPowers powers;
+  powers.resultants = powers.layer = 0.25;
+  powers.halves = 1;
+  powers.cells = 18;
+  const double chance = expected_change(3, 0, RollingSolution::absent, powers);
+  CHECK(chance == Approx(1.8e-4));  // as calibrated
+  CHECK(expected_change(3, 2 * chance, RollingSolution::absent, powers) == chance);
+  CHECK(expected_change(3, 100 * chance, RollingSolution::absent, powers) == Approx(35.1 * chance).epsilon(0.01));
+  powers.friction = 0.05;
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers) == chance);  // where all slides it is known
+  powers.sticking = 1;
+  const double with_friction = expected_change(3, 0, RollingSolution::absent, powers);
+  CHECK(with_friction > 5 * chance);
+  powers.cells = 36;
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers) < with_friction / 2);
+  powers.resultants = powers.layer = 1e-6;  // told by the losses, not by the difference of the load's halves
+  powers.friction = 0;
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers) < 1e-2 * 1e-6);
+}
+
 TEST_CASE("a sphere's grid is no finer than its tolerance asks for", "[core][grid_error]") {
   RollingScene scene = frictionless(Indenter::sphere, 5e-3, 3, 5e-3);
   scene.tolerance = 1e-2;
