@@ -122,11 +122,11 @@ namespace {
 /// Of a sphere (N22a): what cells at the edge and friction's one-sided differences are known to do on such a grid, and
 /// what the last change is beyond that.
 double sphere_change(double last, const ContactPowers& powers) {
-  constexpr double of_edge = 1.8e-4, edge_order = 2.3, usual_cells = 18, of_friction = 0.8, friction_order = 1.2;
-  const double lever = std::min(powers.halves, 10 * std::abs(powers.resistance()));
+  constexpr double of_edge = 2e-4, edge_order = 2.5, usual_cells = 18, of_friction = 0.8, friction_order = 1.2;
+  const double lever = (1 - powers.share) * powers.halves + powers.share * 10 * std::abs(powers.resistance());
   const double edge = of_edge * lever * std::pow(usual_cells / powers.cells, edge_order);
   const double friction =
-      of_friction * powers.sticking * std::abs(powers.friction) * std::pow(powers.cells, -friction_order);
+      of_friction * std::sqrt(powers.sticking) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order);
   const double beyond = std::max(0.0, last - 2.5 * (edge + friction));
   return std::hypot(edge, friction, (0.36 + 0.64 * powers.share) * beyond);
 }
