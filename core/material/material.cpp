@@ -6,11 +6,28 @@
 #include "core/material/master_curve.hpp"
 #include "core/material/material_scale.hpp"
 #include "core/material/prony_series.hpp"
+#include "core/material/strain_softening.hpp"
 #include "core/messages/message_text.hpp"
 
 namespace rollres {
 
 namespace {
+
+bool has_factors(const MaterialInputs& layer) { return layer.rest_factor != 1 || layer.relaxation_factor != 1; }
+
+/// With the factors of the layer's strain amplitude.
+CreepSpectrum creep_of(PronySeries series, const MaterialInputs& layer) {
+  if (has_factors(layer)) {
+    series.static_modulus *= layer.rest_factor;
+    for (PronySeries::Term& term : series.terms) term.modulus *= layer.relaxation_factor;
+  }
+  return creep_spectrum(series);
+}
+
+CreepSpectrum creep_of(const FractionalZener& solid, const MaterialInputs& layer) {
+  const CreepSpectrum linear = creep_spectrum(solid);
+  return has_factors(layer) ? softened(linear, {layer.rest_factor, layer.relaxation_factor}) : linear;
+}
 
 PronySeries prony_series(const MaterialInputs& layer) {
   PronySeries series{given_static_modulus(layer), {}};
@@ -22,18 +39,19 @@ PronySeries prony_series(const MaterialInputs& layer) {
 CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
   switch (layer.material) {
     case MaterialModel::zener:
-      return creep_spectrum(FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time});
+      return creep_of(FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time}, layer);
     case MaterialModel::fractional_zener:
-      return creep_spectrum(
-          FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time, layer.fractional_order});
+      return creep_of(
+          FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time, layer.fractional_order},
+          layer);
     case MaterialModel::prony:
-      return creep_spectrum(prony_series(layer));
+      return creep_of(prony_series(layer), layer);
     case MaterialModel::master_curve:
-      return creep_spectrum(shared_master_curve_fit(layer)->series);
+      return creep_of(shared_master_curve_fit(layer)->series, layer);
     case MaterialModel::elastic:
       break;
   }
-  return {.instantaneous = 1 / given_static_modulus(layer), .terms = {}};
+  return {.instantaneous = 1 / (layer.rest_factor * given_static_modulus(layer)), .terms = {}};
 }
 
 }  // namespace
@@ -63,7 +81,7 @@ std::complex<double> complex_modulus(const MaterialInputs& layer, double omega) 
 
 double static_modulus(const MaterialInputs& layer) {
   const bool given = layer.static_shear_modulus || layer.static_young_modulus;
-  return given ? given_static_modulus(layer) : 1 / creep_spectrum(layer).at_rest();
+  return given ? layer.rest_factor * given_static_modulus(layer) : 1 / creep_spectrum(layer).at_rest();
 }
 
 std::string material_route(const MaterialInputs& layer) {

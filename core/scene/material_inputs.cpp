@@ -78,6 +78,28 @@ void check_temperature(const MaterialInputs& layer, Lines& lines) {
     lines.push_back(broken("temperature", *layer.temperature, "must be above reference_temperature - wlf_c2"));
 }
 
+void check_softening(const MaterialInputs& layer, Lines& lines) {
+  const bool kraus = layer.payne_drop > 0 || layer.payne_loss_peak != 1;
+  const std::string_view first = layer.payne_drop > 0 ? "payne_drop" : "payne_loss_peak";
+  const double value = layer.payne_drop > 0 ? layer.payne_drop : layer.payne_loss_peak;
+  if (kraus && !layer.payne_strain) lines.push_back(missing("payne_strain", std::string(first) + " needs it"));
+  if (kraus && !layer.sweep_strains.empty())
+    lines.push_back(broken(first, value, "give Kraus's model or a strain sweep, not both"));
+  const std::size_t rows = layer.sweep_strains.size();
+  const auto check_list = [&](std::string_view key, std::size_t count) {
+    if (count != rows)
+      lines.push_back(std::string(key) + ": has " + std::to_string(count) + " values, but sweep_strains has " +
+                      std::to_string(rows));
+  };
+  check_list("sweep_storage_moduli", layer.sweep_storage_moduli.size());
+  check_list("sweep_loss_moduli", layer.sweep_loss_moduli.size());
+  if (rows == 1) lines.push_back("sweep_strains: must have at least two values");
+  for (std::size_t i = 1; i < rows; ++i)
+    if (!(layer.sweep_strains[i] > layer.sweep_strains[i - 1]))
+      lines.push_back(broken("sweep_strains[" + std::to_string(i) + "]", layer.sweep_strains[i],
+                             "must be above the one before: a sweep is listed from small strains to large"));
+}
+
 }  // namespace
 
 std::vector<std::string_view> needed_inputs(MaterialModel material) {
@@ -102,6 +124,7 @@ std::vector<std::string> check_material(const MaterialInputs& layer) {
   check_lists(layer, lines);
   check_frequencies(layer, lines);
   check_temperature(layer, lines);
+  check_softening(layer, lines);
   return lines;
 }
 

@@ -29,6 +29,23 @@ struct ChoiceNames<ListedModuli> {
   static constexpr std::array<std::string_view, 2> names{"shear", "young"};
 };
 
+/// How the strains of a strain sweep were applied.
+enum class SweepDeformation {
+  shear,   ///< simple shear
+  tension  ///< uniaxial: a strain e counts as the shear 2 (1 + nu)/sqrt(3) e of the same distortion
+};
+template <>
+struct ChoiceNames<SweepDeformation> {
+  static constexpr std::array<std::string_view, 2> names{"shear", "tension"};
+};
+
+/// What the strains of a strain sweep are: amplitudes, or twice that.
+enum class SweepAmplitude { peak, peak_to_peak };
+template <>
+struct ChoiceNames<SweepAmplitude> {
+  static constexpr std::array<std::string_view, 2> names{"peak", "peak_to_peak"};
+};
+
 /// Base of a scene and of whatever else has a layer's material. What the model does not need is ignored.
 struct MaterialInputs {
   double poisson_ratio = 0.5;  // nu [1]
@@ -48,6 +65,17 @@ struct MaterialInputs {
   std::optional<double> reference_temperature;  // [K]
   std::optional<double> wlf_c1, wlf_c2;         // [1], [K]; the shift law, or
   std::optional<double> activation_energy;      // [J/mol]
+  double payne_drop = 0;                        // of G' with the strain amplitude, over G' [1]; Kraus's model, or
+  std::optional<double> payne_strain;           // amplitude of half the drop [1]
+  double payne_exponent = 0.6;                  // m [1]
+  double payne_loss_peak = 1;                   // G" at payne_strain over that at small strains [1]
+  std::vector<double> sweep_strains;            // [1], of a strain sweep
+  std::vector<double> sweep_storage_moduli;     // [Pa], as many
+  std::vector<double> sweep_loss_moduli;        // [Pa], as many
+  SweepDeformation sweep_deformation = SweepDeformation::shear;
+  SweepAmplitude sweep_amplitude = SweepAmplitude::peak;
+  double rest_factor = 1;        // no inputs: of the modulus at rest and of the moduli of relaxation, at the strain
+  double relaxation_factor = 1;  // amplitude that `solve` tries (material/strain_softening.hpp) [1]
 
   bool operator==(const MaterialInputs&) const = default;
 };
@@ -87,6 +115,34 @@ void visit_material_inputs(Inputs& layer, Visitor&& visitor) {
   visitor(Q{"wlf_c2", "c2", "K", "of the same law (Williams, Landel and Ferry)", positive}, layer.wlf_c2);
   visitor(Q{"activation_energy", "", "J/mol", "of the shift law ln a = E_a/R (1/T - 1/T_ref) (Arrhenius)", positive},
           layer.activation_energy);
+  visitor(Q{"payne_drop",
+            "",
+            "1",
+            "share of G' that large strains take (Kraus): G'/G'lin = 1 - drop r/(1 + r), r = (γ/payne_strain)^(2m)",
+            {.lowest = 0.0, .highest = 0.99}},
+          layer.payne_drop);
+  visitor(Q{"payne_strain", "γ_c", "1", "shear strain amplitude at which half of payne_drop is gone", positive},
+          layer.payne_strain);
+  visitor(Q{"payne_exponent",
+            "m",
+            "1",
+            "exponent of the same law",
+            {.lowest = 0.0, .highest = 5.0, .lowest_excluded = true}},
+          layer.payne_exponent);
+  visitor(Q{"payne_loss_peak",
+            "",
+            "1",
+            "G\" at payne_strain over that at small strains: G\"/G\"lin = 1 + 2 (peak - 1) sqrt(r)/(1 + r)",
+            {.lowest = 0.01, .highest = 100.0}},
+          layer.payne_loss_peak);
+  visitor(Q{"sweep_strains", "", "1", "strain amplitudes of a strain sweep", positive}, layer.sweep_strains);
+  visitor(Q{"sweep_storage_moduli", "", "Pa", "storage moduli of a strain sweep, relative to the first", positive},
+          layer.sweep_storage_moduli);
+  visitor(Q{"sweep_loss_moduli", "", "Pa", "loss moduli of a strain sweep, relative to the first", positive},
+          layer.sweep_loss_moduli);
+  visitor(Q{"sweep_deformation", "", "", "how the strains of the sweep were applied"}, layer.sweep_deformation);
+  visitor(Q{"sweep_amplitude", "", "", "what the strains of the sweep are: peak, or peak to peak"},
+          layer.sweep_amplitude);
 }
 
 /// The inputs that a material cannot do without, beside the modulus at rest.

@@ -86,6 +86,13 @@ struct ChoiceNames<Inertia> {
   static constexpr std::array<std::string_view, 3> names{"automatic", "off", "on"};
 };
 
+/// Whether what goes on inside the layers is part of the answer.
+enum class Interior { off, on };
+template <>
+struct ChoiceNames<Interior> {
+  static constexpr std::array<std::string_view, 2> names{"off", "on"};
+};
+
 struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
   double radius = 0;            // R [m]
@@ -107,6 +114,7 @@ struct RollingScene : MaterialInputs {
   std::optional<double> spacing;    // a [m]; this or
   std::optional<double> tolerance;  // [1]; neither: 1e-8 (spectral) or the program's own grid
   Method method = Method::automatic;
+  Interior interior = Interior::off;
   std::optional<double> time_limit;                 // of processor time [s]; absent: 60 s
   std::optional<double> memory_limit;               // [byte]; absent: a quarter of the machine's, 4 GB at most
   std::optional<double> period;                     // L [m]; absent: a single passage
@@ -158,6 +166,9 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.tolerance);
   visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"},
           scene.method);
+  visitor(Q{"interior", "", "",
+            "whether the outputs from inside the layers are computed: strains, bonds, losses (cylinder)"},
+          scene.interior);
   visitor(Q{"time_limit", "", "s",
             "of processor time, after which a solution ends with its best answer or a reason; absent: 60 s", positive},
           scene.time_limit);

@@ -2,6 +2,7 @@
 
 /// The answer to a scene, as a plain value, with the evidence for it.
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -43,6 +44,13 @@ struct ChoiceNames<Zone> {
   static constexpr std::array<std::string_view, 3> names{"free", "stick", "slip"};
 };
 
+/// The tractions on a part of a cylinder's surface, smooth inside it: at x = middle + half sin(pi s/2), s = cos(pi
+/// k/last) from the leading end to the trailing one; a single value is uniform.
+struct TractionPanel {
+  double from = 0, to = 0;              // [m]
+  std::vector<double> pressure, shear;  // [Pa]
+};
+
 /// Fields on the surface of the layer. Tractions act on the layer; v, shear_y and slip_y are empty for a cylinder.
 struct SurfaceFields {
   SurfaceGrid grid;
@@ -51,6 +59,7 @@ struct SurfaceFields {
   std::vector<double> shear_x, shear_y;  // tau_xz, tau_yz [Pa]
   std::vector<double> slip_x, slip_y;    // velocity of the body relative to the layer over V [1]; 0 outside
   std::vector<Zone> zone;
+  std::vector<TractionPanel> panels;  // of continuous tractions; empty: those of each node are uniform over its cell
 };
 
 /// Absent numbers (not applicable, or not computed) are NaN.
@@ -78,6 +87,11 @@ struct RollingSolution {
   double error_estimate = absent;
   double rolling_resistance_error = absent;
   double model_error = absent;  // linearity_error.hpp
+  double peak_shear_strain = absent, peak_shear_strain_x = absent, peak_shear_strain_z = absent;
+  double strain_amplitude = absent, peak_strain_amplitude = absent;
+  double bond_shear = absent, bond_tension = absent;
+  double interior_loss = absent;
+  double softening = absent;
   double spacing = absent;
   int iterations = 0;
   double seconds = absent;
@@ -87,7 +101,9 @@ struct RollingSolution {
   std::string reason;
   std::vector<std::string> warnings;
 
-  SurfaceFields fields;  // not a scalar output: not visited
+  // Not scalar outputs: not visited.
+  SurfaceFields fields;
+  std::vector<std::array<double, 2>> moduli_factors;  // rest_factor, relaxation_factor of each layer; empty: linear
 };
 
 /// Walks the outputs: `visitor(quantity, value)`, value being double, int, an enumeration with ChoiceNames,
@@ -132,6 +148,22 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
           s.rolling_resistance_error);
   visitor(Q{"model_error", "", "1", "rolling resistance at finite strain over this linear one, minus 1, where known"},
           s.model_error);
+  visitor(Q{"peak_shear_strain", "γ_max", "1", "largest shear strain in the layers"}, s.peak_shear_strain);
+  visitor(Q{"peak_shear_strain_x", "", "m", "where it is along the motion"}, s.peak_shear_strain_x);
+  visitor(Q{"peak_shear_strain_z", "", "m", "its height over the surface, negative in the layers under the body"},
+          s.peak_shear_strain_z);
+  visitor(Q{"strain_amplitude", "γ_a", "1",
+            "half of the largest difference of shear strains along a line of flow, mean over the lines by their loss"},
+          s.strain_amplitude);
+  visitor(Q{"peak_strain_amplitude", "", "1", "largest such half difference of any line"}, s.peak_strain_amplitude);
+  visitor(Q{"bond_shear", "", "Pa", "largest shear stress at a bond of a layer"}, s.bond_shear);
+  visitor(Q{"bond_tension", "", "Pa", "largest tension normal to a bond of a layer"}, s.bond_tension);
+  visitor(Q{"interior_loss", "", "W", "power lost in the layers, summed over their inside", any_number, "W/m"},
+          s.interior_loss);
+  visitor(Q{"softening", "", "1",
+            "G' at the strain amplitude and the contact's frequency V/a over that at small "
+            "strains, of the layer that softens most"},
+          s.softening);
   visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
   visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);
   visitor(Q{"seconds", "", "s", "wall time of the solution"}, s.seconds);

@@ -12,6 +12,7 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/estimate/linearity_error.hpp"
 #include "core/finite_strain/finite_strain_contact.hpp"
+#include "core/interior/interior_summary.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/grid_solution.hpp"
@@ -20,6 +21,7 @@
 #include "core/paper_method/active_set.hpp"
 #include "core/scene/indenter_shape.hpp"
 #include "core/solve/model_choice.hpp"
+#include "core/solve/strain_iteration.hpp"
 #include "core/solve/torque_limit.hpp"
 #include "core/spectral/spectral_contact.hpp"
 #include "core/surface/contact_surface.hpp"
@@ -373,7 +375,6 @@ bool flow_is_unknown(const RollingScene& scene) {
 /// found by secants. ratio(f) hardly depends on f; the first solution takes R_r to change no more than in proportion to
 /// f.
 RollingSolution solve_freely(RollingScene scene) {
-  require_valid(scene);
   RollingSolution solution = solve_in_flow(scene);
   if (!flow_is_unknown(scene)) return solution;
   constexpr int most_solutions = 8;
@@ -426,7 +427,9 @@ RollingSolution solve(const RollingScene& scene) {
     solution.reason = reason;
   };
   try {
-    solution = solve_freely(scene);
+    require_valid(scene);
+    solution = softens(scene) ? solve_softening(scene, solve_freely) : solve_freely(scene);
+    if (scene.interior == Interior::on && solution.status == Status::converged) add_interior(scene, solution);
   } catch (const BeyondLimits& limit) {
     refused(limit.what());
   } catch (const std::domain_error& error) {

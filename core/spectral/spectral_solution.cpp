@@ -239,6 +239,11 @@ class SpectralAssessment {
         fields.shear_x[i] = field_.shear(x);
         if (sheared() && panel.zone == Zone::slip) fields.slip_x[i] = panel.at(sliding, x);
       }
+      if (contact(panel))
+        fields.panels.push_back({panel.from,
+                                 panel.to,
+                                 {panel.pressure.begin(), panel.pressure.end()},
+                                 {panel.shear.begin(), panel.shear.end()}});
     }
   }
 

@@ -1,11 +1,10 @@
 #include "core/surface/layered_medium.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "core/numerics/solution_limits.hpp"
+#include "core/surface/layer_waves.hpp"
 
 namespace rollres {
 
@@ -19,64 +18,6 @@ struct Below {
   Matrix2 compliance = Matrix2::Zero();
   complex transverse = 0;
 };
-
-/// The two waves that decay downwards, as columns, at some depth below the face they start from: displacements
-/// (along, down) [1] and stresses (shear, normal) over G k.
-struct Waves {
-  Matrix2 displacements, stresses;
-
-  /// The same from the other face: down becomes up.
-  Waves mirrored() const {
-    Waves other = *this;
-    other.displacements.row(1) *= -1;
-    other.stresses.row(0) *= -1;
-    return other;
-  }
-};
-
-/// Waves of one layer of modulus G at wavenumber k.
-class LayerWaves {
- public:
-  LayerWaves(double wavenumber, complex modulus, const MediumLayer& layer, double wave_speed)
-      : wavenumber_(wavenumber),
-        epsilon_(layer.density * wave_speed * wave_speed / modulus),
-        ratio_((1 - 2 * layer.poisson_ratio) / (2 - 2 * layer.poisson_ratio)),
-        alpha_(std::sqrt(1.0 - epsilon_ * ratio_)),
-        beta_(std::sqrt(1.0 - epsilon_)) {}
-
-  Waves at(double depth) const {
-    const double kz = wavenumber_ * depth;
-    const complex slow = std::exp(-kz * alpha_), fast = std::exp(-kz * beta_);
-    // (e^{-k beta z} - e^{-k alpha z}) / epsilon
-    const complex per_epsilon = 1.0 / (1.0 + beta_) - ratio_ / (1.0 + alpha_), exponent = kz * per_epsilon * epsilon_;
-    const complex series =
-        1.0 + exponent / 2.0 * (1.0 + exponent / 3.0 * (1.0 + exponent / 4.0 * (1.0 + exponent / 5.0)));
-    const complex difference =
-        std::abs(exponent) < 1e-3 ? complex(slow * kz * per_epsilon * series) : complex((fast - slow) / epsilon_);
-    Waves waves;
-    waves.displacements << slow, difference - fast / (1.0 + beta_),  //
-        alpha_ * slow, difference + ratio_ / (1.0 + alpha_) * slow;
-    waves.stresses << -2.0 * alpha_ * slow, fast - 2.0 * difference - 2.0 * ratio_ / (1.0 + alpha_) * slow,  //
-        (epsilon_ - 2.0) * slow, 2.0 / (1.0 + beta_) * fast - 2.0 * difference - slow;
-    return waves;
-  }
-
-  /// Decay of the wave across: e^{-k beta z}, with stress -G k beta.
-  complex transverse_decay(double depth) const { return std::exp(-wavenumber_ * depth * beta_); }
-  complex beta() const { return beta_; }
-
- private:
-  double wavenumber_;
-  complex epsilon_;
-  double ratio_;
-  complex alpha_, beta_;
-};
-
-Matrix2 inverse(const Matrix2& m) {
-  Matrix2 adjugate;
-  adjugate << m(1, 1), -m(0, 1), -m(1, 0), m(0, 0);
-  return adjugate / (m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0));
-}
 
 }  // namespace
 
@@ -96,10 +37,8 @@ SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<cons
       continue;
     }
     // At the lower face: what comes down, and what goes up from there so that both fit what lies below.
-    const Waves far = waves.at(layer.thickness), up_near = near.mirrored(), up_far = far.mirrored();
-    const Matrix2 yielding = below.compliance * stiffness;
-    const Matrix2 reflected = -inverse(Matrix2(up_near.displacements - yielding * up_near.stresses)) *
-                              (far.displacements - yielding * far.stresses);
+    const Waves far = waves.at(layer.thickness), up_far = far.mirrored();
+    const Matrix2 reflected = reflection(near, far, below.compliance * stiffness);
     below.compliance = (near.displacements + up_far.displacements * reflected) *
                        inverse(Matrix2((near.stresses + up_far.stresses * reflected) * stiffness));
     const complex decay = waves.transverse_decay(layer.thickness), give = below.transverse * stiffness * beta;

@@ -48,6 +48,22 @@ std::string broken_for_finite_strain(const RollingScene& scene) {
   return {};
 }
 
+/// The same for what asks for the inside of the layers (core/interior); `key` is what asks, with its value.
+std::string broken_for_interior(const RollingScene& scene, const std::string& key) {
+  if (scene.indenter == Indenter::sphere) return key + ": only for a cylinder";
+  if (scene.period) return key + ": not with a period";
+  if (scene.method == Method::finite_strain) return key + ": not with method \"finite_strain\"";
+  return {};
+}
+
+/// The first input of a layer by which its moduli depend on the strain, with its value; empty if none.
+std::string softening_key(const std::string& owner, const MaterialInputs& layer) {
+  if (layer.payne_drop > 0) return message_text(owner, "payne_drop = ", layer.payne_drop);
+  if (layer.payne_loss_peak != 1) return message_text(owner, "payne_loss_peak = ", layer.payne_loss_peak);
+  if (!layer.sweep_strains.empty()) return owner + "sweep_strains";
+  return {};
+}
+
 /// Lines "key = value: rule" and "key is missing: rule".
 struct BrokenRules {
   std::vector<std::string> lines = {};
@@ -135,7 +151,8 @@ void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
   }
   double coating = 0;
   for (const BondedLayer& layer : scene.coating_layers) coating += layer.layer_thickness;
-  if (!scene.coating_layers.empty() && coating >= scene.radius) broken.add("coating_layers", coating, "must be thinner than the radius, together");
+  if (!scene.coating_layers.empty() && coating >= scene.radius)
+    broken.add("coating_layers", coating, "must be thinner than the radius, together");
 }
 
 void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
@@ -162,6 +179,21 @@ void check_drive(const RollingScene& scene, BrokenRules& broken) {
     broken.add("rotation_ratio", *scene.rotation_ratio, "only with drive \"rotation\"");
 }
 
+void check_interior(const RollingScene& scene, BrokenRules& broken) {
+  std::vector<std::string> asking{softening_key("", scene)};
+  if (scene.interior == Interior::on) asking.push_back("interior = on");
+  const auto add_layers = [&](const char* list, const BondedLayers& layers) {
+    for (std::size_t i = 0; i < layers.size(); ++i)
+      asking.push_back(softening_key(message_text(list, "[", i, "]."), layers[i]));
+  };
+  add_layers("lower_layers", scene.lower_layers);
+  add_layers("coating_layers", scene.coating_layers);
+  for (const std::string& key : asking) {
+    if (key.empty()) continue;
+    if (std::string rule = broken_for_interior(scene, key); !rule.empty()) broken.lines.push_back(std::move(rule));
+  }
+}
+
 /// @param in_range  whether every input is in its range, so that speeds of waves can be computed
 void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) {
   const bool half_space = std::isinf(total_thickness(scene));
@@ -171,6 +203,7 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
     if (std::string rule = broken_for_spectral(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
   if (scene.method == Method::finite_strain && in_range)
     if (std::string rule = broken_for_finite_strain(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
+  check_interior(scene, broken);
   if (scene.period && half_space) broken.add("period", *scene.period, "needs a layer of finite thickness");
   if (scene.inertia != Inertia::on || !in_range) return;
   if (const double number = rayleigh_number(scene); number >= 1)

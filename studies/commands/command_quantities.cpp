@@ -124,9 +124,9 @@ void print_keys(std::ostream& out) {
          "and\noptimisations are in [examples](examples); how they go together is told in [the guide](guide.md).\n\n"
          "## Scene\n\n";
   write_markdown(out, table_of(input_rows()));
-  out << "\nBesides: `" << master_curve_key
-      << "`, a CSV file with the lists of a master curve; `$schema` and `comment`, "
-         "texts that are\nignored. Inputs of further layers are "
+  out << "\nBesides: `" << master_curve_key << "`, a CSV file with the lists of a master curve, `" << strain_sweep_key
+      << "`, one with those of a\nstrain sweep; `$schema` and `comment`, texts that are ignored. Inputs of further "
+         "layers are "
       << further_layers().form() << ", counted from 0: " << joined(further_layers().keys) << ".\n";
   for (const auto& [title, keys] : key_sections()) {
     out << "\n## " << title << "\n\n";

@@ -4,6 +4,7 @@
 #include "studies/evidence/simpler_models.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/fields_file.hpp"
+#include "studies/scene_io/interior_file.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/scene_io/summary.hpp"
@@ -29,6 +30,9 @@ void run_solve(const SolveArguments& options, Session& session) {
   session.out << (options.json ? solution_json(scene, solution) + '\n' : summary(scene, solution));
   if (options.explain && !options.json) {
     session.out << explanation(scene, solution);
+    if (solution.status == Status::converged && has_interior(scene, solution))
+      session.out << interior_text(
+          interior_summary(solved_scene(scene, solution), solution.fields, InteriorField::Detail::surface));
     if (solution.status == Status::converged)
       session.out << simpler_models_text(scene, solution, simpler_models(scene, solution, session.evaluate));
   }
@@ -40,6 +44,7 @@ void run_solve(const SolveArguments& options, Session& session) {
     return;
   }
   write_fields(*options.fields, scene, solution.fields, solution);
+  if (has_interior(scene, solution)) write_interior(*options.fields, scene, solution);
 }
 
 }  // namespace
@@ -54,7 +59,10 @@ void add_solve(Command& program, Session& session) {
   command->add_flag(
       "--explain", arguments.explain,
       "Print what was decided, left out and kept, with the number it rests on, and what simpler models answer");
-  command->add_option("--fields DIR", arguments.fields, "Write the surface's fields to DIR/fields.csv and .vti");
+  command->add_option(
+      "--fields DIR", arguments.fields,
+      "Write the surface's fields to DIR/fields.csv and .vti, of a cylinder those inside its layers to inside.csv "
+      "and .vtr, losses.csv and bonds.csv");
   command->footer("Example: rollres solve studies/examples/paper_cylinder.json --set speed=\"36 km/h\" --fields out");
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/interior/interior_summary.hpp"
+#include "core/reference/reference_inside.hpp"
 #include "core/reference/reference_rollers.hpp"
 #include "core/reference/reference_solutions.hpp"
 #include "studies/scene_io/scene_file.hpp"
@@ -361,6 +363,43 @@ void check_speed_limits(Checks& checks) {
               checks.solve(fast).rolling_resistance, 1e-3, "the wanted tolerance"});
 }
 
+/// Stresses and losses inside the layers.
+void check_inside(Checks& checks) {
+  const RollingScene line = on_half_space(Indenter::cylinder);
+  const RollingSolution s = checks.solve(line);
+  const char *why = "the default tolerance, and waves up to 300 per half-width", *mcewen = "McEwen (1949)";
+  struct Place {
+    double x, depth;
+  };
+  for (const auto& [x, depth] : {Place{0.6, 0.05}, {0.6, 0.786}}) {
+    const InsideStress expected =
+        hertz_line_inside(0.5 * s.contact_area, s.peak_pressure, x * line_width, depth * line_width);
+    PlaneStress found{NAN, NAN, NAN};
+    if (s.status == Status::converged) {
+      const std::vector<LayersInside> parts =
+          layers_inside(line, s.fields, 2 * line_width, InteriorField::Detail::surface);
+      const InteriorFields f = parts.front().field.at({x * line_width}, {{0, depth * line_width}});
+      found = {f.sigma_x(0, 0), f.sigma_z(0, 0), f.tau_xz(0, 0)};
+    }
+    const std::string where = "cylinder on a half-space, x = 0.6 a, " + short_number(depth) + " a deep: ";
+    checks.add({where + "σ_x", mcewen, "Pa", expected.x, found.x.real(), 1e-6, why});
+    checks.add({where + "σ_z", mcewen, "Pa", expected.z, found.z.real(), 1e-6, why});
+    checks.add({where + "τ_xz", mcewen, "Pa", expected.xz, found.xz.real(), 1e-6, why});
+  }
+  RollingScene asked = line;
+  asked.interior = Interior::on;
+  const RollingSolution inside = checks.solve(asked);
+  checks.add({"cylinder on a half-space: largest shear strain", mcewen, "1",
+              hertz_line_largest_shear() * inside.peak_pressure / shear_modulus, inside.peak_shear_strain, 1e-5,
+              "a parabola through points a/1000 apart"});
+  RollingScene layer = without_grid(paper_scene("paper_cylinder"));
+  layer.interior = Interior::on;
+  layer.kinematics = Kinematics::consistent;
+  const RollingSolution paper = checks.solve(layer);
+  checks.add({"paper's cylinder: power lost, summed over the inside of the layer", "that of its surface", "W/m",
+              paper.viscous_loss, paper.interior_loss, 1e-6, "waves up to 300 per half-length"});
+}
+
 }  // namespace
 
 double VerificationRow::difference() const { return expected == 0 ? std::abs(got) : std::abs(got / expected - 1); }
@@ -379,6 +418,7 @@ std::vector<VerificationRow> verify(const Evaluate& evaluate) {
   check_kalker(checks);
   check_layers(checks);
   check_speed_limits(checks);
+  check_inside(checks);
   return std::move(checks).rows();
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Indenter cylinder = Indenter::cylinder, sphere = Indenter::sphere;
 
-constexpr std::array<Figure, 13> figures{{
+constexpr std::array<Figure, 15> figures{{
     {3, "displacements", cylinder, false, "Displacements of the layer's surface", displacement_lines},
     {4, "tractions", cylinder, false, "Tractions on the layer", traction_lines},
     {5, "zones", sphere, false, "Stick and slip", zone_map},
@@ -27,7 +27,12 @@ constexpr std::array<Figure, 13> figures{{
     {13, "v", sphere, false, "Displacement across the motion", contour_map},
     {14, "friction", sphere, true, "Friction on the layer", friction_arrows},
     {15, "velocity", sphere, false, "Velocity of the layer's surface", velocity_arrows},
+    {16, "shear_strain", cylinder, false, "Shear strain inside the layers", section_map},
+    {17, "loss_density", cylinder, false, "Power lost inside the layers, per volume", section_map},
 }};
+
+/// The paper's last figure; what follows is ours.
+constexpr int last_of_paper = 15;
 
 const Figure& figure_named(const std::string& wish) {
   int number = 0;
@@ -39,7 +44,7 @@ const Figure& figure_named(const std::string& wish) {
     names.push_back(figure.name);
   }
   if (is_number) names.clear();
-  throw std::invalid_argument(unknown("--figure = " + wish + ": no such figure", names, wish, "there are 3 to 15"));
+  throw std::invalid_argument(unknown("--figure = " + wish + ": no such figure", names, wish, "there are 3 to 17"));
 }
 
 /// Why a scene has no such figure; empty if it has.
@@ -48,6 +53,9 @@ std::string hindrance(const Figure& figure, const RollingScene& scene) {
     return "a figure of a " + std::string(name_of(figure.indenter)) +
            ", and indenter = " + std::string(name_of(scene.indenter));
   if (figure.of_friction && scene.friction_coefficient == 0) return "friction_coefficient = 0 leaves it empty";
+  if (figure.number > last_of_paper && scene.period) return "not with a period";
+  if (figure.number > last_of_paper && scene.method == Method::finite_strain)
+    return "not with method \"finite_strain\"";
   return {};
 }
 
@@ -85,8 +93,10 @@ ChartFiles draw_figure(const Figure& figure, const FigureSource& source, const s
   const PictureText text = figure.draw(figure, source, files);
   draw_pictures(
       files, text.data, text.script,
-      {std::string(figure.title), "figure " + std::to_string(figure.number) + " of Zehil and Gavin (2013), of a " +
-                                      std::string(name_of(figure.indenter)) + " that rolls along x"});
+      {std::string(figure.title),
+       (figure.number > last_of_paper ? ""
+                                      : "figure " + std::to_string(figure.number) + " of Zehil and Gavin (2013), ") +
+           std::string("of a ") + std::string(name_of(figure.indenter)) + " that rolls along x"});
   return files;
 }
 

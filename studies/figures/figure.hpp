@@ -1,7 +1,8 @@
 #pragma once
 
-/// The figures of a solution: those of Zehil and Gavin (2013), 3 and 4 for a cylinder, 5 to 15 for a sphere, drawn by
-/// gnuplot as SVG and PNG. The script and the data stay beside each picture.
+/// The figures of a solution: those of Zehil and Gavin (2013), 3 and 4 for a cylinder, 5 to 15 for a sphere, and two of
+/// the inside of a cylinder's layers, drawn by gnuplot as SVG and PNG. The script and the data stay beside each
+/// picture.
 
 #include "core/newton/surface_window.hpp"
 #include "studies/drawing/chart_frame.hpp"

@@ -103,4 +103,8 @@ PictureText relief(const Figure& figure, const FigureSource& source, const Chart
 PictureText friction_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 PictureText velocity_arrows(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 
+/// Figures 16 and 17, not the paper's: the shear strain and the density of the loss on a section x-z through the
+/// layers.
+PictureText section_map(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+
 }  // namespace rollres

@@ -67,7 +67,7 @@ Json axis(const InputKind& kind) {
 void add_variants(Json& properties) {
   Json inputs = inputs_and_layers(input_reference, any_input);
   inputs["minProperties"] = 1;
-  inputs["properties"][std::string(master_curve_key)] = name();
+  for (const std::string_view key : table_keys) inputs["properties"][std::string(key)] = name();
   properties[std::string(variant_key)] = {{"type", "object"},
                                           {"minProperties", 2},
                                           {"additionalProperties", inputs},

@@ -172,8 +172,14 @@ Json scene_texts() {
       {"description",
        "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
        "storage_modulus [Pa], loss_modulus [Pa]"}};
+  texts[std::string(strain_sweep_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with a strain sweep at one frequency, relative to this file: strain [1] or [%], rising, "
+       "storage_modulus [Pa], loss_modulus [Pa]"}};
   texts[std::string(ignored_columns_key)] = {
-      {"type", "array"}, {"items", name()}, {"description", "columns of that file that are left out"}};
+      {"type", "array"}, {"items", name()}, {"description", "columns of these files that are left out"}};
   return texts;
 }
 

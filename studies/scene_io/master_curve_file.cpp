@@ -51,22 +51,41 @@ Json read_master_curve(const std::filesystem::path& file, const std::vector<std:
   return lists;
 }
 
+Json read_strain_sweep(const std::filesystem::path& file, const std::vector<std::string>& ignored) {
+  MeasuredTable table = read_measured_table(file);
+  table.leave_out(ignored);
+  constexpr std::array<std::string_view, 6> known{"strain",       "storage_modulus", "loss_modulus",
+                                                  "loss_tangent", "tan_delta",       "note"};
+  table.refuse_others(known);
+  Json lists;
+  lists["sweep_strains"] = measured_numbers(table, table.needed("strain"), "1", positive);
+  const MeasuredModuli moduli = measured_moduli(table, positive);
+  lists["sweep_storage_moduli"] = moduli.storage;
+  lists["sweep_loss_moduli"] = moduli.loss;
+  return lists;
+}
+
 Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place) {
-  const std::string key(master_curve_key);
-  if (!object.is_object() || !object.contains(key)) return object;
-  const Json& name = object[key];
-  if (!name.is_string() || name.get_ref<const std::string&>().empty())
-    refuse(place, key, name, "must be the name of a CSV file");
-  for (const std::string_view input : master_curve_inputs)
-    if (object.contains(std::string(input)))
-      refuse(place, input, object[std::string(input)], "is in the master_curve_file; give one of them");
+  const auto named = [&](std::string_view key) { return object.is_object() && object.contains(std::string(key)); };
+  if (!named(master_curve_key) && !named(strain_sweep_key)) return object;
   const std::vector<std::string> ignored = names_or_none(object, std::string(ignored_columns_key), place);
   Json complete = Json::object();
-  for (const auto& [other, value] : object.items())
-    if (other == key)
-      complete.update(read_master_curve(folder / name.get<std::string>(), ignored));
-    else if (other != ignored_columns_key)
-      complete[other] = value;
+  const auto add_lists = [&](std::string_view file_key, const auto& inputs, const auto& read) {
+    const Json& name = object[std::string(file_key)];
+    if (!name.is_string() || name.get_ref<const std::string&>().empty())
+      refuse(place, file_key, name, "must be the name of a CSV file");
+    for (const std::string_view input : inputs)
+      if (named(input))
+        refuse(place, input, object[std::string(input)], "is in the " + std::string(file_key) + "; give one of them");
+    complete.update(read(folder / name.template get<std::string>(), ignored));
+  };
+  for (const auto& [key, value] : object.items())
+    if (key == master_curve_key)
+      add_lists(master_curve_key, master_curve_inputs, read_master_curve);
+    else if (key == strain_sweep_key)
+      add_lists(strain_sweep_key, strain_sweep_inputs, read_strain_sweep);
+    else if (key != ignored_columns_key)
+      complete[key] = value;
   return complete;
 }
 

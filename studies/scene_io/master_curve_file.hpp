@@ -6,6 +6,9 @@
 /// Columns: frequency [Hz] or angular_frequency [rad/s]; two of storage_modulus [Pa], loss_modulus [Pa] and
 /// loss_tangent [1] (or tan_delta), of all three the moduli count; note. What the moduli are is said by the scene's
 /// `listed_moduli`. Others are refused unless the key `ignore_columns`, a list of names, leaves them out.
+///
+/// Likewise the table of a strain sweep at one frequency and temperature: {"strain_sweep_file": "sweep.csv"}, with the
+/// columns strain [1] or [%], in rising order, and moduli as above; of the moduli only ratios to the first row count.
 
 #include <array>
 #include <filesystem>
@@ -21,8 +24,12 @@ namespace rollres {
 
 /// The key of a scene file; its place is taken by the inputs that the table gives.
 inline constexpr std::string_view master_curve_key = "master_curve_file";
+inline constexpr std::string_view strain_sweep_key = "strain_sweep_file";
+inline constexpr std::array<std::string_view, 2> table_keys{master_curve_key, strain_sweep_key};
 inline constexpr std::string_view ignored_columns_key = "ignore_columns";
 inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencies", "storage_moduli", "loss_moduli"};
+inline constexpr std::array<std::string_view, 3> strain_sweep_inputs{"sweep_strains", "sweep_storage_moduli",
+                                                                     "sweep_loss_moduli"};
 
 /// Frequencies that a table may have, measured or shifted [Hz].
 inline constexpr Range frequency_range{.lowest = 1e-30, .highest = 1e30};
@@ -48,7 +55,9 @@ MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_ran
 /// @throws std::runtime_error if the file cannot be read
 Json read_master_curve(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
 
-/// A scene or a part of one with the lists in place of the file's name; without the key it is left as it is.
+Json read_strain_sweep(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
+
+/// A scene or a part of one with the lists in place of the files' names; without such a key it is left as it is.
 /// @param folder that the name is relative to   @param place in messages
 Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place);
 

@@ -22,7 +22,7 @@ void refuse_unknown_key(const SceneEntry& entry) {
   if (find_input(entry.key)) return;
   std::vector<std::string_view> known = keys_like(entry.key);
   known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
-  known.push_back(master_curve_key);
+  known.insert(known.end(), table_keys.begin(), table_keys.end());
   refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
 }
 
@@ -176,7 +176,7 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
         entry.value = *value;
     }
     std::vector<SceneEntry> meant{entry};
-    if (entry.key == master_curve_key) {
+    if (find_name(table_keys, entry.key) >= 0) {
       meant.clear();
       Json named = Json::object();
       named[entry.key] = word.substr(equals + 1);

@@ -17,7 +17,8 @@ CompleteScene complete_scene(const Json& object, const std::filesystem::path& fi
   const Json& scene = needed(object, "scene", place, rule);
   if (scene.is_object()) {
     const std::string here = place + ": scene";
-    return {with_master_curve(scene, file.parent_path(), here), here, !scene.contains(std::string(master_curve_key))};
+    const bool plain = !scene.contains(std::string(master_curve_key)) && !scene.contains(std::string(strain_sweep_key));
+    return {with_master_curve(scene, file.parent_path(), here), here, plain};
   }
   const std::filesystem::path named = file.parent_path() / needed_text(object, "scene", place, rule);
   return {with_master_curve(read_object(named.string()), named.parent_path(), named.string()), named.string()};

@@ -8,7 +8,7 @@
 #include "tests/core/paper_scenes.hpp"
 #include "tests/studies/figure_blocks.hpp"
 
-// Covers figure_fields, figure_lines, figure_map and figure_nodes, too.
+// Covers figure_fields, figure_lines, figure_map, figure_nodes and figure_section, too.
 
 using namespace rollres;
 
@@ -243,7 +243,7 @@ TEST_CASE("a figure is asked for by number or name, and only where the scene has
     for (const Figure& one : figures_for(scene, names)) found.push_back(one.number);
     return found;
   };
-  CHECK(numbers(paper_cylinder()) == std::vector{3, 4});
+  CHECK(numbers(paper_cylinder()) == std::vector{3, 4, 16, 17});
   CHECK(numbers(paper_sphere()) == std::vector{5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
   CHECK(numbers(frictionless(paper_sphere())) == std::vector{5, 6, 10, 11, 12, 13, 15});
   CHECK(numbers(paper_sphere(), {"09", "w", "9"}) == std::vector{9, 10});
@@ -258,7 +258,7 @@ TEST_CASE("a figure is asked for by number or name, and only where the scene has
   };
   CHECK(refused(paper_cylinder(), "6") == "--figure = 6: a figure of a sphere, and indenter = cylinder");
   CHECK(refused(paper_sphere(), "sigmaz") == "--figure = sigmaz: no such figure; did you mean sigma_z?");
-  CHECK(refused(paper_sphere(), "16") == "--figure = 16: no such figure; there are 3 to 15");
+  CHECK(refused(paper_sphere(), "18") == "--figure = 18: no such figure; there are 3 to 17");
   CHECK(refused(frictionless(paper_sphere()), "tau_xz") ==
         "--figure = tau_xz: friction_coefficient = 0 leaves it empty");
 }

@@ -1,0 +1,89 @@
+#pragma once
+
+/// Displacements, stresses, strains and losses inside the layers of a cylinder's contact in steady motion.
+///
+/// A wave e^{ikx} of the tractions moves at V, so that a material point meets it at the frequency -k V: its field is
+/// the elastic one with the moduli G*(-k V) (depth_response.hpp), the strains with J = 1/G*(-k V) are
+///     epsilon_x = J/2 [(1 - nu) sigma_x - nu sigma_z],  epsilon_z alike,  gamma_xz = J tau_xz     (plane strain),
+/// and a field is f(x) = (1/pi) Re int_0^inf f(k) e^{ikx} dk. Near the surface, where waves decay slowly, the stresses
+/// of a half-space, which do not depend on its material, are taken from the waves and added in closed form
+/// (surface_tractions.hpp), the strains likewise with the compliance of the shortest wave.
+///
+/// The power lost on a line of flow, by Parseval from the whole line, memories that end far behind the contact
+/// included:
+///     D(z) = V int -sigma : d epsilon/dx dx = (V/pi) int_0^inf k Im[conj(sigma) : epsilon] dk,
+/// whose sum over the depth is the power that the tractions put into the layers. The local density, for the spectrum
+/// of creep J = J_inf + sum C_m/(1 + i omega tau_m) as springs and dashpots, with y_m the memory mean of the stress
+/// over T_m = V tau_m and E(sigma) = [(1 - nu)(sigma_x^2 + sigma_z^2) - 2 nu sigma_x sigma_z]/2 + tau_xz^2, is
+///     sum_m C_m/tau_m E(sigma - y_m).
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "core/interior/surface_tractions.hpp"
+#include "core/surface/layered_medium.hpp"
+
+namespace rollres {
+
+/// A line of flow in one of the layers.
+struct InteriorLine {
+  std::size_t layer = 0;  ///< counted from the contact
+  double depth = 0;       ///< below the layer's face nearer to the contact [m]
+};
+
+/// Fields at (x, line), columns being lines; z is up, seen from the layers under the body.
+struct InteriorFields {
+  Eigen::ArrayXXd u, w;                              ///< [m]; 0 over a half-space, which has no place at rest
+  Eigen::ArrayXXd sigma_x, sigma_z, tau_xz;          ///< [Pa]
+  Eigen::ArrayXXd strain_x, strain_z, shear_strain;  ///< epsilon_x, epsilon_z, gamma_xz [1]
+  Eigen::ArrayXXd loss_density;                      ///< [W/m3], if asked for
+  Eigen::ArrayXd line_loss;                          ///< of each line [W/m2]
+};
+
+class InteriorField {
+ public:
+  /// How much of the field near the surface is wanted.
+  enum class Detail {
+    surface,  ///< up to the surface, where the tractions' ends are in place
+    inside    ///< what counts for sums over the layers; strains within a hundredth of the contact are blurred
+  };
+
+  /// @param medium from the contact away   @param speed V [m/s]   @param flow direction: -1 where a coating flows
+  /// backwards
+  /// @param reach up to which |x| fields are wanted [m]
+  InteriorField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, double reach,
+                Detail detail);
+
+  /// @param x ascending [m], of any number with `density` evenly spaced
+  InteriorFields at(const std::vector<double>& x, const std::vector<InteriorLine>& lines, bool density = false) const;
+
+  /// The losses alone.
+  Eigen::ArrayXd losses(const std::vector<InteriorLine>& lines) const { return at({}, lines).line_loss; }
+
+  const LayeredMedium& medium() const { return medium_; }
+  const SurfaceTractions& tractions() const { return tractions_; }
+  double speed() const { return std::abs(speed_); }  ///< V [m/s]
+  /// Depth of a line below the contact [m].
+  double depth_of(const InteriorLine& line) const;
+
+ private:
+  struct Wave {
+    double wavenumber, weight;
+    SurfaceTractions::Transforms tractions;
+    std::vector<std::complex<double>> moduli;
+  };
+  class Sum;
+
+  double highest_wavenumber(double half_length, Detail detail) const;
+  void add_waves(double lowest, double widest);
+
+  LayeredMedium medium_;
+  double speed_, highest_;
+  bool half_space_, closed_form_;
+  SurfaceTractions tractions_;
+  std::vector<Wave> waves_;
+  double short_compliance_;  // of the first layer at the shortest waves [1/Pa]
+};
+
+}  // namespace rollres

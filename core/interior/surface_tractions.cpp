@@ -1,0 +1,149 @@
+#include "core/interior/surface_tractions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/quadrature.hpp"
+
+namespace rollres {
+
+using complex = std::complex<double>;
+
+namespace {
+
+constexpr int gauss_order = 24;
+constexpr complex imaginary{0, 1};
+/// Of a panel, below which its parts near a point are not divided further.
+constexpr double narrowest_part = 1e-11;
+
+double place_on(double from, double to, double s) {
+  return 0.5 * (from + to) + 0.5 * (to - from) * std::sin(M_PI_2 * s);
+}
+
+/// Barycentric interpolation at Chebyshev-Lobatto nodes.
+double interpolated(const std::vector<double>& values, double s) {
+  const auto last = static_cast<int>(values.size()) - 1;
+  double numerator = 0, denominator = 0;
+  for (int k = 0; k <= last; ++k) {
+    const double distance = s - std::cos(M_PI * k / last);
+    if (distance == 0) return values[static_cast<std::size_t>(k)];
+    const double weight = (k % 2 ? -1.0 : 1.0) * (k == 0 || k == last ? 0.5 : 1.0) / distance;
+    numerator += weight * values[static_cast<std::size_t>(k)];
+    denominator += weight;
+  }
+  return numerator / denominator;
+}
+
+}  // namespace
+
+PlaneStress half_space_wave(double wavenumber, double depth, complex p, complex q) {
+  const double kz = wavenumber * depth, decay = std::exp(-kz);
+  return {.x = decay * (-(1 - kz) * p + imaginary * (2 - kz) * q),
+          .z = decay * (-(1 + kz) * p + imaginary * kz * q),
+          .xz = decay * (-imaginary * kz * p + (1 - kz) * q)};
+}
+
+SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) {
+  for (const TractionPanel& panel : fields.panels)
+    panels_.push_back({panel.from, panel.to, panel.pressure, panel.shear, {}});
+  const SurfaceGrid& grid = fields.grid;
+  for (int i = 0; fields.panels.empty() && i < grid.columns; ++i)
+    if (const auto node = static_cast<std::size_t>(i); fields.zone[node] != Zone::free)
+      panels_.push_back({grid.x(i) - 0.5 * grid.spacing_x,
+                         grid.x(i) + 0.5 * grid.spacing_x,
+                         {fields.pressure[node]},
+                         {fields.shear_x[node]},
+                         {}});
+  from_ = INFINITY;
+  to_ = -INFINITY;
+  for (Panel& panel : panels_) {
+    from_ = std::min(from_, panel.from);
+    to_ = std::max(to_, panel.to);
+    if (panel.pressure.size() == 1) continue;
+    for (int parts = 1;; parts *= 2) {
+      std::vector<Point>& points = panel.rules.emplace_back();
+      for (int i = 0; i < parts; ++i) add_points(panel, -1 + 2.0 * i / parts, -1 + 2.0 * (i + 1) / parts, points);
+      if (gauss_order * parts > 16 + highest * (panel.to - panel.from)) break;
+    }
+  }
+}
+
+SurfaceTractions::Point SurfaceTractions::point_of(const Panel& panel, double s, double weight) {
+  const double scale = weight * 0.5 * (panel.to - panel.from) * M_PI_2 * std::cos(M_PI_2 * s);
+  return {place_on(panel.from, panel.to, s), scale * interpolated(panel.pressure, s),
+          scale * interpolated(panel.shear, s)};
+}
+
+void SurfaceTractions::add_points(const Panel& panel, double s0, double s1, std::vector<Point>& points) {
+  const QuadratureRule& rule = gauss_rule(gauss_order);
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+    points.push_back(point_of(panel, s0 + (s1 - s0) * rule.nodes[i], (s1 - s0) * rule.weights[i]));
+}
+
+SurfaceTractions::Transforms SurfaceTractions::transforms(double k) const {
+  Transforms sum{};
+  for (const Panel& panel : panels_) {
+    const double width = panel.to - panel.from;
+    if (panel.pressure.size() == 1) {
+      const double phase = 0.5 * k * width, share = phase == 0 ? 1 : std::sin(phase) / phase;
+      const complex wave = std::polar(width * share, -k * 0.5 * (panel.from + panel.to));
+      sum.pressure += panel.pressure.front() * wave;
+      sum.shear += panel.shear.front() * wave;
+      continue;
+    }
+    std::size_t level = 0;
+    while (level + 1 < panel.rules.size() && std::ldexp(gauss_order, static_cast<int>(level)) < 16 + k * width) ++level;
+    for (const Point& point : panel.rules[level]) {
+      const complex wave = std::polar(1.0, -k * point.x);
+      sum.pressure += point.pressure * wave;
+      sum.shear += point.shear * wave;
+    }
+  }
+  return sum;
+}
+
+void SurfaceTractions::add_near(const Panel& panel, complex place, double s0, double s1, Potentials& sum) {
+  const double a = place_on(panel.from, panel.to, s0), b = place_on(panel.from, panel.to, s1);
+  const double beside = std::max({a - place.real(), place.real() - b, 0.0});
+  if (std::hypot(beside, place.imag()) < b - a && s1 - s0 > narrowest_part) {
+    add_near(panel, place, s0, 0.5 * (s0 + s1), sum);
+    add_near(panel, place, 0.5 * (s0 + s1), s1, sum);
+    return;
+  }
+  std::vector<Point> points;
+  add_points(panel, s0, s1, points);
+  for (const Point& point : points) {
+    const complex inverse = 1.0 / (place - point.x);
+    sum.p += point.pressure * inverse;
+    sum.dp -= point.pressure * inverse * inverse;
+    sum.q += point.shear * inverse;
+    sum.dq -= point.shear * inverse * inverse;
+  }
+}
+
+PlaneStress SurfaceTractions::stresses(double x, double depth) const {
+  constexpr double surface = 1e-9;  // of the contact
+  const double z = std::max(depth, surface * (to_ - from_));
+  const complex place(x, z);
+  Potentials f{};
+  for (const Panel& panel : panels_) {
+    if (panel.pressure.size() > 1) {
+      add_near(panel, place, -1, 1, f);
+      continue;
+    }
+    const double p = panel.pressure.front(), q = panel.shear.front();
+    const complex logarithm = std::log(place - panel.from) - std::log(place - panel.to);
+    const complex slope = 1.0 / (place - panel.from) - 1.0 / (place - panel.to);
+    f.p += p * logarithm;
+    f.dp += p * slope;
+    f.q += q * logarithm;
+    f.dq += q * slope;
+  }
+  for (complex* const potential : {&f.p, &f.dp, &f.q, &f.dq}) *potential *= imaginary / M_PI;
+  // By F' of z = x + i depth: the derivative by x is Re F', by the depth -Im F'.
+  return {.x = -(f.p.real() - z * f.dp.imag()) - 2 * f.q.imag() - z * f.dq.real(),
+          .z = -(f.p.real() + z * f.dp.imag()) + z * f.dq.real(),
+          .xz = -z * f.dp.real() + f.q.real() - z * f.dq.imag()};
+}
+
+}  // namespace rollres

@@ -1,0 +1,66 @@
+#pragma once
+
+/// The tractions of a cylinder's contact as sources of what goes on inside the layers: their Fourier transforms, and
+/// the stresses that they make in a half-space, which do not depend on its material.
+///
+/// Along x, with the depth z > 0: of P, the harmonic function below the surface that is p on it, its conjugate and
+/// those of q, F = P + i Pc = (i/pi) int p(s)/(x + i z - s) ds,
+///     sigma_x = -(P + z P_z) - 2 Qc - z Q_x,   sigma_z = -(P - z P_z) + z Q_x,   tau_xz = -z P_x + Q + z Q_z
+/// fulfil the equations of equilibrium, have the tractions sigma_z = -p, tau_xz = q on the surface, and their sum
+/// sigma_x + sigma_z = -2 (P + Qc) is harmonic: Flamant's stresses, integrated (Johnson 1985, section 2.5). tau_xz is
+/// counted with z upwards, as in all outputs.
+
+#include <complex>
+#include <vector>
+
+#include "core/scene/solution.hpp"
+
+namespace rollres {
+
+/// Of plane strain [Pa]; z upwards.
+struct PlaneStress {
+  std::complex<double> x, z, xz;
+};
+
+/// One wave e^{ikx} of the tractions of a half-space: its stresses at a depth, for k > 0.
+PlaneStress half_space_wave(double wavenumber, double depth, std::complex<double> pressure, std::complex<double> shear);
+
+class SurfaceTractions {
+ public:
+  /// @param fields of a cylinder   @param highest wavenumber of whose transforms the digits matter [1/m]
+  SurfaceTractions(const SurfaceFields& fields, double highest);
+
+  /// int f e^{-ikx} dx, f = p and q [N/m]
+  struct Transforms {
+    std::complex<double> pressure, shear;
+  };
+  Transforms transforms(double wavenumber) const;
+
+  /// Stresses in a half-space [Pa]. @param depth >= 0 [m]; on the surface the limit from inside
+  PlaneStress stresses(double x, double depth) const;
+
+  double from() const { return from_; }  ///< where tractions begin [m]
+  double to() const { return to_; }      ///< where they end [m]
+
+ private:
+  struct Point {
+    double x, pressure, shear;  // shear and pressure times the weight of integration
+  };
+  struct Panel {
+    double from, to;
+    std::vector<double> pressure, shear;
+    std::vector<std::vector<Point>> rules;  // each twice as fine as the one before; of uniform tractions none
+  };
+  /// F and its derivative, of p and of q.
+  struct Potentials {
+    std::complex<double> p, dp, q, dq;
+  };
+  static Point point_of(const Panel& panel, double s, double weight);
+  static void add_points(const Panel& panel, double s0, double s1, std::vector<Point>& points);
+  static void add_near(const Panel& panel, std::complex<double> place, double s0, double s1, Potentials& sum);
+
+  std::vector<Panel> panels_;
+  double from_ = 0, to_ = 0;
+};
+
+}  // namespace rollres

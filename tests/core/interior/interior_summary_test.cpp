@@ -1,0 +1,114 @@
+#include "core/interior/interior_summary.hpp"
+
+#include <cmath>
+
+#include "core/reference/reference_inside.hpp"
+#include "tests/core/converged.hpp"
+#include "tests/core/paper_scenes.hpp"
+
+using namespace rollres;
+
+namespace {
+
+using Detail = InteriorField::Detail;
+
+RollingScene continuous(double friction) {
+  RollingScene scene = paper_cylinder();
+  scene.spacing.reset();
+  scene.kinematics = Kinematics::consistent;
+  scene.friction_coefficient = friction;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("the loss summed over the inside of the layer is that of its surface", "[core][interior]") {
+  for (const double friction : {0.0, 0.2}) {
+    const RollingScene scene = continuous(friction);
+    const RollingSolution s = converged(scene);
+    for (const Detail detail : {Detail::surface, Detail::inside}) {
+      const double loss = interior_summary(scene, s.fields, detail).loss;
+      CHECK(loss == Approx(s.viscous_loss).epsilon(detail == Detail::surface ? 1e-6 : 3e-5));
+    }
+  }
+}
+
+TEST_CASE("of a soft layer on an elastic one all is lost in the soft one; a coating loses what is its own",
+          "[core][interior]") {
+  RollingScene scene = continuous(0);
+  BondedLayer hard;
+  hard.material = MaterialModel::elastic;
+  hard.static_shear_modulus = 20e6;
+  hard.layer_thickness = 0.004;
+  scene.lower_layers = {hard};
+  const RollingSolution s = converged(scene);
+  const InteriorSummary inside = interior_summary(scene, s.fields, Detail::surface);
+  REQUIRE(inside.layers.size() == 2);
+  CHECK(std::abs(inside.layers[1].loss) < 1e-12 * inside.loss);
+  CHECK(inside.loss == Approx(s.viscous_loss).epsilon(1e-6));
+  REQUIRE(inside.bonds.size() == 2);
+  CHECK(inside.bonds[0].z == Approx(-0.005));
+  CHECK(inside.bonds[1].z == Approx(-0.009));
+  CHECK(inside.bonds[0].shear > 0);
+
+  // The layer under the body and the one on it change places.
+  RollingScene coated = continuous(0);
+  BondedLayer rubber;
+  static_cast<MaterialInputs&>(rubber) = coated;
+  rubber.layer_thickness = coated.layer_thickness;
+  coated.coating_layers = {rubber};
+  const RollingSolution both = converged(coated);
+  const InteriorSummary halves = interior_summary(coated, both.fields, Detail::surface);
+  REQUIRE(halves.layers.size() == 2);
+  CHECK(halves.layers[0].loss == Approx(halves.layers[1].loss).epsilon(1e-9));
+  CHECK(halves.loss == Approx(both.viscous_loss).epsilon(1e-6));
+  CHECK(halves.bonds[0].z == Approx(-halves.bonds[1].z));
+}
+
+TEST_CASE("the largest shear strain of a Hertz line contact is at 0.786 a, 0.30028 p0/G", "[core][interior]") {
+  RollingScene scene = continuous(0);
+  scene.material = MaterialModel::elastic;
+  scene.layer_thickness = INFINITY;
+  scene.load = 10;  // a/R = 1/1400: a circle is a parabola
+  scene.interior = Interior::on;
+  const RollingSolution s = converged(scene);
+  const double half = 0.5 * s.contact_area;
+  CHECK(s.peak_shear_strain * 3e6 / s.peak_pressure == Approx(hertz_line_largest_shear()).epsilon(1e-5));
+  CHECK(s.peak_shear_strain_z == Approx(-half * hertz_line_depth_of_largest_shear()).epsilon(3e-3));
+  CHECK(std::abs(s.peak_shear_strain_x) < 1e-3 * half);
+  CHECK(std::isnan(s.bond_shear));
+  CHECK(std::abs(s.interior_loss) < 1e-9 * 10 * scene.speed * half / scene.radius);
+}
+
+TEST_CASE("what is inside is an answer of solve only where it is asked for", "[core][interior]") {
+  RollingScene scene = continuous(0.2);
+  CHECK(std::isnan(converged(scene).peak_shear_strain));
+  scene.interior = Interior::on;
+  const RollingSolution s = converged(scene);
+  CHECK(s.peak_shear_strain >= s.peak_strain_amplitude);
+  CHECK(s.peak_strain_amplitude >= s.strain_amplitude);
+  CHECK(s.interior_loss == Approx(s.viscous_loss).epsilon(1e-6));
+  CHECK(s.bond_shear > 0);
+  CHECK(s.bond_shear < s.peak_pressure);
+}
+
+TEST_CASE("on a grid the loss inside is that of the surface within the grid's error", "[core][interior]") {
+  const RollingScene scene = with_method(paper_cylinder(), Method::newton);
+  const RollingSolution s = converged(scene);
+  CHECK(interior_summary(scene, s.fields, Detail::surface).loss == Approx(s.viscous_loss).epsilon(0.02));
+}
+
+TEST_CASE("a section shows bonds from both sides, z upwards", "[core][interior]") {
+  const RollingScene scene = continuous(0.2);
+  const RollingSolution s = converged(scene);
+  const std::vector<InteriorSection> sections = interior_sections(scene, s.fields);
+  REQUIRE(sections.size() == 1);
+  const InteriorSection& section = sections.front();
+  CHECK(section.z.front() == 0);
+  CHECK(section.z.back() == Approx(-0.005));
+  CHECK(section.fields.w.col(section.fields.w.cols() - 1).abs().maxCoeff() < 1e-10 * section.fields.w.abs().maxCoeff());
+  CHECK(section.fields.loss_density.minCoeff() >= 0);
+  // The traction on the surface, between the ends of the contact.
+  const auto row = static_cast<Eigen::Index>(section.x.size() / 2);
+  CHECK(section.fields.sigma_z(row, 0) < -0.5 * s.peak_pressure);
+}

@@ -1,0 +1,131 @@
+#include "core/solve/strain_iteration.hpp"
+
+#include <cmath>
+
+#include "core/interior/interior_summary.hpp"
+#include "core/material/strain_softening.hpp"
+#include "tests/core/converged.hpp"
+#include "tests/plain_scene.hpp"
+
+using namespace rollres;
+
+namespace {
+
+/// A cylinder on rubber that loses half of its modulus.
+RollingScene soft_scene(double load = 1e4) {
+  RollingScene scene = plain_scene(1, load);
+  scene.payne_drop = 0.5;
+  scene.payne_strain = 0.02;
+  scene.payne_exponent = 0.5;
+  scene.payne_loss_peak = 1.2;
+  scene.static_shear_modulus = 3e6;
+  scene.stiffening = 0.5;
+  return scene;
+}
+
+int solutions_of(const RollingSolution& solution) {
+  const std::size_t place = solution.model.find("found in ");
+  REQUIRE(place != std::string::npos);
+  return std::stoi(solution.model.substr(place + 9));
+}
+
+}  // namespace
+
+TEST_CASE("a scene with moduli at its strains is the linear scene of those moduli, whose strains they are",
+          "[core][strain]") {
+  const RollingScene scene = soft_scene();
+  const RollingSolution s = converged(scene);
+  REQUIRE(s.moduli_factors.size() == 1);
+  CHECK(s.softening < 0.95);
+  CHECK(s.strain_amplitude > 1e-3);
+  CHECK(solutions_of(s) <= 12);
+  RollingScene linear = solved_scene(scene, s);
+  linear.payne_drop = 0;
+  linear.payne_loss_peak = 1;
+  const RollingSolution same = converged(linear);
+  CHECK(same.rolling_resistance == s.rolling_resistance);
+  const InteriorSummary inside = interior_summary(linear, same.fields, InteriorField::Detail::inside);
+  CHECK(inside.strain_amplitude == Approx(s.strain_amplitude).epsilon(1e-12));
+  const Softening wanted = softening_at(scene, inside.strain_amplitude);
+  CHECK(wanted.storage == Approx(s.softening).epsilon(1e-12));
+  MaterialInputs original = scene;
+  const double omega = scene.speed / (0.5 * s.contact_area);
+  const std::complex<double> before = complex_modulus(original, omega), after = complex_modulus(linear, omega);
+  CHECK(after.real() == Approx(wanted.storage * before.real()).epsilon(3e-8));
+  CHECK(after.imag() == Approx(wanted.loss * before.imag()).epsilon(3e-8));
+}
+
+TEST_CASE("without a drop the answer is the linear one to all digits, and at a small load it comes near it",
+          "[core][strain]") {
+  RollingScene none = soft_scene();
+  none.payne_drop = 0;
+  none.payne_loss_peak = 1;
+  RollingScene plain = none;
+  plain.payne_strain.reset();
+  CHECK(converged(none).rolling_resistance == converged(plain).rolling_resistance);
+  for (const auto& [load, near] : {std::pair{10.0, 0.1}, {0.01, 0.01}}) {
+    RollingScene soft = soft_scene(load), linear = plain;
+    linear.load = load;
+    soft.payne_exponent = 1;
+    const RollingSolution s = converged(soft);
+    CHECK(s.rolling_resistance == Approx(converged(linear).rolling_resistance).epsilon(near));
+    CHECK(1 - s.softening < near);
+  }
+}
+
+TEST_CASE("softening with the load bends the power law of the resistance", "[core][strain]") {
+  const auto exponent = [](RollingScene scene) {
+    scene.load = 5e3;
+    const double low = converged(scene).rolling_resistance;
+    scene.load = 1e4;
+    return std::log2(converged(scene).rolling_resistance / low);
+  };
+  RollingScene linear = soft_scene();
+  linear.payne_drop = 0;
+  linear.payne_loss_peak = 1;
+  CHECK(exponent(soft_scene()) > exponent(linear) + 0.01);
+}
+
+TEST_CASE("each layer has the moduli of its own strains, and other methods meet them", "[core][strain]") {
+  RollingScene scene = soft_scene();
+  scene.friction_coefficient = 0;
+  BondedLayer below;
+  static_cast<MaterialInputs&>(below) = scene;
+  below.static_shear_modulus = 6e6;
+  below.payne_strain = 0.05;
+  below.layer_thickness = 0.01;
+  scene.lower_layers = {below};
+  const RollingSolution s = converged(scene);
+  REQUIRE(s.moduli_factors.size() == 2);
+  CHECK(s.moduli_factors[0] != s.moduli_factors[1]);
+  CHECK(solutions_of(s) <= 12);
+  scene.method = Method::newton;
+  const RollingSolution grid = converged(scene);
+  CHECK(grid.rolling_resistance == Approx(s.rolling_resistance).epsilon(0.01));
+  CHECK(grid.softening == Approx(s.softening).epsilon(2e-3));
+}
+
+TEST_CASE("a drop that no linear material follows is refused with its numbers", "[core][strain]") {
+  RollingScene scene = soft_scene(1e5);
+  scene.stiffening = 20;
+  scene.payne_drop = 0.9;
+  scene.payne_loss_peak = 3;
+  const RollingSolution s = solve(scene);
+  CHECK(s.status == Status::not_converged);
+  CHECK(s.reason.find("no positive modulus at rest") != std::string::npos);
+}
+
+TEST_CASE("inputs of softening that do not fit each other are refused by name", "[core][strain]") {
+  const auto refusal = [](auto change) {
+    RollingScene scene = soft_scene();
+    change(scene);
+    return message_of([&] { solve(scene); });
+  };
+  CHECK(refusal([](RollingScene& s) { s.payne_strain.reset(); }) == "payne_strain is missing: payne_drop needs it");
+  CHECK(refusal([](RollingScene& s) { s.indenter = Indenter::sphere; }) == "payne_drop = 0.5: only for a cylinder");
+  CHECK(refusal([](RollingScene& s) { s.period = 1; }) == "payne_drop = 0.5: not with a period");
+  CHECK(refusal([](RollingScene& s) {
+          s.sweep_strains = {0.1, 0.2};
+        }).find("give Kraus's model or a strain sweep, not both") != std::string::npos);
+  CHECK(refusal([](RollingScene& s) { s.payne_drop = 1; }).find("payne_drop = 1: must be") == 0);
+}
