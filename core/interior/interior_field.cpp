@@ -97,8 +97,12 @@ double InteriorField::depth_of(const InteriorLine& line) const {
 /// The waves' sum in the making.
 class InteriorField::Sum {
  public:
-  Sum(const InteriorField& field, const std::vector<double>& x, const std::vector<InteriorLine>& lines, bool density)
-      : field_(field), x_(Eigen::Map<const ArrayXd>(x.data(), static_cast<Index>(x.size()))), lines_(lines) {
+  Sum(const InteriorField& field, const std::vector<double>& x, const std::vector<InteriorLine>& lines, Wanted wanted)
+      : field_(field),
+        wanted_(wanted),
+        x_(Eigen::Map<const ArrayXd>(x.data(), static_cast<Index>(x.size()))),
+        lines_(lines) {
+    const bool density = wanted == Wanted::density;
     const auto points = static_cast<Index>(x.size()), count = static_cast<Index>(lines.size());
     for (Eigen::ArrayXXd* const values :
          {&f_.u, &f_.w, &f_.sigma_x, &f_.sigma_z, &f_.tau_xz, &f_.strain_x, &f_.strain_z, &f_.shear_strain})
@@ -156,25 +160,29 @@ class InteriorField::Sum {
       const auto put = [&](Eigen::ArrayXXd& values, complex amplitude) {
         values.col(column) += weight * (amplitude.real() * cosine - amplitude.imag() * sine);
       };
-      put(f_.sigma_x, stress.x);
-      put(f_.sigma_z, stress.z);
-      put(f_.tau_xz, stress.xz);
       put(f_.strain_x, strain.x);
       put(f_.strain_z, strain.z);
       put(f_.shear_strain, strain.xz);
+      if (wanted_ == Wanted::strains) continue;
+      put(f_.sigma_x, stress.x);
+      put(f_.sigma_z, stress.z);
+      put(f_.tau_xz, stress.xz);
       if (field_.half_space_) continue;
       put(f_.u, state.u);
       put(f_.w, state.w);
     }
   }
 
+  /// The places of x in the order in which material passes them, from the last to the first.
+  Index place(Index i) const { return field_.speed_ < 0 ? x_.size() - 1 - i : i; }
+
   /// Memory means of the stress at the point farthest ahead.
   void add_memories(std::size_t line, const Wave& wave, const PlaneStress& stress, double weight) {
     if (memories_[line].empty()) return;
-    const complex turned = std::polar(weight, wave.wavenumber * x_(x_.size() - 1));
+    const complex turned = std::polar(weight, wave.wavenumber * x_(place(x_.size() - 1)));
     const auto& terms = field_.medium_[lines_[line].layer].material.terms;
     for (std::size_t m = 0; m < terms.size(); ++m) {
-      const complex mean = turned / complex(1, -wave.wavenumber * std::abs(field_.speed_) * terms[m].time);
+      const complex mean = turned / complex(1, -wave.wavenumber * field_.speed_ * terms[m].time);
       memories_[line][m][0] += (mean * stress.x).real();
       memories_[line][m][1] += (mean * stress.z).real();
       memories_[line][m][2] += (mean * stress.xz).real();
@@ -208,7 +216,7 @@ class InteriorField::Sum {
       const MediumLayer& layer = field_.medium_[lines_[line].layer];
       const auto column = static_cast<Index>(line);
       const auto stress = [&](Index i) {
-        return Eigen::Array3d(f_.sigma_x(i, column), f_.sigma_z(i, column), f_.tau_xz(i, column));
+        return Eigen::Array3d(f_.sigma_x(place(i), column), f_.sigma_z(place(i), column), f_.tau_xz(place(i), column));
       };
       for (std::size_t m = 0; m < layer.material.terms.size(); ++m) {
         const auto& [compliance, time] = layer.material.terms[m];
@@ -222,7 +230,7 @@ class InteriorField::Sum {
             mean = kept * (mean - stress(i + 1) - length * slope) + here + length * slope;
           }
           const Eigen::Array3d above = here - mean;
-          f_.loss_density(i, column) +=
+          f_.loss_density(place(i), column) +=
               compliance / time * distortion(above(0), above(1), above(2), layer.poisson_ratio);
         }
       }
@@ -230,6 +238,7 @@ class InteriorField::Sum {
   }
 
   const InteriorField& field_;
+  Wanted wanted_;
   ArrayXd x_;
   const std::vector<InteriorLine>& lines_;
   std::vector<double> depth_;
@@ -238,8 +247,8 @@ class InteriorField::Sum {
 };
 
 InteriorFields InteriorField::at(const std::vector<double>& x, const std::vector<InteriorLine>& lines,
-                                 bool density) const {
-  return Sum(*this, x, lines, density).run();
+                                 Wanted wanted) const {
+  return Sum(*this, x, lines, wanted).run();
 }
 
 }  // namespace rollres

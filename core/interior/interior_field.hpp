@@ -55,11 +55,12 @@ class InteriorField {
   InteriorField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, double reach,
                 Detail detail);
 
-  /// @param x ascending [m], of any number with `density` evenly spaced
-  InteriorFields at(const std::vector<double>& x, const std::vector<InteriorLine>& lines, bool density = false) const;
+  /// Which fields: strains alone, all, or all and the density of the loss.
+  enum class Wanted { strains, all, density };
 
-  /// The losses alone.
-  Eigen::ArrayXd losses(const std::vector<InteriorLine>& lines) const { return at({}, lines).line_loss; }
+  /// @param x ascending [m], evenly spaced for the density
+  InteriorFields at(const std::vector<double>& x, const std::vector<InteriorLine>& lines,
+                    Wanted wanted = Wanted::all) const;
 
   const LayeredMedium& medium() const { return medium_; }
   const SurfaceTractions& tractions() const { return tractions_; }

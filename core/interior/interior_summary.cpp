@@ -42,8 +42,7 @@ struct WeightedLine {
 };
 
 /// Lines of Gauss's rule on panels that widen with the distance from the contact.
-std::vector<WeightedLine> lines_across(const InteriorField& field, double half) {
-  constexpr int per_panel = 6;
+std::vector<WeightedLine> lines_across(const InteriorField& field, double half, int per_panel) {
   constexpr double farthest = 1e4;  // of a half-space, in lengths over which it moves
   const QuadratureRule& rule = gauss_rule(per_panel);
   std::vector<WeightedLine> lines;
@@ -102,8 +101,9 @@ class Summary {
  public:
   Summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail)
       : detail_(detail), extent_(extent_of(fields)) {
-    constexpr double margin = 2.5;  // beyond the contact, in half-lengths
-    constexpr int fewest = 181, most = 901;
+    constexpr double margin = 2;  // beyond the contact, in half-lengths
+    constexpr int most = 901;
+    const int fewest = detail == InteriorField::Detail::surface ? 181 : 121;
     const double half = extent_.half, from = extent_.middle - (1 + margin) * half,
                  to = extent_.middle + (1 + margin) * half;
     const double thin = std::min(half, scene.layer_thickness);
@@ -122,10 +122,11 @@ class Summary {
 
  private:
   void add_lines(const LayersInside& part) {
-    const std::vector<WeightedLine> weighted = lines_across(part.field, extent_.half);
+    const std::vector<WeightedLine> weighted =
+        lines_across(part.field, extent_.half, detail_ == InteriorField::Detail::surface ? 6 : 4);
     std::vector<InteriorLine> lines;
     for (const WeightedLine& line : weighted) lines.push_back(line.line);
-    const InteriorFields fields = part.field.at(x_, lines);
+    const InteriorFields fields = part.field.at(x_, lines, InteriorField::Wanted::strains);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto column = static_cast<Index>(i);
       const double cycle =
@@ -175,7 +176,7 @@ class Summary {
       for (const double depth : evenly_spaced(std::max(peak_line_.depth - down, 0.0),
                                               std::min(peak_line_.depth + down, thickness), lines_tried))
         lines.push_back({peak_line_.layer, depth});
-      const InteriorFields fields = part.field.at(x, lines);
+      const InteriorFields fields = part.field.at(x, lines, InteriorField::Wanted::strains);
       for (std::size_t i = 0; i < lines.size(); ++i)
         take_peak(part, lines[i], largest_of(x, shear_strains(fields, static_cast<Index>(i))));
     }
@@ -283,7 +284,7 @@ std::vector<InteriorSection> interior_sections(const RollingScene& scene, const 
       }
       above += thickness;
     }
-    section.fields = part.field.at(section.x, lines, true);
+    section.fields = part.field.at(section.x, lines, InteriorField::Wanted::density);
     if (part.on_body)
       for (Eigen::ArrayXXd* const odd : {&section.fields.w, &section.fields.tau_xz, &section.fields.shear_strain})
         *odd = -*odd;
@@ -301,6 +302,11 @@ RollingScene solved_scene(const RollingScene& scene, const RollingSolution& solu
   for (std::size_t i = 0; i < std::min(layers.size(), solution.moduli_factors.size()); ++i) {
     layers[i]->rest_factor = solution.moduli_factors[i][0];
     layers[i]->relaxation_factor = solution.moduli_factors[i][1];
+    layers[i]->payne_drop = 0;
+    layers[i]->payne_loss_peak = 1;
+    layers[i]->sweep_strains.clear();
+    layers[i]->sweep_storage_moduli.clear();
+    layers[i]->sweep_loss_moduli.clear();
   }
   return solved;
 }

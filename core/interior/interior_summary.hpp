@@ -78,7 +78,8 @@ struct InteriorSection {
 };
 std::vector<InteriorSection> interior_sections(const RollingScene& scene, const SurfaceFields& fields);
 
-/// The scene as it was solved: with the moduli at its strains and the flow of a coating that the drive decided.
+/// The scene as it was solved: with the moduli at its strains in place of what says how they depend on them, and the
+/// flow of a coating that the drive decided.
 RollingScene solved_scene(const RollingScene& scene, const RollingSolution& solution);
 
 }  // namespace rollres

@@ -45,7 +45,7 @@ PlaneStress half_space_wave(double wavenumber, double depth, complex p, complex 
 
 SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) {
   for (const TractionPanel& panel : fields.panels)
-    panels_.push_back({panel.from, panel.to, panel.pressure, panel.shear, {}});
+    panels_.push_back({panel.from, panel.to, panel.pressure, panel.shear, {}, {}});
   const SurfaceGrid& grid = fields.grid;
   for (int i = 0; fields.panels.empty() && i < grid.columns; ++i)
     if (const auto node = static_cast<std::size_t>(i); fields.zone[node] != Zone::free)
@@ -53,6 +53,7 @@ SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) 
                          grid.x(i) + 0.5 * grid.spacing_x,
                          {fields.pressure[node]},
                          {fields.shear_x[node]},
+                         {},
                          {}});
   from_ = INFINITY;
   to_ = -INFINITY;
@@ -62,8 +63,43 @@ SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) 
     if (panel.pressure.size() == 1) continue;
     for (int parts = 1;; parts *= 2) {
       std::vector<Point>& points = panel.rules.emplace_back();
-      for (int i = 0; i < parts; ++i) add_points(panel, -1 + 2.0 * i / parts, -1 + 2.0 * (i + 1) / parts, points);
+      for (int i = 0; i < parts; ++i)
+        add_points(panel, -1 + 2.0 * i / parts, -1 + 2.0 * (i + 1) / parts, gauss_order, points);
       if (gauss_order * parts > 16 + highest * (panel.to - panel.from)) break;
+    }
+  }
+  for (Panel& panel : panels_)
+    if (!panel.rules.empty()) panel.near = panel.rules.front();
+  thin_out(highest);
+}
+
+void SurfaceTractions::thin_out(double highest) {
+  constexpr double negligible = 1e-10;
+  double load = 0;
+  const auto wave = [](const std::vector<Point>& points, double k) {
+    Transforms sum{};
+    for (const Point& point : points) {
+      const complex turned = std::polar(1.0, -k * point.x);
+      sum.pressure += point.pressure * turned;
+      sum.shear += point.shear * turned;
+    }
+    return sum;
+  };
+  for (const Panel& panel : panels_)
+    if (!panel.rules.empty()) load += std::abs(wave(panel.rules.front(), 0).pressure);
+  for (Panel& panel : panels_) {
+    if (panel.rules.size() != 1) continue;
+    for (const int order : {3, 6, 10, 15}) {
+      std::vector<Point> fewer;
+      add_points(panel, -1, 1, order, fewer);
+      double change = 0;
+      for (const double k : {0.0, 0.5 * highest, highest}) {
+        const Transforms full = wave(panel.rules.front(), k), thin = wave(fewer, k);
+        change = std::max({change, std::abs(full.pressure - thin.pressure), std::abs(full.shear - thin.shear)});
+      }
+      if (change > negligible * load) continue;
+      panel.rules.front() = std::move(fewer);
+      break;
     }
   }
 }
@@ -74,8 +110,8 @@ SurfaceTractions::Point SurfaceTractions::point_of(const Panel& panel, double s,
           scale * interpolated(panel.shear, s)};
 }
 
-void SurfaceTractions::add_points(const Panel& panel, double s0, double s1, std::vector<Point>& points) {
-  const QuadratureRule& rule = gauss_rule(gauss_order);
+void SurfaceTractions::add_points(const Panel& panel, double s0, double s1, int order, std::vector<Point>& points) {
+  const QuadratureRule& rule = gauss_rule(order);
   for (std::size_t i = 0; i < rule.nodes.size(); ++i)
     points.push_back(point_of(panel, s0 + (s1 - s0) * rule.nodes[i], (s1 - s0) * rule.weights[i]));
 }
@@ -110,9 +146,14 @@ void SurfaceTractions::add_near(const Panel& panel, complex place, double s0, do
     add_near(panel, place, 0.5 * (s0 + s1), s1, sum);
     return;
   }
-  std::vector<Point> points;
-  add_points(panel, s0, s1, points);
-  for (const Point& point : points) {
+  std::vector<Point> part;
+  const std::vector<Point>* points = &part;
+  constexpr double far = 3;
+  if (s1 - s0 == 2)
+    points = std::hypot(beside, place.imag()) > far * (b - a) ? &panel.rules.front() : &panel.near;
+  else
+    add_points(panel, s0, s1, gauss_order, part);
+  for (const Point& point : *points) {
     const complex inverse = 1.0 / (place - point.x);
     sum.p += point.pressure * inverse;
     sum.dp -= point.pressure * inverse * inverse;

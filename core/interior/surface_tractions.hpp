@@ -50,14 +50,18 @@ class SurfaceTractions {
     double from, to;
     std::vector<double> pressure, shear;
     std::vector<std::vector<Point>> rules;  // each twice as fine as the one before; of uniform tractions none
+    std::vector<Point> near;                // points for places beside the panel, about its width away
   };
   /// F and its derivative, of p and of q.
   struct Potentials {
     std::complex<double> p, dp, q, dq;
   };
   static Point point_of(const Panel& panel, double s, double weight);
-  static void add_points(const Panel& panel, double s0, double s1, std::vector<Point>& points);
+  static void add_points(const Panel& panel, double s0, double s1, int order, std::vector<Point>& points);
   static void add_near(const Panel& panel, std::complex<double> place, double s0, double s1, Potentials& sum);
+
+  /// Fewer points on panels that need but one rule and are met by them as well.
+  void thin_out(double highest);
 
   std::vector<Panel> panels_;
   double from_ = 0, to_ = 0;

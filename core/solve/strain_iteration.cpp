@@ -22,6 +22,8 @@ constexpr double wanted_agreement = 1e-8;  // of the factors
 constexpr int most_solutions = 30;
 constexpr double longest_step = 1.5;  // of logarithms
 constexpr int most_halvings = 12;
+constexpr int most_stuck = 8;
+constexpr double first_retreat = 0.2;  // of ln gamma
 
 std::vector<const MaterialInputs*> layers_of(const RollingScene& scene) {
   std::vector<const MaterialInputs*> layers{&scene};
@@ -54,50 +56,95 @@ class StrainIteration {
   }
 
   RollingSolution run() {
-    Answered linear = answer_with({});
-    if (linear.solution.status != Status::converged) return std::move(linear.solution);
-    VectorXd x = linear.logarithms;
-    MatrixXd slopes = -MatrixXd::Identity(x.size(), x.size());
-    for (std::size_t i = 0; i < soft_.size(); ++i) start(soft_[i].inputs, static_cast<Index>(i), x, slopes);
-    std::optional<std::vector<SofteningFactors>> factors = factors_at(x);
-    if (!factors) {
-      x = linear.logarithms;
-      factors = std::vector<SofteningFactors>(soft_.size());
-    }
-    Answered answer = answer_with(*factors);
+    std::vector<SofteningFactors> factors(soft_.size());
+    Answered answer = answer_with(factors);
+    MatrixXd slopes = slopes_of_hertz(answer);
     for (;;) {
       if (answer.solution.status != Status::converged) return std::move(answer.solution);
-      const VectorXd residual = answer.logarithms - x;
       const std::optional<std::vector<SofteningFactors>> own = factors_at(answer.logarithms);
-      if (own && disagreement(*factors, *own) <= wanted_agreement) return finished(std::move(answer), *factors);
+      if (own && disagreement(factors, *own) <= wanted_agreement) return finished(std::move(answer), factors);
       if (solutions_ >= most_solutions)
         return refused(message_text("the strains and the moduli do not settle in ", solutions_, " solutions"));
-      VectorXd step = -slopes.partialPivLu().solve(residual);
-      if (!step.allFinite()) step = residual;
-      step *= std::min(1.0, longest_step / step.cwiseAbs().maxCoeff());
-      std::optional<std::vector<SofteningFactors>> next = factors_at(x + step);
-      for (int halving = 0; !next && halving < most_halvings; ++halving) next = factors_at(x + (step *= 0.5));
-      if (!next) return refused(unreachable(x));
+      const std::optional<std::vector<SofteningFactors>> next = agreeing_factors(answer.logarithms, factors, slopes);
+      if (!next || stuck_ > most_stuck) return refused(unreachable(answer.logarithms));
       Answered tried = answer_with(*next);
       if (tried.solution.status != Status::converged) return std::move(tried.solution);
-      const VectorXd change = tried.logarithms - answer.logarithms - step;  // of the residual
-      slopes += (change - slopes * step) * step.transpose() / step.squaredNorm();
-      x += step;
-      factors = std::move(next);
+      const VectorXd step = in_logarithms(*next) - in_logarithms(factors);
+      const VectorXd missed = tried.logarithms - answer.logarithms - slopes * step;
+      if (step.squaredNorm() > 0) slopes += missed * step.transpose() / step.squaredNorm();
+      factors = *next;
       answer = std::move(tried);
     }
   }
 
  private:
-  /// First guess of an amplitude, and how it depends on itself.
-  static void start(const MaterialInputs& layer, Index i, VectorXd& x, MatrixXd& slopes) {
-    constexpr double by_modulus = -0.5, difference = 1e-4;
-    const auto own = [&](double logarithm) {
-      return by_modulus * std::log(softening_at(layer, std::exp(logarithm)).storage);
+  static VectorXd in_logarithms(const std::vector<SofteningFactors>& factors) {
+    VectorXd all(2 * static_cast<Index>(factors.size()));
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      all(2 * static_cast<Index>(i)) = std::log(factors[i].rest);
+      all(2 * static_cast<Index>(i) + 1) = std::log(factors[i].relaxation);
+    }
+    return all;
+  }
+
+  /// Of ln gamma_i and ln omega by the logarithms of the factors: as G'^(-1/2) and G'^(1/2), as under a Hertz line.
+  MatrixXd slopes_of_hertz(const Answered& linear) const {
+    const auto count = static_cast<Index>(soft_.size());
+    MatrixXd slopes = MatrixXd::Zero(count + 1, 2 * count);
+    if (linear.solution.status != Status::converged) return slopes;
+    const double omega = std::exp(linear.logarithms(count));
+    for (Index i = 0; i < count; ++i) {
+      const CreepSpectrum& spectrum = soft_[static_cast<std::size_t>(i)].spectrum;
+      const double at_rest = 1 / spectrum.at_rest(), whole = (1.0 / spectrum(omega)).real();
+      for (const auto& [column, share] : {std::pair{2 * i, at_rest / whole}, {2 * i + 1, 1 - at_rest / whole}}) {
+        slopes(i, column) = -0.5 * share;
+        slopes(count, column) = 0.5 * share / static_cast<double>(count);
+      }
+    }
+    return slopes;
+  }
+
+  /// The factors of amplitudes x that a solution with these factors would have, if it were answer + slopes * change of
+  /// the factors' logarithms: Newton's method with differences, which stops where it gets no nearer; nothing where no
+  /// factors are found.
+  std::optional<std::vector<SofteningFactors>> agreeing_factors(const VectorXd& answer,
+                                                                const std::vector<SofteningFactors>& factors,
+                                                                const MatrixXd& slopes) {
+    constexpr int most_steps = 40;
+    constexpr double difference = 1e-6, settled = 1e-13, rough = 0.05;
+    const VectorXd before = in_logarithms(factors);
+    const auto missing = [&](const VectorXd& x) -> std::optional<VectorXd> {
+      const auto found = factors_at(x);
+      if (!found) return std::nullopt;
+      return VectorXd(answer + slopes * (in_logarithms(*found) - before) - x);
     };
-    const double linear = x(i);
-    for (int step = 0; step < 60; ++step) x(i) = 0.5 * (x(i) + linear + own(x(i)));
-    slopes(i, i) = -1 + std::clamp((own(x(i) + difference) - own(x(i) - difference)) / (2 * difference), -0.5, 0.7);
+    // From small strains, which any material bears, towards those of the answer.
+    VectorXd x = answer;
+    for (int halving = 0; !missing(x) && halving < most_halvings; ++halving)
+      x.head(x.size() - 1).array() -= first_retreat * (1 << std::min(halving, 5));
+    std::optional<VectorXd> residual = missing(x);
+    if (!residual) return std::nullopt;
+    for (int step = 0; step < most_steps && residual->cwiseAbs().maxCoeff() > settled; ++step) {
+      MatrixXd jacobian(x.size(), x.size());
+      for (Index i = 0; i < x.size(); ++i) {
+        VectorXd moved = x;
+        moved(i) -= difference;
+        const std::optional<VectorXd> there = missing(moved);
+        if (!there) return std::nullopt;
+        jacobian.col(i) = (*residual - *there) / difference;
+      }
+      VectorXd change = -jacobian.partialPivLu().solve(*residual);
+      if (!change.allFinite()) return std::nullopt;
+      change *= std::min(1.0, longest_step / change.cwiseAbs().maxCoeff());
+      std::optional<VectorXd> next = missing(x + change);
+      for (int halving = 0; halving < most_halvings && !(next && next->norm() < residual->norm()); ++halving)
+        next = missing(x + (change *= 0.5));
+      if (!next || !(next->norm() < residual->norm())) break;
+      x += change;
+      residual = next;
+    }
+    if (residual->cwiseAbs().maxCoeff() > rough) ++stuck_;
+    return factors_at(x);
   }
 
   std::optional<std::vector<SofteningFactors>> factors_at(const VectorXd& x) const {
@@ -121,7 +168,7 @@ class StrainIteration {
   }
 
   Answered answer_with(const std::vector<SofteningFactors>& factors) {
-    std::vector<std::array<double, 2>> of_layers(factors.empty() ? 0 : layers_, {1, 1});
+    std::vector<std::array<double, 2>> of_layers(layers_, {1, 1});
     for (std::size_t i = 0; i < factors.size(); ++i)
       of_layers[soft_[i].place] = {factors[i].rest, factors[i].relaxation};
     Answered answer;
@@ -174,9 +221,15 @@ class StrainIteration {
 
   std::string unreachable(const VectorXd& x) const {
     for (std::size_t i = 0; i < soft_.size(); ++i) {
-      const double amplitude = std::exp(x(static_cast<Index>(i)));
-      const Softening s = softening_at(soft_[i].inputs, 1.2 * amplitude);
-      if (softening_factors(soft_[i].spectrum, s, std::exp(x(x.size() - 1)))) continue;
+      const double omega = std::exp(x(x.size() - 1));
+      double amplitude = std::exp(x(static_cast<Index>(i)));
+      const double farthest = 10 * amplitude;
+      const auto borne = [&] {
+        return softening_factors(soft_[i].spectrum, softening_at(soft_[i].inputs, amplitude), omega).has_value();
+      };
+      while (borne() && amplitude < farthest) amplitude *= 1.1;
+      if (borne()) continue;
+      const Softening s = softening_at(soft_[i].inputs, amplitude);
       return message_text(name_of_layer(soft_[i].place), ", near a strain amplitude of ", amplitude,
                           ": no positive modulus at rest gives G' times ", s.storage, " with G\" times ", s.loss,
                           "; its relaxation is too large beside the modulus at rest");
@@ -196,6 +249,7 @@ class StrainIteration {
   std::vector<SoftLayer> soft_;
   InteriorSummary summary_;
   int solutions_ = 0;
+  int stuck_ = 0;  // how often no factors that agree were near
 };
 
 }  // namespace

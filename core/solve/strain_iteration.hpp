@@ -3,11 +3,12 @@
 /// Layers whose moduli depend on the strain (material/strain_softening.hpp): the linear scene whose own strains give it
 /// its moduli.
 ///
-/// Unknown are ln gamma_i, the strain amplitude of each layer that softens (interior/interior_summary.hpp: mean over
-/// its lines of flow by their loss), and ln omega, the contact's frequency V/a, a half of its length. A linear solution
-/// with the factors of (gamma, omega) has amplitudes and a frequency of its own; where they agree, to 1e-8 in the
-/// factors, it is the answer. Broyden's method (1965, Math. Comp. 19, 577), from gamma ~ G'^(-1/2), which holds for
-/// Hertz's contact of a cylinder under a given load; for one layer it is a secant.
+/// A linear solution with the factors (a_i, b_i) of the layers that soften has strain amplitudes gamma_i
+/// (interior/interior_summary.hpp: mean over a layer's lines of flow by their loss) and a frequency omega = V/a of its
+/// own, a half of the contact's length; these ask for factors of their own. Where both agree, to 1e-8, it is the
+/// answer. ln gamma_i and ln omega are nearly linear in ln a_i, ln b_i: their slopes, at first those of a Hertz line
+/// under a given load (gamma ~ G'^(-1/2)), are corrected by each further solution (Broyden 1965, Math. Comp. 19, 577),
+/// and the factors that agree by them are tried next.
 
 #include <functional>
 

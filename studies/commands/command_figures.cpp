@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
+#include "core/solve/strain_iteration.hpp"
 #include "studies/figures/figure.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/cells.hpp"
@@ -100,9 +101,10 @@ FieldCollections write_field_collections(ResultStore& store, const StudySummary&
     std::string number = std::to_string(position);
     number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
     const std::string file = base + "/" + number + ".vti";
-    write_file(
-        directory / file,
-        fields_vti(answer->scene, surface_around(answer->scene, answer->solution, figure_margin), answer->solution));
+    // Around the contact, but for moduli at strains that are not stored.
+    const SurfaceFields shown = softens(answer->scene) ? answer->solution.fields
+                                                       : surface_around(answer->scene, answer->solution, figure_margin);
+    write_file(directory / file, fields_vti(answer->scene, shown, answer->solution));
     std::string others;
     for (const std::string& other : study.axes)
       if (other != written.axis)

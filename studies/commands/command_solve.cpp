@@ -33,7 +33,8 @@ void run_solve(const SolveArguments& options, Session& session) {
     if (solution.status == Status::converged && has_interior(scene, solution))
       session.out << interior_text(
           interior_summary(solved_scene(scene, solution), solution.fields, InteriorField::Detail::surface));
-    if (solution.status == Status::converged)
+    // Simpler models have the moduli of small strains.
+    if (solution.status == Status::converged && solution.moduli_factors.empty())
       session.out << simpler_models_text(scene, solution, simpler_models(scene, solution, session.evaluate));
   }
   session.out << std::flush;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "core/interior/interior_summary.hpp"
 #include "studies/figures/figure_map.hpp"
 #include "studies/text/words.hpp"
 
@@ -64,7 +65,7 @@ std::string hindrance(const Figure& figure, const RollingScene& scene) {
 FigureSource::FigureSource(const RollingScene& given_scene, const RollingSolution& given_solution)
     : scene(given_scene),
       solution(given_solution),
-      surface(surface_around(scene, solution, figure_margin)),
+      surface(surface_around(solved_scene(scene, solution), solution, figure_margin)),
       velocity(surface_velocity(scene, surface)) {}
 
 std::string Figure::file_name() const {

@@ -87,10 +87,9 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
     picture.explain(LegendEntry::plain(look, "bonds of layers"));
   }
   constexpr const char* look = "lines lc rgb '#D55E00' lw 5";
-  picture.plot(picture.add("contact", columns,
-                           {{source.solution.trailing_edge / length.factor, 0},
-                            {source.solution.leading_edge / length.factor, 0}}) +
-               " using 1:2 with " + look + " notitle");
+  const std::vector<DataRow> contact{{source.solution.trailing_edge / length.factor, 0.0},
+                                     {source.solution.leading_edge / length.factor, 0.0}};
+  picture.plot(picture.add("contact", columns, contact) + " using 1:2 with " + look + " notitle");
   picture.explain(LegendEntry::plain(look, "contact"));
   constexpr double left = 84, right = 424, lower = 88, above = 10, lowest = 80;
   const double height = std::max((right - left) * (z.highest - z.lowest) / (x.highest - x.lowest), lowest);
