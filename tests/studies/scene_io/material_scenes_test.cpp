@@ -47,6 +47,31 @@ std::string refusal_of_table(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("a scene file names the table of a strain sweep, in per cent or not, and what it breaks is refused by name",
+          "[studies][material]") {
+  const std::string rubber = R"("static_shear_modulus": 1e6, "strain_sweep_file": "sweep.csv")";
+  const auto read = [&](const std::string& text, const std::string& more = {}) {
+    const TemporaryDirectory folder;
+    folder.write("sweep.csv", text);
+    return read_scene(folder.write("scene.json", scene_text(rubber + more)));
+  };
+  const std::string sweep = "strain [%],storage_modulus [MPa],loss_tangent\n0.1,7.46,0.1\n10,3.15,0.2\n";
+  const RollingScene scene = read(sweep);
+  CHECK(scene.sweep_strains == std::vector<double>{0.001, 0.1});
+  CHECK(scene.sweep_storage_moduli == std::vector<double>{7.46e6, 3.15e6});
+  CHECK(scene.sweep_loss_moduli[1] == Approx(0.63e6));
+  const auto refusal = [&](const std::string& text, const std::string& more = {}) {
+    return message_of([&] { read(text, more); });
+  };
+  CHECK_THAT(refusal(sweep, R"(, "sweep_strains": [1, 2])"), Contains("is in the strain_sweep_file; give one of them"));
+  CHECK_THAT(refusal("strain,storage_modulus [Pa]\n1,2\n"), Contains("loss_modulus"));
+  CHECK_THAT(refusal("strian [%],storage_modulus [Pa],loss_modulus [Pa]\n1,2,1\n"), Contains("strian"));
+  CHECK_THAT(refusal("strain [%],storage_modulus [Pa],loss_modulus [Pa]\n-1,2,1\n"), Contains("must be > 0"));
+  RollingScene falling = scene;
+  falling.sweep_strains = {0.1, 0.001};
+  CHECK_THAT(check(falling).front(), Contains("sweep_strains[1] = 0.001: must be above the one before"));
+}
+
 TEST_CASE("a scene file names the table of its master curve, relative to itself", "[studies][material]") {
   const TemporaryDirectory folder;
   folder.write("rubber.csv", table);
