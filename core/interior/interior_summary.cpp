@@ -108,7 +108,11 @@ class Summary {
                  to = extent_.middle + (1 + margin) * half;
     const double thin = std::min(half, scene.layer_thickness);
     x_ = evenly_spaced(from, to, std::clamp(static_cast<int>((to - from) / (0.125 * thin)) | 1, fewest, most));
-    parts_ = layers_inside(scene, fields, std::max(std::abs(from), std::abs(to)), detail);
+    // Deep bonds bear tension far beside the contact.
+    const double deep = std::min(finite_thickness(scene), deepest_bond * half), beside = 2 * half + 2 * deep;
+    at_bonds_ = evenly_spaced(extent_.middle - half - beside, extent_.middle + half + beside, bond_points);
+    const double widest = detail == InteriorField::Detail::surface ? half + beside : 0.5 * (to - from);
+    parts_ = layers_inside(scene, fields, std::abs(extent_.middle) + widest, detail);
   }
 
   InteriorSummary run() {
@@ -145,13 +149,13 @@ class Summary {
       lines.push_back({layer, 0});
       if (std::isfinite(medium[layer].thickness)) lines.push_back({layer, medium[layer].thickness});
     }
-    const InteriorFields fields = part.field.at(x_, lines);
+    const InteriorFields fields = part.field.at(at_bonds_, lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto column = static_cast<Index>(i);
-      take_peak(part, lines[i], largest_of(x_, shear_strains(fields, column)));
+      take_peak(part, lines[i], largest_of(at_bonds_, shear_strains(fields, column)));
       if (lines[i].depth == 0) continue;
-      const Largest shear = largest_of(x_, fields.tau_xz.col(column).abs());
-      const Largest tension = largest_of(x_, fields.sigma_z.col(column));
+      const Largest shear = largest_of(at_bonds_, fields.tau_xz.col(column).abs());
+      const Largest tension = largest_of(at_bonds_, fields.sigma_z.col(column));
       s_.bonds.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), shear.value, shear.place,
                           std::max(tension.value, 0.0), tension.place});
     }
@@ -223,7 +227,9 @@ class Summary {
 
   InteriorField::Detail detail_;
   Extent extent_;
-  std::vector<double> x_;
+  static constexpr double deepest_bond = 10;  // in half-lengths, whose tension is looked for as far as it is deep
+  static constexpr int bond_points = 401;
+  std::vector<double> x_, at_bonds_;
   std::vector<LayersInside> parts_;
   InteriorSummary s_;
   Largest peak_;

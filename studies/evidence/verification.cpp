@@ -396,8 +396,8 @@ void check_inside(Checks& checks) {
   layer.interior = Interior::on;
   layer.kinematics = Kinematics::consistent;
   const RollingSolution paper = checks.solve(layer);
-  checks.add({"paper's cylinder: power lost, summed over the inside of the layer", "that of its surface", "W/m",
-              paper.viscous_loss, paper.interior_loss, 1e-6, "waves up to 300 per half-length"});
+  checks.add({"paper's cylinder: power lost, summed inside the layer", "that of its surface", "W/m", paper.viscous_loss,
+              paper.interior_loss, 1e-6, "waves up to 300 per half-length"});
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
     bonds.emplace_back();
   }
   if (!bonds.empty()) {
-    constexpr const char* look = "lines lc rgb 'black' lw 1.5 dt (5,3)";
+    constexpr const char* look = "lines lc rgb '#B0B0B0' lw 2 dt (5,3)";
     picture.plot(picture.add("bonds", columns, bonds) + " using 1:2 with " + look + " notitle");
     picture.explain(LegendEntry::plain(look, "bonds of layers"));
   }
@@ -91,11 +91,17 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
                                      {source.solution.leading_edge / length.factor, 0.0}};
   picture.plot(picture.add("contact", columns, contact) + " using 1:2 with " + look + " notitle");
   picture.explain(LegendEntry::plain(look, "contact"));
-  constexpr double left = 84, right = 424, lower = 88, above = 10, lowest = 80;
-  const double height = std::max((right - left) * (z.highest - z.lowest) / (x.highest - x.lowest), lowest);
+  // To scale, unless that were too low for the numbers beside it.
+  constexpr double left = 84, right = 424, lower = 88, above = 10, lowest = 190;
+  const double to_scale = (right - left) * (z.highest - z.lowest) / (x.highest - x.lowest);
+  const double height = std::max(to_scale, lowest);
   return picture.finished(
       std::string(figure.title),
-      {.height = std::round(above + height + lower), .left = left, .right = right, .bottom = lower});
+      {.height = std::round(above + height + lower),
+       .left = left,
+       .right = right,
+       .bottom = lower,
+       .subtitle = height > to_scale ? "heights stretched " + short_number(height / to_scale, 2) + " times" : ""});
 }
 
 }  // namespace rollres

@@ -94,10 +94,11 @@ std::string losses_csv(const InteriorSummary& summary) {
 }
 
 std::string bonds_csv(const InteriorSummary& summary) {
-  std::string text = "bond_below,z [m],largest_shear [Pa],x [m],largest_tension [Pa],x [m]\n";
+  std::string text = "bond_below,z [m],largest_shear [Pa],shear_x [m],largest_tension [Pa],tension_x [m]\n";
   for (const Bond& bond : summary.bonds)
     text += layer_name(bond.on_body, bond.layer) + ',' + number(bond.z) + ',' + number(bond.shear) + ',' +
-            number(bond.shear_x) + ',' + number(bond.tension) + ',' + number(bond.tension_x) + '\n';
+            number(bond.shear_x) + ',' + number(bond.tension) + ',' +
+            (bond.tension > 0 ? number(bond.tension_x) : std::string()) + '\n';
   return text;
 }
 
@@ -110,9 +111,12 @@ std::string interior_text(const InteriorSummary& summary) {
             short_number(layer.peak_strain_amplitude, 4) + '\n';
     for (const Bond& bond : summary.bonds)
       if (bond.layer == layer.layer && bond.on_body == layer.on_body)
-        text += "    bond at z = " + readable(bond.z, "m") + ": shear " + readable(bond.shear, "Pa") +
-                " at x = " + readable(bond.shear_x, "m") + ", tension " + readable(bond.tension, "Pa") +
-                " at x = " + readable(bond.tension_x, "m") + '\n';
+        text +=
+            "    bond at z = " + readable(bond.z, "m") + ": shear " + readable(bond.shear, "Pa") +
+            " at x = " + readable(bond.shear_x, "m") + ", " +
+            (bond.tension > 0 ? "tension " + readable(bond.tension, "Pa") + " at x = " + readable(bond.tension_x, "m")
+                              : std::string("no tension")) +
+            '\n';
   }
   return text;
 }
