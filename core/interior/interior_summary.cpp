@@ -100,7 +100,9 @@ ArrayXd shear_strains(const InteriorFields& fields, Index line) {
 class Summary {
  public:
   Summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail)
-      : detail_(detail), extent_(extent_of(fields)) {
+      : detail_(detail),
+        extent_(extent_of(fields)),
+        shallowest_(fields.panels.empty() ? 0.5 * fields.grid.spacing_x : 0) {
     constexpr double margin = 2;  // beyond the contact, in half-lengths
     constexpr int most = 901;
     const int fewest = detail == InteriorField::Detail::surface ? 181 : 121;
@@ -146,14 +148,14 @@ class Summary {
     std::vector<InteriorLine> lines;
     const LayeredMedium& medium = part.field.medium();
     for (std::size_t layer = 0; layer < medium.size(); ++layer) {
-      lines.push_back({layer, 0});
+      lines.push_back({layer, layer == 0 ? shallowest_ : 0});
       if (std::isfinite(medium[layer].thickness)) lines.push_back({layer, medium[layer].thickness});
     }
     const InteriorFields fields = part.field.at(at_bonds_, lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto column = static_cast<Index>(i);
       take_peak(part, lines[i], largest_of(at_bonds_, shear_strains(fields, column)));
-      if (lines[i].depth == 0) continue;
+      if (lines[i].depth < part.field.medium()[lines[i].layer].thickness) continue;
       const Largest shear = largest_of(at_bonds_, fields.tau_xz.col(column).abs());
       const Largest tension = largest_of(at_bonds_, fields.sigma_z.col(column));
       s_.bonds.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), shear.value, shear.place,
@@ -162,7 +164,7 @@ class Summary {
   }
 
   void take_peak(const LayersInside& part, const InteriorLine& line, const Largest& found) {
-    if (!(found.value > peak_.value)) return;
+    if (!(found.value > peak_.value) || part.field.depth_of(line) < shallowest_) return;
     peak_ = found;
     peak_part_ = &part;
     peak_line_ = line;
@@ -177,8 +179,9 @@ class Summary {
     for (int pass = 0; pass < passes; ++pass, along /= 3, down /= 3) {
       const std::vector<double> x = evenly_spaced(peak_.place - along, peak_.place + along, points);
       std::vector<InteriorLine> lines;
-      for (const double depth : evenly_spaced(std::max(peak_line_.depth - down, 0.0),
-                                              std::min(peak_line_.depth + down, thickness), lines_tried))
+      for (const double depth :
+           evenly_spaced(std::max(peak_line_.depth - down, peak_line_.layer == 0 ? shallowest_ : 0.0),
+                         std::min(peak_line_.depth + down, thickness), lines_tried))
         lines.push_back({peak_line_.layer, depth});
       const InteriorFields fields = part.field.at(x, lines, InteriorField::Wanted::strains);
       for (std::size_t i = 0; i < lines.size(); ++i)
@@ -192,9 +195,10 @@ class Summary {
       if (s_.layers.empty() || s_.layers.back().layer != line.layer || s_.layers.back().on_body != line.on_body)
         s_.layers.push_back({line.on_body, line.layer, 0, 0, 0});
       s_.layers.back().loss += line.thickness * line.loss;
+      s_.loss += line.thickness * line.loss;
+      if (std::abs(line.z) < shallowest_) continue;
       s_.layers.back().peak_strain_amplitude = std::max(s_.layers.back().peak_strain_amplitude, line.strain_amplitude);
       s_.peak_strain_amplitude = std::max(s_.peak_strain_amplitude, line.strain_amplitude);
-      s_.loss += line.thickness * line.loss;
     }
     for (LayerLoss& layer : s_.layers) layer.strain_amplitude = mean_amplitude(layer);
     for (const LayerLoss& layer : s_.layers) {
@@ -208,7 +212,7 @@ class Summary {
     if (detail_ == InteriorField::Detail::surface && peak_part_) sharpen_peak();
     s_.peak_shear_strain = peak_.value;
     s_.peak_x = peak_.place;
-    s_.peak_z = peak_part_ ? peak_part_->height_of(peak_line_) : 0;
+    s_.peak_z = peak_part_ ? peak_part_->height_of(peak_line_) + 0.0 : 0;  // no negative zero
   }
 
   /// By the loss of its lines; of an elastic layer by their strain energy, about as the amplitude squared.
@@ -227,6 +231,7 @@ class Summary {
 
   InteriorField::Detail detail_;
   Extent extent_;
+  double shallowest_;                         // above which strains are those of the edges of a grid's cells [m]
   static constexpr double deepest_bond = 10;  // in half-lengths, whose tension is looked for as far as it is deep
   static constexpr int bond_points = 401;
   std::vector<double> x_, at_bonds_;
