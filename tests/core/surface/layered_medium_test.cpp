@@ -1,4 +1,5 @@
-/// Surface compliance of layered media against closed forms, and its expansion in fixed retardation times.
+/// Surface compliance of layered media (layered_medium, layer_waves) against closed forms, and its expansion in fixed
+/// retardation times.
 
 #include "core/surface/layered_medium.hpp"
 

@@ -49,7 +49,7 @@ std::string refusal_of_table(const std::string& text) {
 
 TEST_CASE("a scene file names the table of a strain sweep, in per cent or not, and what it breaks is refused by name",
           "[studies][material]") {
-  const std::string rubber = R"("static_shear_modulus": 1e6, "strain_sweep_file": "sweep.csv")";
+  const std::string rubber = R"("material": "elastic", "static_shear_modulus": 1e6, "strain_sweep_file": "sweep.csv")";
   const auto read = [&](const std::string& text, const std::string& more = {}) {
     const TemporaryDirectory folder;
     folder.write("sweep.csv", text);

@@ -1,0 +1,35 @@
+#include "studies/scene_io/interior_file.hpp"
+
+#include <algorithm>
+
+#include "core/solve/rolling_contact.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
+#include "tests/studies/temporary_directory.hpp"
+
+using namespace rollres;
+using Catch::Matchers::Contains;
+
+TEST_CASE("what is inside the layers is written as tables and as a grid for ParaView", "[studies][fields]") {
+  RollingScene scene = frictionless(paper_cylinder());
+  scene.spacing.reset();
+  const RollingSolution solution = solve(scene);
+  REQUIRE(has_interior(scene, solution));
+  const TemporaryDirectory folder;
+  write_interior(folder.path, scene, solution);
+  const std::string table = file_text(folder / "inside.csv"), grid = file_text(folder / "inside.vtr");
+  CHECK(table.starts_with("x [m],z [m],layer,u [m],w [m],sigma_x [Pa],sigma_z [Pa],tau_xz [Pa],strain_x [1]"));
+  CHECK_THAT(table, Contains(",layer 1,"));
+  const auto lines = std::count(table.begin(), table.end(), '\n');
+  // Nine fields and three coordinates, each value in a line of its own.
+  CHECK_THAT(grid, Contains("<RectilinearGrid WholeExtent=\"0 280 0 0 0 39\">"));
+  CHECK(lines == 281 * 40 + 1);
+  CHECK(file_text(folder / "losses.csv")
+            .starts_with("layer,z [m],loss [W/m2],share [1],strain_amplitude [1]\nlayer 1,-"));
+  CHECK(file_text(folder / "bonds.csv").starts_with("bond_below,z [m],largest_shear [Pa]"));
+  CHECK_FALSE(std::filesystem::exists(folder / "coating.vtr"));
+  CHECK_THAT(interior_text(interior_summary(scene, solution.fields, InteriorField::Detail::inside)),
+             Contains("layer 1: loss 18.") && Contains("(100 %)"));
+  scene.period = 1;
+  CHECK_FALSE(has_interior(scene, solution));
+}
