@@ -136,7 +136,7 @@ TEST_CASE("fields are written for each node with units in the header", "[studies
   CHECK(vti.find("Name=\"rolling_resistance [N]\" NumberOfTuples=\"1\" format=\"ascii\">\n") != std::string::npos);
   CHECK(vti.find("Name=\"zone\" NumberOfComponents=\"1\" format=\"ascii\">\n0\n1\n2\n0\n1\n2\n</DataArray>") !=
         std::string::npos);
-  CHECK(std::distance(std::filesystem::directory_iterator(out), {}) == 2);  // nothing temporary is left
+  CHECK(std::distance(std::filesystem::directory_iterator(out), {}) == 6);  // nothing temporary is left
 }
 
 TEST_CASE("an unknown number is an empty cell, and left out of the VTK file", "[studies][commands]") {
