@@ -81,11 +81,15 @@ std::vector<GivenRange> ranges_of_study(const Json& file, const std::string& pla
 std::vector<InputChoice> inputs_with_elasticity(const RollingScene& scene) {
   std::vector<InputChoice> choices;
   MaterialModel material = scene.material;  // of the layer whose inputs are walked
+  bool kraus = false;                       // whether that layer softens by Kraus's model
   visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, MaterialModel>) material = value;
     if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>) {
       const std::optional<double> number(value);
+      const std::string_view own = own_key(quantity.key);
+      if (own == "payne_strain") kraus = number.has_value();
+      if (own.starts_with("payne_") && own != "payne_drop" && !kraus) return;
       if (!number || *number == 0 || !std::isfinite(*number)) return;
       const InputKind& kind = *find_input(quantity.key);
       const bool of_a_material = !kind.needed_by_all() && !kind.needed_by().empty();
@@ -115,7 +119,8 @@ DesignProblem read_ranges(const std::filesystem::path& file, const std::vector<s
   if (study) {
     const Study read = read_study(file);
     if (!read.variants.empty())
-      throw std::invalid_argument(place + ": axes: variant: a name has no range; give the inputs of one variant in set");
+      throw std::invalid_argument(place +
+                                  ": axes: variant: a name has no range; give the inputs of one variant in set");
     StudyPlan{read};  // refuses a point that breaks a rule
     DesignProblem problem = problem_of(read.base, ranges_of_study(object, place), formula);
     problem.name = read.name;
