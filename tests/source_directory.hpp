@@ -6,5 +6,14 @@
 /// Top of the repository that the tests were built from.
 const std::filesystem::path& source_directory();
 
+/// The program that was built with the tests.
+const std::string& rollres_program();
+
+/// Whether the libraries under test were built with the address sanitizer, which takes all addresses and more memory.
+bool address_sanitizer();
+
+/// How much of a random input a test tries: `amount`, or with ROLLRES_THIN in the environment a tenth, one at least.
+int thinned(int amount);
+
 /// A file of studies/examples.
 std::string example(const std::string& name);

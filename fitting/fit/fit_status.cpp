@@ -18,6 +18,11 @@ constexpr double strong = 0.98;                            // correlation
 
 std::string percent(double part) { return message_text<4>(100 * part, " %"); }
 
+std::string by_how_much(const FitReport& report) {
+  return std::isfinite(report.relative_rms) ? " by " + percent(report.relative_rms) + " (rms)"
+                                            : ", some of which are 0";
+}
+
 /// Noise of the model over the scatter of the data.
 double noise_over_scatter(const FitReport& report) {
   double noisy = 0;
@@ -168,7 +173,7 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
   const double scatter = std::sqrt(report.errors.scale);
   if (const std::string noise = noise_in_words(report, problem); !noise.empty()) warn(noise);
   if (report.relative_rms > 0.2)
-    warn("the fit misses the data by " + percent(report.relative_rms) + " (rms): the model does not describe them");
+    warn("the fit misses the data" + by_how_much(report) + ": the model does not describe them");
   const FittedValue& worst = report.values[report.largest_residual];
   if (std::abs(worst.residual) > 4 * scatter)
     warn(worst.measured.place.empty() ? "a measurement" : worst.measured.place, " is ",
@@ -187,7 +192,7 @@ std::string misfit_in_words(const FitReport& report) {
   } else {
     const bool system = std::min(report.runs_p_value, report.trend_p_value) < unlikely;
     if (!(report.relative_rms > third || (report.relative_rms > fifth && system))) return "";
-    words = "the fit misses the data by " + percent(report.relative_rms) + " (rms)";
+    words = "the fit misses the data" + by_how_much(report);
   }
   words += ": the model does not describe these data";
   return words + (report.misfit_cause.empty() ? "" : "; " + report.misfit_cause);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "fitting/errors/statistics.hpp"
+#include "fitting/fit/measured_terms.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -69,7 +70,8 @@ bool is_case_of(const FitFile& small, const FitFile& large) {
   for (std::size_t row = 0; row < small.scenes.size(); ++row) {
     RollingScene scene = small.scenes[row].scene;
     for (const FittedInput& input : large.inputs)
-      set_input(scene, input.input.key, real_input(large.scenes[row].scene, input.input.key));
+      if (!is_measured_term(input.input.key))
+        set_input(scene, input.input.key, real_input(large.scenes[row].scene, input.input.key));
     if (!(scene == large.scenes[row].scene)) return false;
   }
   return small.output == large.output;

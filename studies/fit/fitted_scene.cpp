@@ -1,5 +1,6 @@
 #include "studies/fit/fitted_scene.hpp"
 
+#include "fitting/fit/measured_terms.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/text/files.hpp"

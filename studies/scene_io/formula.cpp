@@ -69,12 +69,21 @@ std::string in_si(const std::string& right, const Formula& left, Indenter indent
   }
 }
 
+/// muParser would read "load = 3" as an order, and a text up to its first NUL.
+void refuse_assignment(const std::string& text) {
+  if (text.find('\0') != std::string::npos) throw std::invalid_argument("a formula must have no NUL character");
+  constexpr std::string_view comparing = "=<>!";
+  for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1))
+    if ((at == 0 || comparing.find(text[at - 1]) == std::string_view::npos) && text.substr(at + 1, 1) != "=")
+      throw std::invalid_argument(shortened(text) + ": = assigns nothing in a formula; == compares");
+}
+
 /// The place of the one comparison in a condition.
 std::size_t sign_in(const std::string& text) {
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string::npos || text.find_first_of("<>", sign + 1) != std::string::npos ||
       text.find_first_of("=!") < sign)
-    throw std::invalid_argument(text + ": must be two formulas with one of <= < >= > between them");
+    throw std::invalid_argument(shortened(text) + ": must be two formulas with one of <= < >= > between them");
   return sign;
 }
 
@@ -134,14 +143,14 @@ struct Formula::Parts {
   static double* place_for(const char* name, void* self) {
     auto& parts = *static_cast<Parts*>(self);
     if (find_name(parts.known, name) < 0 && find_name(number_keys(FormulaNames::inputs_and_outputs), name) >= 0)
-      throw std::invalid_argument(parts.text + ": " + name +
+      throw std::invalid_argument(shortened(parts.text) + ": " + name +
                                   " is known once a scene is solved; here only its inputs are");
     if (find_name(parts.known, name) < 0 && !is_number_of_layer(name)) {
       std::vector<std::string_view> known = parts.known;
       for (const std::string_view key : keys_like(name))
         if (is_number_of_layer(key)) known.push_back(key);
       throw std::invalid_argument(
-          unknown(parts.text + ": " + name + ": unknown key", known, name, "see rollres quantities"));
+          unknown(shortened(parts.text) + ": " + name + ": unknown key", known, name, "see rollres quantities"));
     }
     parts.keys.emplace_back(name);
     parts.values.push_back(1);
@@ -162,17 +171,18 @@ Formula::Formula(const std::string& text, FormulaNames names, const FormulaDefin
     : parts_(std::make_shared<Parts>()) {
   parts_->text = trimmed(text);
   parts_->known = number_keys(names);
+  refuse_assignment(parts_->text);
   try {
     parts_->parser.DefineNameChars(name_letters);
     parts_->parser.SetVarFactory(&Parts::place_for, parts_.get());
     parts_->parser.SetExpr(with_definitions(parts_->text, definitions));
     parts_->parser.Eval();
   } catch (const mu::Parser::exception_type& error) {
-    throw std::invalid_argument(parts_->text + ": " + error.GetMsg());
+    throw std::invalid_argument(shortened(parts_->text) + ": " + shortened(error.GetMsg()));
   }
   int results = 0;
   parts_->parser.Eval(results);
-  if (results != 1) throw std::invalid_argument(parts_->text + ": must be one formula, without commas");
+  if (results != 1) throw std::invalid_argument(shortened(parts_->text) + ": must be one formula, without commas");
 }
 
 const std::string& Formula::text() const { return parts_->text; }

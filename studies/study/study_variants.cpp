@@ -22,9 +22,11 @@ Json objects_of(const Json& varied, const std::string& place) {
   if (named != varied.end()) {
     const std::string rule = "must be an object of two or more variants, each an object { ... } of inputs";
     if (!named->is_object() || named->size() < 2) refuse(place, variant, *named, rule);
-    for (const auto& [name, inputs] : named->items())
+    for (const auto& [name, inputs] : named->items()) {
       if (!inputs.is_object() || inputs.empty() || trimmed(name).empty())
         refuse(place + ": " + variant, name, inputs, rule);
+      if (const std::string broken = broken_by_name(name); !broken.empty()) refuse(place, variant, Json(name), broken);
+    }
     return *named;
   }
   Json objects = Json::object();

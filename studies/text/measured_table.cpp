@@ -115,6 +115,7 @@ MeasuredTable read_measured_table(const std::filesystem::path& file) {
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     const std::string place = line_place(table.file, ++number);
+    if (line.find('\0') != std::string::npos) fail(place, "has a NUL character");
     const std::string content(trimmed(line));
     if (content.empty() || content.front() == '#') continue;
     if (table.columns.empty()) {

@@ -7,13 +7,14 @@
 
 #include "studies/text/files.hpp"
 #include "studies/text/printable.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
 
-/// Follows the parser: notices a key that one object gives twice (nlohmann_json would silently keep the last value),
-/// and knows the last key for messages.
+/// Follows the parser: notices a key that one object gives twice (nlohmann_json would silently keep the last value) and
+/// the NUL character, which ends a text for many a library, and knows the last key for messages.
 class KeyWatch {
  public:
   explicit KeyWatch(std::string place) : place_(std::move(place)) {}
@@ -31,6 +32,9 @@ class KeyWatch {
       throw std::invalid_argument(place_ + ": nested more than " + std::to_string(deepest) + " levels deep");
     if (event == Event::object_start) seen_.emplace_back();
     if (event == Event::object_end) seen_.pop_back();
+    if ((event == Event::key || event == Event::value) && parsed.is_string() &&
+        parsed.get_ref<const std::string&>().find('\0') != std::string::npos)
+      throw std::invalid_argument(place_ + ": " + shown(parsed) + ": must have no NUL character");
     if (event == Event::key) {
       constexpr std::size_t most_keys = 10'000;  // they are kept in their order, and found one by one
       if (seen_.back().size() >= most_keys) throw std::invalid_argument(place_ + ": an object has too many keys");
@@ -76,16 +80,7 @@ Json parse_object(std::string_view text, const std::string& place) {
 
 Json read_object(const std::string& path) { return parse_object(whole_file(path, largest_json), path); }
 
-std::string shown(const Json& value) {
-  constexpr std::size_t longest = 80;
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > longest) {
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 letter
-    text = text.substr(0, end) + "...";
-  }
-  return text;
-}
+std::string shown(const Json& value) { return shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace)); }
 
 void refuse(const std::string& place, std::string_view key, const Json& value, const std::string& rule) {
   throw std::invalid_argument(place + ": " + std::string(key) + " = " + shown(value) + ": " + rule);
@@ -110,13 +105,15 @@ std::string needed_text(const Json& object, const std::string& key, const std::s
 
 std::string needed_name(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {
   std::string name = needed_text(object, key, place, rule);
-  for (std::size_t at = 0; at < name.size(); ++at)
-    if (is_control(std::string_view(name).substr(at)))
-      refuse(place, key, object.at(key), "must have no control characters");
-  if (name.front() == ' ' || name.back() == ' ')
-    refuse(place, key, object.at(key), "must not begin or end with a blank");
-  if (name == "." || name == "..") refuse(place, key, object.at(key), "must not be . or ..");
+  if (const std::string broken = broken_by_name(name); !broken.empty()) refuse(place, key, object.at(key), broken);
   return name;
+}
+
+std::string broken_by_name(std::string_view name) {
+  for (std::size_t at = 0; at < name.size(); ++at)
+    if (is_control(name.substr(at))) return "must have no control characters";
+  if (name.starts_with(' ') || name.ends_with(' ')) return "must not begin or end with a blank";
+  return name == "." || name == ".." ? "must not be . or .." : "";
 }
 
 std::vector<std::string> names_or_none(const Json& object, const std::string& key, const std::string& place) {

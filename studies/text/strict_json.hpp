@@ -43,6 +43,9 @@ std::string needed_text(const Json& object, const std::string& key, const std::s
 /// The same of a name that files, pictures and scripts bear: without control characters, not "." nor "..".
 std::string needed_name(const Json& object, const std::string& key, const std::string& place, const std::string& rule);
 
+/// The rule of names that a name breaks; empty if none: no control characters, no blanks at its ends, not . or ..
+std::string broken_by_name(std::string_view name);
+
 /// The names in a list under a key; none without it.
 std::vector<std::string> names_or_none(const Json& object, const std::string& key, const std::string& place);
 

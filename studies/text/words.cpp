@@ -23,6 +23,14 @@ std::vector<std::string> split_at_commas(std::string_view text) {
   return words;
 }
 
+std::string shortened(std::string text) {
+  constexpr std::size_t longest = 80;
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 letter
+  return text.substr(0, end) + "...";
+}
+
 std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by) {
   std::string out;
   for (const char letter : text) {

@@ -24,6 +24,9 @@ std::vector<std::string> split_at_commas(std::string_view text);
 /// The text with some letters replaced by others. @param by  each of these letters with what stands for it
 std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by);
 
+/// A text as it stands in a message: its first 80 bytes and "..." where it is longer.
+std::string shortened(std::string text);
+
 /// What is unknown, then the nearest known name or, where none is near, what else to do.
 std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name,
                     const std::string& otherwise = "");

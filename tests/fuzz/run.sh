@@ -8,7 +8,7 @@ set -eu
 [ $# -eq 1 ] || { echo "tests/fuzz/run.sh MINUTES" >&2; exit 2; }
 cd "$(dirname "$0")/../.."
 top=$PWD seconds=$(($1 * 60)) seed=$(date +%s)
-targets="scene study fit csv filter formula unit database solve"
+targets="scene study fit csv filter formula unit database line solve"
 mkdir -p build/found
 status=0
 if command -v clang++ >/dev/null; then

@@ -11,14 +11,18 @@
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/fit/fit_file.hpp"
+#include "studies/fit/material_file.hpp"
+#include "studies/fit/shift_file.hpp"
 #include "studies/optimise/design_file.hpp"
 #include "studies/scene_io/formula.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/scene_file.hpp"
+#include "studies/serve/scene_service.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/study.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/measured_table.hpp"
+#include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 #include "tests/fuzz/random_scenes.hpp"
 #include "tests/plain_scene.hpp"
@@ -27,7 +31,7 @@ namespace rollres {
 
 namespace {
 
-/// A folder with what the files under test name: scene.json, data.csv.
+/// A folder with what the files under test name: scene.json, data.csv, moduli.csv, shifts.csv.
 const std::filesystem::path& folder() {
   static const ScratchFolder scratch;
   static const std::filesystem::path path = [] {
@@ -35,6 +39,9 @@ const std::filesystem::path& folder() {
         << R"({"indenter":"cylinder","radius":0.02,"layer_thickness":0.005,"static_shear_modulus":3e6,"stiffening":1,)"
            R"("creep_time":0.25,"speed":0.05,"load":2e4,"friction_coefficient":0.2})";
     std::ofstream(scratch / "data.csv") << "speed [km/h],rolling_resistance [N/m]\n1,20\n2,30\n5,40\n";
+    std::ofstream(scratch / "moduli.csv") << "frequency [Hz],temperature [degC],storage_modulus [MPa],loss_modulus "
+                                             "[MPa]\n1,0,2,0.2\n10,0,3,0.5\n1,20,1,0.1\n";
+    std::ofstream(scratch / "shifts.csv") << "temperature [degC],a_T\n0,30\n10,5\n20,1\n30,0.2\n";
     return (scratch / "scene.json").parent_path();
   }();
   return path;
@@ -65,7 +72,17 @@ void read_study_bytes(std::string_view bytes) {
   each([&] { StudyPlan(read_study(file)).keys(); }, [&] { read_design_problems(file); });
 }
 
-void read_fit_bytes(std::string_view bytes) { read_fit(written("fit.json", bytes)); }
+void read_fit_bytes(std::string_view bytes) {
+  const auto file = written("fit.json", bytes);
+  each([&] { read_fit(file); }, [&] { read_material_fit(file); }, [&] { read_shift_fit(file); });
+}
+
+/// A line of `rollres serve`.
+void read_line_bytes(std::string_view bytes) {
+  static const ReadScene read = replacing_inputs_of((folder() / "scene.json").string());
+  const Json line = parse_object(bytes, "line 1");
+  each([&] { read(line, "line 1"); }, [&] { read_whole_scene(line, "line 1"); });
+}
 
 void read_csv_bytes(std::string_view bytes) {
   const auto file = written("table.csv", bytes);
@@ -136,15 +153,16 @@ void solve_scene_bytes(std::string_view bytes) {
   if (const std::string wrong = what_is_wrong(scene, solve(scene)); !wrong.empty()) throw std::logic_error(wrong);
 }
 
-constexpr std::array<FuzzTarget, 9> all{{{"scene", read_scene_bytes},
-                                         {"study", read_study_bytes},
-                                         {"fit", read_fit_bytes},
-                                         {"csv", read_csv_bytes},
-                                         {"filter", read_filter_bytes},
-                                         {"formula", read_formula_bytes},
-                                         {"unit", read_unit_bytes},
-                                         {"database", read_database_bytes},
-                                         {"solve", solve_scene_bytes}}};
+constexpr std::array<FuzzTarget, 10> all{{{"scene", read_scene_bytes},
+                                          {"study", read_study_bytes},
+                                          {"fit", read_fit_bytes},
+                                          {"csv", read_csv_bytes},
+                                          {"filter", read_filter_bytes},
+                                          {"formula", read_formula_bytes},
+                                          {"unit", read_unit_bytes},
+                                          {"database", read_database_bytes},
+                                          {"line", read_line_bytes},
+                                          {"solve", solve_scene_bytes}}};
 
 }  // namespace
 

@@ -107,6 +107,33 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
                            Catch::Contains("recalled"));
 }
 
+TEST_CASE("a fit with an offset or a scale of its measured values is stored, written and compared", "[studies][fit]") {
+  const FitFiles files;
+  for (const char* term : {"offset", "scale"}) {
+    json fit = FitFiles::definition();
+    fit["fit"] = term;
+    fit["parameters"].erase("creep_time");
+    fit["scene"]["creep_time"] = 0.1;
+    const json plain = fit;
+    fit["parameters"][term] = json::object();
+    const std::string scene = (files.directory / "fitted.json").string();
+    const ProgramRun run = files.run(fit, {"--scene", scene, "--json"});
+    INFO(run.err);
+    CHECK(run.status == 0);
+    CHECK(run.err.empty());
+    const json answer = json::parse(run.out);
+    for (const json& fitted : answer["parameters"])
+      if (fitted["name"] == "stiffening") CHECK(read_scene(scene).stiffening == fitted["value"].get<double>());
+    files.directory.write("plain.json", plain.dump());
+    const ProgramRun compared =
+        run_rollres({"fit", (files.directory / "plain.json").string(), (files.directory / "fit.json").string(),
+                     "--compare", "--db", files.database()},
+                    quick_resistance);
+    INFO(compared.err);
+    CHECK(compared.status == 0);
+  }
+}
+
 TEST_CASE("rollres fit designs, counts coverage and says what it keeps fixed", "[studies][fit]") {
   const FitFiles files;
   json fit = FitFiles::definition();

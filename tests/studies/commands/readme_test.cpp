@@ -101,7 +101,7 @@ TEST_CASE("every command of the README and of the guide runs, and every file tha
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory / "bin");
   std::filesystem::create_directory(directory / "out");  // quickstart.sh makes it
-  std::filesystem::create_symlink(ROLLRES_PROGRAM, directory / "bin" / "rollres");
+  std::filesystem::create_symlink(rollres_program(), directory / "bin" / "rollres");
   std::filesystem::create_directory_symlink(source_directory() / "studies", directory / "studies");
   const std::string here =
       "cd " + shell_word(directory.path.string()) + " && PATH=\"$PWD/bin:$PATH\" && export PATH && ";

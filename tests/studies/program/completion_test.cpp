@@ -67,7 +67,7 @@ TEST_CASE("commands, options, choices, keys and stored studies are completed", "
 
 TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][completion]") {
   const TemporaryDirectory directory;
-  std::filesystem::create_symlink(ROLLRES_PROGRAM, directory / "rollres");
+  std::filesystem::create_symlink(rollres_program(), directory / "rollres");
   const std::string path = "PATH=" + directory.path.string() + ":$PATH HOME=" + directory.path.string() + " ";
   ResultStore(directory / "results.db").start_study({"wheel 2", {}, ""}, {});
   const std::string file = (directory / "results.db").string();

@@ -124,7 +124,7 @@ TEST_CASE("the library, the command line, the service and Python answer the same
       if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
         if (quantity.key != "seconds" && std::isfinite(value)) expected.push_back(value);
     });
-    const std::string program = shell_word(ROLLRES_PROGRAM);
+    const std::string program = shell_word(rollres_program());
     CHECK(numbers(Json::parse(run_shell(program + " solve --json " + shell_word(files[i])).out)) == expected);
     CHECK(numbers(Json::parse(run_shell("echo '{}' | " + program + " serve " + shell_word(files[i])).out)) == expected);
     if (!from_python.empty()) CHECK(numbers(from_python[i]) == expected);

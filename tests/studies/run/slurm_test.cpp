@@ -5,6 +5,7 @@
 #include "studies/run/slurm_scripts.hpp"
 #include "studies/text/words.hpp"
 #include "tests/catch.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/one_node_slurm.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/stored_rows.hpp"
@@ -71,7 +72,7 @@ TEST_CASE("a Slurm array gives the table of one process, resubmits what is missi
   const auto write_scripts = [&](const std::filesystem::path& study, const std::string& tasks) {
     std::filesystem::remove_all(jobs);
     return run_rollres({"slurm", study.string(), "--tasks", tasks, "--throttle", "2", "--time", "10", "--db",
-                        database.string(), "--out", jobs.string(), "--program", ROLLRES_PROGRAM},
+                        database.string(), "--out", jobs.string(), "--program", rollres_program()},
                        solve)
         .status;
   };

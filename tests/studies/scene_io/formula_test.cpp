@@ -61,6 +61,15 @@ TEST_CASE("a formula that cannot be understood is refused with the nearest key",
   CHECK(refusal("method").find("unknown key") != std::string::npos);
 }
 
+TEST_CASE("a formula assigns nothing, and ends where its text ends", "[studies][formula]") {
+  for (const char* text : {"load = 3", "(speed=9)*load", "=load", "load ="})
+    CHECK(refusal(text).find("== compares") != std::string::npos);
+  for (const char* text : {"load == 3", "load >= 3", "load != 3 ? 1 : 2"}) CHECK_NOTHROW(Formula(text, inputs));
+  CHECK(refusal(std::string("load\0+1", 7)).find("NUL") != std::string::npos);
+  const std::string refused = refusal(std::string(100'000, '(') + "load");
+  CHECK(refused.size() < 200);
+}
+
 TEST_CASE("a condition compares two formulas, and its right side may have the unit of its left side",
           "[studies][formula]") {
   const RollingScene scene = plain_scene(2.0, 1e4);

@@ -130,7 +130,7 @@ TEST_CASE("what is stored is recalled, and a store that cannot be opened ends th
     CHECK(lines_of(out.str()).size() == 3);
     CHECK(solved == 2);
   }
-  const std::string service = shell_word(ROLLRES_PROGRAM) + " serve " + shell_word(cylinder) + " --db ";
+  const std::string service = shell_word(rollres_program()) + " serve " + shell_word(cylinder) + " --db ";
   const ShellRun run = run_shell("echo '{\"speed\": 1}' | " + service + "/dev/full/x.db");
   CHECK(run.status == 3);
   CHECK_THAT(run.out, Contains("/dev/full/x.db"));
@@ -138,7 +138,7 @@ TEST_CASE("what is stored is recalled, and a store that cannot be opened ends th
 
 TEST_CASE("a service that is killed has stored whatever it answered", "[studies][serve]") {
   const TemporaryDirectory folder;
-  const std::string program = shell_word(ROLLRES_PROGRAM), here = "cd " + shell_word(folder.path.string()) + " && ";
+  const std::string program = shell_word(rollres_program()), here = "cd " + shell_word(folder.path.string()) + " && ";
   const std::string service = program + " serve " + shell_word(cylinder) + " --db results.db --jobs 2 <&3 >answers";
   run_shell(here + "seq 1 5000 | sed 's/.*/{\"speed\": &e-3, \"tolerance\": 1e-3}/' | { exec 3<&0; " + service +
             " & while [ $(grep -c . answers) -lt 50 ] && kill -0 $!; do sleep 0.05; done; kill -KILL $!; }");
@@ -183,7 +183,7 @@ TEST_CASE("Dakota's batch of parameters comes back as its results file, in the o
     return;
   }
   const TemporaryDirectory folder;
-  std::filesystem::create_symlink(ROLLRES_PROGRAM, folder / "rollres");
+  std::filesystem::create_symlink(rollres_program(), folder / "rollres");
   const auto set = [](const std::string& thickness, int number) {
     return "      2 variables\n " + thickness +
            " layer_thickness\n 3.0e+06 static_shear_modulus\n      2 functions\n"

@@ -39,12 +39,21 @@ TEST_CASE("a table of measured values without an end is refused", "[studies][hos
 }
 
 TEST_CASE("names with control characters, and . and .., are refused", "[studies][hostile]") {
-  for (const char* name : {"a\\u0000b", "\\u001b[2J", "a\\nb", ".", ".."}) {
+  for (const char* name : {"\\u001b[2J", "a\\nb", ".", ".."}) {
     const Json object = parse_object(std::string("{\"study\":\"") + name + "\"}", "s");
     CHECK_THROWS_AS(needed_name(object, "study", "s", "must be a name"), std::invalid_argument);
   }
   const Json object = parse_object(R"({"study":"it's ''good''"})", "s");
   CHECK(needed_name(object, "study", "s", "must be a name") == "it's ''good''");
+}
+
+TEST_CASE("a NUL, which would end a text before its end, is refused in every text of a file", "[studies][hostile]") {
+  for (const char* text : {R"({"radius": "1 mm\u0000x"})", R"({"a\u0000b": 1})", R"({"l": [["load\u0000+1"]]})"})
+    CHECK_THROWS_WITH(parse_object(text, "f.json"),
+                      Contains("f.json: ") && Contains("\\u0000") && Contains(": must have no NUL character"));
+  const TemporaryDirectory folder;
+  const auto table = folder.write("t.csv", std::string("speed [m/s]\n1\n2\0003\n", 20));
+  CHECK_THROWS_WITH(read_measured_table(table), Contains("t.csv, line 3: has a NUL character"));
 }
 
 TEST_CASE("a folder for scratch files that is missing is named", "[studies][hostile]") {
