@@ -210,8 +210,9 @@ ContactEdges MeshLevel::edges() const {
       place -= (y(0) + (place - x(0)) * (first_slope + bend * (place - x(1)))) /
                (first_slope + bend * (2 * place - x(0) - x(1)));
     // The last node in contact bears what lies up to a cell further inside.
-    const auto [low, high] = std::minmax(inside.place - 2 * (outside.place - inside.place), outside.place);
-    return std::isfinite(place) ? std::clamp(place, low, high) : between;
+    const double within = inside.place - 2 * (outside.place - inside.place);
+    if (!std::isfinite(place)) return between;
+    return std::clamp(place, std::min(within, outside.place), std::max(within, outside.place));
   };
   return {.trailing = edge(*last, *(last - 1), false), .leading = edge(*first, *(first - 1), true)};
 }
