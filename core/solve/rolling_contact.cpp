@@ -248,6 +248,7 @@ RollingSolution solve_by_method(const RollingScene& scene) {
   RollingScene gridded = scene;
   int most_nodes = dimensions(scene) == 3 ? most_nodes_3d : most_nodes_2d;
   if (method == Method::spectral && !scene.tolerance) {
+    gridded.inertia = inertia_included(scene) ? Inertia::on : Inertia::off;  // not for this tolerance's sake
     gridded.tolerance = tolerance_for_spectral;
     most_nodes = most_nodes_for_spectral;
   }

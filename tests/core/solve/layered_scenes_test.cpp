@@ -169,6 +169,17 @@ TEST_CASE("inertia comes by itself where the tolerance asks for it", "[core][lay
   CHECK(inertia_included(scene));
 }
 
+TEST_CASE("a grid that stands in for continuous edges leaves inertia out as the scene does", "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  scene.speed = 10;
+  scene.adhesion_threshold = 1;  // for which there are no continuous edges
+  scene.spacing.reset();
+  const RollingSolution by_default = converged(scene);
+  CHECK(by_default.model.find("inertia left out") != std::string::npos);
+  scene.inertia = Inertia::off;
+  CHECK(by_default.rolling_resistance == converged(scene).rolling_resistance);
+}
+
 TEST_CASE("a tolerance has no answer above the speed of Rayleigh waves, unless inertia is negligible or off",
           "[core][layered_scenes]") {
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
