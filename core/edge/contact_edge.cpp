@@ -57,10 +57,7 @@ double zero_beyond(double first, double second, double third) {
   return slope < 0 && root >= 0 ? 2 * q0 / (-slope + std::sqrt(root)) : RollingSolution::absent;
 }
 
-/// What the pressure of a row says of its ends [m].
-struct RowEnds {
-  double y, trailing, leading;
-};
+}  // namespace
 
 std::vector<RowEnds> ends_of_rows(const SurfaceGrid& grid, const Vector& pressure) {
   std::vector<RowEnds> ends;
@@ -83,6 +80,8 @@ std::vector<RowEnds> ends_of_rows(const SurfaceGrid& grid, const Vector& pressur
   }
   return ends;
 }
+
+namespace {
 
 constexpr int parts = 4;  // of a cell, along each side
 

@@ -19,6 +19,14 @@ struct EdgeCurve {
   bool known() const { return centre.size() > 0; }
 };
 
+/// What the pressure of a row says of the ends of its contact [m].
+struct RowEnds {
+  double y, trailing, leading;
+};
+
+/// Of all rows that are long enough to tell. @param pressure on a half grid [Pa]
+std::vector<RowEnds> ends_of_rows(const SurfaceGrid& half, const Vector& pressure);
+
 /// From the pressure on a half grid [Pa]; not known where too few rows are long enough.
 EdgeCurve edge_curve(const SurfaceGrid& half, const Vector& pressure);
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/newton/nested_newton.hpp"
+#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 
@@ -22,6 +23,7 @@ class Surplus {
   double operator()(double friction, double excess = sliding) {
     scene_.friction_coefficient = friction;
     RollingScene turning = scene_;
+    turning.coating_flow = flow_of_coating(scene_);  // whatever the rotation that it is slid at
     turning.drive = Drive::rotation;
     turning.driving_torque.reset();
     turning.rotation_ratio = 1 + direction_ * excess;
@@ -141,6 +143,12 @@ double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid) 
     return needed;
   }
   return given;
+}
+
+double sliding_torque(const RollingScene& scene, const SurfaceGrid& half_grid) {
+  const double asked = *scene.driving_torque;
+  const double surplus = Surplus(scene, half_grid, asked > 0 ? 1 : -1)(scene.friction_coefficient);
+  return std::abs(asked) + scene.radius * surplus;
 }
 
 double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid) {

@@ -16,6 +16,10 @@ SlidingLimit sliding_limit(const RollingScene& scene, const SurfaceGrid& half_gr
 /// aside and friction may give more. NaN if that could not be found out.
 double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid);
 
+/// The torque that friction gives, in the direction of the scene's own, when everything slides [N m] (per metre for a
+/// cylinder: [N]); NaN if that could not be solved.
+double sliding_torque(const RollingScene& scene, const SurfaceGrid& half_grid);
+
 /// Largest friction coefficient, within 0.5 %, under which the contact keeps clear of the body's edge, for a scene
 /// under whose own it does not: where friction exceeds the cotangent of the surface's slope somewhere in the contact,
 /// more pressure there bears less load, and the body digs itself in. NaN if less friction does not help.

@@ -133,12 +133,13 @@ double sphere_change(double last, const ContactPowers& powers) {
 
 }  // namespace
 
-double expected_change(int dimension, double last, double before, const ContactPowers& powers) {
+double expected_change(int dimension, double last, double before, const ContactPowers& powers, bool tied) {
   const double missing = powers.missing();
   if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers) : 0.0);
   if (dimension == 3) return sphere_change(last, powers);
   if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
   const double expected = expected_change(dimension, last, before);
+  if (tied) return 0.95 * expected;
   const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
   return 0.6 * (1 + 2 * std::sqrt(friction)) * std::hypot(expected, 0.75 * missing);
 }

@@ -30,8 +30,9 @@ double expected_change(int dimension, double last, double before);
 
 /// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
 /// friction takes falls with the spacing, the viscous loss faster. Of a sphere the number of cells tells most, as its
-/// error is the chance by which cells meet the edge.
-double expected_change(int dimension, double last, double before, const ContactPowers& powers);
+/// error is the chance by which cells meet the edge. On tied grids of cylinders (grid_series.hpp) changes are regular and
+/// tell by themselves.
+double expected_change(int dimension, double last, double before, const ContactPowers& powers, bool tied);
 
 /// @param pressure on the problem's (half) grid [Pa]
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/edge/contact_edge.hpp"
 #include "core/estimate/grid_choice.hpp"
 
 namespace rollres {
@@ -26,6 +27,9 @@ double expected_half_width(const RollingScene& scene) {
 
 /// Room around a contact found on a grid of spacing `from`, for one of spacing `to` [m].
 double margin(double from, double to) { return from > to ? 1.5 * from + 2 * to : 4 * to; }
+
+/// Of the contact's ends beyond the outermost nodes in it, in cells. From 0.5 on the next nodes would be in contact.
+constexpr double edge_place = 0.3;
 
 /// The elliptical contact with the level's moments of pressure.
 struct PressureEllipse {
@@ -88,6 +92,32 @@ GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width) {
     grid.spacing_x = ellipse.half_length / cells;
     grid.spacing_y = ellipse.half_width / cells;
     return follow(level, grid, margin(from, std::max(grid.spacing_x, grid.spacing_y)));
+  };
+  return series;
+}
+
+GridSeries tied_lines(const RollingScene& scene, double cells_on_half_width) {
+  const double half_width = expected_half_width(scene), widest = widest_window(scene);
+  GridSeries series;
+  series.tied = true;
+  series.coarsest = coarsenings(cells_on_half_width);
+  series.first = [=, indenter = scene.indenter](int coarsening) {
+    const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
+    return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));
+  };
+  series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
+    SurfaceGrid grid = level.problem->grid;
+    const double from = grid.spacing_x;
+    const std::vector<RowEnds> ends = ends_of_rows(grid, level.outcome.unknowns.pressure);
+    if (ends.empty()) {
+      grid.spacing_x = 0.5 * from;
+    } else {
+      const double length = ends.front().leading - ends.front().trailing;
+      const double steps = std::round(2 * std::ldexp(cells_on_half_width, -coarsening) - 2 * edge_place);
+      grid.spacing_x = length / (std::max(steps, 1.0) + 2 * edge_place);
+      grid.origin_x = ends.front().leading - edge_place * grid.spacing_x;
+    }
+    return follow(level, grid, margin(from, grid.spacing_x));
   };
   return series;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The nested grids of a solution: from a grid with four to eight cells on the half-width of the contact, doubling their number,
-/// to the one asked for.
+/// The nested grids of a solution: from a grid with four to eight cells on the half-width of the contact, doubling
+/// their number, to the one asked for.
 
 #include <functional>
 
@@ -11,6 +11,8 @@ namespace rollres {
 
 /// Grids numbered by how often they are coarsened: 0 is the one asked for, -1 the next finer one.
 struct GridSeries {
+  /// Whether the contact's ends have the same place in their cells on every grid: changes are then regular.
+  bool tied = false;
   int coarsest = 0;
   /// Whether, on the finest grid, the slow ways that need no good start are taken as well.
   bool last_resort = true;
@@ -29,5 +31,9 @@ GridSeries fixed_grids(const RollingScene& scene, double spacing);
 /// the scene changes, the grid changes with the contact, and the nodes in contact hardly do: what is computed is
 /// smooth.
 GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width);
+
+/// The same for a cylinder: both ends of its contact, as the pressure tells them, lie by the same part of a cell beyond
+/// the outermost nodes, and so many cells on its half-length (core/newton/README.md, section 5).
+GridSeries tied_lines(const RollingScene& scene, double cells_on_half_width);
 
 }  // namespace rollres

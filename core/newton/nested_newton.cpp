@@ -128,7 +128,7 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
   const int dimension = dimensions(finest.problem->scene);
-  return error.estimate(resistance, expected_change(dimension, last, change_before, finest.powers)) +
+  return error.estimate(resistance, expected_change(dimension, last, change_before, finest.powers, tied)) +
          rounding * finest.powers.halves;
 }
 
@@ -139,6 +139,7 @@ double NestedOutcome::error_estimate() const {
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer) {
   NestedOutcome nested;
+  nested.tied = grids.tied;
   int coarsening = grids.coarsest, last = 0;
   const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
   bool sliding_checked = !drive_may_fail;

@@ -11,6 +11,7 @@ namespace rollres {
 
 struct NestedOutcome {
   ContactLevel finest;
+  bool tied = false;  // as the series of grids (grid_series.hpp)
   /// Rolling resistance at twice the finest spacing, and what was expected to change there; NaN if there was no such
   /// level.
   double coarser_resistance = RollingSolution::absent, change_before = RollingSolution::absent;

@@ -43,6 +43,9 @@ double tied_cells(int step) {
 }
 constexpr int coarsest_step = -2, most_steps = 3;  // where a tolerance begins; at a time, as coarse grids tell little
 
+/// The same of a cylinder.
+constexpr double cells_of_line = 60;
+
 /// @param error of the rolling resistance [N] (per metre for a cylinder)
 void set_error(double error, RollingSolution& solution) {
   solution.rolling_resistance_error = error;
@@ -51,6 +54,7 @@ void set_error(double error, RollingSolution& solution) {
 
 GridSeries grids_of(const RollingScene& scene) {
   if (dimensions(scene) == 3 && !scene.spacing) return tied_grids(scene, tied_cells(0));
+  if (!scene.spacing && scene.adhesion_threshold == 0) return tied_lines(scene, cells_of_line);
   return fixed_grids(scene, scene.spacing.value_or(default_spacing(scene)));
 }
 
@@ -214,7 +218,7 @@ RollingSolution solve_paper(const RollingScene& scene) {
                             ? std::abs(coarser.rolling_resistance - solution.rolling_resistance)
                             : RollingSolution::absent;
   take_slow_rolling(scene, error, powers, solution);
-  const double to_come = expected_change(dimensions(scene), change, RollingSolution::absent, powers);
+  const double to_come = expected_change(dimensions(scene), change, RollingSolution::absent, powers, false);
   set_error(error.estimate(solution.rolling_resistance, to_come), solution);
   return solution;
 }
@@ -376,13 +380,15 @@ bool flow_is_unknown(const RollingScene& scene) {
 /// found by secants. ratio(f) hardly depends on f; the first solution takes R_r to change no more than in proportion to
 /// f.
 RollingSolution solve_freely(RollingScene scene) {
+  const bool searched = flow_is_unknown(scene);
+  if (searched && !scene.coating_flow) scene.coating_flow = 1;
   RollingSolution solution = solve_in_flow(scene);
-  if (!flow_is_unknown(scene)) return solution;
+  if (!searched) return solution;
   constexpr int most_solutions = 8;
   constexpr double share_of_error = 0.01;
   double response = 0, sensitivity = std::abs(solution.rolling_resistance);
   for (int solutions = 1; solution.status == Status::converged; ++solutions) {
-    const double step = (solution.rotation_ratio - scene.coating_flow) / (1 - response);
+    const double step = (solution.rotation_ratio - *scene.coating_flow) / (1 - response);
     const double left = sensitivity * std::abs(step);
     if (left <= share_of_error * solution.rolling_resistance_error || solutions == most_solutions) {
       if (left > solution.rolling_resistance_error)
@@ -392,8 +398,8 @@ RollingSolution solve_freely(RollingScene scene) {
       break;
     }
     const RollingSolution before = solution;
-    scene.coating_flow += step;
-    if (!(scene.coating_flow > 0)) {
+    *scene.coating_flow += step;
+    if (!(*scene.coating_flow > 0)) {
       solution = {};
       solution.method = before.method;
       solution.reason =

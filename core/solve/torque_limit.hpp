@@ -1,6 +1,6 @@
 #pragma once
 
-/// Torques that no contact can pass on, told without solving.
+/// Torques that no contact can pass on, told without solving, or from a coarse grid on which everything slides.
 
 #include <string>
 
@@ -13,7 +13,8 @@ namespace rollres {
 /// adhesion, or (printed kinematics of a cylinder) friction may carry the load by itself.
 double largest_torque(const RollingScene& scene);
 
-/// Why a drive by torque has no steady state if it asks for more than that; empty if it does not.
+/// Why a drive by torque has no steady state if it asks for more than that, or, of a cylinder with printed kinematics,
+/// for three times what sliding gives; empty if it does not.
 std::string unbearable_torque(const RollingScene& scene);
 
 }  // namespace rollres

@@ -32,6 +32,9 @@ constexpr double shortest_with_inertia = 0.1;
 /// Orders of graded points at which edges are found and patterns refuted for little work, residuals and evaluations.
 constexpr std::array<int, 2> sketch_orders{14, 22};
 constexpr double sketch_residual = 1e-7;
+/// Few graded points refute right patterns, and tell their own error badly: fewer than this tolerance asks for [1] save
+/// little.
+constexpr double least_graded_accuracy = 2e-5;
 constexpr int most_to_sketch = 30;
 constexpr int largest_first_order = 80;
 constexpr double fewest_unsketched = 31;  // coefficients, where zones are too short for these
@@ -78,7 +81,9 @@ class SpectralContact {
   SpectralContact(const RollingScene& scene, const CreepSpectrum& creep)
       : scene_(scene),
         tolerance_(std::max(scene.tolerance.value_or(default_spectral_tolerance), smallest_tolerance)),
-        problem_(scene, creep, estimate_contact(scene).half_width) {}
+        problem_(scene, creep, estimate_contact(scene).half_width) {
+    if (problem_.graded(scene.friction_coefficient > 0)) tolerance_ = std::min(tolerance_, least_graded_accuracy);
+  }
 
   SpectralOutcome run() {
     if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};

@@ -75,7 +75,8 @@ LayeredMedium without_inertia(LayeredMedium medium) {
 }  // namespace
 
 double flow_of_coating(const RollingScene& scene) {
-  return scene.drive == Drive::rotation ? scene.rotation_ratio.value_or(1) : scene.coating_flow;
+  if (scene.coating_flow) return *scene.coating_flow;
+  return scene.drive == Drive::rotation ? scene.rotation_ratio.value_or(1) : 1;
 }
 
 bool coating_flow_counts(const RollingScene& scene) {

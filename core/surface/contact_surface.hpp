@@ -16,8 +16,8 @@
 
 namespace rollres {
 
-/// Speed at which the coating flows through the contact over V, R Omega/V: as given, or `coating_flow` of the scene
-/// [1].
+/// Speed at which the coating flows through the contact over V, R Omega/V: the scene's `coating_flow` if it has one,
+/// else as its drive gives it, else 1 [1].
 double flow_of_coating(const RollingScene& scene);
 
 /// Whether the answer depends on that speed: a coating has a memory, or inertia that counts.

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "core/edge/contact_edge.hpp"
 #include "core/newton/nested_newton.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
@@ -18,12 +19,20 @@ RollingScene gridless_sphere() {
   return scene;
 }
 
+RollingScene gridless_cylinder() {
+  RollingScene scene = paper_cylinder();
+  scene.kinematics = Kinematics::consistent;
+  scene.method = Method::newton;
+  scene.spacing.reset();
+  return scene;
+}
+
 /// Largest deviation of ln R_r from a polynomial of degree 4, over +10 % of one input in `steps` steps.
-double roughness(double RollingScene::*input, int steps) {
+double roughness(const RollingScene& given, double RollingScene::*input, int steps) {
   Eigen::MatrixXd powers(steps + 1, 5);
   Eigen::VectorXd logarithm(steps + 1);
   for (int step = 0; step <= steps; ++step) {
-    RollingScene scene = gridless_sphere();
+    RollingScene scene = given;
     const double t = static_cast<double>(step) / steps;
     scene.*input *= std::pow(1.1, t);
     logarithm(step) = std::log(solve(scene).rolling_resistance);
@@ -38,7 +47,36 @@ TEST_CASE("a sphere's rolling resistance on tied grids is a smooth function of t
   // A node that enters a fixed grid's contact moves R_r by 1e-4 to 1e-3.
   for (double RollingScene::*input :
        {&RollingScene::speed, &RollingScene::layer_thickness, &RollingScene::friction_coefficient})
-    CHECK(roughness(input, 16) < 5e-6);
+    CHECK(roughness(gridless_sphere(), input, 16) < 5e-6);
+}
+
+TEST_CASE("so is a cylinder's", "[core][grid_series]") {
+  for (double RollingScene::*input :
+       {&RollingScene::speed, &RollingScene::layer_thickness, &RollingScene::friction_coefficient})
+    CHECK(roughness(gridless_cylinder(), input, 16) < 5e-6);
+  RollingScene smooth = gridless_cylinder();
+  smooth.friction_coefficient = 0;
+  CHECK(roughness(smooth, &RollingScene::layer_thickness, 16) < 1e-9);
+}
+
+TEST_CASE("the ends of a cylinder's contact have one place in their cells, which is good for its resistance",
+          "[core][grid_series]") {
+  RollingScene scene = gridless_cylinder();
+  scene.friction_coefficient = 0;
+  scene.method = Method::spectral;
+  const double exact = solve(scene).rolling_resistance;
+  scene.method = Method::newton;
+  for (const double cells : {30.0, 60.0}) {
+    const NestedOutcome nested = solve_nested(scene, tied_lines(scene, cells));
+    REQUIRE(nested.status == Status::converged);
+    const ContactLevel& level = nested.finest;
+    const SurfaceGrid& grid = level.problem->grid;
+    const RowEnds ends = ends_of_rows(grid, level.outcome.unknowns.pressure).front();
+    CHECK(std::abs((ends.leading - ends.trailing) / grid.spacing_x / (2 * cells) - 1) < 0.6 / cells);
+    const double from_node = (ends.leading - grid.origin_x) / grid.spacing_x;
+    CHECK(std::abs(from_node - 0.3) < 0.15);                          // as the grid before told it
+    CHECK(level.powers.resistance() == Approx(exact).epsilon(1e-5));  // 1e-4 with the ends anywhere in their cells
+  }
 }
 
 TEST_CASE("a tied grid has a node at the centre of pressure and its cells on the pressure's half-widths",

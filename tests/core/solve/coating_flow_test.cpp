@@ -165,6 +165,20 @@ TEST_CASE("spectral and newton agree on turning coated bodies", "[core][coating_
   }
 }
 
+TEST_CASE("spectral and newton agree on the friction that a drive of a coated body needs", "[core][coating_flow]") {
+  // Newton slides the body to find it, at a rotation at which the coating does not flow.
+  RollingScene scene = soft_tyre_on_layer();
+  scene.friction_coefficient = 0.002;
+  const RollingSolution spectral = solve(scene);
+  scene.method = Method::newton;
+  const RollingSolution newton = solve(scene);
+  for (const RollingSolution& refused : {spectral, newton}) {
+    CHECK(refused.status == Status::no_steady_state);
+    CHECK(refused.reason.find("more traction than friction can give") != std::string::npos);
+  }
+  CHECK(newton.friction_needed == Approx(spectral.friction_needed).epsilon(1e-3));
+}
+
 TEST_CASE("a coating that flows backwards remembers ahead of the contact", "[core][coating_flow]") {
   RollingScene scene = turning(soft_tyre_on_layer(), -0.5);
   RollingScene spectral = scene;

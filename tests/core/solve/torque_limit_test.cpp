@@ -48,6 +48,23 @@ TEST_CASE("a torque that friction cannot bear is refused without a solution", "[
   CHECK(solve(scene).status == Status::converged);
 }
 
+TEST_CASE("with printed kinematics a cylinder is refused far more torque than sliding gives", "[core][torque_limit]") {
+  RollingScene scene = paper_cylinder();
+  scene.spacing.reset();
+  scene.drive = Drive::torque;
+  scene.kinematics = Kinematics::printed;
+  for (const double torque : {300.0, 2e4, -2e4}) {  // the bound without a solution is 2.7e4 N
+    scene.driving_torque = torque;
+    CHECK(torque < largest_torque(scene));
+    const std::string refusal = unbearable_torque(scene);
+    CHECK(refusal.find("sliding all over gives 8") != std::string::npos);  // 0.2 of 20 kN/m at 20 mm, 80 N, and more
+    CHECK(solve(scene).reason == refusal);
+  }
+  scene.driving_torque = 90;  // whose refusal is to name the friction needed
+  CHECK(unbearable_torque(scene).empty());
+  CHECK(solve(scene).friction_needed == Approx(0.224).epsilon(0.01));
+}
+
 TEST_CASE("where no bound is certain the torque is left to the solution", "[core][torque_limit]") {
   RollingScene scene = paper_cylinder();
   scene.drive = Drive::torque;
