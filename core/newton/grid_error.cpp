@@ -133,15 +133,20 @@ double sphere_change(double last, const ContactPowers& powers) {
 
 }  // namespace
 
-double expected_change(int dimension, double last, double before, const ContactPowers& powers, bool tied) {
+double expected_change(int dimension, double last, double before, const ContactPowers& powers) {
   const double missing = powers.missing();
   if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers) : 0.0);
   if (dimension == 3) return sphere_change(last, powers);
   if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
   const double expected = expected_change(dimension, last, before);
-  if (tied) return 0.95 * expected;
   const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
   return 0.6 * (1 + 2 * std::sqrt(friction)) * std::hypot(expected, 0.75 * missing);
+}
+
+double expected_change_of_tied_line(double last, double before, const ContactPowers& powers, double cells) {
+  if (std::isnan(last) || std::isnan(before)) return expected_change(2, last, before, powers);
+  const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
+  return 0.7 * std::hypot(expected_change(2, last, before), 0.2 * std::sqrt(friction) * powers.scale() / cells);
 }
 
 double GridError::estimate(double resistance, double change) const {

@@ -30,9 +30,12 @@ double expected_change(int dimension, double last, double before);
 
 /// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
 /// friction takes falls with the spacing, the viscous loss faster. Of a sphere the number of cells tells most, as its
-/// error is the chance by which cells meet the edge. On tied grids of cylinders (grid_series.hpp) changes are regular and
-/// tell by themselves.
-double expected_change(int dimension, double last, double before, const ContactPowers& powers, bool tied);
+/// error is the chance by which cells meet the edge.
+double expected_change(int dimension, double last, double before, const ContactPowers& powers);
+
+/// The same of a cylinder on tied grids (grid_series.hpp), where changes are regular and what friction takes has an
+/// error in proportion to the spacing. @param cells on the contact's half-length
+double expected_change_of_tied_line(double last, double before, const ContactPowers& powers, double cells);
 
 /// @param pressure on the problem's (half) grid [Pa]
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone);

@@ -127,9 +127,13 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
-  const int dimension = dimensions(finest.problem->scene);
-  return error.estimate(resistance, expected_change(dimension, last, change_before, finest.powers, tied)) +
-         rounding * finest.powers.halves;
+  const std::vector<Zone>& zone = finest.outcome.zone;
+  const auto cells = [&] {
+    return 0.5 * static_cast<double>(zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
+  };
+  const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers, cells())
+                              : expected_change(dimensions(finest.problem->scene), last, change_before, finest.powers);
+  return error.estimate(resistance, to_come) + rounding * finest.powers.halves;
 }
 
 double NestedOutcome::error_estimate() const {

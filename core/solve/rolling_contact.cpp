@@ -218,7 +218,7 @@ RollingSolution solve_paper(const RollingScene& scene) {
                             ? std::abs(coarser.rolling_resistance - solution.rolling_resistance)
                             : RollingSolution::absent;
   take_slow_rolling(scene, error, powers, solution);
-  const double to_come = expected_change(dimensions(scene), change, RollingSolution::absent, powers, false);
+  const double to_come = expected_change(dimensions(scene), change, RollingSolution::absent, powers);
   set_error(error.estimate(solution.rolling_resistance, to_come), solution);
   return solution;
 }
