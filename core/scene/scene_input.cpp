@@ -21,7 +21,7 @@ struct KeptQuantity {
 std::string LayerKey::layer_in_words() const {
   std::string words = list == "coating_layers" ? "coating" : std::string(list.substr(0, list.rfind('s')));
   std::replace(words.begin(), words.end(), '_', ' ');
-  return words + " " + std::to_string(layer + 1);
+  return words + " [" + std::to_string(layer) + "]";
 }
 
 std::optional<LayerKey> layer_key(std::string_view key) {

@@ -20,7 +20,7 @@ struct LayerKey {
   std::size_t layer = 0;   ///< its place in the list
   std::string_view input;  ///< "layer_thickness"
 
-  /// "coating 1", "lower layer 1": in words layers are counted from 1.
+  /// "coating [0]", "lower layer [0]": with the count that the key has.
   std::string layer_in_words() const;
 };
 
@@ -30,7 +30,7 @@ std::optional<LayerKey> layer_key(std::string_view key);
 /// The key without its layer: "layer_thickness".
 std::string_view own_key(std::string_view key);
 
-/// What an input of a further layer is: as `own`, that of a layer, with its whole key and the symbol "H of coating 1".
+/// What an input of a further layer is: as `own`, that of a layer, with its whole key and symbol "H of coating [0]".
 /// The texts live as long as the program.
 const Quantity& layer_quantity(std::string_view list, std::size_t layer, const Quantity& own);
 

@@ -199,7 +199,7 @@ class SceneSketch {
       std::vector<Point> below = interface(i + 1 < layers_.size() ? depths_[i + 1] : deepest_);
       outline.insert(outline.end(), below.rbegin(), below.rend());
       const std::string colour = layer_colours[i % layer_colours.size()];
-      fill("layer " + std::to_string(i + 1), outline, colour);
+      fill(i == 0 ? "layer" : "lower layer [" + std::to_string(i - 1) + "]", outline, colour);
       const double thickness = layers_[i].thickness;
       explain(colour, (std::isfinite(thickness) ? shown(thickness, "m") + " thick: " : "infinitely thick: ") +
                           material_in_words(*layers_[i].material));
@@ -227,7 +227,7 @@ class SceneSketch {
     for (std::size_t i = 0; i < scene_.coating_layers.size(); ++i) {
       const BondedLayer& layer = scene_.coating_layers[i];
       const std::string colour = coating_colours[i % coating_colours.size()];
-      fill("coating " + std::to_string(i + 1), circle(r), colour);
+      fill("coating [" + std::to_string(i) + "]", circle(r), colour);
       explain(colour, "coating, " + shown(layer.layer_thickness, "m") + ": " + material_in_words(layer));
       r -= in_unit(layer.layer_thickness);
     }

@@ -13,7 +13,7 @@ _rollres() {
   while IFS=$'\t' read -r word _; do
     [[ -n $kind ]] || { kind=$word; continue; }
     printf -v word %q "${word#"$before"}"
-    COMPREPLY+=("${word//\\,/,}")
+    word=${word//\\,/,} COMPREPLY+=("${word/#\\~/\~}")
   done < <("${COMP_WORDS[0]}" complete "${words[@]}" 2>/dev/null)
   [[ $kind != open ]] || compopt -o nospace
   [[ $kind != folders ]] || compopt -o dirnames

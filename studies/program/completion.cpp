@@ -1,7 +1,10 @@
 #include "studies/program/completion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <span>
 #include <string_view>
@@ -19,6 +22,10 @@ namespace {
 const std::map<std::string_view, std::string_view> scripts{
 #include "completion_scripts.inc"
 };
+
+bool has(std::span<const std::string_view> names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 struct Completion {
   std::string kind = "words";
@@ -44,6 +51,12 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
+/// "~/results" as the shell hands it over.
+std::string in_home(std::string path) {
+  if (const char* const home = std::getenv("HOME"); home && path.starts_with("~/")) path.replace(0, 1, home);
+  return path;
+}
+
 /// Several of these, with commas between.
 Completion list_of(const std::vector<std::string>& keys, const std::string& begun) {
   Completion completion{.kind = "open"};
@@ -65,6 +78,32 @@ Completion assignments(const std::vector<std::string>& keys, const std::string& 
   return completion;
 }
 
+/// Folders, and those files that are wanted, whose paths begin like this. While a folder is among them the word goes
+/// on.
+Completion paths(const std::string& begun, bool (*wanted)(const std::filesystem::path& file)) {
+  Completion completion;
+  const std::string before = begun.substr(0, begun.rfind('/') + 1), start = begun.substr(before.size());
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(before.empty() ? "." : in_home(before), none)) {
+    const std::string name = entry.path().filename().string();
+    const bool hidden = name.starts_with('.') && !start.starts_with('.'), folder = entry.is_directory(none);
+    if (hidden || !name.starts_with(start) || !(folder || wanted(entry.path()))) continue;
+    completion.add(before + name + (folder ? "/" : ""));
+    if (folder) completion.kind = "open";
+  }
+  std::sort(completion.words.begin(), completion.words.end());
+  return completion;
+}
+
+bool is_database(const std::filesystem::path& file) {
+  constexpr std::string_view begin = "SQLite format 3";
+  std::string text(begin.size(), ' ');
+  std::ifstream(file, std::ios::binary).read(text.data(), static_cast<std::streamsize>(text.size()));
+  return text == begin;
+}
+
+bool is_json(const std::filesystem::path& file) { return file.extension() == ".json"; }
+
 /// Studies of the database that --db names among these words; its fits, too, where a command takes them.
 Completion stored_names(std::span<const std::string> words, bool with_fits) {
   Completion completion;
@@ -74,9 +113,8 @@ Completion stored_names(std::span<const std::string> words, bool with_fits) {
       file = words[i].substr(5);
     else if (words[i] == "--db" && i + 1 < words.size())
       file = words[i + 1];
-  if (const char* const home = std::getenv("HOME"); home && file.starts_with("~/")) file.replace(0, 1, home);
   if (file.empty()) return completion;
-  ResultStore store(file, Access::read);
+  ResultStore store(in_home(file), Access::read);
   for (const std::string& study : store.study_names()) completion.add(study);
   if (with_fits)
     for (const auto& fit : stored_fits(store.database())) completion.add(fit.name);
@@ -92,9 +130,11 @@ Completion values(const CommandWords& command, const OptionWords& option, std::s
       {"FILTER", "filter"}, {"KEY=VALUE", "assignment"},
       {"NAME", "stored"},   {"KEY=FROM:TO[:logarithmic]", "assignment"},
       {"FILE", "files"},    {"NAME|ID", "stored"},
-      {"PATH", "files"},    {"SCENE", "files"},
-      {"STUDY", "files"},   {"SCENE|STUDY", "files"},
-      {"FIT", "files"},     {"DIR", "folders"}};
+      {"PATH", "files"},    {"SCENE", "json"},
+      {"STUDY", "json"},    {"SCENE|STUDY", "json"},
+      {"FIT", "json"},      {"DIR", "folders"}};
+  static constexpr std::array<std::string_view, 3> of_databases{"--db", "--with", "sources"};
+  static constexpr std::array<std::string_view, 3> with_fits{"report", "show", "export"};
   Completion completion;
   for (const std::string& choice : option.choices) completion.add(choice);
   const auto kind = kinds.find(option.value);
@@ -102,7 +142,12 @@ Completion values(const CommandWords& command, const OptionWords& option, std::s
   if (kind->second == "key") return list_of(all_keys(), begun);
   if (kind->second == "filter") return assignments(all_keys(), begun);
   if (kind->second == "assignment") return assignments(keys_of_inputs(), begun);
-  if (kind->second == "stored") return stored_names(words, command.name == "report");
+  if (kind->second == "stored") return stored_names(words, has(with_fits, command.name));
+  if (kind->second == "json") {
+    completion = paths(begun, is_json);
+    return completion.words.empty() ? Completion{.kind = "files"} : completion;
+  }
+  if (has(of_databases, option.names.front())) return paths(begun, is_database);
   return {.kind = kind->second};
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
 /// Completion of a command line by bash, zsh and fish: commands, options and their values, keys of scenes and
-/// solutions, studies of a database, file names. The program itself tells what may follow, of what its commands declare
+/// solutions, studies and fits of a database, files of the kind
+/// that is asked for. The program itself tells what may follow, of what its commands declare
 /// (`rollres complete WORD...`, which no help text names); a shell reads a script of a few lines that asks it.
 
 #include <string>

@@ -5,6 +5,7 @@
 
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 #include "studies/text/xml_text.hpp"
 
 namespace rollres {
@@ -33,7 +34,10 @@ class Overlay {
       : request_(request), frame_(frame), spans_(chart_spans(request)) {}
 
   std::string layer() const {
-    std::string markup = "<svg class=\"points\" viewBox=\"" + frame_.view + "\" aria-hidden=\"true\">";
+    const auto sides = {frame_.left, frame_.top, frame_.right, frame_.bottom};
+    std::string markup = "<svg class=\"points\" viewBox=\"" + frame_.view + "\" aria-hidden=\"true\" data-frame=\"" +
+                         joined(sides, " ", [](double side) { return short_number(side, 6); }) + "\"" +
+                         axis("x", request_.x, spans_.x) + axis("y", request_.y, spans_.y) + ">";
     for (std::size_t i = 0; i < request_.curves.size(); ++i) markup += curve(i);
     return markup + "</svg>";
   }
@@ -50,11 +54,20 @@ class Overlay {
   }
 
  private:
-  std::string place(const ChartPoint& point) const {
-    const double x = frame_.left + spans_.x.fraction(point.x) * (frame_.right - frame_.left);
-    const double y = frame_.bottom - spans_.y.fraction(point.y) * (frame_.bottom - frame_.top);
-    return short_number(x, 4) + "," + short_number(y, 4);
+  /// What an axis spans and says, for the script that draws it anew: data-x="0.01 10 log" data-x-name="speed V [m/s]".
+  static std::string axis(const std::string& letter, const ChartAxis& axis, const Span& span) {
+    std::string name = axis.name + (axis.symbol.empty() ? "" : " " + axis.symbol);
+    if (!axis.unit.empty()) name += " [" + axis.unit + "]";
+    return " data-" + letter + "=\"" + short_number(span.lowest, 12) + " " + short_number(span.highest, 12) +
+           (span.logarithmic ? " log" : "") + "\" data-" + letter + "-name=\"" + xml_text(name) + "\"";
   }
+
+  std::string place(double at_x, double at_y) const {
+    const double x = frame_.left + spans_.x.fraction(at_x) * (frame_.right - frame_.left);
+    const double y = frame_.bottom - spans_.y.fraction(at_y) * (frame_.bottom - frame_.top);
+    return short_number(x, 6) + "," + short_number(y, 6);
+  }
+  std::string place(const ChartPoint& point) const { return place(point.x, point.y); }
 
   std::string name_of_curve(std::size_t i) const {
     const std::string& label = request_.curves[i].label;
@@ -77,14 +90,20 @@ class Overlay {
 
   std::string curve(std::size_t i) const {
     const std::string colour = curve_colour(request_, i);
-    std::string markup = "<g data-curve=\"" + std::to_string(i) + "\" style=\"color:" + colour + "\">", line;
+    std::string markup = "<g data-curve=\"" + std::to_string(i) + "\" style=\"color:" + colour + "\">";
+    std::string line, above, below;  // a run of joined points, and the two sides of its area, there and back
     const auto end_line = [&] {
+      if (!above.empty()) markup += "<polygon points=\"" + above + below + "\"/>";
       if (request_.lines && !line.empty()) markup += "<polyline points=\"" + line + "\"/>";
-      line.clear();
+      line = above = below = "";
     };
     for (const ChartPoint& point : request_.curves[i].points) {
-      if (!point.joined()) end_line();
-      if (point.joined()) line += (line.empty() ? "" : " ") + place(point);
+      if (!point.joined() || !request_.lines) end_line();
+      if (!point.joined()) continue;
+      line += (line.empty() ? "" : " ") + place(point);
+      if (!point.area()) continue;
+      above += place(point.x, std::max(point.high, spans_.y.lowest)) + " ";
+      below.insert(0, place(point.x, std::max(point.low, spans_.y.lowest)) + " ");
     }
     end_line();
     for (const ChartPoint& point : request_.curves[i].points) {

@@ -47,10 +47,10 @@ auto refusing_at(const std::string& place, Function function) {
   }
 }
 
-/// "rolling resistance", "layer thickness of coating 1"
+/// "rolling resistance", "layer thickness of coating [0]"
 std::string in_words(std::string_view key);
 
-/// The symbol of a quantity where its name in words stands beside it: "H", not "H of coating 1".
+/// The symbol of a quantity where its name in words stands beside it: "H", not "H of coating [0]".
 std::string_view symbol_beside_name(const Quantity& quantity);
 
 }  // namespace rollres

@@ -32,8 +32,8 @@ TEST_CASE("a key of a further layer is a list, a place in it from 0 on, and an i
   CHECK(key.list == "coating_layers");
   CHECK(key.layer == 12);
   CHECK(key.input == "layer_thickness");
-  CHECK(key.layer_in_words() == "coating 13");
-  CHECK(layer_key("lower_layers[0].stiffening")->layer_in_words() == "lower layer 1");
+  CHECK(key.layer_in_words() == "coating [12]");
+  CHECK(layer_key("lower_layers[0].stiffening")->layer_in_words() == "lower layer [0]");
   CHECK(own_key("lower_layers[0].stiffening") == "stiffening");
   CHECK(own_key("stiffening") == "stiffening");
   for (const char* const other :
@@ -70,7 +70,7 @@ TEST_CASE("an objective may vary a further layer's inputs", "[core][scene_input]
   const Objective f =
       objective(scene, {{"coating_layers[0].layer_thickness", 1e-3, 1e-2}, {"lower_layers[1].stiffening"}},
                 "rolling_resistance", closed_form);
-  CHECK(f.variables[0].quantity.symbol == "H of coating 1");
+  CHECK(f.variables[0].quantity.symbol == "H of coating [0]");
   CHECK(f.variables[0].logarithmic);
   CHECK(base_point(f) == std::vector<double>{0.004, 1});
   const RollingScene moved = scene_at(f, std::vector<double>{0.002, 3});

@@ -251,10 +251,10 @@ TEST_CASE("a further layer's input is the axis or the family of a chart, and nam
   REQUIRE(shop.run({"sweep", study, "--db", shop.database}).status == 0);
   ResultStore store(shop.database, Access::read);
   const ChartRequest chart = stored_chart(store, {}).request;
-  CHECK(chart.x.name == "layer thickness of coating 1");
+  CHECK(chart.x.name == "layer thickness of coating [0]");
   CHECK(chart.x.symbol == "H");
   CHECK(chart.x.unit == "mm");
-  CHECK(chart.family.symbol == "G0 of coating 1");
+  CHECK(chart.family.symbol == "G0 of coating [0]");
   REQUIRE(chart.curves.size() == 2);
   CHECK(chart.curves[1].label == "3 MPa");
   CHECK(chart.curves[1].points[1].x == Approx(8));
@@ -267,11 +267,11 @@ TEST_CASE("a further layer's input is the axis or the family of a chart, and nam
                                    "--y", modulus, "--out", shop.folder / "map"});
   REQUIRE(map.status == 0);
   const std::string drawn = file_text(shop.folder / "map.svg");
-  for (const char* const label : {"layer thickness of coating 1", "static shear modulus of coating 1"})
+  for (const char* const label : {"layer thickness of coating [0]", "static shear modulus of coating [0]"})
     CHECK_THAT(drawn, Contains(label));
   const ProgramRun report = shop.run({"report", "--db", shop.database, "--out", shop.folder / "report.html"});
   REQUIRE(report.status == 0);
-  CHECK_THAT(file_text(shop.folder / "report.html"), Contains("layer thickness of coating 1"));
+  CHECK_THAT(file_text(shop.folder / "report.html"), Contains("layer thickness of coating [0]"));
 }
 
 TEST_CASE("an optimisation finds the best thickness and modulus of a coating", "[studies][optimise][layers]") {
@@ -333,6 +333,6 @@ TEST_CASE("the list of quantities tells how further layers' inputs are named", "
   const Json layers = Json::parse(shop.run({"quantities", "--json"}).out)["further_layers"];
   CHECK(layers["lists"] == Json{"lower_layers", "coating_layers"});
   CHECK(layers["keys"].size() == 29);
-  CHECK(in_words(thickness) == "layer thickness of coating 1");
+  CHECK(in_words(thickness) == "layer thickness of coating [0]");
   CHECK(in_words("rolling_resistance") == "rolling resistance");
 }

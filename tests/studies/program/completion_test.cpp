@@ -58,6 +58,14 @@ TEST_CASE("commands, options, choices, keys and stored studies are completed", "
   for (const char* const name : {"belt", "wheel 2"}) ResultStore(file).start_study({name, {}, ""}, {});
   CHECK(offered({"chart", "--db", file, "--study", "w"}) == "words;wheel 2;");
   CHECK(offered({"chart", "--study", "w"}) == "words;");
+  std::filesystem::create_directory(directory / "rubber");
+  for (const char* const other : {"results.svg", "rolls.json"}) directory.write(other, "{}");
+  const std::string begun = directory.path.string() + "/r";
+  CHECK(offered({"chart", "--db", begun}) == "open;" + file + ";" + begun + "ubber/;");
+  CHECK(offered({"chart", "--db=" + begun + "e"}) == "words;--db=" + file + ";");
+  CHECK(offered({"merge", "--db", "all.db", begun + "es"}) == "words;" + file + ";");
+  CHECK(offered({"solve", begun + "o"}) == "words;" + begun + "olls.json;");
+  CHECK(offered({"solve", begun + "x"}) == "files;");
   FitRecord fit{};
   fit.name = "wool";
   save_fit(open_database(file, Access::write), fit);
@@ -84,6 +92,8 @@ TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][com
   CHECK(bash("rollres query --columns speed,viscous") == "speed,viscous_loss;");
   CHECK(bash("rollres chart --db " + file + " --study w") == "wheel\\ 2;");
   CHECK(bash("rollres sweep stu") == ";");  // files, by readline itself
+  directory.write("results.svg", "");
+  CHECK(bash("rollres chart --db '~/res'") == "~/results.db;");  // as it was typed
   if (installed("fish")) {
     const auto fish = [&](const std::string& line) {
       directory.write("script", script_of("fish") + "complete -C \"" + line + "\" | cut -f 1 | paste -s -d ';'\n");
@@ -95,6 +105,7 @@ TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][com
     CHECK(fish("rollres solve scene.json --set drive=t") == "drive=top_force;drive=torque\n");
     CHECK(fish("rollres query --columns speed,viscous") == "speed,viscous_loss\n");
     CHECK(fish("rollres chart --db " + file + " --study w") == "wheel 2\n");
+    CHECK(fish("rollres chart --db " + directory.path.string() + "/res") == file + "\n");
     CHECK(fish("rollres sweep " + directory.path.string() + "/scr") == directory.path.string() + "/script\n");
   } else {
     WARN("fish is not installed");
@@ -109,9 +120,13 @@ TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][com
                                   "zpty -r shell text '*LOADED*'\n"
                                   "zpty -w -n shell $'rollres solve scene.json --set spe\\t'\n"
                                   "zpty -r shell text '*speed=*' && print found\n"
+                                  "zpty -w -n shell $'\\x15rollres chart --db " +
+                                  directory.path.string() +
+                                  "/res\\t'\n"
+                                  "zpty -r shell text '*results.db*' && print database\n"
                                   "zpty -d shell\n");
     CHECK_THAT(run_shell(path + "TERM=dumb timeout 60 zsh -f " + (directory / "script").string()).out,
-               Contains("found"));
+               Contains("found") && Contains("database"));
   } else {
     WARN("zsh is not installed");
   }
