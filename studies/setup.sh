@@ -43,6 +43,7 @@ r-cran-dbi: the README's R
 r-cran-rsqlite: the README's R
 r-base-core: the README's R
 python3-jsonschema: holds files against their schemas
+chromium-headless-shell: reports in a browser
 fish: completion
 zsh: completion
 man-db: manual page

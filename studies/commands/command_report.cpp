@@ -50,7 +50,8 @@ void add_report(Command& program, Session& session) {
   command->add_option("--optimum NAME", arguments.options.optimum,
                       "optimisation in the same database, to be drawn into a map of the study");
   command->footer(
-      "The file needs no network and runs no scripts; pictures are inside.\n"
+      "The file needs no network; pictures are inside. Its small script zooms charts, shows one curve alone and\n"
+      "sorts tables; all of it can be read without.\n"
       "Example: rollres report --db results.db --study speed_resistance --out report.html");
 }
 

@@ -18,13 +18,14 @@ namespace {
 
 /// Which points of a curve bear a mark: all of a short one; of a long one every n-th, shifted from curve to curve, and
 /// those that no line reaches.
-std::vector<bool> marked(const std::vector<ChartPoint>& points, std::size_t curve) {
+std::vector<bool> marked(const ChartCurve& curve, std::size_t number) {
+  const std::vector<ChartPoint>& points = curve.points;
   constexpr std::size_t enough = 16;
   const std::size_t step = (points.size() + enough - 1) / enough;
   std::vector<bool> marks(points.size(), false);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool alone = !(i > 0 && points[i - 1].joined()) && !(i + 1 < points.size() && points[i + 1].joined());
-    marks[i] = alone || (i + curve) % step == 0;
+    marks[i] = alone || (curve.marks && (i + number) % step == 0);
   }
   return marks;
 }
@@ -123,9 +124,8 @@ std::string chart_data(const ChartRequest& request) {
     const ChartCurve& curve = request.curves[i];
     if (i > 0) data << "\n\n";
     comment(described(request.family) + (request.family.name.empty() ? "" : " = ") + curve.label);
-    const std::vector<bool> marks = request.lines && request.marks
-                                        ? marked(curve.points, i)
-                                        : std::vector<bool>(curve.points.size(), !request.lines);
+    const std::vector<bool> marks =
+        request.lines && request.marks ? marked(curve, i) : std::vector<bool>(curve.points.size(), !request.lines);
     for (std::size_t j = 0; j < curve.points.size(); ++j) {
       const ChartPoint& point = curve.points[j];
       data << short_number(point.x, 15) << " " << (point.drawn() ? short_number(point.y, 15) : "NaN") << " "

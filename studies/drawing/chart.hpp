@@ -31,8 +31,10 @@ struct ChartPoint {
 };
 
 struct ChartCurve {
-  std::string label;               ///< the value of the family: "20 kN/m"
-  std::vector<ChartPoint> points;  ///< in the order in which the line joins them
+  std::string label;                     ///< the value of the family: "20 kN/m"
+  std::vector<ChartPoint> points;        ///< in the order in which the line joins them
+  std::optional<std::size_t> like = {};  ///< looks as this other curve: the line through its points; without a label
+  bool marks = true;                     ///< on some of its points; else only on those that no line reaches
 };
 
 /// What an axis or the family shows: "rolling resistance", "R_r" (as Quantity writes it), "N/m".

@@ -166,6 +166,7 @@ struct Look {
   std::string_view dash;
 };
 Look look(const ChartRequest& request, std::size_t curve) {
+  curve = request.curves[curve].like.value_or(curve);
   const std::size_t count = request.curves.size();
   if (labels_at_ends(request)) return {ordered_colour(curve, count), 7, 6, "1"};
   constexpr std::array<int, 6> filled{7, 5, 9, 13, 11, 15}, hollow{6, 4, 8, 12, 10, 14};
@@ -259,14 +260,14 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   std::vector<LegendEntry> entries;
   bool hollow = false;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
-    const auto& [label, points] = request.curves[i];
+    const auto& [label, points, like, marks] = request.curves[i];
     hollow |= std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; });
-    if (label.empty() || labels_at_ends(request)) continue;
+    if (label.empty() || like || labels_at_ends(request)) continue;
     const std::string& symbol = request.family.symbol;
     const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
-    entries.push_back({(!request.lines  ? "points linetype "
-                        : request.marks ? "linespoints linetype "
-                                        : "lines linetype ") +
+    entries.push_back({(!request.lines           ? "points linetype "
+                        : request.marks && marks ? "linespoints linetype "
+                                                 : "lines linetype ") +
                            std::to_string(i + 1),
                        equals + gnuplot::plain(label) + kept_blanks,
                        width(label) + (symbol.empty() ? 0 : width(symbol) + 3)});

@@ -43,6 +43,12 @@ std::span<const Figure> all_figures();
 /// @throws std::invalid_argument naming a wish that is no figure (with the nearest name), or none of this scene
 std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std::string>& names = {});
 
+/// Whether the edges of the contact are known better than its nodes tell.
+bool exact_edges(const RollingSolution& solution);
+
+/// Runs of neighbouring nodes of one zone of a cylinder's contact, from border to border [m].
+std::vector<std::array<double, 2>> zone_runs(Zone zone, const SurfaceFields& fields, const RollingSolution& solution);
+
 /// Draws a figure into a folder.
 /// @throws std::runtime_error as draw_pictures
 ChartFiles draw_figure(const Figure& figure, const FigureSource& source, const std::filesystem::path& directory);

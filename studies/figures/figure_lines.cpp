@@ -17,12 +17,11 @@ struct FieldLine {
   std::string look;
 };
 
-/// Whether the edges of the contact are known better than its nodes tell.
-bool exact_edges(const FigureSource& source) { return !on_grid(source.solution.method); }
+}  // namespace
 
-/// Runs of neighbouring nodes of one zone, from border to border [m].
-std::vector<std::array<double, 2>> runs_of(Zone zone, const FigureSource& source) {
-  const SurfaceFields& fields = source.surface;
+bool exact_edges(const RollingSolution& solution) { return !on_grid(solution.method); }
+
+std::vector<std::array<double, 2>> zone_runs(Zone zone, const SurfaceFields& fields, const RollingSolution& solution) {
   const double half = 0.5 * fields.grid.spacing_x;
   std::vector<std::array<double, 2>> runs;
   for (int i = 0; i < fields.grid.columns; ++i) {
@@ -31,13 +30,15 @@ std::vector<std::array<double, 2>> runs_of(Zone zone, const FigureSource& source
     if (!goes_on) runs.push_back({fields.grid.x(i) - half, 0});
     runs.back()[1] = fields.grid.x(i) + half;
   }
-  if (exact_edges(source))
+  if (exact_edges(solution))
     for (auto& [from, to] : runs) {
-      if (std::abs(from - source.solution.trailing_edge) < 2 * half) from = source.solution.trailing_edge;
-      if (std::abs(to - source.solution.leading_edge) < 2 * half) to = source.solution.leading_edge;
+      if (std::abs(from - solution.trailing_edge) < 2 * half) from = solution.trailing_edge;
+      if (std::abs(to - solution.leading_edge) < 2 * half) to = solution.leading_edge;
     }
   return runs;
 }
+
+namespace {
 
 /// What one figure shows.
 struct LinePlot {
@@ -74,7 +75,7 @@ PictureText line_figure(const Figure& figure, const FigureSource& source, const 
     const auto node = static_cast<std::size_t>(i);
     add(grid.x(i), source.surface.zone[node], [&](const std::vector<double>& values) { return values[node]; });
   }
-  if (plot.zero_at_edges && exact_edges(source)) {
+  if (plot.zero_at_edges && exact_edges(source.solution)) {
     for (const double edge : {source.solution.trailing_edge, source.solution.leading_edge})
       add(edge, Zone::free, [](const std::vector<double>&) { return 0.0; });
     std::sort(rows.begin(), rows.end());
@@ -98,7 +99,7 @@ PictureText line_figure(const Figure& figure, const FigureSource& source, const 
   }
   const auto bar = [&](Zone zone, const std::string& look) {
     std::vector<DataRow> boxes;
-    for (const auto& [begin, end] : runs_of(zone, source))
+    for (const auto& [begin, end] : zone_runs(zone, source.surface, source.solution))
       boxes.push_back({0.5 * (begin + end) / length.factor, 0.5 * (bar_bottom + bar_top), begin / length.factor,
                        end / length.factor, bar_bottom, bar_top});
     if (boxes.empty()) return;

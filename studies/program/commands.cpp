@@ -19,11 +19,11 @@ namespace {
 
 /// Every command, in the order of the help text.
 constexpr AddCommand* commands[] = {
-    add_solve,      add_draw,    add_figures,    add_material, add_gradient,  add_sensitivity, add_plan,
-    add_sweep,      add_scatter, add_serve,      add_optimise, add_fit,       add_status,      add_list,
-    add_show,       add_query,   add_compare,    add_chart,    add_report,    add_merge,       add_upkeep,
-    add_slurm,      add_export,  add_import,     add_accuracy, add_stability, add_verify,      add_schema,
-    add_quantities, add_manual,  add_completion,
+    add_solve,  add_draw,       add_film,    add_figures,    add_material, add_gradient,  add_sensitivity,
+    add_plan,   add_sweep,      add_scatter, add_serve,      add_optimise, add_fit,       add_status,
+    add_list,   add_show,       add_query,   add_compare,    add_chart,    add_report,    add_merge,
+    add_upkeep, add_slurm,      add_export,  add_import,     add_accuracy, add_stability, add_verify,
+    add_schema, add_quantities, add_manual,  add_completion,
 };
 
 constexpr const char* unwritable = "standard output: cannot be written";

@@ -43,13 +43,17 @@ class Overlay {
   }
 
   std::string buttons() const {
-    if (request_.curves.size() < 2) return "";
+    const bool named = std::any_of(request_.curves.begin(), request_.curves.end(),
+                                   [](const ChartCurve& curve) { return !curve.label.empty(); });
+    const auto has_button = [&](const ChartCurve& curve) { return !curve.like && !(named && curve.label.empty()); };
+    if (std::count_if(request_.curves.begin(), request_.curves.end(), has_button) < 2) return "";
     std::string markup = "<div class=\"families\">";
     if (!request_.family.name.empty()) markup += "<span>" + xml_text(request_.family.name) + "</span>";
     for (std::size_t i = 0; i < request_.curves.size(); ++i)
-      markup += "<button type=\"button\" aria-pressed=\"false\" data-curve=\"" + std::to_string(i) +
-                "\"><i style=\"background:" + curve_colour(request_, i) + "\"></i>" + xml_text(name_of_curve(i)) +
-                "</button>";
+      if (has_button(request_.curves[i]))
+        markup += "<button type=\"button\" aria-pressed=\"false\" data-curve=\"" + std::to_string(i) +
+                  "\"><i style=\"background:" + curve_colour(request_, i) + "\"></i>" + xml_text(name_of_curve(i)) +
+                  "</button>";
     return markup + "</div>";
   }
 
@@ -90,7 +94,8 @@ class Overlay {
 
   std::string curve(std::size_t i) const {
     const std::string colour = curve_colour(request_, i);
-    std::string markup = "<g data-curve=\"" + std::to_string(i) + "\" style=\"color:" + colour + "\">";
+    std::string markup =
+        "<g data-curve=\"" + std::to_string(request_.curves[i].like.value_or(i)) + "\" style=\"color:" + colour + "\">";
     std::string line, above, below;  // a run of joined points, and the two sides of its area, there and back
     const auto end_line = [&] {
       if (!above.empty()) markup += "<polygon points=\"" + above + below + "\"/>";

@@ -2,7 +2,7 @@
 
 /// A study as one HTML file that can be sent: what was asked, the scene, the model, charts, results, failures, the fit
 /// of that name if there is one, errors against seconds, and what computed it. Pictures are inside; it needs no network
-/// and runs no scripts.
+/// and can be read without scripts.
 
 #include <string>
 #include <vector>
@@ -12,10 +12,10 @@
 namespace rollres {
 
 struct ReportOptions {
-  std::string study = {};       ///< may be left out if the database holds one study
+  std::string study = {};                      ///< may be left out if the database holds one study
   std::vector<std::string> more_studies = {};  ///< that follow it, after a chart of all
-  std::size_t most_rows = 200;  ///< of the table of results; of a longer study every n-th point
-  std::string optimum = {};     ///< an optimisation in the same database to be drawn into the map
+  std::size_t most_rows = 200;                 ///< of the table of results; of a longer study every n-th point
+  std::string optimum = {};                    ///< an optimisation in the same database to be drawn into the map
 };
 
 struct StudyReport {

@@ -15,6 +15,8 @@ namespace rollres {
 
 namespace {
 
+constexpr double strip_width = 0.25;  // of a cylinder's strip, over its length
+
 struct Column {
   std::string name, unit;
   std::vector<double> values;
@@ -100,20 +102,27 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, c
     return !std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
   });
   const SurfaceGrid& grid = fields.grid;
-  const std::string extent = "0 " + std::to_string(grid.columns - 1) + " 0 " + std::to_string(grid.rows - 1) + " 0 0";
+  const bool strip = scene.indenter == Indenter::cylinder;  // the one row twice, that it is seen as a surface
+  const double width = strip ? strip_width * grid.spacing_x * (grid.columns - 1) : 0;
+  const std::string extent =
+      "0 " + std::to_string(grid.columns - 1) + " 0 " + std::to_string(strip ? 1 : grid.rows - 1) + " 0 0";
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"0.1\">\n<ImageData WholeExtent=\"" + extent +
-      "\" Origin=\"" + triple(grid.x(0), grid.y(0), 0) + "\" Spacing=\"" + triple(grid.spacing_x, grid.spacing_y, 1) +
-      "\">\n" + field_data(scene, solution) + "<Piece Extent=\"" + extent +
-      "\">\n<PointData Scalars=\"sigma_z [Pa]\" Vectors=\"displacement [m]\">\n";
+      "\" Origin=\"" + triple(grid.x(0), strip ? -0.5 * width : grid.y(0), 0) + "\" Spacing=\"" +
+      triple(grid.spacing_x, strip ? width : grid.spacing_y, 1) + "\">\n" + field_data(scene, solution) +
+      "<Piece Extent=\"" + extent + "\">\n<PointData Scalars=\"sigma_z [Pa]\" Vectors=\"displacement [m]\">\n";
   auto open = [&](const std::string& type, const std::string& name, int components) {
     text += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
             std::to_string(components) + "\" format=\"ascii\">\n";
   };
   auto close = [&] { text += "</DataArray>\n"; };
+  const auto each_node = [&](const auto& line) {
+    for (int again = 0; again < (strip ? 2 : 1); ++again)
+      for (std::size_t node = 0; node < static_cast<std::size_t>(grid.size()); ++node) text += line(node) + '\n';
+  };
   for (const Column& column : columns) {
     open("Float64", column.name + " [" + column.unit + "]", 1);
-    for (const double value : column.values) text += shortest(value) + '\n';
+    each_node([&](std::size_t node) { return shortest(column.values[node]); });
     close();
   }
   const auto component = [&](const std::vector<double>& values, std::size_t node) {
@@ -122,8 +131,9 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, c
   const auto vectors = [&](const char* name, const std::vector<double>& x, const std::vector<double>& y,
                            const std::vector<double>& z, double factor_z) {
     open("Float64", name, 3);
-    for (std::size_t node = 0; node < static_cast<std::size_t>(grid.size()); ++node)
-      text += triple(component(x, node), component(y, node), factor_z * component(z, node) + 0.0) + '\n';
+    each_node([&](std::size_t node) {
+      return triple(component(x, node), component(y, node), factor_z * component(z, node) + 0.0);
+    });
     close();
   };
   vectors("displacement [m]", fields.u, fields.v, fields.w, 1);
@@ -132,7 +142,7 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, c
   vectors("velocity [m/s]", velocity.x, velocity.y, {}, 1);
   if (std::isfinite(solution.approach)) vectors("body [m]", {}, {}, body_surface(scene, grid, solution.approach), 1);
   open("Int8", "zone", 1);
-  for (const Zone zone : fields.zone) text += std::to_string(static_cast<int>(zone)) + '\n';
+  each_node([&](std::size_t node) { return std::to_string(static_cast<int>(fields.zone[node])); });
   close();
   return text + "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
 }

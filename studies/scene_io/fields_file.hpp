@@ -19,7 +19,8 @@ std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields);
 /// and the vectors "displacement [m]" to warp by, "traction [Pa]" on the layer, "velocity [m/s]" of its surface in the
 /// horizontal (surface_window.hpp) and "body [m]", which warps the grid to the body's lower surface. A column with
 /// unknown numbers is left out; in a vector they are zero. As data of the whole field: the scene, what the zones'
-/// numbers mean, and the solution's numbers.
+/// numbers mean, and the solution's numbers. A cylinder's line of nodes stands twice, as a strip a quarter as wide as
+/// long.
 /// @param solution  its numbers; what is absent is left out
 std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, const RollingSolution& solution);
 

@@ -150,7 +150,8 @@ TEST_CASE("every command of the README and of the guide runs, and every file tha
   CHECK(ran > 15);
 
   // What these commands drew is what the pages show.
-  for (const char* name : {"speed_resistance", "conveyor_belt", "caster_wheel", "ball_on_mat", "paper_cylinder_sketch"}) {
+  for (const char* name : {"speed_resistance", "conveyor_belt", "caster_wheel", "ball_on_mat", "paper_cylinder_sketch",
+                           "figure_04_tractions"}) {
     const std::string picture = std::string(name) + ".svg";
     INFO(picture << ": draw it anew by the command of the README, and copy it from out/ to studies/examples/");
     CHECK(difference_of_pictures(file_text(directory / "out" / picture), file_text(example(picture))) == "");

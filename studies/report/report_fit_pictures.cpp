@@ -1,0 +1,290 @@
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "fitting/fit/fit.hpp"
+#include "studies/report/report_sections.hpp"
+#include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
+
+namespace rollres {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double far_off = 3;  // deviations from which on a measurement is marked
+
+using Charts = std::vector<std::pair<std::string, ChartRequest>>;
+
+/// An axis in a readable unit for these values [SI].
+struct FitAxis {
+  ChartAxis axis;
+  double factor = 1;
+
+  FitAxis(ChartAxis wanted, const std::vector<double>& values) : axis(std::move(wanted)) {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      axis.logarithmic &= value > 0;
+      smallest = std::min(smallest, std::abs(value));
+      largest = std::max(largest, std::abs(value));
+    }
+    const ScaledUnit unit =
+        axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);
+    axis.unit = typeset_unit(unit.name);
+    factor = unit.factor;
+    axis.margin = 0.03;
+  }
+};
+
+bool has_curves(const FitRecord& fit) { return !fit.x_name.empty(); }
+
+/// Where a measurement lies; without curves, by what the fit says of it.
+double place_of(const FitRecord& fit, const FitDataRecord& one) { return has_curves(fit) ? one.x : one.predicted; }
+
+/// Only without stated deviations the residuals do not scatter by 1.
+double scatter_of(const FitRecord& fit) {
+  return fit.deviations_known || !(fit.reduced_chi_squared > 0) ? 1 : std::sqrt(fit.reduced_chi_squared);
+}
+
+bool outlies(const FitRecord& fit, const FitDataRecord& one) {
+  return std::abs(one.residual) > far_off * scatter_of(fit);
+}
+
+FitAxis x_axis(const FitRecord& fit) {
+  std::vector<double> values;
+  for (const FitDataRecord& one : fit.data) values.push_back(place_of(fit, one));
+  if (has_curves(fit)) return {{.name = fit.x_name, .unit = fit.x_unit, .logarithmic = fit.x_logarithmic}, values};
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {{.name = "what the fit says", .unit = "", .logarithmic = *least > 0 && *most > 10 * *least}, values};
+}
+
+/// The labels of the curves, by their numbers.
+std::vector<std::string> labels_of(const FitRecord& fit) {
+  std::vector<std::string> labels;
+  const auto room = [&](std::int64_t curve) -> std::string& {
+    if (static_cast<std::size_t>(curve) >= labels.size()) labels.resize(static_cast<std::size_t>(curve) + 1);
+    return labels[static_cast<std::size_t>(curve)];
+  };
+  for (const FitDataRecord& one : fit.data)
+    if (one.curve >= 0) room(one.curve);
+  for (const FitCurveRecord& point : fit.curves) room(point.curve) = point.label;
+  return labels;
+}
+
+/// The curve's own number if it has one, else 0.
+std::size_t family_of(const FitDataRecord& one) { return one.curve < 0 ? 0 : static_cast<std::size_t>(one.curve); }
+
+void add_alone(ChartCurve& curve, ChartPoint point) {
+  curve.points.push_back(point);
+  curve.points.push_back({nothing, nothing});
+}
+
+/// Measurements with their deviations, the fitted curves with their bands, and what lies far off them.
+ChartRequest data_and_fit(const FitRecord& fit) {
+  std::vector<double> values;
+  for (const FitDataRecord& one : fit.data) values.push_back(one.measured);
+  for (const FitCurveRecord& point : fit.curves) values.push_back(point.value);
+  const FitAxis x = x_axis(fit), y({.name = fit.y_name, .unit = fit.y_unit, .logarithmic = fit.y_logarithmic}, values);
+  ChartRequest request{
+      .title = fit.name + ": data and fit", .x = x.axis, .y = y.axis, .curves = {}, .mark_peaks = false};
+  request.areas = "deviation, 95 % band";
+  const std::vector<std::string> labels = labels_of(fit);
+  for (const std::string& label : labels) request.curves.push_back({label.empty() ? "measured" : label, {}});
+  ChartCurve far{.label = "more than " + short_number(far_off) + " deviations off", .points = {}};
+  for (const FitDataRecord& one : fit.data) {
+    if (one.curve < 0) continue;
+    const double at = one.x / x.factor, value = one.measured / y.factor,
+                 deviation = scatter_of(fit) * one.deviation / y.factor;
+    add_alone(request.curves[family_of(one)], {at, value, true, value - deviation, value + deviation});
+    if (outlies(fit, one)) add_alone(far, {at, value});
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    ChartCurve line{.label = labels[i].empty() ? "the fit" : labels[i], .points = {}, .like = i, .marks = false};
+    for (const FitCurveRecord& point : fit.curves)
+      if (static_cast<std::size_t>(point.curve) == i)
+        line.points.push_back({point.x / x.factor, point.value / y.factor, true, (point.value - point.band) / y.factor,
+                               (point.value + point.band) / y.factor});
+    request.curves.push_back(std::move(line));
+  }
+  if (!far.points.empty()) request.curves.push_back(std::move(far));
+  return request;
+}
+
+/// Residuals over their deviations, between the two of most.
+ChartRequest residuals(const FitRecord& fit) {
+  const FitAxis x = x_axis(fit);
+  ChartRequest request{.title = fit.name + ": residuals",
+                       .x = x.axis,
+                       .y = {.name = "(fit - measured)/deviation"},
+                       .curves = {},
+                       .areas = "2 deviations",
+                       .mark_peaks = false};
+  for (const std::string& label : labels_of(fit)) request.curves.push_back({label.empty() ? "residuals" : label, {}});
+  if (request.curves.empty()) request.curves.push_back({"residuals", {}});
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const FitDataRecord& one : fit.data) {
+    const double at = place_of(fit, one) / x.factor;
+    if (!std::isfinite(at)) continue;
+    least = std::min(least, at), most = std::max(most, at);
+    add_alone(request.curves[family_of(one)], {at, one.residual / scatter_of(fit)});
+  }
+  request.curves.push_back({"", {{least, 0, true, -2, 2}, {most, 0, true, -2, 2}}, {}, false});
+  return request;
+}
+
+/// Residuals in their order against what a normal distribution would have (Blom 1958: (i - 3/8)/(n + 1/4)).
+ChartRequest normal_quantiles(const FitRecord& fit) {
+  std::vector<double> sorted;
+  for (const FitDataRecord& one : fit.data)
+    if (std::isfinite(one.residual)) sorted.push_back(one.residual / scatter_of(fit));
+  std::sort(sorted.begin(), sorted.end());
+  ChartRequest request{.title = fit.name + ": quantiles of the residuals",
+                       .x = {.name = "quantile of a normal distribution", .margin = 0.03},
+                       .y = {.name = "(fit - measured)/deviation"},
+                       .curves = {{"residuals", {}}, {"as normal residuals lie", {}, {}, false}},
+                       .mark_peaks = false};
+  const boost::math::normal normal;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const double share = (static_cast<double>(i) + 0.625) / (static_cast<double>(sorted.size()) + 0.25);
+    const double quantile = boost::math::quantile(normal, share);
+    add_alone(request.curves[0], {quantile, sorted[i]});
+    if (i == 0 || i + 1 == sorted.size()) request.curves[1].points.push_back({quantile, quantile});
+  }
+  return request;
+}
+
+/// Whether the parameter's linear interval is even about its logarithm rather than about itself.
+bool is_logarithmic(const FitParameterRecord& one) {
+  if (!(one.linear_lowest > 0) || !(one.value > 0)) return false;
+  const double up = std::log(one.linear_highest / one.value), down = std::log(one.value / one.linear_lowest);
+  return std::abs(up - down) < 1e-3 * up;
+}
+
+/// The value so many standard errors away.
+double moved(const FitParameterRecord& one, double errors) {
+  return is_logarithmic(one) ? one.value * std::exp(errors * one.relative_error)
+                             : one.value + errors * one.standard_error;
+}
+
+ChartRequest profile(const FitRecord& fit, const FitParameterRecord& parameter,
+                     const std::vector<FitProfileRecord>& known) {
+  const double level = fit.profile_threshold;
+  std::vector<double> values;
+  for (const FitProfileRecord& point : known) values.push_back(point.value);
+  const FitAxis x({.name = in_words(parameter.name), .unit = parameter.unit}, values);
+  ChartRequest request{
+      .title = fit.name + ": profile of " + in_words(parameter.name),
+      .subtitle = {},
+      .x = x.axis,
+      .y = {.name = "rise of the misfit"},
+      .curves = {{"refitted", {}}, {"", {}, 0, false}, {"by the slopes", {}, {}, false}, {"95 %", {}, {}, false}},
+      .mark_peaks = false};
+  request.x.margin = 0;
+  const auto root = [&](const FitProfileRecord& point) {  // all but straight between the points
+    return std::copysign(std::sqrt(std::max(point.rise, 0.0)), point.value - parameter.value);
+  };
+  const auto seen = [&](double rise) { return rise < 2.5 * level; };
+  constexpr int pieces = 12;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (seen(known[i].rise)) add_alone(request.curves[0], {known[i].value / x.factor, known[i].rise});
+    for (int piece = 0; i + 1 < known.size() && piece <= pieces; ++piece) {
+      const double part = static_cast<double>(piece) / pieces;
+      const double rise = std::pow(root(known[i]) + part * (root(known[i + 1]) - root(known[i])), 2);
+      const double value = known[i].value + part * (known[i + 1].value - known[i].value);
+      if (seen(rise)) request.curves[1].points.push_back({value / x.factor, rise});
+    }
+  }
+  if (std::isfinite(parameter.relative_error))
+    for (int piece = -4 * pieces; piece <= 4 * pieces; ++piece) {
+      const double errors = 1.2 * std::sqrt(level) * piece / (4 * pieces);
+      request.curves[2].points.push_back({moved(parameter, errors) / x.factor, errors * errors});
+    }
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const ChartCurve& curve : request.curves)
+    for (const ChartPoint& point : curve.points)
+      if (point.drawn()) least = std::min(least, point.x), most = std::max(most, point.x);
+  request.curves[3].points = {{least, level}, {most, level}};
+  return request;
+}
+
+/// Where both parameters together lie in 95 % of all cases: chi squared of two degrees of freedom.
+ChartRequest ellipse(const FitRecord& fit, const FitParameterRecord& first, const FitParameterRecord& second,
+                     double correlation) {
+  const double reach = std::sqrt(-2 * std::log(1 - confidence));
+  constexpr int pieces = 90;
+  std::vector<double> xs, ys;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = 2 * std::numbers::pi * i / pieces, u = std::cos(angle);
+    const double v = correlation * u + std::sqrt(1 - correlation * correlation) * std::sin(angle);
+    xs.push_back(moved(first, reach * u));
+    ys.push_back(moved(second, reach * v));
+  }
+  const FitAxis x({.name = in_words(first.name), .unit = first.unit}, xs),
+      y({.name = in_words(second.name), .unit = second.unit}, ys);
+  ChartRequest request{
+      .title = fit.name + ": 95 % ellipse",
+      .subtitle = "correlation " + short_number(correlation, 3),
+      .x = x.axis,
+      .y = y.axis,
+      .curves = {{"95 %", {}, {}, false}, {"the fit", {{first.value / x.factor, second.value / y.factor}}}},
+      .mark_peaks = false};
+  for (std::size_t i = 0; i < xs.size(); ++i) request.curves[0].points.push_back({xs[i] / x.factor, ys[i] / y.factor});
+  return request;
+}
+
+void add_profiles(const FitRecord& fit, Charts& charts) {
+  for (const FitParameterRecord& parameter : fit.parameters) {
+    std::vector<FitProfileRecord> known;
+    for (const FitProfileRecord& point : fit.profiles)
+      if (point.parameter == parameter.name) known.push_back(point);
+    if (known.size() > 2)
+      charts.emplace_back("how the misfit grows as " + in_words(parameter.name) +
+                              " is held elsewhere; its interval is below the line of 95 %",
+                          profile(fit, parameter, known));
+  }
+}
+
+void add_ellipses(const FitRecord& fit, Charts& charts) {
+  constexpr double slight = 0.5;
+  constexpr std::size_t most = 4;
+  std::vector<FitCorrelationRecord> pairs;
+  for (const FitCorrelationRecord& pair : fit.correlations)
+    if (std::abs(pair.correlation) > slight) pairs.push_back(pair);
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& one, const auto& other) {
+    return std::abs(one.correlation) > std::abs(other.correlation);
+  });
+  if (pairs.size() > most) pairs.resize(most);
+  const auto find = [&](const std::string& name) {
+    return std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                        [&](const auto& one) { return one.name == name; });
+  };
+  for (const FitCorrelationRecord& pair : pairs) {
+    const auto first = find(pair.first), second = find(pair.second);
+    if (first == fit.parameters.end() || second == fit.parameters.end()) continue;
+    if (!std::isfinite(first->relative_error) || !std::isfinite(second->relative_error)) continue;
+    charts.emplace_back(in_words(pair.first) + " and " + in_words(pair.second) + " together",
+                        ellipse(fit, *first, *second, std::clamp(pair.correlation, -1.0, 1.0)));
+  }
+}
+
+}  // namespace
+
+PictureSection fit_pictures(const FitRecord& fit) {
+  if (fit.data.empty()) return {};
+  Charts charts;
+  const bool curves = has_curves(fit);
+  if (curves) charts.emplace_back("measurements with their deviations, and the fitted curves", data_and_fit(fit));
+  charts.emplace_back("residuals of the fit over the deviations" + (curves ? ", against " + fit.x_name : std::string()),
+                      residuals(fit));
+  FitRecord by_value = fit;
+  by_value.x_name.clear();
+  if (curves) charts.emplace_back("the same against what the fit says", residuals(by_value));
+  charts.emplace_back("residuals in their order, against those of a normal distribution", normal_quantiles(fit));
+  add_profiles(fit, charts);
+  add_ellipses(fit, charts);
+  return chart_pictures(charts);
+}
+
+}  // namespace rollres
