@@ -9,6 +9,7 @@
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/figures/figure_map.hpp"
 #include "studies/text/files.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int blocks_before = 1, blocks_of_frame = 3;  // the chart; what moves, stick, slip
 constexpr double hundredths = 100;                     // in which the format counts its time
+constexpr int film_width = 640;                        // [px]
 
 /// What all pictures of a film share, and its data.
 class Film {
@@ -50,28 +52,51 @@ class Film {
            << "frames = " << frames_.size() << "\narray words[frames]\n";
     for (std::size_t i = 0; i < frames_.size(); ++i)
       script << "words[" << i + 1 << "] = " << gnuplot::quoted(gnuplot::plain(words_of(frames_[i]))) << "\n";
-    script << "set terminal gif animate delay " << std::lround(hundredths * request_.seconds)
-           << " loop 0 size 640,720 enhanced background rgb 'white' font 'DejaVu Sans,11'\n"
+    const int height = sphere_ ? 900 : 720;
+    script << "set terminal gif animate delay " << std::lround(hundredths * request_.seconds) << " loop 0 size "
+           << film_width << "," << height << " enhanced background rgb 'white' font 'DejaVu Sans,11'\n"
            << "set output " << gnuplot::quoted(files.film.filename().string()) << "\n"
            << "set border 3 lw 1.2 lc rgb '#444444'\nset tics nomirror\nset grid xtics ytics lc rgb '#CCCCCC'\n"
            << "do for [i=1:frames] {\nfirst = " << blocks_before << " + " << blocks_of_frame << " * (i - 1)\n"
-           << "set multiplot\n"
-           << "set label 1 " << gnuplot::quoted(gnuplot::plain(request_.title))
-           << " at screen 0.5, screen 0.975 center font ',13'\n";
-    if (!request_.subtitle.empty())
-      script << "set label 2 " << gnuplot::quoted(gnuplot::plain(request_.subtitle))
-             << " at screen 0.5, screen 0.945 center\n";
-    script << "set label 3 words[i] at screen 0.5, screen 0.915 center\n"
-           << "set lmargin at screen 0.14\nset rmargin at screen 0.96\nset tmargin at screen 0.84\n"
-           << "set bmargin at screen 0.46\nset key at screen 0.55, screen 0.895 center top horizontal samplen 2\n";
+           << "set multiplot\n";
+    int line = 0;
+    const auto above = [&](const std::string& text) {
+      ++line;
+      script << "set label " << line << " " << text << " at screen 0.5, screen "
+             << short_number(1 - line * 20.0 / height, 4) << " center\n";
+    };
+    for (const std::string& words : lines_of(request_.title)) above(gnuplot::quoted(gnuplot::plain(words)));
+    if (!request_.subtitle.empty()) above(gnuplot::quoted(gnuplot::plain(request_.subtitle)));
+    above("words[i]");
+    const double top = 1 - 142.0 / height, bottom = sphere_ ? 0.40 : 0.46;
+    double side = 0.41;  // half-width of the picture
+    if (sphere_)
+      side = std::min(side, 0.5 * (top - bottom) * height / film_width * (x_.highest - x_.lowest) / (2.5 * across_));
+    script << "set lmargin at screen " << short_number(0.55 - side, 4) << "\nset rmargin at screen "
+           << short_number(0.55 + side, 4) << "\nset tmargin at screen " << short_number(top, 4)
+           << "\nset bmargin at screen " << bottom << "\nset key at screen 0.55, screen "
+           << short_number(1 - (20.0 * line + 14) / height, 4) << " center top horizontal samplen 2\n";
     sphere_ ? write_map(script) : write_lines(script);
-    script << "unset key\nunset label 1\nunset label 2\nunset label 3\nunset arrow\nset size noratio\n"
-           << "set tmargin at screen 0.36\nset bmargin at screen 0.1\n";
+    script << "unset key\nunset label\nunset arrow\nset size noratio\nset lmargin at screen 0.14\n"
+           << "set rmargin at screen 0.96\nset tmargin at screen " << (sphere_ ? "0.32" : "0.36")
+           << "\nset bmargin at screen 0.09\n";
     write_chart(script);
     return script.str() + "unset multiplot\n}\nunset output\n";
   }
 
  private:
+  /// A title as lines that the picture holds.
+  static std::vector<std::string> lines_of(const std::string& title) {
+    constexpr std::size_t longest = 70;
+    std::vector<std::string> lines(1);
+    std::istringstream words(title);
+    for (std::string word; words >> word;) {
+      if (!lines.back().empty() && width(lines.back()) + 1 + width(word) > longest) lines.emplace_back();
+      lines.back() += (lines.back().empty() ? "" : " ") + word;
+    }
+    return lines;
+  }
+
   std::string words_of(const FilmFrame& frame) const {
     return frame.words + ": " + request_.y.name + " " + short_number(frame.point.y, 4) +
            (request_.y.unit.empty() ? "" : " " + request_.y.unit);
@@ -116,7 +141,7 @@ class Film {
   }
 
   void add_map(const FilmFrame& frame) {
-    constexpr int most = 26;
+    constexpr int most = 20;
     const SurfaceFields& fields = frame.solution.fields;
     const int step = std::max(1, std::max(fields.grid.columns, fields.grid.rows) / most);
     block(frame.words, "nothing");
@@ -161,7 +186,7 @@ class Film {
   }
 
   void write_map(std::ostream& script) const {
-    const double arrow = 0.12 * (x_.highest - x_.lowest) / (largest_ > 0 ? largest_ / traction_.factor : 1);
+    const double arrow = 0.09 * (x_.highest - x_.lowest) / (largest_ > 0 ? largest_ / traction_.factor : 1);
     script << "unset logscale\nset format '%h'\nset size ratio -1\nset xrange [" << short_number(x_.lowest, 6) << ":"
            << short_number(x_.highest, 6) << "]\nset yrange [" << short_number(-1.25 * across_, 6) << ":"
            << short_number(1.25 * across_, 6) << "]\nset xlabel 'along the motion  {/:Italic x}  [" << length_.name

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "studies/charts/scatter_chart.hpp"
 #include "studies/charts/study_chart.hpp"
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/figures/scene_sketch.hpp"
@@ -112,6 +113,37 @@ void add_shares(const ReportSource& source, Pictures& pictures) {
   });
 }
 
+/// How the resistance scatters at each place of the axes that do not: its histogram, and the probability below a value.
+void add_scatter(const ReportSource& source, Pictures& pictures) {
+  const StudyRows& rows = source.rows;
+  const QuantityColumn& output = *find_quantity_column("rolling_resistance");
+  if (source.definition.uncertain.empty()) return;
+  std::vector<const QuantityColumn*> axes;
+  for (const QuantityColumn* const axis : source.varied())
+    if (!source.definition.uncertain.contains(key_of(*axis))) axes.push_back(axis);
+  std::map<std::vector<Cell>, std::vector<double>> places;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::vector<Cell> place;
+    for (const QuantityColumn* const axis : axes) place.push_back(rows.cell(row, *axis));
+    if (rows.converged(row)) places[place].push_back(rows.number(row, output));
+  }
+  if (places.empty() || places.size() > most_curves) return;
+  ScatterPicture picture{.title = title_of_study(source.definition, source.study.name),
+                         .axis = described(output),
+                         .unit = unit_in(rows, output),
+                         .labels = {},
+                         .values = {}};
+  for (const auto& [place, values] : places) {
+    std::string label;
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      label += (label.empty() ? "" : ", ") + value_in_words(axes[i]->quantity, place[i], unit_in(rows, *axes[i]));
+    picture.labels.push_back(label);
+    picture.values.push_back({values});
+  }
+  where_possible([&] { pictures.add("how often the resistance lies where", histogram_chart(picture)); });
+  where_possible([&] { pictures.add("the probability of a resistance below a value", cumulative_chart(picture)); });
+}
+
 void add_map(const ReportSource& source, const std::string& optimum, Pictures& pictures) {
   constexpr std::size_t fewest = 4;  // values along either axis
   const auto draw = [&] {
@@ -202,6 +234,7 @@ PictureSection chart_section(const ReportSource& source, const ReportOptions& op
   std::string refusal;
   add_charts(source, pictures, refusal);
   add_shares(source, pictures);
+  add_scatter(source, pictures);
   const auto& charts = source.definition.charts;
   const bool mapped = std::any_of(charts.begin(), charts.end(), [](const auto& chart) { return !chart.map.empty(); });
   if (!mapped || !options.optimum.empty()) add_map(source, options.optimum, pictures);

@@ -3,6 +3,7 @@
 
 #include "db/rows/fit_store.hpp"
 #include "db/rows/result_store.hpp"
+#include "db/rows/schema.hpp"
 #include "studies/report/report.hpp"
 #include "studies/run/sweep.hpp"
 #include "studies/text/strict_json.hpp"
