@@ -120,7 +120,7 @@ TEST_CASE("reports are read on a phone, in the dark and on paper, and their char
   const std::string found = chromium.faults(study, false);
   CHECK_THAT(found, Contains("\ndone\n") && !Contains("fault") && !Contains("error of the script"));
   for (const char* const width : {"400", "768", "1200"})
-    CHECK_THAT(found, Contains(std::string(width) + " px: 2 charts zoom, 3 pictures, light"));
+    CHECK_THAT(found, Contains(std::string(width) + " px: 1 charts zoom, 2 pictures, light"));
   const std::string fit = study_report(store, {.study = "felt"}).html;
   const std::string in_the_dark = chromium.faults(fit, true);
   CHECK_THAT(in_the_dark, Contains("\ndone\n") && !Contains("fault") && !Contains("error of the script"));
