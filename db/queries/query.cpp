@@ -51,8 +51,9 @@ bool better_from_summary(SQLite::Database& connection, const Query& query) {
   return points * points > static_cast<double>(*query.limit) * all;  // points to read, or limit / points of all rows
 }
 constexpr const char* result_from_summary =
-    "(SELECT study.name AS study, study_point.position AS position, study_point.variant AS variant, evaluation.* "
-    "FROM study CROSS JOIN evaluation "
+    "(SELECT study.name AS study, study_point.position AS position, study_point.variant AS variant, "
+    "study_point.design AS design, study_point.goal AS goal, study_point.second_goal AS second_goal, "
+    "study_point.feasible AS feasible, study_point.front AS front, evaluation.* FROM study CROSS JOIN evaluation "
     "CROSS JOIN study_point ON study_point.key = evaluation.key AND study_point.study = study.id)";
 
 constexpr std::array<std::string_view, ChoiceNames<Statistic>::names.size()> sql_names{"count",  "min",    "max", "avg",
@@ -114,39 +115,68 @@ First first_statement(sqlite3* handle, const char* text) {
 
 }  // namespace
 
+namespace {
+
+/// SQL of a question, and what it binds. @param prefix  of the names that the columns get; empty: their own
+std::string sql_of(SQLite::Database& connection, const Query& query, std::vector<Cell>& bound,
+                   const char* prefix = "") {
+  const bool with_study = needs_study(query);
+  const std::string view = with_study ? "result" : "evaluation";
+  Columns known = columns_of(connection, view);
+  add_computed(connection, query.computed, known);
+
+  std::string columns;
+  for (std::size_t i = 0; i < query.columns.size(); ++i)
+    columns += (i > 0 ? ", " : "") + column_named(known, query.columns[i]).sql() +
+               (*prefix ? " AS " + std::string(prefix) + std::to_string(i) : std::string());
+  const std::string where = where_clause(query.filters, known, bound);
+  std::string order = order_terms(query.sort, known);
+  const std::string limit = limit_clause(query.limit, bound);
+  const std::string select = "SELECT " + (columns.empty() ? "*" : columns) + " FROM ";
+  if (with_study) {
+    const bool older = !has_column(known, std::string(point_columns.back()));  // a file that is read as it is
+    const bool from_summary = !older && better_from_summary(connection, query);
+    return select + (from_summary ? result_from_summary : view) + where + " ORDER BY " + order + "study, position" +
+           limit;
+  }
+  // The page is found in the index alone, the other columns are read for its rows only.
+  if (query.limit && !where.empty() && summary_decides(query))
+    return select + "evaluation WHERE id IN (SELECT id FROM evaluation" + where + " ORDER BY " + order + "+id" + limit +
+           ") ORDER BY " + order + "id";
+  // A plus keeps SQLite from following an index that the filters cannot use: a scan is quicker.
+  const bool may_follow = where.empty() || summary_decides(query);
+  return select + view + where + " ORDER BY " + (order.empty() || may_follow ? "" : "+") + order + "id" + limit;
+}
+
+}  // namespace
+
 Table run_query(const Database& database, const Query& query) {
   return naming(database.name(), [&] {
-    SQLite::Database& connection = database.connection();
-    const bool with_study = needs_study(query);
-    const std::string view = with_study ? "result" : "evaluation";
-    Columns known = columns_of(connection, view);
-    add_computed(connection, query.computed, known);
-
-    const std::string columns =
-        joined(query.columns, ", ", [&](const std::string& name) { return column_named(known, name).sql(); });
     std::vector<Cell> bound;
-    const std::string where = where_clause(query.filters, known, bound);
-    std::string order = order_terms(query.sort, known);
-    const std::string limit = limit_clause(query.limit, bound);
-    const std::string select = "SELECT " + (columns.empty() ? "*" : columns) + " FROM ";
-    std::string sql;
-    if (with_study) {
-      const bool older = !has_column(known, std::string(variant_key));  // a file that is read as it is
-      const bool from_summary = !older && better_from_summary(connection, query);
-      sql = select + (from_summary ? result_from_summary : view) + where + " ORDER BY " + order + "study, position" +
-            limit;
-    } else if (query.limit && !where.empty() && summary_decides(query)) {
-      // The page is found in the index alone, the other columns are read for its rows only.
-      sql = select + "evaluation WHERE id IN (SELECT id FROM evaluation" + where + " ORDER BY " + order + "+id" +
-            limit + ") ORDER BY " + order + "id";
-    } else {
-      // A plus keeps SQLite from following an index that the filters cannot use: a scan is quicker.
-      const bool may_follow = where.empty() || summary_decides(query);
-      sql = select + view + where + " ORDER BY " + (order.empty() || may_follow ? "" : "+") + order + "id" + limit;
-    }
-    Table table = rows_of(connection, sql, bound);
+    const std::string sql = sql_of(database.connection(), query, bound);
+    Table table = rows_of(database.connection(), sql, bound);
     if (!query.columns.empty()) table.columns = query.columns;
     return table;
+  });
+}
+
+std::vector<bool> columns_that_vary(const Database& database, const Query& query) {
+  return naming(database.name(), [&] {
+    std::vector<Cell> bound;
+    Query unordered = query;
+    if (!query.limit) unordered.sort.clear();
+    const std::string rows = sql_of(database.connection(), unordered, bound, "c");
+    std::string select;
+    for (std::size_t i = 0; i < query.columns.size(); ++i) {
+      const std::string name = "c" + std::to_string(i);
+      select += (i > 0 ? ", " : "") +
+                ("min(" + name + ") IS NOT max(" + name + ") OR count(" + name + ") NOT IN (0, count(*))");
+    }
+    std::vector<bool> varies;
+    for (const Cell& cell :
+         rows_of(database.connection(), "SELECT " + select + " FROM (" + rows + ")", bound).rows.at(0))
+      varies.push_back(cell != Cell(std::int64_t{0}));
+    return varies;
   });
 }
 

@@ -62,6 +62,10 @@ struct Query {
 /// @throws std::runtime_error naming the file if the database fails
 Table run_query(const Database& database, const Query& query);
 
+/// Whether each of the columns of a question holds more than one value in its rows, an absent one counted.
+/// @throws as run_query
+std::vector<bool> columns_that_vary(const Database& database, const Query& query);
+
 enum class Statistic { count, min, max, mean, median, stddev, sum };
 template <>
 struct ChoiceNames<Statistic> {

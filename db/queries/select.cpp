@@ -176,7 +176,9 @@ const Column& column_named(const Columns& columns, const std::string& name) {
                               (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
 }
 
-bool of_study(const std::string& column) { return column == "study" || column == "position" || column == variant_key; }
+bool of_study(const std::string& column) {
+  return std::find(point_columns.begin(), point_columns.end(), column) != point_columns.end();
+}
 
 bool any_of_study(const std::vector<Filter>& filters) {
   return std::any_of(filters.begin(), filters.end(), [](const Filter& one) { return of_study(one.column); });

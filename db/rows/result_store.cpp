@@ -334,6 +334,55 @@ void ResultStore::add_points(const std::string& study, std::span<const std::stri
   });
 }
 
+void ResultStore::set_designs(const std::string& study, std::span<const DesignRecord> designs) {
+  naming(database().name(), [&] {
+    SQLite::Database& connection = parts_->connection();
+    SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement forget(connection,
+                             "UPDATE study_point SET design = NULL, goal = NULL, second_goal = NULL, feasible = NULL, "
+                             "front = NULL WHERE study = (SELECT id FROM study WHERE name = ?)");
+    forget.bind(1, study);
+    forget.exec();
+    SQLite::Statement place(connection,
+                            "SELECT study, position, design FROM study_point WHERE key = ? "
+                            "AND study = (SELECT id FROM study WHERE name = ?)");
+    SQLite::Statement number(connection, "UPDATE study_point SET design = ? WHERE study = ? AND position = ?");
+    SQLite::Statement worth(connection,
+                            "UPDATE study_point SET goal = ?, second_goal = ?, feasible = ?, front = ? "
+                            "WHERE study = ? AND position = ?");
+    for (const DesignRecord& design : designs) {
+      std::optional<std::int64_t> first;
+      for (const std::string& key : design.keys) {
+        place.reset();
+        place.bind(1, key);
+        place.bind(2, study);
+        if (!place.executeStep() || !place.getColumn(2).isNull()) {
+          if (!first) break;  // not a point of the study, or of a design that is told already
+          continue;
+        }
+        const std::int64_t id = place.getColumn(0).getInt64(), position = place.getColumn(1).getInt64();
+        number.reset();
+        number.bind(1, first.value_or(position));
+        number.bind(2, id);
+        number.bind(3, position);
+        number.exec();
+        if (first) continue;
+        first = position;
+        worth.reset();
+        worth.clearBindings();
+        worth.bind(1, design.goal);
+        if (design.second_goal) worth.bind(2, *design.second_goal);
+        worth.bind(3, design.feasible ? 1 : 0);
+        if (design.front) worth.bind(4, *design.front);
+        worth.bind(5, id);
+        worth.bind(6, position);
+        worth.exec();
+      }
+    }
+    transaction.commit();
+  });
+}
+
 std::vector<std::string> ResultStore::points(const std::string& study) {
   return naming(database().name(), [&] { return parts_->of_points(study, "key"); });
 }

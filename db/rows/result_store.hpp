@@ -65,6 +65,15 @@ struct StudyRecord {
   std::string definition;         ///< text of the study file
 };
 
+/// What a design of an optimisation is worth.
+struct DesignRecord {
+  std::vector<std::string> keys;        ///< of its evaluations, points of the study: the first one's row tells the rest
+  double goal = 0;                      ///< [SI]
+  std::optional<double> second_goal{};  ///< [SI] of a front
+  bool feasible = false;                ///< all constraints hold
+  std::optional<std::int64_t> front{};  ///< its place on the front, from 1
+};
+
 /// How far a study is.
 struct StudySummary {
   std::string name;
@@ -115,6 +124,8 @@ class ResultStore {
   /// Makes `keys` the next points of a study that has been started, but for those that are its points already.
   void add_points(const std::string& study, std::span<const std::string> keys,
                   std::span<const std::string> variants = {});
+  /// Writes what designs are worth beside their points; the first of two designs of one point tells it.
+  void set_designs(const std::string& study, std::span<const DesignRecord> designs);
   /// Keys of a study's points, in order; empty if there is no such study.
   std::vector<std::string> points(const std::string& study);
   std::vector<std::string> variants(const std::string& study);  ///< of these; empty texts where they have none

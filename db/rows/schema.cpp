@@ -98,6 +98,23 @@ void add_variants(SQLite::Database& connection) {
   )");
 }
 
+/// What the designs of an optimisation are worth.
+void add_designs(SQLite::Database& connection) {
+  connection.exec(R"(
+    ALTER TABLE study_point ADD COLUMN design INTEGER;
+    ALTER TABLE study_point ADD COLUMN goal REAL;
+    ALTER TABLE study_point ADD COLUMN second_goal REAL;
+    ALTER TABLE study_point ADD COLUMN feasible INTEGER;
+    ALTER TABLE study_point ADD COLUMN front INTEGER;
+    DROP VIEW IF EXISTS result;
+    CREATE VIEW result AS
+      SELECT study.name AS study, study_point.position AS position, study_point.variant AS variant,
+             study_point.design AS design, study_point.goal AS goal, study_point.second_goal AS second_goal,
+             study_point.feasible AS feasible, study_point.front AS front, evaluation.*
+      FROM study_point JOIN study ON study.id = study_point.study JOIN evaluation ON evaluation.key = study_point.key
+  )");
+}
+
 std::vector<Column> missing_columns(SQLite::Database& connection) {
   const std::set<std::string> present = column_names(connection, "evaluation");
   std::vector<Column> missing;
@@ -218,7 +235,7 @@ std::span<const Migration> schema_migrations() {
                                              create_fit_tables,   add_kinematics,
                                              show_as_asked,       add_notes,
                                              add_variants,        add_fit_scenes,
-                                             add_fit_curves};
+                                             add_fit_curves,      add_designs};
   return migrations;
 }
 

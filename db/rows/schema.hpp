@@ -10,8 +10,10 @@
 ///     study         a name, its axes, the text of its file, and a note
 ///     study_point   the points of a study, in order, by the key of their evaluation: one that has no evaluation yet is
 ///                   missing, and an evaluation serves every study that has its key; and by the name of their variant,
-///                   which is the study's word for some inputs and so no part of the evaluation
-///     result        a view ready to plot: study, position, variant, and all columns of evaluation
+///                   which is the study's word for some inputs and so no part of the evaluation; for an optimisation
+///                   the design that a point is of (the position of its first row), and in this row what the design
+///                   is worth: goal, second_goal, whether it is feasible (1 or 0), its place on the front
+///     result        a view ready to plot: study, position and so on, and all columns of evaluation
 ///     converged     the same, only rows with an answer
 ///     resistance    of these the few columns that are plotted most
 ///
@@ -57,9 +59,13 @@ const std::vector<QuantityColumn>& quantity_columns();
 inline constexpr std::string_view variant_key = "variant";
 /// Column of result: the study that a point is of.
 inline constexpr std::string_view study_key = "study";
+/// Columns of result that tell what a point is in its study, beside those of evaluation.
+inline constexpr std::array<std::string_view, 8> point_columns{"study", "position",    "variant",  "design",
+                                                               "goal",  "second_goal", "feasible", "front"};
 
 /// What stands in a column, or nullptr if it is none of these. An input of a further layer counts as one: what
-/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers. So do the variant and the study.
+/// "coating_layers[0].layer_thickness" names is computed from the list in coating_layers. So do the variant and the
+/// study.
 const QuantityColumn* find_quantity_column(std::string_view name);
 
 /// Columns of the index evaluation_summary. Changing them needs a migration.

@@ -242,8 +242,8 @@ Curves scattered_curves(const StudyRows& rows, const Choice& choice, const Chart
     std::vector<Cell> values;
     for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
     ScatteredValues& here = found[values][rows.cell(row, *choice.along)];
-    const double value = rows.number(row, *choice.y) / scales.y.unit.factor;
-    here.x = rows.number(row, *choice.x) / scales.x.unit.factor;
+    const double value = scales.y.unit.number(rows.number(row, *choice.y));
+    here.x = scales.x.unit.number(rows.number(row, *choice.x));
     if (rows.converged(row) && std::isfinite(value))
       here.values.push_back(value);
     else
@@ -263,7 +263,7 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
     std::vector<Cell> values;
     for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
     ChartPoint& point = curves[values][rows.cell(row, *choice.along)];
-    point = {rows.number(row, *choice.x) / scales.x.unit.factor, rows.number(row, *choice.y) / scales.y.unit.factor,
+    point = {scales.x.unit.number(rows.number(row, *choice.x)), scales.y.unit.number(rows.number(row, *choice.y)),
              rows.converged(row)};
     if (shares)
       add_shares(point, rows, row, scales.y.unit.factor);

@@ -96,8 +96,8 @@ void add_optimum(MapRequest& request, const StoredOptimum* found, const std::str
   for (const auto& [place, column] : {std::pair(x, axes.x), std::pair(y, axes.y)})
     if (place < 0) throw std::invalid_argument("optimum = " + name + ": has no variable " + key_of(*column));
   const auto point = [&](const Design& design) {
-    return MapPoint{design.point[static_cast<std::size_t>(x)] / x_unit.factor,
-                    design.point[static_cast<std::size_t>(y)] / y_unit.factor};
+    return MapPoint{x_unit.number(design.point[static_cast<std::size_t>(x)]),
+                    y_unit.number(design.point[static_cast<std::size_t>(y)])};
   };
   for (const Design& design : found->designs) request.designs.push_back(point(design));
   if (!found->best) return;
@@ -153,12 +153,12 @@ StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
           value_in_words(axes.x->quantity, Cell(at_x), unit_in(rows, *axes.x)) + ", " + key_of(*axes.y) + " = " +
           value_in_words(axes.y->quantity, Cell(at_y), unit_in(rows, *axes.y)) + "; fix the other axes with --where");
     nodes[row] = node;
-    const double number = rows.number(row, value) / v.unit.factor;
+    const double number = v.unit.number(rows.number(row, value));
     request.nodes[node] = state_of(rows, row, number);
     if (request.nodes[node] == MapNode::answered) field.values[node] = number;
   }
-  for (double& place : field.x) place /= x.unit.factor;
-  for (double& place : field.y) place /= y.unit.factor;
+  for (double& place : field.x) place = x.unit.number(place);
+  for (double& place : field.y) place = y.unit.number(place);
   if (!options.optimum.empty()) {
     const auto found = stored_optimum(store, stored_study(store, options.optimum).name);
     add_optimum(request, found ? &*found : nullptr, options.optimum, axes, x.unit, y.unit);

@@ -4,6 +4,7 @@
 
 #include "studies/optimise/design_choices.hpp"
 #include "studies/optimise/design_file.hpp"
+#include "studies/optimise/design_records.hpp"
 #include "studies/optimise/optimise_report.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
@@ -39,16 +40,20 @@ std::vector<DesignProblem> problems_of(const OptimiseArguments& arguments) {
 }
 
 /// The designs of the front as a study of their own, so that it can be listed, shown and drawn.
-std::string store_front(ResultStore store, const DesignProblem& problem, const StudyRecord& study,
-                        const ParetoReport& front) {
+std::string store_front(ResultStore& store, std::span<const DesignProblem> problems, const StudyRecord& study,
+                        const ParetoReport& front, const std::vector<DesignRecord>& designs) {
   StudyRecord record = study;
   record.name += " front";
-  std::vector<std::string> keys;
+  std::vector<std::string> keys, variants;
   for (const ParetoPoint& point : front.points)
     if (point.report.best && !point.dominated)
       for (const std::string& key : point.report.best->keys)
-        if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-  if (problem.pareto) store.start_study(record, keys);
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+          keys.push_back(key);
+          variants.push_back(problems[point.choice].variant());
+        }
+  store.start_study(record, keys, variants);
+  store.set_designs(record.name, designs);
   return record.name;
 }
 
@@ -75,9 +80,31 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
   StatusLine line(session.err);
   if (line) options.report = [&](const OptimiseProgress& progress) { line.show(in_words(problem, progress)); };
 
+  const auto keep = [&](const std::vector<DesignRecord>& designs) {
+    ResultStore(arguments.database).set_designs(study.name, designs);
+  };
+  if (problem.pareto) {
+    const ParetoReport front = pareto_front(problems, evaluations, options);
+    evaluations.flush();
+    line.clear();
+    const std::vector<DesignRecord> designs = design_records(problems, front);
+    keep(designs);
+    ResultStore store(arguments.database);
+    const std::string stored = store_front(store, problems, study, front, designs);
+    if (arguments.json) {
+      session.out << text_of(json_of(problems, front), 2) << '\n';
+    } else {
+      print_text(problems, front, session.out);
+      session.out << "the front is stored as study \"" << stored << "\"\n";
+    }
+    if (!arguments.out.empty() && front.any()) draw(front_chart(problems, front), arguments, session);
+    if (!front.complete()) session.status = ExitStatus::no_answer;
+    return;
+  }
   if (!problem.chosen.empty()) {
     const ChoicesReport report = optimise_choices(problems, evaluations, options);
     line.clear();
+    keep(design_records(problems, report.reports));
     if (arguments.json)
       session.out << text_of(json_of(problems, report), 2) << '\n';
     else
@@ -87,25 +114,13 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
     if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
     return;
   }
-  const auto print = [&](const auto& report) {
-    if (arguments.json)
-      session.out << text_of(json_of(problem, report), 2) << '\n';
-    else
-      print_text(problem, report, session.out);
-  };
-  if (problem.pareto) {
-    const ParetoReport front = pareto_front(problem, evaluations, options);
-    line.clear();
-    const std::string stored = store_front(ResultStore(arguments.database), problem, study, front);
-    print(front);
-    if (!arguments.json) session.out << "the front is stored as study \"" << stored << "\"\n";
-    if (!arguments.out.empty() && front.any()) draw(front_chart(problem, front), arguments, session);
-    if (!front.complete()) session.status = ExitStatus::no_answer;
-    return;
-  }
   const OptimiseReport report = optimise(problem, evaluations, options);
   line.clear();
-  print(report);
+  keep(design_records({&problem, 1}, {&report, 1}));
+  if (arguments.json)
+    session.out << text_of(json_of(problem, report), 2) << '\n';
+  else
+    print_text(problem, report, session.out);
   if (!arguments.out.empty() && report.best) draw(course_chart(problem, report), arguments, session);
   if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
 }

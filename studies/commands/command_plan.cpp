@@ -1,6 +1,7 @@
 #include <ostream>
 
 #include "studies/program/commands.hpp"
+#include "studies/stored/shown_table.hpp"
 #include "studies/study/plan_table.hpp"
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 struct PlanArguments {
   std::string study, database, format = "table";
-  bool json = false;
+  bool json = false, si = false;
   std::size_t limit = std::numeric_limits<std::size_t>::max();
 };
 
@@ -79,15 +80,14 @@ void print_json(std::ostream& out, const PlanArguments& arguments, const Study& 
   out << text_of(object, 2) << '\n';
 }
 
-/// Names of columns with their units, where all points have the same.
-void add_units(Table& table, const StudyPlan& plan) {
-  const Indenter indenter = plan.scene(0).indenter;
-  bool one_body = true;
-  plan.for_each([&](std::size_t, const RollingScene& scene) { one_body = one_body && scene.indenter == indenter; });
-  if (!one_body) return;
-  for (std::string& column : table.columns)
-    if (const InputKind* const input = find_input(column))
-      column += unit_in_brackets(input->quantity.unit_for(indenter));
+/// The points as people read them.
+Table shown_plan(Table table, const StudyPlan& plan, ShownUnits units) {
+  ShownColumns columns;
+  for (const std::string& key : table.columns)
+    columns.quantities.push_back(find_input(key) ? find_quantity_column(input_column(key)) : nullptr);
+  for (std::size_t point = 0; point < table.rows.size(); ++point)
+    columns.bodies.emplace_back(plan.scene(point).indenter);
+  return shown_table(std::move(table), columns, units);
 }
 
 void plan(const PlanArguments& arguments, Session& session) {
@@ -100,18 +100,20 @@ void plan(const PlanArguments& arguments, Session& session) {
   }
   Table table = plan_table(study, plan, status, arguments.limit);
   if (arguments.json) return print_json(session.out, arguments, study, plan, status, table);
-  if (arguments.format != "table") return write_table(session.out, table, arguments.format);
+  if (arguments.format != "table" && arguments.format != "markdown")
+    return write_table(session.out, table, arguments.format);
+  const std::size_t rows = table.rows.size();
+  table = shown_plan(std::move(table), plan, arguments.si ? ShownUnits::si : ShownUnits::scaled);
+  if (arguments.format == "markdown") return write_table(session.out, table, arguments.format);
   print_summary(session.out, study, plan);
   if (!arguments.database.empty()) {
     const StoredPoints stored = count_stored(status);
     session.out << stored.answered << " of them in " << arguments.database << ", " << stored.failed << " failed\n";
   }
-  if (table.rows.empty()) return;
-  add_units(table, plan);
+  if (rows == 0) return;
   session.out << '\n';
   write_table(session.out, table, arguments.format);
-  if (table.rows.size() < plan.size())
-    session.out << "and " << counted(plan.size() - table.rows.size(), "more point") << '\n';
+  if (rows < plan.size()) session.out << "and " << counted(plan.size() - rows, "more point") << '\n';
 }
 
 }  // namespace
@@ -130,8 +132,9 @@ void add_plan(Command& program, Session& session) {
           ->one_of(table_formats);
   command->add_flag("--json", arguments.json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);
+  command->add_flag("--si", arguments.si, "SI numbers in the table, too");
   command->footer(
-      "Numbers are SI.\n"
+      "Numbers of csv, json and jsonl are SI.\n"
       "Example: rollres plan studies/examples/speed_resistance.json --limit 10");
 }
 

@@ -4,9 +4,12 @@
 
 #include "db/merge/gathered.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/stored/derived_columns.hpp"
+#include "studies/stored/shown_table.hpp"
 #include "studies/stored/study_rows.hpp"
+#include "studies/study/study_definition.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
 
@@ -20,17 +23,8 @@ struct QueryArguments {
   std::optional<std::string> sql;
   std::vector<std::string> filters;
   std::optional<std::int64_t> limit;
+  bool si = false;
 };
-
-/// Columns of a table on the screen; the other formats show all.
-constexpr const char* usual_columns[] = {"id",
-                                         "indenter",
-                                         "speed",
-                                         "load",
-                                         "friction_coefficient",
-                                         "rolling_resistance",
-                                         "rolling_resistance_coefficient",
-                                         "status"};
 
 std::vector<Filter> filters_of(const QueryArguments& arguments) {
   std::vector<Filter> filters;
@@ -38,26 +32,73 @@ std::vector<Filter> filters_of(const QueryArguments& arguments) {
   return filters;
 }
 
-/// A table on the screen shows the usual columns and those that the question names.
-void choose_columns(Query& question) {
-  question.columns.assign(std::begin(usual_columns), std::end(usual_columns));
-  auto add = [&](const std::string& name) {
-    if (std::find(question.columns.begin(), question.columns.end(), name) == question.columns.end())
-      question.columns.insert(question.columns.end() - 1, name);
-  };
-  for (const Filter& filter : question.filters)
-    if (filter.comparison != Comparison::equal) add(filter.column);
-  for (const std::string& name : question.sort) add(name.starts_with('-') ? name.substr(1) : name);
+bool is_for_people(const QueryArguments& arguments) {
+  return arguments.format == "table" || arguments.format == "markdown";
 }
 
-Table rows(const QueryArguments& arguments, const Database& database) {
+ShownUnits units_of(const QueryArguments& arguments) { return arguments.si ? ShownUnits::si : ShownUnits::scaled; }
+
+/// What the only study that the question names computes; the usual outputs otherwise.
+std::vector<std::string> outputs_for(const Database& database, const Query& question) {
+  std::vector<std::string> outputs, studies;
+  for (const Filter& filter : question.filters)
+    if (filter.column == study_key && filter.comparison == Comparison::equal) studies.push_back(filter.value);
+  if (studies.size() == 1)
+    for (const auto& row : run_sql(database, "SELECT name, definition FROM study").rows)
+      if (row[0] == Cell(studies.front()))
+        outputs = definition_in(std::get<std::string>(row[1]), database.name() + ": " + studies.front()).compute;
+  if (outputs.empty()) outputs = {"rolling_resistance", "rolling_resistance_coefficient"};
+  return outputs;
+}
+
+/// For people: what differs, what the question names, and the outputs. Returns those that may be left out for want of
+/// room, the least needed last.
+std::vector<std::string> choose_columns(const Database& database, Query& question) {
+  std::vector<std::string> droppable;
+  question.columns = {"id"};
+  const auto add = [&](const std::string& name) {
+    const bool there = std::find(question.columns.begin(), question.columns.end(), name) != question.columns.end();
+    if (!there) question.columns.push_back(name);
+    return !there;
+  };
+  std::vector<std::string> varied = varied_columns(database, question);
+  const bool alone = varied.empty();
+  if (alone) varied = {"indenter", "speed", "load"};
+  std::vector<std::string> named;
+  for (const Filter& filter : question.filters)
+    if (filter.comparison != Comparison::equal) named.push_back(filter.column);
+  for (const std::string& name : question.sort) named.push_back(name.starts_with('-') ? name.substr(1) : name);
+  for (const std::string& name : varied)
+    if (add(name) && std::find(named.begin(), named.end(), name) == named.end()) droppable.push_back(name);
+  for (const std::string& name : named) add(name);
+  if (std::find(named.begin(), named.end(), "goal") != named.end()) add("feasible");
+  for (const std::string& name : outputs_for(database, question))
+    if (add(name) && name != "rolling_resistance") droppable.push_back(name);
+  add("status");
+  return droppable;
+}
+
+Table rows(const QueryArguments& arguments, const Database& database, Session& session) {
   Query question{.filters = filters_of(arguments),
                  .columns = split_at_commas(arguments.columns),
                  .sort = split_at_commas(arguments.sort),
                  .limit = arguments.limit};
-  if (question.columns.empty() && arguments.format == "table") choose_columns(question);
-  add_derived(database, question);
-  return run_query(database, question);
+  const bool chosen = question.columns.empty() && is_for_people(arguments);
+  std::vector<std::string> droppable;
+  if (chosen) {
+    add_derived(database, question);  // which the filters may name
+    droppable = choose_columns(database, question);
+  }
+  const FormulaDefinitions formulas = add_derived(database, question);
+  if (!is_for_people(arguments)) return run_query(database, question);
+  Table table = shown_rows(database, question, formulas, units_of(arguments));
+  if (!chosen || arguments.format != "table") return table;
+  constexpr std::size_t usual_width = 120;  // where there is no terminal
+  const std::size_t terminal = terminal_width(session.out);
+  const auto dropped = fit_to_width(table, terminal > 0 ? terminal : usual_width, droppable);
+  if (!dropped.empty())
+    session.err << "no room for " << joined(dropped) << ": --columns chooses, --format csv has all\n";
+  return table;
 }
 
 Table groups(const QueryArguments& arguments, const Database& database) {
@@ -67,8 +108,9 @@ Table groups(const QueryArguments& arguments, const Database& database) {
                       .limit = arguments.limit};
   for (const std::string& text : split_at_commas(arguments.aggregates))
     question.aggregates.push_back(parse_aggregate(text));
-  add_derived(database, question);
-  return run_group_query(database, question);
+  const FormulaDefinitions formulas = add_derived(database, question);
+  return is_for_people(arguments) ? shown_groups(database, question, formulas, units_of(arguments))
+                                  : run_group_query(database, question);
 }
 
 void query(const QueryArguments& arguments, Session& session) {
@@ -85,8 +127,9 @@ void query(const QueryArguments& arguments, Session& session) {
     session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
   Database database = open_database(gathered.file(), Access::read);
   database.stop_when(signal.requested());
-  const Table table =
-      arguments.sql ? run_sql(database, *arguments.sql) : (grouped ? groups : rows)(arguments, database);
+  const Table table = arguments.sql ? run_sql(database, *arguments.sql)
+                      : grouped     ? groups(arguments, database)
+                                    : rows(arguments, database, session);
   write_table(session.out, table, arguments.format);
   if (table.rows.empty()) {
     session.err << joined(arguments.databases) << ": nothing matches\n";
@@ -122,6 +165,10 @@ void add_query(Command& program, Session& session) {
                       "fit_correlation, fit_data, fit_profile, fit_curve");
   command->add_option("--format FORMAT", arguments.format, "table, csv, json, jsonl (one object a line) or markdown")
       ->one_of(table_formats);
+  command->add_flag(
+      "--si", arguments.si,
+      "SI numbers in a table, too, where there are units with a prefix and degrees Celsius; csv, json and "
+      "jsonl always have them");
   command->footer(
       "Exit status 1: nothing matches.\n"
       "Examples: rollres query --db results.db 'speed>0.1' 'load=20 kN/m' status=converged "
@@ -129,6 +176,8 @@ void add_query(Command& program, Session& session) {
       "          rollres query --db one.db --db other.db study=summer study=winter --aggregate 'mean "
       "rolling_resistance "
       "weighted share' --by study\n"
+      "          rollres query --db results.db study=optimise_layer feasible=1 --sort goal --limit 5   (the best "
+      "designs)\n"
       "          rollres query --db results.db study=tyres --aggregate 'max rolling_resistance, mean approach, count' "
       "--by load");
 }

@@ -7,10 +7,12 @@
 #include "db/rows/schema.hpp"
 #include "studies/fit/stored_fit.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/run/progress.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/scene_io/summary.hpp"
 #include "studies/stored/derived_columns.hpp"
+#include "studies/stored/shown_table.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -71,63 +73,85 @@ void list(const ListArguments& arguments, Session& session) {
 struct ShowArguments {
   std::string what, database;
   std::optional<std::string> fields;
-  bool json = false;
+  bool json = false, si = false;
 };
 
 /// Outputs in the table of a study, beside its axes, where its file does not list them.
-constexpr const char* main_outputs[] = {"rolling_resistance",
-                                        "rolling_resistance_coefficient",
-                                        "load",
-                                        "approach",
-                                        "rotation_ratio",
-                                        "contact_area",
-                                        "peak_pressure",
-                                        "status"};
+constexpr const char* main_outputs[] = {
+    "rolling_resistance", "rolling_resistance_coefficient", "load", "approach", "rotation_ratio", "contact_area",
+    "peak_pressure"};
 
-std::vector<std::string> outputs_of(ResultStore& store, const std::string& study) {
-  std::vector<std::string> outputs =
-      definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study).compute;
-  if (outputs.empty()) outputs.assign(std::begin(main_outputs), std::end(main_outputs));
-  if (std::find(outputs.begin(), outputs.end(), "status") == outputs.end()) outputs.push_back("status");
-  return outputs;
+/// What stands in a column, with its unit: "20 kN/m".
+std::string with_unit_of(const std::string& heading, const Cell& cell) {
+  const std::size_t bracket = heading.rfind(" [");
+  const bool number = !std::holds_alternative<std::string>(cell);
+  const std::string value =
+      number ? short_number(std::holds_alternative<double>(cell) ? std::get<double>(cell)
+                                                                 : static_cast<double>(std::get<std::int64_t>(cell)))
+             : std::get<std::string>(cell);
+  if (bracket == std::string::npos) return value;
+  return value + ' ' + heading.substr(bracket + 2, heading.size() - bracket - 3);
+}
+
+/// Takes the columns that are the same in all rows out of a table, but those that are asked for, and tells them.
+std::string take_constants(Table& table, std::size_t first, const std::vector<std::string>& asked) {
+  std::string constants;
+  for (std::size_t i = table.columns.size(); table.rows.size() > 1 && i-- > first;) {
+    const std::string name = table.columns[i].substr(0, table.columns[i].rfind(" ["));
+    const Cell& value = table.rows.front()[i];
+    const bool same =
+        std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return row[i] == value; });
+    if (!same || std::find(asked.begin(), asked.end(), name) != asked.end()) continue;
+    if (!std::holds_alternative<std::monostate>(value))
+      constants = name + " = " + with_unit_of(table.columns[i], value) + (constants.empty() ? "" : ", ") + constants;
+    table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(i));
+    for (auto& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return constants;
 }
 
 void show_study(const ShowArguments& arguments, ResultStore& store, const StudySummary& study, Session& session) {
+  const Database& database = store.database();
+  const StudyDefinition definition =
+      definition_in(store.definition(study.name).value_or(""), database.name() + ": " + study.name);
   Query query{.filters = {{"study", Comparison::equal, study.name}}, .columns = {"position", "id"}};
   std::vector<std::string> names = query.columns;
-  for (const std::string& axis : study.axes) {
-    query.columns.push_back(input_column(axis));
-    names.push_back(axis);
-  }
-  for (const std::string& output : outputs_of(store, study.name)) {
-    if (std::find(names.begin(), names.end(), output) != names.end()) continue;
-    query.columns.push_back(output);
-    names.push_back(output);
-  }
-  add_derived(store.database(), query);
-  Table table = run_query(store.database(), query);
-  table.columns = names;
+  const auto add = [&](const std::string& column, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    query.columns.push_back(column);
+    names.push_back(name);
+  };
+  for (const std::string& axis : study.axes) add(input_column(axis), axis);
+  if (!definition.goals.empty() && column_names(database.connection(), "result").contains("goal"))
+    for (const char* const name : {"front", "goal", "second_goal", "feasible"}) add(name, name);
+  std::vector<std::string> outputs = definition.compute;
+  if (outputs.empty()) outputs.assign(std::begin(main_outputs), std::end(main_outputs));
+  for (const std::string& output : outputs) add(output, output);
+  add("status", "status");
+  const FormulaDefinitions formulas = add_derived(database, query);
   if (arguments.json) {
+    Table table = run_query(database, query);
+    table.columns = names;
     Json object = summary_json(study);
     object["results"] = json_of(table);
     session.out << text_of(object, 2) << '\n';
     return;
   }
-  if (!table.rows.empty()) {
-    const std::string place = store.database().name() + ": " + study.name;
-    const FormulaDefinitions formulas = definition_in(store.definition(study.name).value_or(""), place).formulas;
-    const auto first = store.find(std::get<std::int64_t>(table.rows.front()[1]));
-    for (std::size_t i = 2; first && i < names.size(); ++i)
-      if (const QuantityColumn* column = find_quantity_column(query.columns[i]))
-        table.columns[i] += unit_in_brackets(column->quantity.unit_for(first->scene.indenter));
-    for (std::string& name : table.columns)
-      for (const auto& [derived, formula] : formulas)
-        if (first && name == derived)
-          name += unit_in_brackets(derived_column(derived, formula).quantity.unit_for(first->scene.indenter));
-  }
+  Table table = shown_rows(database, query, formulas, arguments.si ? ShownUnits::si : ShownUnits::scaled, names);
   session.out << study.name << ": " << study.answered << " of " << study.points << " points answered, " << study.failed
               << " failed\n"
-              << (study.note.empty() ? "" : study.note + "\n") << '\n';
+              << (study.note.empty() ? "" : study.note + "\n");
+  constexpr std::size_t position_and_id = 2;
+  const std::string constants = take_constants(table, position_and_id, definition.compute);
+  if (!constants.empty()) session.out << "in all points: " << constants << '\n';
+  std::vector<std::string> droppable;
+  for (const std::string& name : names)
+    if (name != "position" && name != "rolling_resistance" && name != "status") droppable.push_back(name);
+  const std::size_t width = terminal_width(session.out);
+  const auto dropped = fit_to_width(table, width > 0 ? width : 160, droppable);
+  if (!dropped.empty())
+    session.out << "no room for " << joined(dropped) << ": rollres query 'study=" << study.name << "' --columns ...\n";
+  session.out << '\n';
   write_aligned(session.out, table);
 }
 
@@ -195,6 +219,7 @@ void add_show(Command& program, Session& session) {
       ->required();
   command->add_option("--db FILE", arguments.database, "database")->required();
   command->add_flag("--json", arguments.json, "print one JSON object");
+  command->add_flag("--si", arguments.si, "SI numbers in the table of a study");
   command->add_option("--fields DIR", arguments.fields,
                       "write an evaluation's stored fields to DIR/fields.csv and .vti");
   command->footer("Example: rollres show --db results.db 'speed and load'");

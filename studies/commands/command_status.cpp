@@ -1,12 +1,17 @@
+#include <chrono>
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
+#include <thread>
 
 #include "db/rows/result_store.hpp"
+#include "studies/charts/live_view.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
+#include "studies/run/stop_signal.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/shards.hpp"
+#include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 
 namespace rollres {
@@ -17,7 +22,9 @@ struct StatusArguments {
   std::string study;  // file; empty: what the databases say themselves
   std::vector<std::string> databases;
   int shards = 0;  // 0: not asked for
-  bool json = false, array = false;
+  bool json = false, array = false, follow = false;
+  double every = 1;  // [s]
+  std::string name;  // of the followed study
 };
 
 Json object_of(const std::string& name, const StudyStatus& status) {
@@ -72,7 +79,36 @@ void status_of_stored(const std::string& file, const StatusArguments& arguments,
   if (studies.empty()) session.err << file << ": holds no study\n";
 }
 
+/// Shows a study while it grows, until it is whole or somebody stops it: on a terminal in one place, elsewhere a line
+/// for each change.
+void follow(const StatusArguments& arguments, Session& session) {
+  if (arguments.databases.size() != 1) throw std::invalid_argument("--follow: needs one --db");
+  if (!(arguments.every >= 0.01 && arguments.every <= 3600))
+    throw std::invalid_argument("--every = " + short_number(arguments.every) + ": must be from 0.01 to 3600 s");
+  const std::string name = arguments.study.empty() ? arguments.name : read_study(arguments.study).name;
+  const StopSignal signal;
+  const std::size_t width = terminal_width(session.out), height = terminal_height(session.out);
+  std::string last;
+  while (true) {
+    ResultStore store(arguments.databases.front(), Access::read);
+    const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    const LiveProgress progress = live_progress(store, name, now);
+    if (width > 0)
+      session.out << "\x1b[H\x1b[J" << live_view(store, progress, width, height) << std::flush;
+    else if (const std::string line = in_words(progress); line != last)
+      session.out << (last = line) << std::endl;
+    if (progress.done() || signal.requested()) {
+      if (!progress.done()) session.status = ExitStatus::no_answer;
+      return;
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(arguments.every);
+    while (std::chrono::steady_clock::now() < end && !signal.requested())
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
 void status(const StatusArguments& arguments, Session& session) {
+  if (arguments.follow) return follow(arguments, session);
   if (arguments.study.empty()) {
     if (arguments.databases.empty()) throw std::invalid_argument("status: needs a study file, or --db, or both");
     if (arguments.shards > 0) throw std::invalid_argument("--shards: needs the study file");
@@ -113,10 +149,20 @@ void add_status(Command& program, Session& session) {
   CommandOption* const array =
       command->add_flag("--array", arguments.array, "print only these shards, as Slurm's --array takes them")
           ->needs(shards);
-  command->add_flag("--json", arguments.json, "print one JSON object")->excludes(array);
+  CommandOption* const json = command->add_flag("--json", arguments.json, "print one JSON object")->excludes(array);
+  CommandOption* const follow =
+      command
+          ->add_flag("--follow", arguments.follow,
+                     "show a study while others compute it: how far it is, when it will be done, what failed, its "
+                     "curves; ends with it, or at Ctrl-C")
+          ->excludes(array)
+          ->excludes(json);
+  command->add_option("--study NAME", arguments.name, "the study to follow, of several in the database")->needs(follow);
+  command->add_option("--every SECONDS", arguments.every, "between two looks; default 1")->needs(follow);
   command->footer(
       "Exit status 0: every point is answered, failed ones included; 1: something is missing.\n"
-      "Example: rollres status STUDY --db shard-*.db --shards 16");
+      "Examples: rollres status STUDY --db shard-*.db --shards 16\n"
+      "          rollres status --db results.db --follow");
 }
 
 }  // namespace rollres

@@ -108,6 +108,12 @@ std::string DesignProblem::variant() const {
   return {};
 }
 
+std::string DesignProblem::in_words(const ChosenValue& value) const {
+  if (const auto* const name = std::get_if<std::string>(&value.value)) return *name;
+  const Quantity& quantity = find_input(value.key)->quantity;
+  return readable(quantity, std::get<double>(value.value), unit(quantity));
+}
+
 bool Design::feasible() const {
   return found() && std::all_of(constraints.begin(), constraints.end(), [](const auto& sides) { return sides.holds; });
 }

@@ -105,6 +105,7 @@ struct DesignProblem {
   std::vector<std::vector<double>> uncertain_points = {};  ///< of these, as uncertain_points() has them
 
   std::string variant() const;  ///< of `chosen`; empty if there is none
+  std::string in_words(const ChosenValue& value) const;
   /// Points at which each scene stands: 1 where nothing scatters.
   std::size_t scatter_points() const { return uncertain_points.empty() ? 1 : uncertain_points.front().size(); }
   std::size_t scenes_of_a_design() const { return scenes.size() * scatter_points(); }

@@ -13,11 +13,6 @@ namespace rollres {
 
 namespace {
 
-std::string value_in_words(const DesignProblem& problem, const ChosenValue& chosen) {
-  if (const auto* const name = std::get_if<std::string>(&chosen.value)) return *name;
-  return readable(std::get<double>(chosen.value), find_input(chosen.key)->quantity.unit_for(problem.indenter()));
-}
-
 /// Whether the search of one problem leaves no better design to be expected there.
 bool has_ended(const OptimiseReport& report) {
   return report.status == DesignStatus::optimum || report.status == DesignStatus::no_feasible_design;
@@ -50,10 +45,11 @@ Table table_of(std::span<const DesignProblem> problems, const ChoicesReport& rep
     const DesignProblem& problem = problems[i];
     const OptimiseReport& one = report.reports[i];
     std::vector<Cell>& row = table.rows.emplace_back();
-    for (const ChosenValue& chosen : problem.chosen) row.emplace_back(value_in_words(problem, chosen));
+    for (const ChosenValue& chosen : problem.chosen) row.emplace_back(problem.in_words(chosen));
     row.push_back(one.best ? Cell(readable(one.value(), problem.unit(problem.goal.formula))) : Cell());
     for (std::size_t v = 0; v < problem.variables.size(); ++v)
-      row.push_back(one.best ? Cell(readable(one.best->point[v], problem.unit(problem.variables[v].quantity)))
+      row.push_back(one.best ? Cell(readable(problem.variables[v].quantity, one.best->point[v],
+                                             problem.unit(problem.variables[v].quantity)))
                              : Cell());
     row.emplace_back(std::string(name_of(one.status)));
     row.push_back(report.best == i ? Cell("best") : Cell());
@@ -61,21 +57,11 @@ Table table_of(std::span<const DesignProblem> problems, const ChoicesReport& rep
   return table;
 }
 
-Json chosen_json(const DesignProblem& problem) {
-  Json object = Json::object();
-  for (const ChosenValue& chosen : problem.chosen)
-    if (const auto* const name = std::get_if<std::string>(&chosen.value))
-      object[chosen.key] = *name;
-    else
-      object[chosen.key] = std::get<double>(chosen.value);
-  return object;
-}
-
 }  // namespace
 
 std::string chosen_in_words(const DesignProblem& problem) {
   return joined(problem.chosen, ", ",
-                [&](const ChosenValue& chosen) { return chosen.key + " = " + value_in_words(problem, chosen); });
+                [&](const ChosenValue& chosen) { return chosen.key + " = " + problem.in_words(chosen); });
 }
 
 ChoicesReport optimise_choices(std::span<const DesignProblem> problems, StoredEvaluations& evaluations,

@@ -161,6 +161,7 @@ std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntr
 /// What goals and constraints of one file share.
 struct GoalContext {
   const FormulaDefinitions& formulas;
+  Indenter indenter;
   OverScenes over;  ///< of a goal that does not say so itself
   bool uncertain;   ///< inputs scatter
 };
@@ -198,7 +199,9 @@ Goal goal_of(const Json& object, const GoalContext& context, const std::string& 
   const GivenText given = given_text(object[key], place, key.c_str(), "formula", goal_keys,
                                      "must be a formula of inputs and outputs, or an object with formula");
   Goal goal = refusing_at(given.place, [&] {
-    return Goal{Formula(given.text, FormulaNames::inputs_and_outputs, context.formulas), greatest, context.over};
+    const Formula formula(given.text, FormulaNames::inputs_and_outputs, context.formulas);
+    refuse_different_units(formula, context.indenter);
+    return Goal{formula, greatest, context.over};
   });
   if (given.options.contains("over")) goal.over = choice_or_first<OverScenes>(given.options, "over", given.place);
   if (const auto scatter = scatter_of(given, context.uncertain)) goal.scatter = *scatter;
@@ -206,12 +209,14 @@ Goal goal_of(const Json& object, const GoalContext& context, const std::string& 
 }
 
 /// One condition. A number of scenes or points is one of its left side.
-DesignConstraint constraint_of(const Json& item, Indenter indenter, const GoalContext& context, const std::string& place) {
+DesignConstraint constraint_of(const Json& item, Indenter indenter, const GoalContext& context,
+                               const std::string& place) {
   const GivenText given =
       given_text(item, place, "constraints", "condition", constraint_keys,
                  "must be a list of conditions of inputs and outputs, or of objects with condition");
-  DesignConstraint constraint = refusing_at(
-      given.place, [&] { return DesignConstraint(given.text, FormulaNames::inputs_and_outputs, indenter, context.formulas); });
+  DesignConstraint constraint = refusing_at(given.place, [&] {
+    return DesignConstraint(given.text, FormulaNames::inputs_and_outputs, indenter, context.formulas);
+  });
   if (given.options.contains("over")) constraint.over = choice_or_first<OverScenes>(given.options, "over", given.place);
   const auto scatter = scatter_of(given, context.uncertain);
   if (context.uncertain && !scatter)
@@ -297,6 +302,8 @@ void read_uncertain(DesignProblem& problem, const Json& file, const std::vector<
   if (!problem.uncertain.probabilities.empty())
     refuse(place + ": uncertain", "probability", file["uncertain"]["probability"],
            "is told by rollres scatter; here a constraint with \"scatter\": \"P95\" keeps it below 5 %");
+  if (file["uncertain"].contains("surrogate"))
+    refuse(place + ": uncertain", "surrogate", file["uncertain"]["surrogate"], "is for rollres scatter");
   refuse_no_scatter(problem, file["uncertain"], place + ": uncertain");
   problem.uncertain_points = uncertain_points(problem.uncertain);
 }
@@ -312,7 +319,7 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
 
   const Indenter indenter = indenter_of(base);
   const FormulaDefinitions formulas = compute_wish(file, {&indenter, 1}, place).formulas;
-  const GoalContext context{formulas, choice_or_first<OverScenes>(file, "over_scenes", place),
+  const GoalContext context{formulas, indenter, choice_or_first<OverScenes>(file, "over_scenes", place),
                             file.contains("uncertain")};
   DesignProblem problem{.name = needed_text(file, "study", place, "must be the name of the study"),
                         .scenes = duty_scenes(file, base, variables, choices, place),
@@ -376,9 +383,6 @@ std::vector<DesignProblem> problems_in(Json file, const std::filesystem::path& p
     problems.push_back(problem_in(file, entries, choices, place));
     problems.back().chosen = std::move(chosen);
   }
-  if (problems.size() > 1 && problems.front().pareto)
-    refuse(place, "pareto", file["pareto"],
-           "stands beside no variable that is a list; give each choice a file of its own");
   return problems;
 }
 

@@ -166,6 +166,14 @@ bool dominates(const DesignProblem& problem, const Design& a, const Design& b) {
   return first.better(a.value, b.value) || second.better(a.second, b.second);
 }
 
+void mark_dominated(const DesignProblem& problem, ParetoReport& front) {
+  for (ParetoPoint& point : front.points)
+    point.dominated =
+        point.report.best && std::any_of(front.points.begin(), front.points.end(), [&](const auto& other) {
+          return other.report.best && dominates(problem, *other.report.best, *point.report.best);
+        });
+}
+
 std::vector<double> limits_between(double from, double to, std::size_t count) {
   std::vector<double> limits;
   for (std::size_t i = 1; i <= count; ++i) {
@@ -232,6 +240,7 @@ ParetoReport pareto_front(const DesignProblem& problem, StoredEvaluations& evalu
   front.interrupted = last.report.status == DesignStatus::interrupted;
   for (std::optional<Design>* const design : {&last.report.best, &last.report.nearest})
     if (*design) std::swap((*design)->value, (*design)->second);
+  for (Design& design : last.report.designs) std::swap(design.value, design.second);
   const std::optional<Design> end = last.report.best;
 
   DesignProblem bounded = problem;
@@ -245,12 +254,43 @@ ParetoReport pareto_front(const DesignProblem& problem, StoredEvaluations& evalu
     }
   front.points.push_back(std::move(last));
   front.count = evaluations.count();
-  for (ParetoPoint& point : front.points)
-    point.dominated =
-        point.report.best && std::any_of(front.points.begin(), front.points.end(), [&](const auto& other) {
-          return other.report.best && dominates(problem, *other.report.best, *point.report.best);
-        });
+  mark_dominated(problem, front);
   return front;
+}
+
+ParetoReport pareto_front(std::span<const DesignProblem> problems, StoredEvaluations& evaluations,
+                          const OptimiseOptions& options) {
+  if (problems.size() == 1) return pareto_front(problems.front(), evaluations, options);
+  ParetoReport all;
+  for (std::size_t choice = 0; choice < problems.size() && !all.interrupted; ++choice) {
+    evaluations.be_of_variant(problems[choice].variant());
+    ParetoReport one = pareto_front(problems[choice], evaluations, options);
+    for (ParetoPoint& point : one.points) {
+      point.choice = choice;
+      all.points.push_back(std::move(point));
+    }
+    all.interrupted = one.interrupted;
+  }
+  all.count = evaluations.count();
+  const DesignProblem& problem = problems.front();
+  mark_dominated(problem, all);
+  std::stable_sort(all.points.begin(), all.points.end(), [&](const ParetoPoint& a, const ParetoPoint& b) {
+    if (!a.report.best || !b.report.best) return a.report.best && !b.report.best;
+    return problem.goal.better(a.report.value(), b.report.value());
+  });
+  const auto same = [](const ParetoPoint& a, const ParetoPoint& b) {
+    return a.report.best && b.report.best && a.report.best->keys == b.report.best->keys;
+  };
+  all.points.erase(std::unique(all.points.begin(), all.points.end(), same), all.points.end());
+  const Design* first = nullptr;  // of the front
+  all.conflict = false;
+  for (const ParetoPoint& point : all.points) {
+    if (!point.report.best || point.dominated) continue;
+    const Design& design = *point.report.best;
+    if (!first) first = &design;
+    all.conflict = all.conflict || differ(first->value, design.value) || differ(first->second, design.second);
+  }
+  return all;
 }
 
 }  // namespace rollres

@@ -112,6 +112,7 @@ struct ParetoPoint {
   OptimiseReport report;                   ///< of this point's search; its `best` is the design
   double limit = RollingSolution::absent;  ///< of the second goal [SI]; NaN at the two ends
   bool dominated = false;                  ///< another point is at least as good in both goals, and better in one
+  std::size_t choice = 0;                  ///< place of its problem among those that are chosen from
 };
 
 struct ParetoReport {
@@ -128,6 +129,12 @@ struct ParetoReport {
 /// @param problem  has a wish for a front
 /// @throws std::runtime_error if the store fails
 ParetoReport pareto_front(const DesignProblem& problem, StoredEvaluations& evaluations,
+                          const OptimiseOptions& options = {});
+
+/// The front of what is chosen from lists: that of each choice, and of all their points those that none dominates.
+/// Points stand in the order of the first goal.
+/// @param problems  of one file, at least one
+ParetoReport pareto_front(std::span<const DesignProblem> problems, StoredEvaluations& evaluations,
                           const OptimiseOptions& options = {});
 
 }  // namespace rollres

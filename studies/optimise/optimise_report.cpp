@@ -22,7 +22,7 @@ Cell with_error(double value, double error) {
 }
 
 std::string value_in_words(const DesignProblem& problem, const Variable& variable, double value) {
-  return readable(value, problem.unit(variable.quantity));
+  return readable(variable.quantity, value, problem.unit(variable.quantity));
 }
 
 std::string value_in_words(const DesignProblem& problem, const Formula& formula, double value) {
@@ -115,8 +115,11 @@ Table constraints_table(const DesignProblem& problem, const OptimiseReport& repo
   return table;
 }
 
-Table front_table(const DesignProblem& problem, const ParetoReport& front) {
-  Table table{{problem.goal.formula.text()}, {}};
+Table front_table(std::span<const DesignProblem> problems, const ParetoReport& front) {
+  const DesignProblem& problem = problems.front();
+  Table table{{"front"}, {}};
+  for (const ChosenValue& chosen : problem.chosen) table.columns.push_back(chosen.key);
+  table.columns.push_back(problem.goal.formula.text());
   const auto shown_already = [&](std::string_view name) {
     return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
   };
@@ -129,10 +132,13 @@ Table front_table(const DesignProblem& problem, const ParetoReport& front) {
       variables.push_back(i);
     }
   for (const char* const name : {"status", "dominated"}) table.columns.emplace_back(name);
+  std::int64_t place = 0;
   for (const ParetoPoint& point : front.points) {
-    std::vector<Cell> row;
+    std::vector<Cell> row{point.report.best && !point.dominated ? Cell(++place) : Cell()};
+    for (const ChosenValue& chosen : problems[point.choice].chosen)
+      row.emplace_back(problems[point.choice].in_words(chosen));
     if (const auto& best = point.report.best) {
-      row = {value_in_words(problem, problem.goal.formula, best->value)};
+      row.emplace_back(value_in_words(problem, problem.goal.formula, best->value));
       if (second) row.emplace_back(value_in_words(problem, problem.pareto->goal.formula, best->second));
       for (const std::size_t i : variables)
         row.emplace_back(value_in_words(problem, problem.variables[i], best->point[i]));
@@ -150,7 +156,7 @@ void print_nearest(const DesignProblem& problem, const Design& design, std::ostr
   for (std::size_t i = 0; i < design.point.size(); ++i) {
     const Quantity& quantity = problem.variables[i].quantity;
     out << (i == 0 ? " " : ", ") << quantity.key << " = "
-        << readable(design.point[i], quantity.unit_for(problem.indenter()));
+        << readable(quantity, design.point[i], quantity.unit_for(problem.indenter()));
   }
   out << '\n';
   for (std::size_t j = 0; j < design.constraints.size(); ++j)
@@ -192,10 +198,11 @@ void print_text(const DesignProblem& problem, const OptimiseReport& report, std:
   out << in_words(report.count) << ", " << report.slope_evaluations << " of them for the slopes at the end\n";
 }
 
-void print_text(const DesignProblem& problem, const ParetoReport& front, std::ostream& out) {
+void print_text(std::span<const DesignProblem> problems, const ParetoReport& front, std::ostream& out) {
+  const DesignProblem& problem = problems.front();
   out << problem.name << ": " << goal_in_words(problem, problem.goal) << "; "
       << goal_in_words(problem, problem.pareto->goal) << "\n\n";
-  write_aligned(out, front_table(problem, front));
+  write_aligned(out, front_table(problems, front));
   if (!front.conflict) out << "\nthe goals do not conflict: one design is the best for both\n";
   out << '\n' << in_words(front.count) << '\n';
   for (const ParetoPoint& point : front.points)
@@ -264,7 +271,18 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
   return object;
 }
 
-Json json_of(const DesignProblem& problem, const ParetoReport& front) {
+Json chosen_json(const DesignProblem& problem) {
+  Json object = Json::object();
+  for (const ChosenValue& chosen : problem.chosen)
+    if (const auto* const name = std::get_if<std::string>(&chosen.value))
+      object[chosen.key] = *name;
+    else
+      object[chosen.key] = std::get<double>(chosen.value);
+  return object;
+}
+
+Json json_of(std::span<const DesignProblem> problems, const ParetoReport& front) {
+  const DesignProblem& problem = problems.front();
   const auto goal_json = [](const Goal& goal) {
     return Json{{goal.maximise ? "maximise" : "minimise", goal.formula.text()}, {"over", name_of(goal.over)}};
   };
@@ -276,12 +294,14 @@ Json json_of(const DesignProblem& problem, const ParetoReport& front) {
               {"interrupted", front.interrupted},
               {"evaluations", json_of(front.count)},
               {"front", Json::array()}};
-  for (const ParetoPoint& point : front.points)
+  for (const ParetoPoint& point : front.points) {
     object["front"].push_back({{"limit", finite_or_null(point.limit)},
                                {"status", name_of(point.report.status)},
                                {"reason", point.report.reason},
                                {"dominated", point.dominated},
                                {"design", point.report.best ? json_of(problem, *point.report.best) : Json(nullptr)}});
+    if (!problem.chosen.empty()) object["front"].back()["chosen"] = chosen_json(problems[point.choice]);
+  }
   return object;
 }
 
@@ -303,7 +323,8 @@ ChartRequest course_chart(const DesignProblem& problem, const OptimiseReport& re
   return request;
 }
 
-ChartRequest front_chart(const DesignProblem& problem, const ParetoReport& front) {
+ChartRequest front_chart(std::span<const DesignProblem> problems, const ParetoReport& front) {
+  const DesignProblem& problem = problems.front();
   double size = 0, second_size = 0;
   for (const ParetoPoint& point : front.points)
     if (point.report.best) {
@@ -314,12 +335,17 @@ ChartRequest front_chart(const DesignProblem& problem, const ParetoReport& front
   const auto [y, y_factor] = axis_of(problem, problem.goal.formula, size);
   ChartRequest request{.title = problem.name + ": front", .x = x, .y = y, .curves = {}, .mark_peaks = false};
   request.x.margin = 0.03;
-  ChartCurve curve;
-  for (const ParetoPoint& point : front.points)
-    if (const auto& best = point.report.best; best && !point.dominated)
-      curve.points.push_back(
-          {best->second / x_factor, best->value / y_factor, point.report.status == DesignStatus::optimum});
-  request.curves.push_back(std::move(curve));
+  for (std::size_t choice = 0; choice < problems.size(); ++choice) {
+    ChartCurve curve;
+    if (!problem.chosen.empty())
+      curve.label = joined(problems[choice].chosen, ", ",
+                           [&](const ChosenValue& chosen) { return problems[choice].in_words(chosen); });
+    for (const ParetoPoint& point : front.points)
+      if (const auto& best = point.report.best; best && !point.dominated && point.choice == choice)
+        curve.points.push_back(
+            {best->second / x_factor, best->value / y_factor, point.report.status == DesignStatus::optimum});
+    if (problems.size() == 1 || !curve.points.empty()) request.curves.push_back(std::move(curve));
+  }
   return request;
 }
 

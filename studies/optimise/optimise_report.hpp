@@ -15,16 +15,19 @@ std::string in_words(const DesignProblem& problem, const OptimiseProgress& progr
 
 /// Status, the best design with its constraints, or the nearest one, and how it was searched.
 void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out);
-/// The designs on the front.
-void print_text(const DesignProblem& problem, const ParetoReport& front, std::ostream& out);
+/// The designs on the front. @param problems  that its points choose from, at least one
+void print_text(std::span<const DesignProblem> problems, const ParetoReport& front, std::ostream& out);
 
 Json json_of(const DesignProblem& problem, const OptimiseReport& report);
-Json json_of(const DesignProblem& problem, const ParetoReport& front);
+Json json_of(std::span<const DesignProblem> problems, const ParetoReport& front);
+/// What a problem takes from the lists of its file.
+Json chosen_json(const DesignProblem& problem);
 
 /// The course of the search: the value of the best feasible design against the number of designs.
 ChartRequest course_chart(const DesignProblem& problem, const OptimiseReport& report);
 
-/// The front, first goal against second; dominated designs and what is no optimum stay off its line.
-ChartRequest front_chart(const DesignProblem& problem, const ParetoReport& front);
+/// The front, first goal against second; dominated designs and what is no optimum stay off its line. Where things are
+/// chosen from lists, a curve for each choice that has a part of it.
+ChartRequest front_chart(std::span<const DesignProblem> problems, const ParetoReport& front);
 
 }  // namespace rollres

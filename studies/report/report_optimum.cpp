@@ -23,8 +23,8 @@ std::string design_in_words(const DesignProblem& problem, const Design& design) 
   std::string text = chosen_in_words(problem);
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Quantity& quantity = problem.variables[i].quantity;
-    text +=
-        (text.empty() ? "" : ", ") + in_words(quantity.key) + " = " + readable(design.point[i], problem.unit(quantity));
+    text += (text.empty() ? "" : ", ") + in_words(quantity.key) + " = " +
+            readable(quantity, design.point[i], problem.unit(quantity));
   }
   return text;
 }
@@ -77,8 +77,9 @@ std::string design_table(const StoredOptimum& found) {
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Variable& variable = problem.variables[i];
     const std::string_view unit = problem.unit(variable.quantity);
-    std::vector<std::string> cells{in_words(variable.quantity.key), readable(best.point[i], unit),
-                                   readable(variable.lowest, unit) + " to " + readable(variable.highest, unit)};
+    const auto shown = [&](double value) { return readable(variable.quantity, value, unit); };
+    std::vector<std::string> cells{in_words(variable.quantity.key), shown(best.point[i]),
+                                   shown(variable.lowest) + " to " + shown(variable.highest)};
     if (found.search) cells.push_back(elasticity(*found.search, i));
     rows.push_back({cells});
   }

@@ -70,7 +70,7 @@ struct ResultColumn {
     if (!scale) return shown_cell(rows, row, *column);
     const double value = rows.number(row, *column);
     if (std::isnan(value)) return "-";
-    return std::isinf(value) ? "infinite" : short_number(value / scale->unit.factor, 5);
+    return std::isinf(value) ? "infinite" : short_number(scale->unit.number(value), shown_digits);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 namespace rollres {
 
@@ -19,14 +20,33 @@ std::string formatted(const char* pattern, Values... values) {
   return text;
 }
 
-/// Columns of the terminal behind `stream`, or 0 if it is none.
-std::size_t terminal_width(const std::ostream& stream) {
-  if (&stream != &std::cerr || !isatty(STDERR_FILENO)) return 0;
+}  // namespace
+
+namespace {
+
+std::optional<winsize> terminal_size(const std::ostream& stream) {
+  const int file = &stream == &std::cout ? STDOUT_FILENO : &stream == &std::cerr ? STDERR_FILENO : -1;
+  if (file < 0 || !isatty(file)) return std::nullopt;
   winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  constexpr unsigned short usual_width = 80, usual_height = 24;
+  if (ioctl(file, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) {
+    size.ws_col = usual_width;
+    size.ws_row = usual_height;
+  }
+  return size;
 }
 
 }  // namespace
+
+std::size_t terminal_width(const std::ostream& stream) {
+  const auto size = terminal_size(stream);
+  return size ? size->ws_col : 0;
+}
+
+std::size_t terminal_height(const std::ostream& stream) {
+  const auto size = terminal_size(stream);
+  return size ? size->ws_row : 0;
+}
 
 std::string duration_in_words(double seconds) {
   if (seconds < 9.95) return formatted("%.2g s", seconds);

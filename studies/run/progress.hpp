@@ -24,6 +24,12 @@ std::string progress_line(const SweepProgress& progress, std::size_t width);
 /// A duration as people say it: "0.21 s", "41 s", "3:05", "2:10:00".
 std::string duration_in_words(double seconds);
 
+/// Columns of the terminal behind standard output or error, or 0 if the stream is no terminal.
+std::size_t terminal_width(const std::ostream& stream);
+
+/// Its lines, 0 likewise.
+std::size_t terminal_height(const std::ostream& stream);
+
 /// A line on the terminal behind a stream that each new text takes the place of; nothing where there is no terminal.
 class StatusLine {
  public:

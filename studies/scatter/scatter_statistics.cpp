@@ -43,19 +43,19 @@ ScatterEstimate sectioned(const std::vector<double>& all, const std::vector<std:
   return estimate;
 }
 
-double mean(const std::vector<double>& values) {
+}  // namespace
+
+double mean_value(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double deviation(const std::vector<double>& values) {
+double deviation_of(const std::vector<double>& values) {
   if (values.size() < 2) return none;
-  const double middle = mean(values);
+  const double middle = mean_value(values);
   double squares = 0;
   for (const double value : values) squares += (value - middle) * (value - middle);
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
-
-}  // namespace
 
 double quantile_of_sorted(const std::vector<double>& sorted, double probability) {
   const double place = probability * static_cast<double>(sorted.size()) - 0.5;  // counted from 0
@@ -93,8 +93,8 @@ ScatterStatistics scatter_statistics(const ScatterBatches& batches, const std::v
   statistics.values = all.size();
   for (const std::vector<double>& batch : batches) statistics.without += batch.size();
   statistics.without -= all.size();
-  statistics.mean = sectioned(all, sorted, mean);
-  statistics.deviation = sectioned(all, sorted, deviation);
+  statistics.mean = sectioned(all, sorted, mean_value);
+  statistics.deviation = sectioned(all, sorted, deviation_of);
   for (const double probability : probabilities)
     statistics.quantiles.push_back(sectioned(
         all, sorted, [&](const std::vector<double>& values) { return quantile_of_sorted(values, probability); }));
@@ -102,7 +102,7 @@ ScatterStatistics scatter_statistics(const ScatterBatches& batches, const std::v
 }
 
 ScatterEstimate mean_of(const ScatterBatches& batches) {
-  return sectioned(sorted_values(batches), sorted_batches(batches), mean);
+  return sectioned(sorted_values(batches), sorted_batches(batches), mean_value);
 }
 
 std::vector<HistogramBin> histogram_of_sorted(const std::vector<double>& sorted) {

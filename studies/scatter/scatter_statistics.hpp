@@ -31,6 +31,10 @@ struct ScatterStatistics {
 /// @param probabilities  of the quantiles, between 0 and 1
 ScatterStatistics scatter_statistics(const ScatterBatches& batches, const std::vector<double>& probabilities);
 
+/// Of values that are all there; the standard deviation is over n - 1, NaN for fewer than two.
+double mean_value(const std::vector<double>& values);
+double deviation_of(const std::vector<double>& values);
+
 /// Mean of the values.
 ScatterEstimate mean_of(const ScatterBatches& batches);
 

@@ -15,8 +15,7 @@ namespace rollres {
 
 namespace {
 
-/// Exponents of metre, kilogram, second, kelvin and mole.
-using Exponents = std::array<double, 5>;
+using Exponents = UnitExponents;
 
 struct NamedUnit {
   std::string_view name;
@@ -87,13 +86,19 @@ std::string_view unit_of_key(const std::string& key, Indenter indenter) {
 
 using Place = std::map<std::string, double>;
 
+constexpr std::size_t near_places = 24, far_places = 24;
+
+/// First places about 1, then such at which a small term beside a large weight becomes the large one.
 std::vector<Place> places_for(const Formula& formula) {
-  constexpr int places = 24;
+  constexpr double near = 4, far = 60;  // widths, in the logarithm
   std::mt19937 random(1);
-  std::vector<Place> all(places);
-  for (Place& place : all)
+  std::vector<Place> all;
+  while (all.size() < near_places + far_places) {
+    const double range = all.size() < near_places ? near : far;
+    Place& place = all.emplace_back();
     for (const std::string& key : formula.keys())
-      place[key] = std::exp(4.0 * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5));
+      place[key] = std::exp(range * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5));
+  }
   return all;
 }
 
@@ -108,18 +113,22 @@ std::optional<std::string> unit_of_value(const Formula& formula, Indenter indent
   for (std::size_t base = 0; base < found.size(); ++base) {
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     std::size_t valid = 0;
-    for (const Place& place : places) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Place& place = places[i];
       const double here = formula([&](const std::string& key) { return place.at(key); });
-      const double there =
-          formula([&](const std::string& key) { return place.at(key) * std::pow(factor, exponents.at(key)[base]); });
+      std::vector<double> factors;
+      for (const FormulaConstant& constant : formula.constants())
+        factors.push_back(std::pow(factor, constant.exponents[base]));
+      const double there = formula(
+          [&](const std::string& key) { return place.at(key) * std::pow(factor, exponents.at(key)[base]); }, factors);
       if (!std::isfinite(here) || !std::isfinite(there) || here == 0) continue;
-      ++valid;
+      if (i < near_places) ++valid;
       if (there / here <= 0) return std::nullopt;
       const double power = std::log(there / here) / std::log(factor);
       lowest = std::min(lowest, power);
       highest = std::max(highest, power);
     }
-    if (static_cast<double>(valid) < least_share * static_cast<double>(places.size())) return std::string();
+    if (static_cast<double>(valid) < least_share * static_cast<double>(near_places)) return std::string();
     constexpr double rounding = 1e-7, parts = 12;  // of exponents that are fractions
     if (highest - lowest > rounding) return std::nullopt;
     found[base] = std::round(parts * lowest) / parts;

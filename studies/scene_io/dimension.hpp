@@ -4,8 +4,8 @@
 ///
 /// If the terms of a formula fit, another size of a base unit changes its value by a power of that size, the same
 /// everywhere: f(λ^d1 x1, λ^d2 x2, ...) = λ^D f(x1, x2, ...) (Bridgman, 1922, "Dimensional Analysis", chapter 2). This
-/// is asked of metre, kilogram, second, kelvin and mole, one after the other, at a few places. Numbers have no unit;
-/// what is compared with one, as in "speed < 2 ? 0.3 : 0.7", is compared in SI.
+/// is asked of metre, kilogram, second, kelvin and mole, one after the other, at a few places. Numbers have no unit but
+/// what stands in brackets behind them; what is compared with one, as in "speed < 2 ? 0.3 : 0.7", is compared in SI.
 
 #include <optional>
 #include <string>

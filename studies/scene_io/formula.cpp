@@ -3,6 +3,8 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <deque>
 #include <mutex>
@@ -52,6 +54,8 @@ bool is_number_of_layer(std::string_view key) {
 /// What names consist of: those of further layers' inputs have brackets and a dot.
 constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[].";
 
+std::string constant_name(std::size_t number) { return "constant_" + std::to_string(number); }
+
 /// The right side as a formula in SI: "2 MPa" becomes 2000000 if the left side is a pressure.
 std::string in_si(const std::string& right, const Formula& left, Indenter indenter) {
   const std::string unit = unit_of(left, indenter);
@@ -63,7 +67,7 @@ std::string in_si(const std::string& right, const Formula& left, Indenter indent
   } catch (const std::invalid_argument& error) {
     const std::size_t unit_place = right.find_first_not_of("+-.0123456789eE ");
     const bool number_and_word = unit_place != std::string::npos &&
-                                 std::string_view("*/^()<>?:,").find(right[unit_place]) == std::string_view::npos;
+                                 std::string_view("*/^()<>?:,[").find(right[unit_place]) == std::string_view::npos;
     if (number_and_word) throw std::invalid_argument(right + ": " + error.what() + " for " + left.text());
     return right;  // a formula that begins with a number
   }
@@ -137,11 +141,15 @@ struct Formula::Parts {
   std::vector<std::string_view> known;
   std::vector<std::string> keys;
   std::deque<double> values;  // of the keys; muParser holds pointers to them
+  std::vector<FormulaConstant> constants;
+  std::deque<double> constant_values;
   mu::Parser parser;
   std::mutex mutex;
 
   static double* place_for(const char* name, void* self) {
     auto& parts = *static_cast<Parts*>(self);
+    for (std::size_t i = 0; i < parts.constants.size(); ++i)
+      if (name == constant_name(i)) return &parts.constant_values[i];
     if (find_name(parts.known, name) < 0 && find_name(number_keys(FormulaNames::inputs_and_outputs), name) >= 0)
       throw std::invalid_argument(shortened(parts.text) + ": " + name +
                                   " is known once a scene is solved; here only its inputs are");
@@ -157,10 +165,44 @@ struct Formula::Parts {
     return &parts.values.back();
   }
 
-  /// The formula's value with those of its keys.
+  /// The text with a name in place of each number with a unit.
+  std::string with_constants_named(std::string_view all) {
+    std::string named;
+    for (std::size_t begin = 0; begin < all.size();) {
+      const auto letter = static_cast<unsigned char>(all[begin]);
+      const std::size_t end = std::isalpha(letter) || letter == '_'
+                                  ? std::min(all.find_first_not_of(name_letters, begin), all.size())
+                                  : begin + 1;
+      double number = 0;
+      const auto [stop, error] = std::from_chars(all.data() + begin, all.data() + all.size(), number);
+      const auto after = static_cast<std::size_t>(stop - all.data());
+      const std::size_t bracket = std::min(all.find_first_not_of(' ', after), all.size());
+      if (!(std::isdigit(letter) || letter == '.') || error != std::errc{}) {
+        named += all.substr(begin, end - begin);
+        begin = end;
+      } else if (bracket == all.size() || all[bracket] != '[') {
+        named += all.substr(begin, after - begin);
+        begin = after;
+      } else {
+        const std::size_t close = all.find(']', bracket);
+        if (close == std::string_view::npos) throw std::invalid_argument(text + ": a [ has no ]");
+        const UnitInSi unit = refusing_at(
+            text, [&] { return unit_in_si(std::string(trimmed(all.substr(bracket + 1, close - bracket - 1)))); });
+        named += constant_name(constants.size());
+        constants.push_back({number * unit.size, unit.exponents});
+        constant_values.push_back(constants.back().value);
+        begin = close + 1;
+      }
+    }
+    return named;
+  }
+
+  /// The formula's value with those of its keys, and with each constant times its factor.
   template <class NumberOf>
-  double value(const NumberOf& number_of_key) {
+  double value(const NumberOf& number_of_key, std::span<const double> factors = {}) {
     const std::lock_guard lock(mutex);
+    for (std::size_t i = 0; i < constants.size(); ++i)
+      constant_values[i] = constants[i].value * (factors.empty() ? 1 : factors[i]);
     std::transform(keys.begin(), keys.end(), values.begin(), number_of_key);
     const bool absent = std::any_of(values.begin(), values.end(), [](double one) { return std::isnan(one); });
     return absent ? RollingSolution::absent : parser.Eval();
@@ -175,7 +217,7 @@ Formula::Formula(const std::string& text, FormulaNames names, const FormulaDefin
   try {
     parts_->parser.DefineNameChars(name_letters);
     parts_->parser.SetVarFactory(&Parts::place_for, parts_.get());
-    parts_->parser.SetExpr(with_definitions(parts_->text, definitions));
+    parts_->parser.SetExpr(parts_->with_constants_named(with_definitions(parts_->text, definitions)));
     parts_->parser.Eval();
   } catch (const mu::Parser::exception_type& error) {
     throw std::invalid_argument(shortened(parts_->text) + ": " + shortened(error.GetMsg()));
@@ -187,6 +229,7 @@ Formula::Formula(const std::string& text, FormulaNames names, const FormulaDefin
 
 const std::string& Formula::text() const { return parts_->text; }
 const std::vector<std::string>& Formula::keys() const { return parts_->keys; }
+const std::vector<FormulaConstant>& Formula::constants() const { return parts_->constants; }
 
 double Formula::operator()(const RollingScene& scene, const RollingSolution& solution) const {
   return parts_->value([&](const std::string& key) { return number_of(scene, solution, key); });
@@ -200,6 +243,18 @@ double Formula::operator()(const std::function<double(const std::string&)>& numb
   return parts_->value(number_of_key);
 }
 
+double Formula::operator()(const std::function<double(const std::string&)>& number_of_key,
+                           std::span<const double> factors) const {
+  return parts_->value(number_of_key, factors);
+}
+
+void refuse_different_units(const Formula& formula, Indenter indenter) {
+  if (unit_of_value(formula, indenter)) return;
+  throw std::invalid_argument(
+      formula.text() + ": its terms have different units, and a number alone has none: " + units_in(formula, indenter) +
+      "; a number has a unit in brackets, as in 2 [kN/m2] * approach");
+}
+
 Condition::Condition(const std::string& text, FormulaNames names, Indenter indenter,
                      const FormulaDefinitions& definitions)
     : text_(trimmed(text)),
@@ -208,7 +263,10 @@ Condition::Condition(const std::string& text, FormulaNames names, Indenter inden
       strict_(text_.substr(sign_ + 1, 1) != "="),
       left_(text_.substr(0, sign_), names, definitions),
       right_(in_si(std::string(trimmed(std::string_view(text_).substr(sign_ + (strict_ ? 1 : 2)))), left_, indenter),
-             names, definitions) {}
+             names, definitions) {
+  refuse_different_units(left_, indenter);
+  refuse_different_units(right_, indenter);
+}
 
 double Condition::excess(const RollingScene& scene, const RollingSolution& solution) const {
   const double difference = left_(scene, solution) - right_(scene, solution);

@@ -6,13 +6,17 @@
 ///     "approach / layer_thickness <= 0.1"     a condition
 ///     "peak_pressure <= 2 MPa"                the right side may have a unit where the left side is one quantity
 ///
-/// Names are keys of inputs and outputs, numbers are SI. + - * / ^ ( ), min, max, abs, sqrt, exp, ln, log10 and the
-/// rest of muParser's functions, `a < b ? c : d`. A key that is an input and an output (load, approach, ...) stands for
-/// the output where there is one, else for the input. Inputs of further layers are coating_layers[0].layer_thickness.
+///     "rolling_resistance + 2 [kN/m2] * approach"   a number with its unit, in brackets
+///
+/// Names are keys of inputs and outputs; numbers without a unit have none, and terms must fit. + - * / ^ ( ), min, max,
+/// abs, sqrt, exp, ln, log10 and the rest of muParser's functions, `a < b ? c : d`. A key that is an input and an
+/// output (load, approach, ...) stands for the output where there is one, else for the input. Inputs of further layers
+/// are coating_layers[0].layer_thickness.
 
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +24,7 @@
 
 #include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
+#include "studies/text/unit_in_si.hpp"
 
 namespace rollres {
 
@@ -38,6 +43,12 @@ std::string with_definitions(std::string_view text, const FormulaDefinitions& de
 /// Whether formulas know a function of this name.
 bool is_function(const std::string& name);
 
+/// A number with a unit in a formula: "2 [kN/m2]".
+struct FormulaConstant {
+  double value;             ///< [SI]
+  UnitExponents exponents;  ///< of its unit
+};
+
 /// A formula that was understood. Copies share what was understood; it may be used by several threads.
 class Formula {
  public:
@@ -54,10 +65,18 @@ class Formula {
   /// Of whatever numbers its keys have [SI].
   double operator()(const std::function<double(const std::string& key)>& number_of_key) const;
 
+  const std::vector<FormulaConstant>& constants() const;
+  /// The same with each constant times a factor, one for each.
+  double operator()(const std::function<double(const std::string& key)>& number_of_key,
+                    std::span<const double> factors) const;
+
  private:
   struct Parts;
   std::shared_ptr<Parts> parts_;
 };
+
+/// @throws std::invalid_argument naming the formula and the units in it if its terms have different ones
+void refuse_different_units(const Formula& formula, Indenter indenter);
 
 /// The unit of a formula's value (dimension.hpp); empty if its terms have different ones.
 std::string unit_of(const Formula& formula, Indenter indenter);

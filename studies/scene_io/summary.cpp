@@ -27,13 +27,13 @@ std::string list_text(const std::vector<double>& values, std::string_view unit) 
 }
 
 template <class Value>
-std::string value_text(const Value& value, std::string_view unit) {
+std::string value_text(const Quantity& quantity, const Value& value, std::string_view unit) {
   if constexpr (std::is_enum_v<Value>)
     return std::string(name_of(value));
   else if constexpr (std::is_same_v<Value, std::optional<double>>)
-    return value ? readable(*value, unit) : "";
+    return value ? readable(quantity, *value, unit) : "";
   else if constexpr (std::is_floating_point_v<Value>)
-    return std::isnan(value) ? "" : readable(value, unit);
+    return std::isnan(value) ? "" : readable(quantity, value, unit);
   else if constexpr (std::is_integral_v<Value>)
     return std::to_string(value);
   else if constexpr (std::is_same_v<Value, std::vector<double>>)
@@ -47,7 +47,7 @@ std::map<std::string_view, std::string> usual_layer() {
   std::map<std::string_view, std::string> texts;
   const BondedLayer layer;
   visit_layer_inputs(layer, [&](const Quantity& quantity, const auto& value) {
-    texts[quantity.key] = value_text(value, quantity.unit);
+    texts[quantity.key] = value_text(quantity, value, quantity.unit);
   });
   return texts;
 }
@@ -73,14 +73,14 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   };
   const std::map<std::string_view, std::string> usual = usual_layer();
   visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-    const std::string shown = value_text(value, quantity.unit_for(scene.indenter));
+    const std::string shown = value_text(quantity, value, quantity.unit_for(scene.indenter));
     const std::optional<LayerKey> layered = layer_key(quantity.key);
     if (!layered || shown != usual.at(layered->input)) add(inputs, quantity, symbol_beside_name(quantity), shown);
   });
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_arithmetic_v<Value>)
-      add(outputs, quantity, quantity.symbol, value_text(value, quantity.unit_for(scene.indenter)));
+      add(outputs, quantity, quantity.symbol, value_text(quantity, value, quantity.unit_for(scene.indenter)));
   });
   std::ostringstream tables;
   write_aligned(tables << "\nscene\n", inputs, "", "  ");

@@ -116,12 +116,12 @@ Table table_of(const GradientReport& report) {
     const InputReport input = report[i];
     const InputGradient& gradient = input.gradient;
     const Quantity& quantity = input.variable.quantity;
-    table.rows.push_back({std::string(quantity.key), readable(input.value, quantity.unit_for(report.indenter())),
-                          number(gradient.elasticity), rough(input.elasticity_error()), number(gradient.derivative),
-                          rough(gradient.error()), report.derivative_unit(input.variable),
-                          rough(input.relative_noise()), input.variable.logarithmic ? "logarithmic" : "linear",
-                          rough(gradient.step), std::string(name_of(gradient.scheme)),
-                          static_cast<std::int64_t>(input.evaluations())});
+    table.rows.push_back(
+        {std::string(quantity.key), readable(quantity, input.value, quantity.unit_for(report.indenter())),
+         number(gradient.elasticity), rough(input.elasticity_error()), number(gradient.derivative),
+         rough(gradient.error()), report.derivative_unit(input.variable), rough(input.relative_noise()),
+         input.variable.logarithmic ? "logarithmic" : "linear", rough(gradient.step),
+         std::string(name_of(gradient.scheme)), static_cast<std::int64_t>(input.evaluations())});
   }
   return table;
 }

@@ -27,12 +27,20 @@ void add_filters(std::vector<std::string>& names, const std::vector<Filter>& fil
   for (const Filter& filter : filters) names.push_back(filter.column);
 }
 
-/// The formulas of those names that name no column of the store.
+bool is_goal(std::string_view name) { return name == "goal" || name == "second_goal"; }
+
+FormulaDefinitions without_goals(FormulaDefinitions formulas) {
+  std::erase_if(formulas, [](const auto& one) { return is_goal(one.first); });
+  return formulas;
+}
+
+/// The formulas of those names that name no column of the store, or a goal.
 FormulaDefinitions formulas_in(const Database& database, const std::vector<Filter>& filters,
                                const std::vector<std::string>& names) {
   const auto unknown_column = [](const std::string& name) {
-    constexpr std::array<std::string_view, 6> others{"study", "position", "id", "key", "created", "provenance"};
-    return !name.empty() && !find_quantity_column(name) && find_name(others, name) < 0;
+    constexpr std::array<std::string_view, 4> others{"id", "key", "created", "provenance"};
+    return !name.empty() && !find_quantity_column(name) && find_name(others, name) < 0 &&
+           (is_goal(name) || find_name(point_columns, name) < 0);
   };
   if (std::none_of(names.begin(), names.end(), unknown_column)) return {};
   FormulaDefinitions formulas;
@@ -46,14 +54,15 @@ FormulaDefinitions formulas_in(const Database& database, const std::vector<Filte
     const bool asked = std::any_of(filters.begin(), filters.end(),
                                    [&](const Filter& one) { return is_named(one) && one.value == study; });
     if (any && !asked) continue;
-    for (auto& [name, formula] :
-         definition_in(std::get<std::string>(row[1]), database.name() + ": " + study).formulas) {
+    StudyDefinition definition = definition_in(std::get<std::string>(row[1]), database.name() + ": " + study);
+    definition.formulas.insert(definition.formulas.end(), definition.goals.begin(), definition.goals.end());
+    for (auto& [name, formula] : definition.formulas) {
       if (std::find(names.begin(), names.end(), name) == names.end()) continue;
       const auto same =
           std::find_if(formulas.begin(), formulas.end(), [&](const auto& one) { return one.first == name; });
       if (same == formulas.end())
         formulas.emplace_back(name, formula);
-      else if (same->second != formula)
+      else if (same->second != formula && !is_goal(name))  // goals are stored: of several, they have no common unit
         throw std::invalid_argument(name + ": is computed differently in the studies " + study_of[name] + " and " +
                                     study + "; choose one with study=NAME");
       study_of.try_emplace(name, study);
@@ -114,16 +123,17 @@ void convert_to_si(std::vector<Filter>& filters, const FormulaDefinitions& formu
       if (name == filter.column) convert_to_si(filter, derived_column(name, formula).quantity);
 }
 
-void add_derived(const Database& database, Query& query) {
+FormulaDefinitions add_derived(const Database& database, Query& query) {
   std::vector<std::string> names = query.columns;
   for (const std::string& text : query.sort) names.push_back(column_in(text));
   add_filters(names, query.filters);
   const FormulaDefinitions formulas = formulas_in(database, query.filters, names);
   convert_to_si(query.filters, formulas);
-  query.computed = computed_columns(formulas);
+  query.computed = computed_columns(without_goals(formulas));
+  return formulas;
 }
 
-void add_derived(const Database& database, GroupQuery& query) {
+FormulaDefinitions add_derived(const Database& database, GroupQuery& query) {
   std::vector<std::string> names = query.by;
   for (const Aggregate& aggregate : query.aggregates) {
     names.push_back(aggregate.column);
@@ -132,7 +142,8 @@ void add_derived(const Database& database, GroupQuery& query) {
   add_filters(names, query.filters);
   const FormulaDefinitions formulas = formulas_in(database, query.filters, names);
   convert_to_si(query.filters, formulas);
-  query.computed = computed_columns(formulas);
+  query.computed = computed_columns(without_goals(formulas));
+  return formulas;
 }
 
 }  // namespace rollres

@@ -26,10 +26,11 @@ void convert_to_si(Filter& filter, const Quantity& quantity);
 /// The same for filters of derived numbers.
 void convert_to_si(std::vector<Filter>& filters, const FormulaDefinitions& formulas);
 
-/// Adds the derived numbers that a question names to it, from the studies that its filters choose.
+/// Adds the derived numbers that a question names to it, from the studies that its filters choose. Returns their
+/// formulas, and those of the goals that it names.
 /// @throws std::invalid_argument if two of the studies compute one differently
 /// @throws std::runtime_error naming the file if the database fails
-void add_derived(const Database& database, Query& query);
-void add_derived(const Database& database, GroupQuery& query);
+FormulaDefinitions add_derived(const Database& database, Query& query);
+FormulaDefinitions add_derived(const Database& database, GroupQuery& query);
 
 }  // namespace rollres

@@ -152,21 +152,18 @@ std::string value_in_words(const Cell& cell, std::string_view unit) {
 
 std::string value_in_words(const Quantity& quantity, const Cell& cell, std::string_view unit) {
   const auto* const number = std::get_if<double>(&cell);
-  if (!number || unit != "K" || !quantity.key.ends_with("temperature")) return value_in_words(cell, unit);
-  constexpr double ice = 273.15;
-  return short_number(*number - ice, 5) + " °C";
+  return number ? readable(quantity, *number, unit) : value_in_words(cell, unit);
 }
 
 ChartAxis described(const QuantityColumn& column) {
   return {.name = in_words(column.quantity.key), .symbol = std::string(symbol_beside_name(column.quantity))};
 }
 
-ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisScale wish, bool hint,
-                     const std::string& option) {
+ColumnScale scale_of(std::span<const double> values, const QuantityColumn& column, std::string_view unit,
+                     AxisScale wish, bool hint, const std::string& option) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   bool all_positive = true;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const double value = rows.number(row, column);
+  for (const double value : values) {
     if (!std::isfinite(value)) continue;
     all_positive = all_positive && value > 0;
     smallest = std::min(smallest, std::abs(value));
@@ -175,10 +172,17 @@ ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisSc
   constexpr double two_decades = 100 * (1 - 1e-9);
   if (wish == AxisScale::logarithmic && !all_positive)
     throw std::invalid_argument(option + " = logarithmic: " + column.name + " has values that are not positive");
+  if (unit == "K" && is_temperature(column.quantity) && wish != AxisScale::logarithmic) return {celsius(), false};
   const bool logarithmic = wish == AxisScale::logarithmic || (wish == AxisScale::automatic && all_positive &&
                                                               (hint || largest >= two_decades * smallest));
-  const std::string_view unit = unit_in(rows, column);
   return {logarithmic ? scaled_unit_logarithmic(unit, smallest, largest) : scaled_unit(unit, largest), logarithmic};
+}
+
+ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisScale wish, bool hint,
+                     const std::string& option) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows.size(); ++row) values.push_back(rows.number(row, column));
+  return scale_of(values, column, unit_in(rows, column), wish, hint, option);
 }
 
 ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale) {

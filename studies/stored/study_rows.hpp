@@ -96,6 +96,9 @@ struct ColumnScale {
 /// @throws std::invalid_argument if a logarithmic scale is wished for values that are not positive
 ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisScale wish, bool hint,
                      const std::string& option);
+/// The same for some values of a column [unit].
+ColumnScale scale_of(std::span<const double> values, const QuantityColumn& column, std::string_view unit,
+                     AxisScale wish, bool hint, const std::string& option);
 
 /// An axis with its name, unit and scale.
 ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale);

@@ -1,6 +1,7 @@
 #include "studies/study/study_definition.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study_outputs.hpp"
@@ -46,6 +47,21 @@ std::set<std::string> add_group(StudyDefinition& definition, const Json& inputs)
   return group;
 }
 
+/// The goal under minimise or maximise, if it is understood.
+void add_goal(StudyDefinition& definition, const std::string& name, const Json& object) {
+  for (const char* const key : {"minimise", "maximise"}) {
+    const Json& goal = under(object, key);
+    const std::string text = goal.is_object() ? text_under(goal, "formula") : text_under(object, key);
+    if (text.empty()) continue;
+    const std::string complete = with_definitions(text, definition.formulas);
+    try {
+      Formula(complete, FormulaNames::inputs_and_outputs);
+      definition.goals.emplace_back(name, complete);
+    } catch (const std::invalid_argument&) {  // of another version
+    }
+  }
+}
+
 }  // namespace
 
 bool StudyDefinition::are_together(const std::string& one, const std::string& other) const {
@@ -77,8 +93,14 @@ std::string title_of_study(const StudyDefinition& definition, const std::string&
 }
 
 StudyDefinition definition_in(const std::string& text, const std::string& place) {
-  StudyDefinition definition{
-      .comment = {}, .charts = {}, .compute = {}, .formulas = {}, .logarithmic = {}, .together = {}, .sampled = {}};
+  StudyDefinition definition{.comment = {},
+                             .charts = {},
+                             .compute = {},
+                             .formulas = {},
+                             .goals = {},
+                             .logarithmic = {},
+                             .together = {},
+                             .sampled = {}};
   const Json study = text.empty() ? Json::object() : parse_object(text, place);
   definition.comment = text_under(study, "comment");
   if (const Json& chart = under(study, "chart"); chart.is_object()) definition.charts = {chart_in(chart)};
@@ -103,6 +125,8 @@ StudyDefinition definition_in(const std::string& text, const std::string& place)
   }
   if (const Json& variables = under(study, "variables"); variables.is_object())  // of an optimisation
     definition.sampled = add_group(definition, variables);
+  if (study.contains("variables")) add_goal(definition, "goal", study);
+  if (const Json& pareto = under(study, "pareto"); pareto.is_object()) add_goal(definition, "second_goal", pareto);
   return definition;
 }
 

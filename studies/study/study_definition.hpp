@@ -16,6 +16,7 @@ struct StudyDefinition {
   std::vector<StudyChart> charts;               ///< at least one; it is empty where the file has none
   std::vector<std::string> compute;             ///< outputs and formulas; empty where the file says nothing
   FormulaDefinitions formulas;                  ///< of `compute`
+  FormulaDefinitions goals = {};                ///< "goal" and "second_goal" of an optimisation
   std::set<std::string> logarithmic;            ///< inputs that are spaced so
   std::vector<std::set<std::string>> together;  ///< inputs that vary together
   std::set<std::string> sampled;                ///< inputs of a sample

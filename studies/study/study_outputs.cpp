@@ -22,14 +22,14 @@ namespace {
 void refuse_taken_name(const std::string& name, const Json& formula, const FormulaDefinitions& earlier,
                        const std::string& place) {
   constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
-  constexpr std::array<std::string_view, 8> columns{"study", "position", "variant",    "id",
-                                                    "key",   "created",  "provenance", "note"};
+  constexpr std::array<std::string_view, 5> columns{"id", "key", "created", "provenance", "note"};
   const bool is_name = !name.empty() && name.find_first_not_of(letters) == std::string::npos &&
                        std::isdigit(static_cast<unsigned char>(name.front())) == 0;
   if (!is_name) refuse(place, name, formula, "a name is of letters, digits and _, and begins with none of the digits");
   const bool given = std::any_of(earlier.begin(), earlier.end(), [&](const auto& one) { return one.first == name; });
   if (given) refuse(place, name, formula, "given twice");
-  if (find_quantity_column(name) || find_input(name) || find_name(columns, name) >= 0)
+  if (find_quantity_column(name) || find_input(name) || find_name(columns, name) >= 0 ||
+      find_name(point_columns, name) >= 0)
     refuse(place, name, formula, "names a column that is there already; give the formula another name");
   if (is_function(name)) refuse(place, name, formula, "names a function; give the formula another name");
 }
@@ -42,11 +42,7 @@ void add_formula(ComputeWish& wish, const std::string& name, const Json& formula
   const std::string text = with_definitions(formula.get<std::string>(), wish.formulas);
   refusing_at(place + ": " + name, [&] {
     const Formula understood(text, FormulaNames::inputs_and_outputs);
-    for (const Indenter indenter : indenters)
-      if (!unit_of_value(understood, indenter))
-        throw std::invalid_argument(
-            formula.get<std::string>() +
-            ": its terms have different units, and a number has none: " + units_in(understood, indenter));
+    for (const Indenter indenter : indenters) refuse_different_units(understood, indenter);
   });
   wish.columns.push_back(name);
   wish.formulas.emplace_back(name, text);

@@ -40,6 +40,10 @@ inline constexpr std::array uncertain_keys{
         "parts of the points that are scrambled, or drawn, anew and tell the errors; default 8, in an optimisation 1",
         whole_from(1, 1000)},
     FileKey{"seed", "the same seed gives the same points; default 1"},
+    FileKey{"surrogate",
+            "whether numbers come from a polynomial fitted to the points where it is surer: automatic (for spheres; "
+            "default), on or off",
+            one_of(ChoiceNames<SurrogateWish>::names)},
     FileKey{"probability", "conditions of inputs and outputs whose probability is wanted"},
 };
 
@@ -65,7 +69,8 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
 /// Reads the object under "uncertain" of a file; empty without one.
 /// @param scene   entries of the scene, for units and for what scatters about its value
 /// @param usual   how many points there are where the file says nothing
-/// @param varied  inputs that may scatter about values that are not known yet, the variables of an optimisation: whether
+/// @param varied  inputs that may scatter about values that are not known yet, the variables of an optimisation:
+/// whether
 ///                they stay inside their ranges is left to the caller
 /// @throws std::invalid_argument naming place, key, value and rule
 UncertainInputs uncertain_inputs(const Json& file, const std::vector<SceneEntry>& scene, const std::string& place,

@@ -16,10 +16,9 @@ std::string shortest(double value) {
 
 std::string short_number(double value, int digits) {
   if (!std::isfinite(value)) return shortest(value);
+  value = to_digits(value, digits);
   std::array<char, 40> text;
   char* const end = text.data() + text.size();
-  const auto rounded = std::to_chars(text.data(), end, value, std::chars_format::scientific, digits - 1);
-  std::from_chars(text.data(), rounded.ptr, value);
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= 1e-5 && size < 1e7);
   const auto written =
@@ -35,9 +34,25 @@ std::string readable(double value, std::string_view unit) {
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
   const ScaledUnit scaled = scaled_unit(unit, value);
-  const std::string number = short_number(value / scaled.factor, 5);
+  const std::string number = short_number(scaled.number(value), shown_digits);
   return scaled.name.empty() ? number : number + ' ' + scaled.name;
 }
+
+std::string readable(const Quantity& quantity, double value, std::string_view unit) {
+  if (!std::isfinite(value) || unit != "K" || !is_temperature(quantity)) return readable(value, unit);
+  return short_number(celsius().number(value), shown_digits) + ' ' + celsius().name;
+}
+
+double to_digits(double value, int digits) {
+  if (!std::isfinite(value)) return value;
+  std::array<char, 40> text;
+  char* const end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1).ptr;
+  std::from_chars(text.data(), end, value);
+  return value;
+}
+
+ScaledUnit celsius() { return {"°C", 1.0, 273.15}; }
 
 std::string unit_in_brackets(std::string_view unit) {
   return unit.empty() || unit == "1" ? "" : " [" + std::string(unit) + "]";

@@ -6,11 +6,22 @@
 #include <string>
 #include <string_view>
 
+#include "core/scene/quantity.hpp"
+
 namespace rollres {
+
+/// Digits of a number in tables and summaries.
+inline constexpr int shown_digits = 5;
 
 /// A value with its unit, scaled by a prefix: (0.00036982, "m") gives "369.82 µm", (2.556e6, "Pa") gives "2.556 MPa".
 /// Five significant digits; "-" for NaN, "infinite" for infinity; unit "1" or "" shows the number alone.
 std::string readable(double value, std::string_view unit);
+
+/// The same of a quantity: temperatures are read in degrees Celsius.
+std::string readable(const Quantity& quantity, double value, std::string_view unit);
+
+/// The number that `short_number` writes.
+double to_digits(double value, int digits = shown_digits);
 
 /// A number rounded to `digits` significant digits, without trailing zeros and, at everyday sizes, without an exponent.
 std::string short_number(double value, int digits = 6);
@@ -30,10 +41,13 @@ std::size_t width(std::string_view text);
 /// The text filled with blanks on its right to `columns` letters.
 std::string padded(std::string_view text, std::size_t columns);
 
-/// A unit with a decimal prefix; value [SI] = number * factor.
+/// A unit with a decimal prefix, or degrees Celsius; value [SI] = origin + number * factor.
 struct ScaledUnit {
   std::string name;   ///< "kN/m", "mm2"; empty for a dimensionless number or a text
   double factor = 1;  ///< [SI unit]
+  double origin = 0;  ///< [SI unit]
+
+  double number(double value) const { return (value - origin) / factor; }
 };
 
 /// The unit in which a number lies between 1 and 1000, as far as prefixes reach: from n to G, but metres and seconds
@@ -46,6 +60,9 @@ ScaledUnit scaled_unit(std::string_view unit, double size);
 /// largest number is between 1 and 10000; below that it is scaled to lie between 1 and 1000, and above it the prefix
 /// centres the axis about 1.
 ScaledUnit scaled_unit_logarithmic(std::string_view unit, double smallest, double largest);
+
+/// The scale of temperatures: 293.15 K is 20 °C.
+ScaledUnit celsius();
 
 /// A unit as it is printed: "mm2" as "mm²", "N.m" as "N·m".
 std::string typeset_unit(std::string_view unit);

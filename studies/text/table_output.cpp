@@ -105,6 +105,13 @@ void write_aligned(std::ostream& out, const Table& table, std::string_view absen
   }
 }
 
+std::size_t aligned_width(const Table& table) {
+  const WordedTable worded(table);
+  std::size_t letters = 0;
+  for (const std::size_t column : worded.widths) letters += column + 2;
+  return letters - std::min<std::size_t>(letters, 2);
+}
+
 void write_markdown(std::ostream& out, const Table& table) {
   Table escaped = table;
   for (auto& row : escaped.rows)

@@ -15,6 +15,9 @@ namespace rollres {
 /// @param absent stands where a cell holds nothing   @param indent before each line
 void write_aligned(std::ostream& out, const Table& table, std::string_view absent = "-", std::string_view indent = "");
 
+/// Letters of its longest line.
+std::size_t aligned_width(const Table& table);
+
 /// The same as a table of Markdown.
 void write_markdown(std::ostream& out, const Table& table);
 

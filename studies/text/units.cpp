@@ -2,6 +2,7 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "studies/text/unit_in_si.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -181,6 +183,35 @@ double si_value(std::string_view text, std::string_view unit) {
   const double value = finite(cv_convert_double(to_si.get(), number));
   if (frequency && angle) return with_15_digits(value / (2 * std::numbers::pi));
   return one == 1.0 ? value : with_15_digits(value);
+}
+
+UnitInSi unit_in_si(const std::string& unit) {
+  constexpr std::size_t longest = 40;
+  const std::string rule = unit + ": must be a unit, as in kN/m2";
+  std::array<char, 200> definition{};
+  {
+    const std::scoped_lock lock(udunits);
+    const Unit parsed(unit.size() > longest || unit.empty() ? nullptr : ut_parse(unit_system(), unit.c_str(), UT_UTF8));
+    if (!parsed || ut_format(parsed.get(), definition.data(), definition.size() - 1, UT_ASCII | UT_DEFINITION) <= 0)
+      throw std::invalid_argument(rule);
+  }
+  UnitInSi found;
+  constexpr std::array<std::string_view, 5> bases{"m", "kg", "s", "K", "mol"};
+  std::string_view rest(definition.data());
+  if (const Leading size = leading_number(rest); !std::isnan(size.number)) {
+    found.size = size.number;
+    rest = size.rest;
+  }
+  while (!rest.empty()) {  // "kg.m-1.s-2"
+    const std::string_view part = rest.substr(0, rest.find('.'));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    const std::string_view name = part.substr(0, part.find_first_of("-0123456789"));
+    const double power = name.size() == part.size() ? 1 : plain_number(part.substr(name.size())).value_or(0);
+    const auto base = std::find(bases.begin(), bases.end(), name);
+    if (power == 0 || (base == bases.end() && name != "rad")) throw std::invalid_argument(rule);
+    if (base != bases.end()) found.exponents[static_cast<std::size_t>(base - bases.begin())] += power;
+  }
+  return found;
 }
 
 double kelvin(std::string_view text) {

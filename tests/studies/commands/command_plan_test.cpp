@@ -37,9 +37,9 @@ TEST_CASE("plan tells the points of a study and what is dropped, and solves noth
   CHECK(run.out ==
         "small: 5 points, 2 of load x 3 of speed\n"
         "dropped by load * speed <= 4e4: 1 point\n\n"
-        "position  load [N/m]  speed [m/s]\n"
-        "       1       10000            1\n"
-        "       2       10000            2\n"
+        "position  load [kN/m]  speed [m/s]\n"
+        "       1           10            1\n"
+        "       2           10            2\n"
         "and 3 more points\n");
 
   const Json object = Json::parse(run_rollres({"plan", study, "--json"}, never).out);

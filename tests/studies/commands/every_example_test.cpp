@@ -1,8 +1,10 @@
+#include <array>
 #include <set>
 
 #include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/study/study_keys.hpp"
+#include "studies/study/uncertain_inputs.hpp"
 #include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
@@ -52,6 +54,9 @@ TEST_CASE("every key of studies and optimisations has an example", "[studies][ex
   check(sample_keys, of_studies);
   check(range_keys, of_studies);
   check(chart_keys, of_studies);
+  check(distribution_keys, of_studies);
+  for (const FileKey& key : uncertain_keys)  // the fit is a database's, which no example can hold
+    if (key.key != "fit") check(std::array{key}, of_studies);
   check(design_keys, of_designs);
   check(variable_keys, of_designs);
   check(duty_keys, of_designs);

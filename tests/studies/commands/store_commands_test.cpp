@@ -101,8 +101,8 @@ TEST_CASE("show prints a study's axes and main outputs with units, in the order 
   studied.sweep();
   const ProgramRun text = studied.run("show", {"speed and load"});
   CHECK(text.status == 0);
-  CHECK(text.out.starts_with("speed and load: 6 of 6 points answered, 2 failed\n\n"));
-  CHECK(text.out.find("speed [m/s]  load [N/m]  rolling_resistance [N/m]  rolling_resistance_coefficient") !=
+  CHECK(text.out.starts_with("speed and load: 6 of 6 points answered, 2 failed\n"));
+  CHECK(text.out.find("speed [m/s]  load [kN/m]  rolling_resistance [N/m]  rolling_resistance_coefficient  status") !=
         std::string::npos);
   CHECK(lines_in(text.out) == 2 + 1 + 6);
   const Json object = Json::parse(studied.run("show", {"speed and load", "--json"}).out);
@@ -151,8 +151,8 @@ TEST_CASE("query prints the same rows as table, CSV and JSON", "[studies][comman
     return studied.run("query", all);
   };
   CHECK(as("table").out ==
-        "speed  status         reason           layer_thickness  approach\n"
-        "    1  not_converged  singular matrix         infinite         -\n");
+        "speed [m/s]  status         reason           layer_thickness [m]  approach [m]\n"
+        "          1  not_converged  singular matrix             infinite             -\n");
   CHECK(as("csv").out == "speed,status,reason,layer_thickness,approach\n1,not_converged,singular matrix,inf,\n");
   CHECK(Json::parse(as("json").out) == Json::parse(R"([{"speed": 1.0, "status": "not_converged",
         "reason": "singular matrix", "layer_thickness": "infinite", "approach": null}])"));

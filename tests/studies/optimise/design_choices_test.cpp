@@ -132,8 +132,6 @@ TEST_CASE("choices that are wrong are refused with file, key, value and rule", "
              Contains("variant: soft: static_shear_modulus = 1000000.0: is in \"set\" too"));
   CHECK_THAT(refusal_of_choices(R"("scenes": [{"set": {"static_shear_modulus": 1e6}}], )" + variables(moduli)),
              Contains("is in \"set\" too"));
-  CHECK_THAT(refusal_of_choices(R"("pareto": {"minimise": "approach", "points": 3}, )" + variables(moduli)),
-             Contains("pareto") && Contains("a file of its own"));
   CHECK_THAT(message_of([&] {
                const TemporaryDirectory folder;
                read_design_problem(folder.write("s.json", head + variables(moduli) + "}"));

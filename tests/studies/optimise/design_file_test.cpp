@@ -102,6 +102,10 @@ TEST_CASE("what is wrong in the study file of an optimisation is refused with fi
   CHECK_THAT(
       refusal(thickness + R"(, "minimise": "rolling_resistence")"),
       Contains("minimise: rolling_resistence: rolling_resistence: unknown key; did you mean rolling_resistance?"));
+  CHECK_THAT(refusal(thickness + R"(, "minimise": "rolling_resistance + approach")"),
+             Contains("minimise: rolling_resistance + approach: its terms have different units") &&
+                 Contains("2 [kN/m2] * approach"));
+  CHECK(refusal(thickness + R"(, "minimise": "rolling_resistance + 2 [kN/m2] * approach")") == "nothing");
   const std::string good = thickness + ", " + goal + ", ";
   CHECK_THAT(refusal(good + R"("constraints": ["peak_pressure"])"),
              Contains("constraints: peak_pressure: must be two formulas"));

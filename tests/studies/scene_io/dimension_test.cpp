@@ -1,8 +1,10 @@
 #include "studies/scene_io/dimension.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
 
 using namespace rollres;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -35,15 +37,40 @@ TEST_CASE("a formula's unit follows from those of its numbers", "[studies][formu
 
 TEST_CASE("terms that do not fit are found, also where only a function or a power shows them",
           "[studies][formula][dimension]") {
-  for (const char* const text :
-       {"speed + load", "speed + 1", "exp(speed)", "max(speed, load)", "radius^friction_coefficient",
-        "peak_pressure - 2e6", "rolling_resistance + approach", "speed < 1 ? speed : load", "radius / speed + creep_time^2", "ln(load)"}) {
+  for (const char* const text : {"speed + load", "speed + 1", "exp(speed)", "max(speed, load)",
+                                 "radius^friction_coefficient", "peak_pressure - 2e6", "rolling_resistance + approach",
+                                 "speed < 1 ? speed : load", "radius / speed + creep_time^2", "ln(load)"}) {
     CAPTURE(text);
     CHECK(unit_of_text(text) == "does not fit");
   }
   CHECK(unit_of_text("sqrt(0 - speed)") == "");  // has no value anywhere
   CHECK(units_in(Formula("rolling_resistance + approach", FormulaNames::inputs_and_outputs), Indenter::cylinder) ==
         "rolling_resistance [N/m], approach [m]");
+}
+
+TEST_CASE("a number has a unit in brackets, and then terms fit that did not", "[studies][formula][dimension]") {
+  CHECK(unit_of_text("rolling_resistance + 2 [kN/m2] * approach") == "N/m");
+  CHECK(unit_of_text("rolling_resistance + 2[Pa] * approach", Indenter::sphere) == "does not fit");
+  CHECK(unit_of_text("max(speed, 3.6 [km/h])") == "m/s");
+  CHECK(unit_of_text("rolling_resistance + 1e12 * approach") == "does not fit");  // however small a term is
+  RollingScene scene;
+  scene.radius = 0.5;
+  const auto value = [&](const char* text) { return Formula(text, FormulaNames::inputs)(scene); };
+  CHECK(value("radius + 20 [cm]") == Approx(0.7));
+  CHECK(value("radius * 1.5e-1 [kN/mm2]") == Approx(0.5 * 1.5e8));
+  CHECK(value("2 [rad] * 3") == Approx(6));
+  const auto refusal = [](const char* text) { return message_of([&] { Formula(text, FormulaNames::inputs); }); };
+  CHECK_THAT(refusal("radius + 2 [parrots]"), Contains("parrots: must be a unit, as in kN/m2"));
+  CHECK_THAT(refusal("radius + 2 [mm"), Contains("a [ has no ]"));
+  CHECK_THAT(refusal("radius + 2 [degC]"), Contains("degC: must be a unit"));
+  CHECK_THAT(message_of([] { Condition("speed + load <= 3", FormulaNames::inputs, Indenter::cylinder); }),
+             Contains("speed + load: its terms have different units") && Contains("speed [m/s], load [N/m]") &&
+                 Contains("2 [kN/m2] * approach"));
+  const Condition limit("speed * 2 <= 1 [m/s] + 36 [km/h]", FormulaNames::inputs, Indenter::cylinder);
+  scene.speed = 5.4;
+  CHECK(limit.holds(scene));
+  scene.speed = 5.6;
+  CHECK_FALSE(limit.holds(scene));
 }
 
 TEST_CASE("a definition stands for its formula, in brackets, and only where its whole name stands",

@@ -1,0 +1,23 @@
+#pragma once
+
+/// A unit by itself, in base units of the SI.
+
+#include <array>
+#include <string>
+
+namespace rollres {
+
+/// Exponents of metre, kilogram, second, kelvin and mole.
+using UnitExponents = std::array<double, 5>;
+
+/// A unit by itself: "kN/m2" is 1000 kg/m/s2.
+struct UnitInSi {
+  double size = 1;
+  UnitExponents exponents{};
+};
+
+/// @throws std::invalid_argument if it is no unit, or one with an origin (degC)
+/// @throws std::runtime_error if the database of units is not installed
+UnitInSi unit_in_si(const std::string& unit);
+
+}  // namespace rollres
