@@ -172,10 +172,9 @@ std::vector<bool> columns_that_vary(const Database& database, const Query& query
       select += (i > 0 ? ", " : "") +
                 ("min(" + name + ") IS NOT max(" + name + ") OR count(" + name + ") NOT IN (0, count(*))");
     }
+    const Table found = rows_of(database.connection(), "SELECT " + select + " FROM (" + rows + ")", bound);
     std::vector<bool> varies;
-    for (const Cell& cell :
-         rows_of(database.connection(), "SELECT " + select + " FROM (" + rows + ")", bound).rows.at(0))
-      varies.push_back(cell != Cell(std::int64_t{0}));
+    for (const Cell& cell : found.rows.at(0)) varies.push_back(cell != Cell(std::int64_t{0}));
     return varies;
   });
 }

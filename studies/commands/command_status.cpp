@@ -7,6 +7,7 @@
 #include "db/rows/result_store.hpp"
 #include "studies/charts/live_view.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/run/probed_cost.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/stored/study_rows.hpp"
@@ -125,7 +126,13 @@ void status(const StatusArguments& arguments, Session& session) {
     else
       session.err << file << ": no such file, counted as empty\n";
   }
-  const StudyStatus found = study_status(study, present, std::max(1, arguments.shards));
+  StudyStatus found = study_status(study, present, std::max(1, arguments.shards));
+  constexpr std::size_t few = 8;
+  if (!arguments.array && found.missing > 0 && found.converged + found.failed < few) {
+    const ProbedCost probed = probed_cost(study, session.evaluate);
+    found.seconds_left = probed.seconds_each * static_cast<double>(found.missing);
+    session.err << "the time is that of " << probed.points << " points solved just now\n";
+  }
   if (arguments.array)
     session.out << array_list(found.shards_missing) << '\n';
   else if (arguments.json)

@@ -13,10 +13,10 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string head = R"({"study": "bowl", "scene": {"radius": 0.1, "layer_thickness": 0.005,
+const std::string bowl_head = R"({"study": "bowl", "scene": {"radius": 0.1, "layer_thickness": 0.005,
   "static_shear_modulus": 2e6, "stiffening": 2, "creep_time": 0.1, "speed": 1, "load": 1e4},
   "minimise": {"formula": "rolling_resistance * 2"}, "constraints": ["peak_pressure >= 1"], "variables": )";
-const std::string box = R"({"layer_thickness": {"from": "1 mm", "to": "20 mm", "scale": "logarithmic"},
+const std::string bowl_box = R"({"layer_thickness": {"from": "1 mm", "to": "20 mm", "scale": "logarithmic"},
   "static_shear_modulus": {"from": "1 MPa", "to": "10 MPa", "scale": "logarithmic"}})";
 
 struct Optimised {
@@ -24,7 +24,7 @@ struct Optimised {
   std::string database = folder / "a.db";
 
   ProgramRun run(const std::string& rest) const {
-    return run_rollres({"optimise", folder.write("study.json", head + rest + "}").string(), "--db", database},
+    return run_rollres({"optimise", folder.write("study.json", bowl_head + rest + "}").string(), "--db", database},
                        Bowl::solve);
   }
   Json query(std::vector<std::string> words) const {
@@ -37,7 +37,7 @@ struct Optimised {
 
 TEST_CASE("the best designs of an optimisation are a query", "[studies][optimise][design_records]") {
   const Optimised optimised;
-  REQUIRE(optimised.run(box).status == 0);
+  REQUIRE(optimised.run(bowl_box).status == 0);
   const Json best = optimised.query({"study=bowl", "feasible=1", "--sort", "goal", "--limit", "5", "--columns",
                                      "design,position,goal,feasible,rolling_resistance,peak_pressure"});
   REQUIRE(best.size() == 5);
@@ -58,8 +58,9 @@ TEST_CASE("the best designs of an optimisation are a query", "[studies][optimise
 
 TEST_CASE("the goal of a duty cycle stands in the first row of its design", "[studies][optimise][design_records]") {
   const Optimised optimised;
-  REQUIRE(optimised.run(box + R"(, "scenes": [{"set": {"load": 1e4}}, {"set": {"load": 2e4}, "weight": 3}])").status ==
-          0);
+  REQUIRE(
+      optimised.run(bowl_box + R"(, "scenes": [{"set": {"load": 1e4}}, {"set": {"load": 2e4}, "weight": 3}])").status ==
+      0);
   const Json best = optimised.query({"study=bowl", "--sort", "goal", "--limit", "2"});
   const Json both = optimised.query({"study=bowl", "design=" + best[0]["design"].dump()});
   REQUIRE(both.size() == 2);

@@ -31,7 +31,7 @@ struct Sampled {
 
 /// @param function  of modulus and time
 template <class Function>
-Sampled sampled(const UncertainInputs& uncertain, Function function) {
+Sampled sampled_at(const UncertainInputs& uncertain, Function function) {
   const auto uniform = uncertain_points(uncertain);
   Sampled result;
   result.points.fitted = germs_of(uncertain, uniform);
@@ -47,7 +47,7 @@ Sampled sampled(const UncertainInputs& uncertain, Function function) {
 }
 
 double power_law(double modulus, double time) { return std::sqrt(modulus / 3e6) * (time / 0.25); }
-const std::vector<double> tenths{0.1, 0.5, 0.9};
+const std::vector<double> deciles{0.1, 0.5, 0.9};
 
 }  // namespace
 
@@ -72,12 +72,12 @@ TEST_CASE("the surrogate of a power law of lognormal numbers has its closed form
   // y = x1^a x2^b with both lognormal is lognormal: ln y of deviation s = |(a s1, b s2)|.
   UncertainInputs uncertain = rubber(64);
   uncertain.inputs[0].distribution = {DistributionKind::lognormal, {3e6, 0.1}};
-  const Sampled at = sampled(uncertain, power_law);
-  const auto found = surrogate_statistics(at.points, at.batches, tenths);
+  const Sampled at = sampled_at(uncertain, power_law);
+  const auto found = surrogate_statistics(at.points, at.batches, deciles);
   REQUIRE(found);
   const double s = std::hypot(0.05, 0.2), z90 = 1.2815515655;
   const double mean = std::exp(s * s / 2), deviation = mean * std::sqrt(std::exp(s * s) - 1);
-  const ScatterStatistics plain = scatter_statistics(at.batches, tenths);
+  const ScatterStatistics plain = scatter_statistics(at.batches, deciles);
   CHECK(is_surer(*found, plain));
   CHECK(found->error < 1e-3);
   const auto check = [](const ScatterEstimate& estimate, double exact) {
@@ -106,33 +106,33 @@ TEST_CASE("a surrogate of 64 points agrees with full sampling, also where the in
     return power_law(modulus, time) / (1 + std::pow(time / 0.25, 2)) + 0.1 * std::log(modulus / 3e6);
   };
   const std::vector<CorrelatedPair> pairs{{0, 1, -0.4}};
-  const Sampled few = sampled(rubber(64, pairs), function);
-  const Sampled many = sampled(rubber(1U << 16U, pairs), function);
-  const auto found = surrogate_statistics(few.points, few.batches, tenths);
+  const Sampled few = sampled_at(rubber(64, pairs), function);
+  const Sampled many = sampled_at(rubber(1U << 16U, pairs), function);
+  const auto found = surrogate_statistics(few.points, few.batches, deciles);
   REQUIRE(found);
-  const ScatterStatistics full = scatter_statistics(many.batches, tenths);
-  CHECK(is_surer(*found, scatter_statistics(few.batches, tenths)));
+  const ScatterStatistics full = scatter_statistics(many.batches, deciles);
+  CHECK(is_surer(*found, scatter_statistics(few.batches, deciles)));
   CHECK(std::abs(found->mean.value - full.mean.value) <= found->mean.error + full.mean.error + 2e-5);
   CHECK(std::abs(found->deviation.value - full.deviation.value) <=
         found->deviation.error + full.deviation.error + 2e-5);
-  for (std::size_t i = 0; i < tenths.size(); ++i)
+  for (std::size_t i = 0; i < deciles.size(); ++i)
     CHECK(std::abs(found->quantiles[i].value - full.quantiles[i].value) <=
           found->quantiles[i].error + full.quantiles[i].error + 2e-5);
 }
 
 TEST_CASE("a jump that no polynomial follows is left to the points", "[studies][scatter][chaos]") {
-  const Sampled at = sampled(rubber(64), [](double modulus, double) { return modulus > 3.1e6 ? 1.0 : 0.0; });
-  const auto found = surrogate_statistics(at.points, at.batches, tenths);
+  const Sampled at = sampled_at(rubber(64), [](double modulus, double) { return modulus > 3.1e6 ? 1.0 : 0.0; });
+  const auto found = surrogate_statistics(at.points, at.batches, deciles);
   REQUIRE(found);
   CHECK(found->error > 0.1);
-  CHECK_FALSE(is_surer(*found, scatter_statistics(at.batches, tenths)));
+  CHECK_FALSE(is_surer(*found, scatter_statistics(at.batches, deciles)));
 }
 
 TEST_CASE("without all answers, or a spread, there is no surrogate", "[studies][scatter][chaos]") {
-  Sampled at = sampled(rubber(64), power_law);
+  Sampled at = sampled_at(rubber(64), power_law);
   at.batches[3][2] = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(surrogate_statistics(at.points, at.batches, tenths));
+  CHECK_FALSE(surrogate_statistics(at.points, at.batches, deciles));
   CHECK_FALSE(surrogate_probability(at.points, at.batches));
-  const Sampled same = sampled(rubber(64), [](double, double) { return 1.0; });
-  CHECK_FALSE(surrogate_statistics(same.points, same.batches, tenths));
+  const Sampled same = sampled_at(rubber(64), [](double, double) { return 1.0; });
+  CHECK_FALSE(surrogate_statistics(same.points, same.batches, deciles));
 }
