@@ -19,7 +19,11 @@ class Surrogate {
   Surrogate(const SurrogatePoints& points, const ScatterBatches& batches, const Eigen::VectorXd& values)
       : chaos_(points.fitted, values), count_(values.size()), batches_(batches.size()) {
     const Eigen::MatrixXd wanted = chaos_.terms_at(points.wanted);
-    whole_ = sorted(wanted * chaos_.coefficients());
+    const Eigen::VectorXd all = wanted * chaos_.coefficients();
+    whole_ = sorted(all);
+    const Eigen::Index each = all.size() / static_cast<Eigen::Index>(points.wanted_batches);
+    for (std::size_t i = 0; i < points.wanted_batches; ++i)
+      sections_.push_back(sorted(all.segment(static_cast<Eigen::Index>(i) * each, each)));
     const Eigen::MatrixXd terms = chaos_.terms_at(points.fitted.points);
     Eigen::Index begin = 0;
     for (const std::vector<double>& batch : batches) {
@@ -38,13 +42,17 @@ class Surrogate {
   /// @param missed  what the polynomial misses the number by
   ScatterEstimate estimate(const std::function<double(const std::vector<double>&)>& number, double missed) const {
     ScatterEstimate found{number(whole_), 0};
-    double squares = 0;
-    for (const std::vector<double>& part : parts_) {
-      const double apart = number(part) - found.value;
-      squares += apart * apart;
-    }
-    const auto b = static_cast<double>(batches_);
-    found.error = two_sided_quantile(0.95, static_cast<int>(batches_) - 1) * std::sqrt((b - 1) / b * squares) + missed;
+    const auto apart = [&](const std::vector<std::vector<double>>& lists) {
+      double squares = 0;
+      for (const std::vector<double>& list : lists) squares += std::pow(number(list) - found.value, 2);
+      return squares;
+    };
+    const auto b = static_cast<double>(batches_), k = static_cast<double>(sections_.size());
+    const double fitted =
+        two_sided_quantile(0.95, static_cast<int>(batches_) - 1) * std::sqrt((b - 1) / b * apart(parts_));
+    const double sampled =
+        two_sided_quantile(0.95, static_cast<int>(sections_.size()) - 1) * std::sqrt(apart(sections_) / (k - 1) / k);
+    found.error = std::hypot(fitted, sampled) + missed;
     return found;
   }
 
@@ -59,7 +67,7 @@ class Surrogate {
   Eigen::Index count_;
   std::size_t batches_;
   std::vector<double> whole_;
-  std::vector<std::vector<double>> parts_;
+  std::vector<std::vector<double>> parts_, sections_;
 };
 
 std::optional<Eigen::VectorXd> all_values(const SurrogatePoints& points, const ScatterBatches& batches) {

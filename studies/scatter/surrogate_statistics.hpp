@@ -3,7 +3,8 @@
 /// The numbers of scatter_statistics.hpp from a polynomial that was fitted to the points (polynomial_chaos.hpp), at as
 /// many points as are wanted. Their errors are of two parts. One is that of other points: each batch is left out of the
 /// fit in turn, and the half-width of the 95 % interval is t_{b-1} S with the jackknife's S^2 = (b - 1)/b sum (q_j -
-/// q)^2 (Efron and Stein, 1981, Ann. Stat. 9, 586). The other is what the polynomial misses everywhere, its error e of
+/// q)^2 (Efron and Stein, 1981, Ann. Stat. 9, 586), and that of the many points by
+/// sectioning. The other is what the polynomial misses everywhere, its error e of
 /// cross-validation: a quantile of y lies as far from that of the polynomial as y does at most, the standard deviations
 /// differ by no more than e, the means by 1.96 e / sqrt(n), as those of the differences at the points do.
 
@@ -18,6 +19,7 @@ namespace rollres {
 struct SurrogatePoints {
   GermPoints fitted;
   Eigen::MatrixXd wanted;
+  std::size_t wanted_batches = 8;  ///< of as many points each, independent of each other
 };
 
 struct SurrogateStatistics {

@@ -165,7 +165,7 @@ std::optional<SurrogatePoints> surrogate_points(const Study& study, const Scatte
   constexpr std::size_t points = 1U << 15U;
   UncertainInputs many = uncertain;
   many.points = points;
-  many.scramblings = 1;
+  many.scramblings = SurrogatePoints().wanted_batches;
   many.method = SampleMethod::sobol;
   return SurrogatePoints{germs_of(uncertain, uncertain_points(uncertain)),
                          germs_of(many, uncertain_points(many)).points};

@@ -9,11 +9,11 @@ using namespace rollres;
 TEST_CASE("points stand as letters where their numbers are, lowest at the bottom left",
           "[studies][drawing][text_plot]") {
   const std::string plot =
-      text_plot({"speed [m/s]", true}, {"load [N]"}, {{"one", {{0.1, 1}, {1, 2}, {10, 3}}}, {"two", {{10, 1}}}}, 33, 3);
+      text_plot({"speed [m/s]", true}, {"load [N]"}, {{"one", {{0.1, 1}, {0.9, 2}, {10, 3}}}, {"two", {{10, 1}}}}, 33, 3);
   CHECK(plot ==
         "load [N]\n"
         "3 |                             a\n"
-        "  |               a\n"
+        "  |              a\n"
         "1 |a                            b\n"
         "  +------------------------------\n"
         "   0.1       speed [m/s]       10\n"

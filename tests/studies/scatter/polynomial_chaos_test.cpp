@@ -37,7 +37,7 @@ Sampled sampled_at(const UncertainInputs& uncertain, Function function) {
   result.points.fitted = germs_of(uncertain, uniform);
   UncertainInputs many = uncertain;
   many.points = 1U << 14U;
-  many.scramblings = 1;
+  many.scramblings = 8;
   result.points.wanted = germs_of(many, uncertain_points(many)).points;
   result.batches.resize(uncertain.scramblings);
   for (std::size_t i = 0; i < uncertain.points; ++i)
@@ -81,7 +81,7 @@ TEST_CASE("the surrogate of a power law of lognormal numbers has its closed form
   CHECK(is_surer(*found, plain));
   CHECK(found->error < 1e-3);
   const auto check = [](const ScatterEstimate& estimate, double exact) {
-    CHECK(std::abs(estimate.value - exact) <= estimate.error + 2e-4);  // 16,384 points have an error, too
+    CHECK(std::abs(estimate.value - exact) <= estimate.error);
   };
   check(found->mean, mean);
   check(found->deviation, deviation);
@@ -97,7 +97,7 @@ TEST_CASE("the surrogate of a power law of lognormal numbers has its closed form
     return excess;
   }());
   REQUIRE(likely);
-  CHECK(std::abs(likely->value - 0.1) <= likely->error + 5e-4);
+  CHECK(std::abs(likely->value - 0.1) <= likely->error);
 }
 
 TEST_CASE("a surrogate of 64 points agrees with full sampling, also where the inputs correlate",
@@ -112,12 +112,11 @@ TEST_CASE("a surrogate of 64 points agrees with full sampling, also where the in
   REQUIRE(found);
   const ScatterStatistics full = scatter_statistics(many.batches, deciles);
   CHECK(is_surer(*found, scatter_statistics(few.batches, deciles)));
-  CHECK(std::abs(found->mean.value - full.mean.value) <= found->mean.error + full.mean.error + 2e-5);
-  CHECK(std::abs(found->deviation.value - full.deviation.value) <=
-        found->deviation.error + full.deviation.error + 2e-5);
+  CHECK(std::abs(found->mean.value - full.mean.value) <= found->mean.error + full.mean.error);
+  CHECK(std::abs(found->deviation.value - full.deviation.value) <= found->deviation.error + full.deviation.error);
   for (std::size_t i = 0; i < deciles.size(); ++i)
     CHECK(std::abs(found->quantiles[i].value - full.quantiles[i].value) <=
-          found->quantiles[i].error + full.quantiles[i].error + 2e-5);
+          found->quantiles[i].error + full.quantiles[i].error);
 }
 
 TEST_CASE("a jump that no polynomial follows is left to the points", "[studies][scatter][chaos]") {
