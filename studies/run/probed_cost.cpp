@@ -30,7 +30,7 @@ ProbedCost probed_cost(const Study& study, const Evaluate& evaluate, double budg
   const auto begin = Clock::now();
   ProbedCost cost;
   std::set<std::size_t> seen;
-  double seconds = 0;
+  double seconds = 0, first = 0;
   for (std::size_t i = 0; i < 2 * most && cost.points < most && since(begin) < budget; ++i) {
     constexpr double middle = 1.0 / 3;  // of no axis that is halved
     const double part = reversed(i) + middle;
@@ -40,10 +40,13 @@ ProbedCost probed_cost(const Study& study, const Evaluate& evaluate, double budg
     scene.time_limit = std::min(scene.time_limit.value_or(longest), longest);
     const auto start = Clock::now();
     evaluate_safely(evaluate, scene);
+    first = cost.points == 0 ? since(start) : first;
     seconds += since(start);
     ++cost.points;
   }
-  if (cost.points > 0) cost.seconds_each = seconds / static_cast<double>(cost.points);
+  // The first bears what is done once for all.
+  if (cost.points > 1) cost.seconds_each = (seconds - first) / static_cast<double>(cost.points - 1);
+  if (cost.points == 1) cost.seconds_each = seconds;
   return cost;
 }
 

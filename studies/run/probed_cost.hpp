@@ -10,7 +10,7 @@
 namespace rollres {
 
 struct ProbedCost {
-  double seconds_each = 0;  ///< of a point, on one core: mean of those solved
+  double seconds_each = 0;  ///< of a point, on one core: mean of those solved, the first left out if it is not alone
   std::size_t points = 0;   ///< that were solved
 };
 

@@ -66,9 +66,9 @@ TEST_CASE("query groups rows and prints one line for each group", "[studies][com
             .run("query", {"speed<36 m/min", "--aggregate", "max rolling_resistance, mean speed,count", "--by", "load",
                            "--sort=-load"})
             .out ==
-        " load  max_rolling_resistance  mean_speed  count\n"
-        "20000                      80         0.3      2\n"
-        "10000                      40         0.3      2\n");
+        "load [kN/m]  max_rolling_resistance [N/m]  mean_speed [mm/s]  count\n"
+        "         20                            80                300      2\n"
+        "         10                            40                300      2\n");
   const ProgramRun lines = studied.run("query", {"--by", "status", "--aggregate", "count", "--format", "jsonl"});
   CHECK(lines.out == "{\"status\":\"converged\",\"count\":4}\n{\"status\":\"not_converged\",\"count\":2}\n");
   CHECK(studied.run("query", {"--by", "status", "--format", "csv"}).out == "status\nconverged\nnot_converged\n");
