@@ -111,7 +111,7 @@ TEST_CASE("formulas stand in constraints and charts, and in goals of an optimisa
 TEST_CASE("formulas that are wrong are refused with file, name, formula and rule", "[studies][derived]") {
   CHECK(derived_refusal(deborah) == "nothing");
   CHECK_THAT(derived_refusal(R"({"a": "speed + load"})"),
-             Contains("s.json: compute: a: speed + load: its terms have different units, and a number has none: "
+             Contains("s.json: compute: a: speed + load: its terms have different units, and a number alone has none: "
                       "speed [m/s], load [N/m]"));
   CHECK_THAT(derived_refusal(R"({"a": "creep_tim"})"), Contains("unknown key; did you mean creep_time?"));
   CHECK_THAT(derived_refusal(R"({"speed": "load"})"), Contains("names a column that is there already"));
