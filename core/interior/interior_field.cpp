@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/interior/depth_response.hpp"
 #include "core/numerics/quadrature.hpp"
@@ -37,17 +38,21 @@ double distortion(double x, double z, double xz, double nu) {
 }
 
 double half_length_of(const SurfaceFields& fields) {
+  const auto a_length = [](double half) {
+    if (!(half > 0 && std::isfinite(half))) throw std::domain_error("the fields hold no contact to look into");
+    return half;
+  };
   if (!fields.panels.empty()) {
     double from = INFINITY, to = -INFINITY;
     for (const TractionPanel& panel : fields.panels) {
       from = std::min(from, panel.from);
       to = std::max(to, panel.to);
     }
-    return 0.5 * (to - from);
+    return a_length(0.5 * (to - from));
   }
   const auto nodes =
       std::count_if(fields.zone.begin(), fields.zone.end(), [](Zone zone) { return zone != Zone::free; });
-  return 0.5 * static_cast<double>(nodes) * fields.grid.spacing_x;
+  return a_length(0.5 * static_cast<double>(nodes) * fields.grid.spacing_x);
 }
 
 }  // namespace
@@ -76,6 +81,7 @@ InteriorField::InteriorField(LayeredMedium medium, double speed, double flow, co
 
 void InteriorField::add_waves(double lowest, double widest) {
   const QuadratureRule& rule = gauss_rule(nodes_per_panel);
+  require_memory(highest_ / widest * nodes_per_panel * sizeof(Wave), "waves in the layers");
   double from = 0, to = lowest;
   while (from < highest_) {
     to = std::min(to, highest_);

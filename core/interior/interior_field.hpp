@@ -52,6 +52,7 @@ class InteriorField {
   /// @param medium from the contact away   @param speed V [m/s]   @param flow direction: -1 where a coating flows
   /// backwards
   /// @param reach up to which |x| fields are wanted [m]
+  /// @throws std::domain_error if the fields hold no contact; BeyondLimits
   InteriorField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, double reach,
                 Detail detail);
 

@@ -184,8 +184,8 @@ void add_fit_curves(SQLite::Database& connection) {
   add_columns<Datum>(connection, "fit_data");
   const std::string rows = "(fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE, position INTEGER NOT NULL, ";
   const std::string key = ", PRIMARY KEY(fit, position)) STRICT, WITHOUT ROWID";
-  connection.exec("CREATE TABLE fit_profile" + rows + column_list<ProfileRow>(true) + key);
-  connection.exec("CREATE TABLE fit_curve" + rows + column_list<CurveRow>(true) + key);
+  connection.exec("CREATE TABLE IF NOT EXISTS fit_profile" + rows + column_list<ProfileRow>(true) + key);
+  connection.exec("CREATE TABLE IF NOT EXISTS fit_curve" + rows + column_list<CurveRow>(true) + key);
 }
 
 void add_fit_scenes(SQLite::Database& connection) {

@@ -53,7 +53,7 @@ struct FittedValue {
 };
 
 /// A term of the noise of measured values, where that is fitted (noise_fit.hpp).
-struct NoiseEstimate {
+struct LikelyNoise {
   std::string name;
   bool relative;  ///< a part of what is predicted [1]; else a level [SI]
   double value;   ///< 0: it explains nothing
@@ -91,8 +91,8 @@ struct FitReport {
   std::string misfit_cause;       ///< what most likely makes a MISFIT, in words; empty: nothing stands out
   std::size_t evaluations = 0, failures = 0;
   std::vector<EvaluationLog::Failure> failure_reasons;
-  Slopes slopes;                                ///< at the fit
-  std::vector<NoiseEstimate> noise_terms = {};  ///< where the noise is fitted
+  Slopes slopes;                              ///< at the fit
+  std::vector<LikelyNoise> noise_terms = {};  ///< where the noise is fitted
 
   FitPoint point() const;
 };

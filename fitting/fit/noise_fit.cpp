@@ -62,7 +62,7 @@ Eigen::VectorXd predictions_of(const FitReport& report) {
 
 /// Gives the data the deviations of the terms. @return the largest relative change
 double weigh(FitProblem& problem, const Eigen::VectorXd& predictions, const std::vector<NoiseTerm>& terms,
-             const std::vector<NoiseEstimate>& noise) {
+             const std::vector<LikelyNoise>& noise) {
   const Eigen::MatrixXd shares = shares_of(predictions, terms);
   double change = 0;
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
@@ -101,8 +101,8 @@ void weigh_as_measured(FitProblem& problem, const std::vector<NoiseTerm>& terms)
 
 }  // namespace
 
-std::vector<NoiseEstimate> likely_noise(const Eigen::VectorXd& squares, const Eigen::VectorXd& predictions,
-                                        const std::vector<NoiseTerm>& terms) {
+std::vector<LikelyNoise> likely_noise(const Eigen::VectorXd& squares, const Eigen::VectorXd& predictions,
+                                      const std::vector<NoiseTerm>& terms) {
   constexpr int most_steps = 5000;
   constexpr double settled = 1e-9, nothing = 1e-4;  // of the variances
   const Eigen::VectorXd counts = (squares.array() >= 0).cast<double>();
@@ -137,7 +137,7 @@ std::vector<NoiseEstimate> likely_noise(const Eigen::VectorXd& squares, const Ei
   for (Eigen::Index k = 0; k < level.size(); ++k)
     if (level[k] * shares.col(k).dot(reached) < nothing * counts.sum()) level[k] = 0;
   const Eigen::VectorXd errors = errors_of_squares(shares, weights_at(), level);
-  std::vector<NoiseEstimate> noise;
+  std::vector<LikelyNoise> noise;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const double value = std::sqrt(level[static_cast<Eigen::Index>(k)]);
     noise.push_back({terms[k].name, terms[k].relative, value,
@@ -155,7 +155,7 @@ FitReport fit_with_noise(const FitProblem& given, const std::vector<NoiseTerm>& 
   FitOptions next = options;
   next.profiles = false;
   FitReport report = fit(problem, next), first = report;
-  std::vector<NoiseEstimate> noise;
+  std::vector<LikelyNoise> noise;
   for (int round = 1; round <= most_rounds && report.slopes.found() && !report.interrupted; ++round) {
     const Eigen::VectorXd predictions = predictions_of(report);
     noise = likely_noise(squares_of(report), predictions, terms);

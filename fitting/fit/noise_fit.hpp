@@ -31,8 +31,8 @@ struct NoiseTerm {
 /// @param squares  of the residuals [SI], one for each datum, negative: it is no measurement
 /// @see Zhou, Hu, Zhou and Lange (2019), J. Comput. Graph. Stat. 28, 350: the iteration, in which no step lowers the
 /// likelihood
-std::vector<NoiseEstimate> likely_noise(const Eigen::VectorXd& squares, const Eigen::VectorXd& predictions,
-                                        const std::vector<NoiseTerm>& terms);
+std::vector<LikelyNoise> likely_noise(const Eigen::VectorXd& squares, const Eigen::VectorXd& predictions,
+                                      const std::vector<NoiseTerm>& terms);
 
 /// The fit, with report.noise_terms. Deviations of the problem's data are replaced, but for those of priors.
 /// @throws std::invalid_argument as fit, or if no term acts on a datum

@@ -349,6 +349,28 @@ std::string filters_in_words(const std::vector<Filter>& filters, const StudyRows
   });
 }
 
+std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& rows) {
+  constexpr std::array<std::string_view, 8> shown{"radius",   "layer_thickness",      "speed",          "load",
+                                                  "approach", "friction_coefficient", "rotation_ratio", "temperature"};
+  std::string text;
+  for (const std::string_view key : shown) {
+    const QuantityColumn* const column = find_quantity_column(key);
+    const bool filtered =
+        std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) { return filter.column == key; });
+    if (!column || !column->is_input || filtered) continue;
+    const std::set<Cell> values = rows.values(*column);
+    if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
+    text += (text.empty() ? "" : ", ") + std::string(column->quantity.symbol) + " = " +
+            value_in_words(column->quantity, *values.begin(), unit_in(rows, *column));
+  }
+  return text;
+}
+
+std::string subtitle_of(const std::vector<Filter>& filters, const StudyRows& rows) {
+  const std::string asked = filters_in_words(filters, rows), fixed = fixed_in_words(filters, rows);
+  return asked + (asked.empty() || fixed.empty() ? "" : ", ") + fixed;
+}
+
 std::string ShownStudy::comment() const {
   return "study " + study.name + " in " + file + ": " + std::to_string(rows.size()) + " points, " +
          std::to_string(unanswered()) + " without an answer" + common_inputs(rows);
@@ -366,7 +388,7 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
   if (options.filters.empty()) chart.missing = study.points - study.answered;
   ChartRequest& request = chart.request;
   request.title = shown.title();
-  request.subtitle = filters_in_words(options.filters, rows);
+  request.subtitle = subtitle_of(options.filters, rows);
   request.comment = shown.comment();
   request.x = scaled_axis(*choice.x, scales.x);
   request.y = scaled_axis(*choice.y, scales.y);

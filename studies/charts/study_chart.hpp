@@ -13,9 +13,9 @@ namespace rollres {
 /// values, y the rolling resistance, and the family all other axes that have more than one value and do not follow from
 /// x because they vary together with it. The axes of a map are the two with the most values.
 struct StudyChartOptions {
-  std::string study = {};  ///< may be left out if the database holds one study
+  std::string study = {};                      ///< may be left out if the database holds one study
   std::vector<std::string> more_studies = {};  ///< drawn together with it, each a family; the first one's file counts
-  std::string chart = {};  ///< name or number of a chart of the study file; empty: the first
+  std::string chart = {};                      ///< name or number of a chart of the study file; empty: the first
   std::string x = {}, y = {}, family = {};
   bool shares = false;  ///< what of the rolling resistance is lost in the layer and what to friction, stacked
   std::vector<Filter> filters = {};  ///< rows to show
@@ -55,6 +55,10 @@ struct ShownStudy {
 
 /// Filters as a subtitle says them: "load = 20 kN/m, speed > 1 m/s".
 std::string filters_in_words(const std::vector<Filter>& filters, const StudyRows& rows);
+/// What of body, layer and operation is the same in all rows and in no filter, by symbols: "R = 20 mm, H = 5 mm".
+std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& rows);
+/// Both.
+std::string subtitle_of(const std::vector<Filter>& filters, const StudyRows& rows);
 
 /// Names of the charts in the study's file, or their numbers; one where the file has none.
 /// @param study  may be empty if the database holds one study

@@ -125,7 +125,7 @@ StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
   StoredMap map{.study = study.name, .points = rows.size(), .unanswered = shown.unanswered()};
   MapRequest& request = map.request;
   request.title = shown.title();
-  request.subtitle = filters_in_words(options.filters, rows);
+  request.subtitle = subtitle_of(options.filters, rows);
   request.comment = shown.comment();
   request.x = scaled_axis(*axes.x, x);
   request.y = scaled_axis(*axes.y, y);

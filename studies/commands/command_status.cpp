@@ -127,10 +127,9 @@ void status(const StatusArguments& arguments, Session& session) {
       session.err << file << ": no such file, counted as empty\n";
   }
   StudyStatus found = study_status(study, present, std::max(1, arguments.shards));
-  constexpr std::size_t few = 8;
-  if (!arguments.array && found.missing > 0 && found.converged + found.failed < few) {
+  if (!arguments.array && found.unlearned > 0) {
     const ProbedCost probed = probed_cost(study, session.evaluate);
-    found.seconds_left = probed.seconds_each * static_cast<double>(found.missing);
+    found.seconds_left += probed.seconds_each * static_cast<double>(found.unlearned) - found.seconds_unlearned;
     session.err << "the time is that of " << probed.points << " points solved just now\n";
   }
   if (arguments.array)

@@ -35,7 +35,7 @@ AccuracyStatus status_of(const Measurement& measured) {
   return AccuracyStatus::not_converged;
 }
 
-AccuracyPoint measured_point(const MeasuredScene& measured, const RollingScene& scene) {
+AccuracyPoint measured_point(const TimedScene& measured, const RollingScene& scene) {
   AccuracyPoint point{.method = scene.method,
                       .spacing = scene.spacing.value_or(RollingSolution::absent),
                       .tolerance = scene.tolerance.value_or(RollingSolution::absent)};
@@ -64,8 +64,7 @@ AccuracyPoint measured_point(const MeasuredScene& measured, const RollingScene& 
   return point;
 }
 
-std::vector<AccuracyPoint> points_of(const MeasuredScene& measured, Method method,
-                                     const std::vector<double>& spacings) {
+std::vector<AccuracyPoint> points_of(const TimedScene& measured, Method method, const std::vector<double>& spacings) {
   const double limit = measured.options.seconds_limit;
   std::vector<AccuracyPoint> points;
   SolveCost cost(measured.dimension());
@@ -88,7 +87,7 @@ std::vector<AccuracyPoint> points_of(const MeasuredScene& measured, Method metho
 }
 
 /// Over tolerances from 1e-2 to 1e-10; one that took too long is followed by none.
-std::vector<AccuracyPoint> gridless_points(const MeasuredScene& measured, Method method) {
+std::vector<AccuracyPoint> gridless_points(const TimedScene& measured, Method method) {
   std::vector<AccuracyPoint> points;
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
     measured.tell(method, "tolerance " + short_number(tolerance, 1));
@@ -141,7 +140,7 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
   return methods;
 }
 
-RollingScene MeasuredScene::on_grid(Method method, double spacing) const {
+RollingScene TimedScene::on_grid(Method method, double spacing) const {
   RollingScene gridded = scene;
   gridded.method = method;
   gridded.spacing = spacing;
@@ -149,7 +148,7 @@ RollingScene MeasuredScene::on_grid(Method method, double spacing) const {
   return gridded;
 }
 
-RollingScene MeasuredScene::without_grid(Method method, double tolerance) const {
+RollingScene TimedScene::without_grid(Method method, double tolerance) const {
   RollingScene gridless = scene;
   gridless.method = method;
   gridless.tolerance = tolerance;
@@ -157,7 +156,7 @@ RollingScene MeasuredScene::without_grid(Method method, double tolerance) const 
   return gridless;
 }
 
-void MeasuredScene::tell(Method method, const std::string& at, const char* what) const {
+void TimedScene::tell(Method method, const std::string& at, const char* what) const {
   if (options.report) options.report(name + what + ": " + std::string(name_of(method)) + " at " + at);
 }
 
@@ -192,7 +191,7 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   }
   std::sort(spacings.rbegin(), spacings.rend());
   spacings.erase(std::unique(spacings.begin(), spacings.end()), spacings.end());
-  const MeasuredScene measured{name, scene, options, measure};
+  const TimedScene measured{name, scene, options, measure};
   const auto refuse_broken = [&](const RollingScene& tried) {
     if (const auto broken = check(tried); !broken.empty()) throw std::invalid_argument(name + ": " + broken.front());
   };

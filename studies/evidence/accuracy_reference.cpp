@@ -47,7 +47,7 @@ std::vector<Witness> witnesses_among(const std::vector<AccuracyPoint>& points, d
 }
 
 /// Adds values on finer and finer grids, as far as the limit of time allows, at least one.
-void add_finer(std::vector<Witness>& witnesses, const MeasuredScene& measured, const std::vector<AccuracyPoint>& points,
+void add_finer(std::vector<Witness>& witnesses, const TimedScene& measured, const std::vector<AccuracyPoint>& points,
                double finest) {
   const double limit = measured.options.seconds_limit;
   std::vector<SolveCost> costs;
@@ -108,7 +108,7 @@ AccuracyReference reference_of(const std::vector<Witness>& witnesses) {
 }
 
 /// The spectral method's value, if that answers the scene itself.
-AccuracyReference gridless_reference(const MeasuredScene& measured) {
+AccuracyReference gridless_reference(const TimedScene& measured) {
   constexpr double tightest = 1e-11, rounding = 1e-12;
   measured.tell(Method::spectral, "tolerance 1e-11", ", reference");
   const Measurement found = measured.measure(measured.without_grid(Method::spectral, tightest),
@@ -123,7 +123,7 @@ AccuracyReference gridless_reference(const MeasuredScene& measured) {
 
 }  // namespace
 
-AccuracyReference find_reference(const MeasuredScene& measured, const std::vector<AccuracyPoint>& points) {
+AccuracyReference find_reference(const TimedScene& measured, const std::vector<AccuracyPoint>& points) {
   if (measured.scene.indenter == Indenter::cylinder && !measured.scene.period) {
     const AccuracyReference reference = gridless_reference(measured);
     if (reference.found()) return reference;

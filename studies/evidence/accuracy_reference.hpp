@@ -7,7 +7,7 @@
 namespace rollres {
 
 /// A scene in the course of being measured.
-struct MeasuredScene {
+struct TimedScene {
   const std::string& name;
   const RollingScene& scene;
   const AccuracyOptions& options;
@@ -25,6 +25,6 @@ struct MeasuredScene {
 
 /// Solves on grids finer than those of the points, as far as the limit of time allows, at least one.
 /// @return not found() if no point converged, or no answer can be trusted
-AccuracyReference find_reference(const MeasuredScene& measured, const std::vector<AccuracyPoint>& points);
+AccuracyReference find_reference(const TimedScene& measured, const std::vector<AccuracyPoint>& points);
 
 }  // namespace rollres

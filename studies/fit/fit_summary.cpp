@@ -32,12 +32,12 @@ std::string interval_text(const ConfidenceInterval& interval, std::string_view u
 double over_value(const FittedParameter& fitted) { return fitted.standard_error / std::abs(fitted.value); }
 
 /// 95 %, symmetric in the logarithm.
-ConfidenceInterval interval_of(const NoiseEstimate& noise) {
+ConfidenceInterval interval_of(const LikelyNoise& noise) {
   const double factor = std::exp(1.96 * noise.standard_error / noise.value);
   return {noise.value / factor, noise.value * factor, IntervalEnd::closed, IntervalEnd::closed};
 }
 
-std::string_view noise_flag(const NoiseEstimate& noise) {
+std::string_view noise_flag(const LikelyNoise& noise) {
   return noise.value > 0 ? "noise, by likelihood" : "noise that explains nothing";
 }
 
@@ -51,7 +51,7 @@ Table parameter_table(const FitReport& report, const FitContext& context) {
                           profile ? interval_text(fitted.profile.interval, unit) : std::string("-"),
                           readable(fitted.parameter.start, unit), fitted.flag});
   }
-  for (const NoiseEstimate& noise : report.noise_terms) {
+  for (const LikelyNoise& noise : report.noise_terms) {
     const std::string_view unit = noise.relative ? "1" : context.output_unit;
     const ConfidenceInterval interval = interval_of(noise);
     table.rows.push_back({noise.name, readable(noise.value, unit), readable(noise.standard_error, unit),
@@ -304,7 +304,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
     row.profile_low = name_of(profile.low);
     row.profile_high = name_of(profile.high);
   }
-  for (const NoiseEstimate& noise : report.noise_terms)  // nothing that a scene could be given
+  for (const LikelyNoise& noise : report.noise_terms)  // nothing that a scene could be given
     record.parameters.push_back({.name = noise.name,
                                  .unit = std::string(noise.relative ? "1" : context.output_unit),
                                  .fixed = true,
@@ -368,7 +368,7 @@ Json json_of(const FitReport& report, const FitContext& context) {
               {"data", Json::array()}};
   for (const FittedParameter& fitted : report.parameters)
     object["parameters"].push_back(parameter_json(fitted, context));
-  for (const NoiseEstimate& noise : report.noise_terms)
+  for (const LikelyNoise& noise : report.noise_terms)
     object["noise_terms"].push_back({{"name", noise.name},
                                      {"unit", noise.relative ? "1" : context.output_unit},
                                      {"value", number(noise.value)},

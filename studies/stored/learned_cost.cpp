@@ -1,10 +1,6 @@
 #include "studies/stored/learned_cost.hpp"
 
-#include <cmath>
-
 #include "core/surface/scene_rules.hpp"
-#include "db/queries/query.hpp"
-#include "studies/study/predicted_cost.hpp"
 
 namespace rollres {
 
@@ -34,16 +30,6 @@ double LearnedCost::ratio(CostKind kind) const {
     all.seconds += one.seconds;
   }
   return all.predicted > 0 ? all.seconds / all.predicted : 1;
-}
-
-LearnedCost learned_cost(ResultStore& store, LearnedCost known) {
-  constexpr std::int64_t newest = 400;
-  const Table rows = run_query(store.database(), {.columns = {"id"}, .sort = {"-id"}, .limit = newest});
-  for (const std::vector<Cell>& row : rows.rows) {
-    const auto found = store.find(std::get<std::int64_t>(row.front()));
-    if (found) known.add(cost_kind(found->scene), predicted_seconds(found->scene), found->solution.seconds);
-  }
-  return known;
 }
 
 }  // namespace rollres

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-#include "db/rows/result_store.hpp"
+#include "core/scene/scene.hpp"
 
 namespace rollres {
 
@@ -34,10 +34,5 @@ class LearnedCost {
   };
   std::array<Sums, kinds> sums_{};
 };
-
-/// From the newest rows of a database, 400 at most, whichever study they are of.
-/// @param known  what is learned already
-/// @throws std::runtime_error naming the file if the database fails
-LearnedCost learned_cost(ResultStore& store, LearnedCost known = {});
 
 }  // namespace rollres

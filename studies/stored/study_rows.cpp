@@ -271,13 +271,11 @@ StudyStatus study_status(const Study& study, std::span<const std::filesystem::pa
     kinds.push_back(cost_kind(scene));
   });
   std::vector<PointState> best(keys.size());
-  LearnedCost own, others;
+  LearnedCost own;
   for (const std::filesystem::path& file : databases) {
     const std::vector<PointState> here = point_states(ReadableSource(file).database(), keys);
     for (std::size_t i = 0; i < best.size(); ++i)
       if (here[i].answer > best[i].answer) best[i] = here[i];
-    ResultStore store(file, Access::read);
-    others = learned_cost(store, others);
   }
   for (std::size_t i = 0; i < best.size(); ++i)
     if (best[i].answer != Answer::missing) own.add(kinds[i], predictions[i], best[i].seconds);
@@ -290,7 +288,11 @@ StudyStatus study_status(const Study& study, std::span<const std::filesystem::pa
   for (std::size_t i = 0; i < best.size(); ++i) {
     if (best[i].answer == Answer::missing) {
       ++status.missing;
-      status.seconds_left += predictions[i] * (own.knows(kinds[i]) ? own : others).ratio(kinds[i]);
+      status.seconds_left += predictions[i] * own.ratio(kinds[i]);
+      if (!own.knows(kinds[i])) {
+        ++status.unlearned;
+        status.seconds_unlearned += predictions[i] * own.ratio(kinds[i]);
+      }
       missing.insert(shard[i]);
       continue;
     }

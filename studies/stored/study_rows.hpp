@@ -134,9 +134,11 @@ struct StudyStatus {
   std::size_t converged = 0;
   std::size_t failed = 0;   ///< answered, but without a solution
   std::size_t missing = 0;  ///< not answered
-  /// Of one core, for what is missing: predicted_seconds, scaled by what stored points of the kind took
-  /// (learned_cost.hpp), those of the study first; NaN: not predicted.
+  /// Of one core, for what is missing: predicted_seconds, scaled by what stored points of the study and of the kind
+  /// took (learned_cost.hpp); NaN: not predicted.
   double seconds_left = std::numeric_limits<double>::quiet_NaN();
+  std::size_t unlearned = 0;          ///< missing points of whose kind too few are stored to learn from
+  double seconds_unlearned = 0;       ///< of these, in seconds_left
   std::vector<int> shards_missing{};  ///< shards with a missing point, from 1
 };
 

@@ -33,6 +33,16 @@ ResultStore stored(const TemporaryDirectory& scratch, Study study, const Evaluat
 
 }  // namespace
 
+TEST_CASE("a chart says what was filtered and what is fixed", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  ResultStore store = stored(scratch, speed_and_load());
+  const std::string all = stored_chart(store, {}).request.subtitle;
+  CHECK_THAT(all, Contains("R = ") && Contains("H = ") && Contains("μ = "));
+  CHECK_THAT(all, !Contains("P = ") && !Contains("V = "));
+  const std::string one = stored_chart(store, {.filters = {{"load", Comparison::equal, "1e4"}}}).request.subtitle;
+  CHECK(one == "load = 10 kN/m, " + all);
+}
+
 TEST_CASE("a stored study is charted along its longest axis with one curve for each value of the other",
           "[studies][chart]") {
   const TemporaryDirectory scratch;

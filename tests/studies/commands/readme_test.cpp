@@ -83,7 +83,6 @@ constexpr LeftOut left_out[] = {
     {"cmake --install build/release", "another test installs"},
     {"cmake --workflow --preset package", "builds for minutes"},
     {"cmake --workflow --preset dev", "builds for minutes"},
-    {"cmake --workflow --preset asan", "builds for minutes"},
     {"cmake --workflow --preset release", "builds for minutes"},
 };
 

@@ -12,12 +12,11 @@ using namespace rollres;
 
 namespace {
 
-/// Rows of scenes that took so many times what is predicted.
-void store_rows(const std::filesystem::path& database, double times, double friction, int rows) {
+/// Rows of the study below that took so many times what is predicted.
+void store_rows(const std::filesystem::path& database, double times, int rows) {
   ResultStore store(database);
   for (int i = 0; i < rows; ++i) {
-    RollingScene scene = plain_scene(1 + 0.01 * i);
-    scene.friction_coefficient = friction;
+    const RollingScene scene = plain_scene(3 + 0.01 * i);
     RollingSolution solution = closed_form(scene);
     solution.seconds = times * predicted_seconds(scene);
     const Evaluation evaluation{evaluation_key(scene), scene, solution};
@@ -25,8 +24,7 @@ void store_rows(const std::filesystem::path& database, double times, double fric
   }
 }
 
-/// A study of 100 speeds that has no point in common with these rows.
-Study fresh_study() {
+Study hundred_speeds() {
   Study study{.name = "fresh", .base = plain_scene(), .axes = {{.key = "speed"}}};
   for (int i = 0; i < 100; ++i) study.axes.front().values.push_back(3 + 0.01 * i);
   return study;
@@ -34,16 +32,22 @@ Study fresh_study() {
 
 }  // namespace
 
-TEST_CASE("a study is predicted from what stored solutions of its kind took", "[studies][stored][learned_cost]") {
+TEST_CASE("what is missing of a study is predicted from what its stored points took",
+          "[studies][stored][learned_cost]") {
   const TemporaryDirectory folder;
   const std::vector<std::filesystem::path> database{folder / "results.db"};
-  const double plain = study_status(fresh_study(), {}, 1).seconds_left;
-  CHECK(plain == Approx(100 * predicted_seconds(plain_scene(3))));
-  store_rows(database.front(), 20, 0.3, 12);  // another study on this machine
-  store_rows(database.front(), 0.1, 0, 30);   // of another kind
-  const StudyStatus status = study_status(fresh_study(), database, 1);
-  CHECK(status.missing == 100);
-  CHECK(status.seconds_left == Approx(20 * plain));
+  const double each = predicted_seconds(plain_scene(3.5));
+  const StudyStatus fresh = study_status(hundred_speeds(), {}, 1);
+  CHECK(fresh.seconds_left == Approx(100 * each));
+  CHECK(fresh.unlearned == 100);
+  CHECK(fresh.seconds_unlearned == Approx(fresh.seconds_left));
+  store_rows(database.front(), 20, 5);
+  CHECK(study_status(hundred_speeds(), database, 1).unlearned == 95);
+  store_rows(database.front(), 20, 12);
+  const StudyStatus status = study_status(hundred_speeds(), database, 1);
+  CHECK(status.missing == 88);
+  CHECK(status.unlearned == 0);
+  CHECK(status.seconds_left == Approx(20 * 88 * each));
 }
 
 TEST_CASE("kinds of scenes are learned apart, and all together while one is rare", "[studies][stored][learned_cost]") {

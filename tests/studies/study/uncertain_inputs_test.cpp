@@ -97,8 +97,7 @@ TEST_CASE("what cannot scatter so is refused with its place, value and rule", "[
       of_modulus(R"("lognormal": ["3 MPa", "1 MPa"])") ==
       R"(static_shear_modulus: lognormal = "1 MPa": the standard deviation of the logarithm has no unit: 0.1 or 10 %)");
   CHECK(of_modulus(R"("uniform": ["3 MPa", "2 MPa"])").ends_with("the second number must be larger than the first"));
-  CHECK(of_modulus(R"("gamma": [1, 2])") ==
-        R"(static_shear_modulus: gamma = [1,2]: unknown key)");
+  CHECK(of_modulus(R"("gamma": [1, 2])") == R"(static_shear_modulus: gamma = [1,2]: unknown key)");
   CHECK(of_modulus(R"("normal": "5 %", "uniform": [1, 2])")
             .ends_with("must be an object with one of normal, lognormal, "
                        "uniform, loguniform, triangular"));
@@ -142,7 +141,9 @@ TEST_CASE("the parameters of a stored fit scatter by its covariance", "[studies]
                 .seconds = 1,
                 .parameters = {},
                 .correlations = {{"static_shear_modulus", "creep_time", -0.9}},
-                .data = {}};
+                .data = {},
+                .profiles = {},
+                .curves = {}};
   fit.parameters.push_back({.name = "static_shear_modulus", .unit = "Pa", .value = 3e6, .standard_error = 3e5});
   fit.parameters.push_back({.name = "creep_time", .unit = "s", .value = 0.25, .standard_error = 0.01});
   fit.parameters.push_back({.name = "stiffening", .unit = "1", .value = 2, .standard_error = 0.1});
