@@ -152,6 +152,7 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<std::optiona
     for (const std::size_t row : rows)
       if (row < measured) own.push_back(row);
     Prediction prediction = problem.predict_rows(point, own);
+    if (!prediction.found()) return prediction;
     Eigen::VectorXd values(std::ssize(rows));
     for (Eigen::Index i = 0, next = 0; i < values.size(); ++i) {
       const std::size_t row = rows[static_cast<std::size_t>(i)];

@@ -357,7 +357,7 @@ std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& 
     const QuantityColumn* const column = find_quantity_column(key);
     const bool filtered =
         std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) { return filter.column == key; });
-    if (!column || !column->is_input || filtered) continue;
+    if (!column || filtered) continue;
     const std::set<Cell> values = rows.values(*column);
     if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
     text += (text.empty() ? "" : ", ") + std::string(column->quantity.symbol) + " = " +

@@ -152,8 +152,7 @@ struct Formula::Parts {
       if (name == constant_name(i)) return &parts.constant_values[i];
     if (find_name(parts.known, name) < 0 && find_name(number_keys(FormulaNames::inputs_and_outputs), name) >= 0)
       throw std::invalid_argument(shortened(parts.text) + ": " + name +
-                                  " is known once a scene is solved; here only its inputs are: leave rows out where "
-                                  "they are read, with query or chart --where");
+                                  " is known once a scene is solved; here only its inputs are");
     if (find_name(parts.known, name) < 0 && !is_number_of_layer(name)) {
       std::vector<std::string_view> known = parts.known;
       for (const std::string_view key : keys_like(name))

@@ -77,7 +77,7 @@ TEST_CASE("rollres chart says what is filtered on the picture, and refuses an ax
   const std::string file = database(scratch);
   const std::string out = (scratch / "a").string();
   REQUIRE(run({"chart", "--db", file, "--where", "load=10 kN/m", "--out", out}).status == 0);
-  CHECK_THAT(file_text(scratch / "a.svg"), Contains(">load = 10 kN/m  <"));
+  CHECK_THAT(file_text(scratch / "a.svg"), Contains(">load = 10 kN/m, R = 100 mm, H = 10 mm, μ = 0.3  <"));
   const Run constant = run({"chart", "--db", file, "--x", "radius", "--out", out});
   CHECK(constant.status == 2);
   CHECK(constant.err == "rollres: x = radius: is 100 mm in all 6 points shown; these vary: load, speed\n");
