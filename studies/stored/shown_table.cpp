@@ -170,8 +170,10 @@ Table shown_groups(const Database& database, const GroupQuery& query, const Form
     for (const auto& row : table.rows)
       columns.shown.bodies.push_back(indenter_in(row[static_cast<std::size_t>(by_body - query.by.begin())]));
   } else if (differs_by_body(columns.shown)) {
-    GroupQuery bodies{.filters = query.filters, .by = {"indenter"}, .computed = query.computed};
-    const Table found = run_group_query(database, bodies);
+    // Where all of a database are of one kind, an index tells, whatever the filters.
+    Table found = run_group_query(database, {.by = {"indenter"}});
+    if (found.rows.size() != 1)
+      found = run_group_query(database, {.filters = query.filters, .by = {"indenter"}, .computed = query.computed});
     columns.shown.bodies = {found.rows.size() == 1 ? indenter_in(found.rows.front().front()) : std::nullopt};
   }
   return shown_table(std::move(table), columns.shown, units);
