@@ -85,16 +85,18 @@ void film(const FilmArguments& arguments, Session& session) {
       if constexpr (std::is_convertible_v<decltype(number), double>)
         if (quantity.key == output.quantity.key) value = static_cast<double>(number);
     });
-    if (auto fields = store.find_fields(evaluation_key(one.scene)))
+    if (auto fields = store.find_fields(evaluation_key(one.scene))) {
       one.solution.fields = std::move(*fields);
-    else if (++solved; true)
+    } else {
+      ++solved;
       one.solution = session.evaluate(one.scene);
+    }
     if (one.solution.status != Status::converged || one.solution.fields.grid.size() == 0) {
       ++left_out;
       continue;
     }
     request.frames.push_back({.words = in_words(key) + " " + value_in_words(axis.quantity, place, unit_in(rows, axis)),
-                              .point = {place / x.unit.factor, value / y.unit.factor},
+                              .point = {x.unit.number(place), y.unit.number(value)},
                               .scene = one.scene,
                               .solution = std::move(one.solution)});
   }
