@@ -48,12 +48,11 @@ std::optional<LinearityError> linearity_error(const RollingScene& scene, const R
         share <= largest_frictional_share && scene.poisson_ratio >= least_poisson && friction <= largest_friction &&
         lever > 0 && (friction == 0 || lever >= least_lever_with_friction)))
     return {};
-  const std::complex<double> modulus = complex_modulus(scene, omega);
+  const CreepSpectrum creep = creep_spectrum(scene);
+  const auto modulus = [&](double at) { return 1.0 / creep(at); };
   constexpr double step = 1.01;
-  const double slope =
-      std::log(complex_modulus(scene, omega * step).imag() / complex_modulus(scene, omega / step).imag()) /
-      (2 * std::log(step));
-  const double loss = modulus.imag() / modulus.real();
+  const double slope = std::log(modulus(omega * step).imag() / modulus(omega / step).imag()) / (2 * std::log(step));
+  const double loss = modulus(omega).imag() / modulus(omega).real();
   if (!(loss > 0) || !std::isfinite(slope)) return {};
 
   const auto variable = [&](char name) {

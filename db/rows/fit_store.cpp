@@ -188,11 +188,7 @@ void add_fit_curves(SQLite::Database& connection) {
   connection.exec("CREATE TABLE IF NOT EXISTS fit_curve" + rows + column_list<CurveRow>(true) + key);
 }
 
-void add_fit_scenes(SQLite::Database& connection) {
-  SQLite::Statement present(connection, "SELECT count(*) FROM pragma_table_info('fit') WHERE name = 'scene'");
-  present.executeStep();
-  if (present.getColumn(0).getInt() == 0) connection.exec("ALTER TABLE fit ADD COLUMN scene TEXT NOT NULL DEFAULT ''");
-}
+void add_fit_scenes(SQLite::Database& connection) { add_columns<Fit>(connection, "fit"); }
 
 std::vector<FitSummary> stored_fits(const Database& database) {
   return naming(database.name(), [&] {

@@ -358,10 +358,9 @@ std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& 
     const bool filtered =
         std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) { return filter.column == key; });
     if (!column || filtered) continue;
-    const std::set<Cell> values = rows.values(*column);
-    if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
-    text += (text.empty() ? "" : ", ") + std::string(column->quantity.symbol) + " = " +
-            value_in_words(column->quantity, *values.begin(), unit_in(rows, *column));
+    if (const auto value = rows.common(*column))
+      text += (text.empty() ? "" : ", ") + std::string(column->quantity.symbol) + " = " +
+              value_in_words(column->quantity, *value, unit_in(rows, *column));
   }
   return text;
 }

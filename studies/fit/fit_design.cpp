@@ -46,6 +46,11 @@ struct Span {
     part = std::clamp(part, 0.0, 1.0);
     return logarithmic() ? lowest * std::pow(highest / lowest, part) : lowest + part * (highest - lowest);
   }
+  /// The part that a value lies at.
+  double part_of(double value) const {
+    return logarithmic() ? std::log(value / lowest) / std::log(highest / lowest)
+                         : (value - lowest) / (highest - lowest);
+  }
 };
 
 /// The inputs that vary, and the speed and the load, each over a range about that of the data.
@@ -124,13 +129,8 @@ void look_anywhere(FitDesign& answer, const FitFile& file, const FitReport& repo
              });
     };
     choices.erase(std::unique(choices.begin(), choices.end(), same), choices.end());
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-      const double value = real_input(choices.front().scene, spans[k].key);
-      const Span& span = spans[k];
-      centre[static_cast<Eigen::Index>(k)] = span.logarithmic()
-                                                 ? std::log(value / span.lowest) / std::log(span.highest / span.lowest)
-                                                 : (value - span.lowest) / (span.highest - span.lowest);
-    }
+    for (std::size_t k = 0; k < spans.size(); ++k)
+      centre[static_cast<Eigen::Index>(k)] = spans[k].part_of(real_input(choices.front().scene, spans[k].key));
   }
   answer.together = best_together(answer.anywhere, named_together);
 }

@@ -115,6 +115,12 @@ std::set<Cell> StudyRows::values(const Column& column) const {
   return values;
 }
 
+std::optional<Cell> StudyRows::common(const Column& column) const {
+  const std::set<Cell> found = values(column);
+  if (found.size() != 1 || std::holds_alternative<std::monostate>(*found.begin())) return {};
+  return *found.begin();
+}
+
 const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const StudyRows& rows,
                                 const std::string& option) {
   const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
@@ -196,10 +202,9 @@ std::string common_inputs(const StudyRows& rows) {
   std::string lines;
   for (const QuantityColumn* const column : rows.columns()) {
     if (!column->is_input) continue;
-    const auto values = rows.values(*column);
-    if (values.size() != 1 || std::holds_alternative<std::monostate>(*values.begin())) continue;
-    lines += "\n" + std::string(column->quantity.key) + " = " +
-             value_in_words(column->quantity, *values.begin(), unit_in(rows, *column));
+    if (const auto value = rows.common(*column))
+      lines += "\n" + std::string(column->quantity.key) + " = " +
+               value_in_words(column->quantity, *value, unit_in(rows, *column));
   }
   return lines;
 }

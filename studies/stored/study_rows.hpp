@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -56,6 +57,8 @@ class StudyRows {
   std::string text(std::size_t row, const char* key) const;    ///< of an output; empty if absent
   bool converged(std::size_t row) const;
   std::set<Cell> values(const Column& column) const;
+  /// The value that all rows share; none if they differ, or it is absent.
+  std::optional<Cell> common(const Column& column) const;
 
  private:
   Table table_;

@@ -125,9 +125,9 @@ def fit(file, count):
         some = (strain >= low) & (strain < high)
         print(f"  d/H {low} to {high}:", some.sum(), np.quantile(missed[some] / strain[some], [0.5, 0.68, 0.95]).round(3))
     for name, limit in (("M", 1e-9), ("C", 1e-9), ("T", 0.3), ("U", 0.5), ("A", 0.5)):
-        for some in (variable[name] <= limit, variable[name] > limit):
-            print(f"  {name} {'<=' if some is not None and variable[name][some].max() <= limit else '>'} {limit}:", some.sum(),
-                  np.quantile(missed[some] / strain[some], [0.5, 0.68, 0.95]).round(3))
+        below = variable[name] <= limit
+        for sign, some in (("<=", below), (">", ~below)):
+            print(f"  {name} {sign} {limit}:", some.sum(), np.quantile(missed[some] / strain[some], [0.5, 0.68, 0.95]).round(3))
 
 
 if sys.argv[1] == "draw":
