@@ -34,7 +34,7 @@ export TSAN_OPTIONS="exitcode=66:suppressions=$PWD/tests/tsan.txt"
 
 if build asan rollres_fuzz; then
   say_time "address and undefined behaviour built"
-  ctest --test-dir build/asan --parallel "$(nproc)" --no-tests=error --timeout 900 --output-on-failure >build/asan-tests.log 2>&1 ||
+  ctest --test-dir build/asan --parallel "$(nproc)" --no-tests=error --timeout 1800 --output-on-failure >build/asan-tests.log 2>&1 ||
     trouble="$trouble the suite fails under address and undefined-behaviour sanitizers;"
   sed -n '/: Running\|ERROR: \|runtime error\|tests passed\|FAILED:$/p;/The following tests FAILED/,$p' build/asan-tests.log
   say_time "suite run"

@@ -24,4 +24,6 @@ bool address_sanitizer() {
 
 int thinned(int amount) { return std::getenv("ROLLRES_THIN") ? std::max(1, amount / 10) : amount; }
 
+double patience(double seconds) { return std::getenv("ROLLRES_THIN") ? 20 * seconds : seconds; }
+
 std::string example(const std::string& name) { return (source_directory() / "studies/examples" / name).string(); }

@@ -15,5 +15,8 @@ bool address_sanitizer();
 /// How much of a random input a test tries: `amount`, or with ROLLRES_THIN in the environment a tenth, one at least.
 int thinned(int amount);
 
+/// Processor time that a test allows [s]: with ROLLRES_THIN, and so under sanitizers, twenty times as much.
+double patience(double seconds);
+
 /// A file of studies/examples.
 std::string example(const std::string& name);

@@ -185,7 +185,7 @@ class InteriorField::Sum {
   /// Memory means of the stress at the point farthest ahead.
   void add_memories(std::size_t line, const Wave& wave, const PlaneStress& stress, double weight) {
     if (memories_[line].empty()) return;
-    const complex turned = std::polar(weight, wave.wavenumber * x_(place(x_.size() - 1)));
+    const complex turned = weight * std::polar(1.0, wave.wavenumber * x_(place(x_.size() - 1)));
     const auto& terms = field_.medium_[lines_[line].layer].material.terms;
     for (std::size_t m = 0; m < terms.size(); ++m) {
       const complex mean = turned / complex(1, -wave.wavenumber * field_.speed_ * terms[m].time);

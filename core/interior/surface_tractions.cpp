@@ -122,7 +122,7 @@ SurfaceTractions::Transforms SurfaceTractions::transforms(double k) const {
     const double width = panel.to - panel.from;
     if (panel.pressure.size() == 1) {
       const double phase = 0.5 * k * width, share = phase == 0 ? 1 : std::sin(phase) / phase;
-      const complex wave = std::polar(width * share, -k * 0.5 * (panel.from + panel.to));
+      const complex wave = width * share * std::polar(1.0, -k * 0.5 * (panel.from + panel.to));
       sum.pressure += panel.pressure.front() * wave;
       sum.shear += panel.shear.front() * wave;
       continue;

@@ -194,7 +194,7 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   findings.sort();
 
   const EvaluationCount count = evaluations->count();
-  const std::string_view unit = problem.unit(problem.goal.formula);
+  const std::string unit = problem.unit(problem.goal.formula);
   if (arguments.json) {
     Json object{{"output", problem.goal.formula.text()},
                 {"unit", unit},
@@ -205,7 +205,7 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
     object["inputs"] = json_of(findings.table);
     session.out << text_of(object, 2) << '\n';
   } else {
-    session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + std::string(unit) + "]") << ", "
+    session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + unit + "]") << ", "
                 << arguments.indices << ": " << in_words(count) << "\n\n";
     write_aligned(session.out, findings.table);
   }

@@ -15,6 +15,7 @@
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
+#include "tests/source_directory.hpp"
 
 using namespace rollres;
 using Catch::Contains;
@@ -189,7 +190,7 @@ TEST_CASE("layers of two coinciding retardation times, and of very different thi
     scene.lower_layers[0].layer_thickness = 0.8;
     scene.lower_layers[0].static_shear_modulus = 1e9;
     scene.load = 0.04;
-    scene.time_limit = 5;
+    scene.time_limit = patience(5);
     const RollingSolution solution = solve(scene);
     INFO(solution.reason);
     CHECK((solution.status == Status::converged || !solution.reason.empty()));
