@@ -46,19 +46,27 @@ void FiniteContact::place_nodes(const FiniteState& state) {
   const Vector2d axis(0, scene_.radius - approach_);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     SurfaceNode& node = nodes_[i];
-    node.position = Vector2d(node.place, 0) + state.unknowns.segment<2>(displacement(i));
-    const Vector2d arm = node.position - axis;
-    node.distance = arm.norm();
-    node.outward = arm / node.distance;
+    node.position = layer_.mesh().rest(node.place, 0) + state.unknowns.segment<2>(displacement(i));
+    if (covered()) {
+      node.outward = Vector2d(0, -1);
+      node.distance = INFINITY;
+      node.arc = node.position.x();
+      node.gap = -approach_ - node.position.y();
+    } else {
+      const Vector2d arm = node.position - axis;
+      node.distance = arm.norm();
+      node.outward = arm / node.distance;
+      node.arc = scene_.radius * std::atan2(arm.x(), -arm.y());
+      node.per_step = scene_.radius / node.distance;
+      node.gap = node.distance - scene_.radius;
+    }
     node.tangent = Vector2d(-node.outward.y(), node.outward.x());
-    node.angle = std::atan2(arm.x(), -arm.y());
-    node.gap = node.distance - scene_.radius;
     node.normal = state.unknowns(normal(i));
     if (!sheared()) continue;
     node.shear = state.unknowns(shear(i));
-    if (i > 0)
-      node.slip =
-          scene_.radius * (node.angle - nodes_[i - 1].angle) / (node.place - nodes_[i - 1].place) - rotation_ratio_;
+    if (i == 0) continue;
+    node.stretch = (node.arc - nodes_[i - 1].arc) / (node.place - nodes_[i - 1].place);
+    node.slip = slip_at(node.stretch);
   }
 }
 
@@ -96,12 +104,13 @@ double FiniteContact::load() const {
 double FiniteContact::driving_force() const {
   double sum = 0;
   for (const SurfaceNode& node : nodes_) sum += node.normal * node.outward.x() + node.shear * node.tangent.x();
-  return sum;
+  return covered() ? -sum : sum;
 }
 
 double FiniteContact::torque() const {
   double sum = 0;
-  for (const SurfaceNode& node : nodes_) sum -= node.shear * scene_.radius;
+  for (const SurfaceNode& node : nodes_)
+    sum += covered() ? node.normal * node.position.x() + node.shear * lever(node) : -node.shear * scene_.radius;
   return sum;
 }
 
@@ -109,8 +118,8 @@ double FiniteContact::slip(std::size_t node) const {
   if (node == 0 || node + 1 >= nodes_.size()) return 0;
   const SurfaceNode &before = nodes_[node - 1], &at = nodes_[node], &after = nodes_[node + 1];
   const double a = at.place - before.place, b = after.place - at.place;
-  const double into = (at.angle - before.angle) / a, out = (after.angle - at.angle) / b;
-  return scene_.radius * (into * b + out * a) / (a + b) - rotation_ratio_;
+  const double into = (at.arc - before.arc) / a, out = (after.arc - at.arc) / b;
+  return slip_at((into * b + out * a) / (a + b));
 }
 
 double FiniteContact::friction_power() const {
@@ -176,30 +185,45 @@ void FiniteContact::linearise() {
     }
     if (!sheared()) continue;
     if (with_friction_ && node.zone == Zone::stick) {
-      const double step = scene_.radius / (node.place - nodes_[i - 1].place);
-      add_along_tangent(shear(i), i, step / node.distance);
-      add_along_tangent(shear(i), i - 1, -step / nodes_[i - 1].distance);
-      add(shear(i), rotation, -1);
+      const double step = (covered() ? rotation_ratio_ : 1) / (node.place - nodes_[i - 1].place);
+      add_along_tangent(shear(i), i, step * node.per_step);
+      add_along_tangent(shear(i), i - 1, -step * nodes_[i - 1].per_step);
+      add(shear(i), rotation, covered() ? node.stretch : -1);
     } else {
       add(shear(i), shear(i), 1);
       if (with_friction_ && node.zone == Zone::slip)
         add(shear(i), normal(i), -node.direction * scene_.friction_coefficient);
     }
-    if (scene_.drive == Drive::rotation || !loaded || !with_friction_) continue;
-    const double pushed = scene_.drive == Drive::top_force ? 1 : 0;
-    add(rotation, shear(i), -1 - pushed * node.tangent.x());
-    add(rotation, normal(i), -pushed * node.outward.x());
-    add_along_tangent(rotation, i, -pushed * turning.x());
+    if (scene_.drive != Drive::rotation && loaded && with_friction_) linearise_drive(i);
   }
   if (!scene_.load) add(approach, approach, 1);
   if (!with_friction_ || scene_.drive == Drive::rotation) add(rotation, rotation, 1);
 }
 
+void FiniteContact::linearise_drive(std::size_t i) {
+  const SurfaceNode& node = nodes_[i];
+  const Eigen::Index row = size() + 1;
+  const double pushed = scene_.drive == Drive::top_force ? 1 : 0;
+  if (covered()) {
+    add(row, shear(i), lever(node) / scene_.radius + pushed);
+    add(row, normal(i), node.position.x() / scene_.radius);
+    add(row, displacement(i), node.normal / scene_.radius);
+    add(row, displacement(i) + 1, node.shear / scene_.radius);
+    return;
+  }
+  add(row, shear(i), -1 - pushed * node.tangent.x());
+  add(row, normal(i), -pushed * node.outward.x());
+  add_along_tangent(row, i, -pushed * (node.normal * node.tangent - node.shear * node.outward).x() / node.distance);
+}
+
 Vector FiniteContact::multiply(const Vector& change) const {
   Vector rows = Vector::Zero(size() + 2);
   rows.head(size()) = layer_.apply(change.head(size()));
-  const Eigen::Index clamped = 2 * layer_.numbering().free_rows;
-  rows.head(clamped) = change.head(clamped);
+  const Numbering& numbers = layer_.numbering();
+  for (int column = 0; column < numbers.columns; ++column)
+    if (layer_.is_held(column))
+      rows.segment(numbers.node(column, 0), 2 * numbers.free_rows) =
+          change.segment(numbers.node(column, 0), 2 * numbers.free_rows);
   for (const Entry& entry : entries_) rows(entry.row) += entry.value * change(entry.column);
   return rows;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-/// A rigid cylinder on layers that flow through a mesh: semi-smooth Newton method for displacements, pressures and the
-/// laws of contact at once (core/finite_strain/README.md, sections 4 and 5).
+/// Layers that flow through a mesh against a rigid cylinder, or a cover that does against a rigid plane: semi-smooth
+/// Newton method for displacements, pressures and the laws of contact at once (core/finite_strain/README.md, sections
+/// 4 to 6).
 
 #include <Eigen/Core>
 #include <string>
@@ -21,15 +22,17 @@ struct FiniteState {
   double rotation_ratio = 1;   // R Omega / V
 };
 
-/// A node of the surface against the circle.
+/// A node of the surface against the rigid one, a circle or a plane.
 struct SurfaceNode {
   double place = 0, share = 0;        // on the undeformed surface
-  Eigen::Vector2d position, outward;  // where it is; from the circle's axis to it
+  Eigen::Vector2d position, outward;  // where it is; normal of the rigid surface, out of it
   Eigen::Vector2d tangent;            // outward turned, along +x under the axis
-  double distance = 0, angle = 0;     // from the axis; about it, growing along `tangent`
+  double distance = 0;                // from the circle's axis; infinite from a plane's
+  double arc = 0, per_step = 1;       // where it is along the rigid surface; its derivative along `tangent`
   double gap = 0;
-  double normal = 0, shear = 0;  // forces on the layer along `outward` and `tangent`
-  double slip = 0;               // (H11) of the body relative to the layer over V, between the node ahead and this one
+  double normal = 0, shear = 0;  // forces on it along `outward` and `tangent`
+  double stretch = 1;            // of arc by place, between the node ahead and this one
+  double slip = 0;               // (H11) of the rigid surface relative to it over V, by this stretch
   Zone zone = Zone::free;
   double direction = 0;  // of friction where it slips: 1 or -1
 };
@@ -55,6 +58,8 @@ class FiniteContact {
   double driving_force() const;   // Q
   double torque() const;          // T
   double friction_power() const;  // over V
+  /// Whether it is the body's cover that flows.
+  bool covered() const { return layer_.mesh().curvature > 0; }
   /// R_r = Q + Omega T/V
   double resistance() const { return driving_force() + rotation_ratio_ * torque() / scene_.radius; }
   /// Slip over V of a node by the positions of its neighbours on both sides.
@@ -73,7 +78,10 @@ class FiniteContact {
   Eigen::Index shear(std::size_t node) const { return layer_.numbering().surface(static_cast<int>(node), 1); }
   Eigen::Index displacement(std::size_t node) const { return layer_.numbering().node(static_cast<int>(node), 0); }
 
+  double slip_at(double stretch) const { return covered() ? rotation_ratio_ * stretch - 1 : stretch - rotation_ratio_; }
+  double lever(const SurfaceNode& node) const { return node.position.y() + scene_.radius; }
   void place_nodes(const FiniteState& state);
+  void linearise_drive(std::size_t node);
   bool choose_zones();
   Vector residual() const;
   void linearise();

@@ -157,15 +157,16 @@ class FiniteStrainSolution {
     s.driving_force = force * contact.driving_force();
     s.driving_torque = 0;
     s.rolling_resistance = s.driving_force;
-    s.viscous_loss = scene_.speed * force * level_->layer().taken_power();
+    const bool covered = problem_.covered, friction = scene_.friction_coefficient > 0;
+    s.viscous_loss = (covered ? state.rotation_ratio : 1) * scene_.speed * force * level_->layer().taken_power();
     s.frictional_loss = 0;
-    if (scene_.friction_coefficient > 0) {
+    if (covered || friction) {
       s.driving_torque = force * problem_.length * contact.torque();
       s.rotation_ratio = state.rotation_ratio;
       s.rotation_speed = state.rotation_ratio * scene_.speed / scene_.radius;
       s.rolling_resistance = force * contact.resistance();
-      s.frictional_loss = scene_.speed * force * contact.friction_power();
     }
+    if (friction) s.frictional_loss = scene_.speed * force * contact.friction_power();
     s.rolling_resistance_coefficient = s.rolling_resistance / s.load;
     const ContactEdges edges = level_->edges();
     s.leading_edge = problem_.length * level_->moved(edges.leading).x();
@@ -177,7 +178,8 @@ class FiniteStrainSolution {
     s.law_violation = contact.law_violation();
     s.model = message_text(
         "; finite strain: neo-Hookean, viscous overstresses linear in the second Piola-Kirchhoff "
-        "stress (Simo, Holzapfel); deformed positions against the circle; mesh of ",
+        "stress (Simo, Holzapfel); deformed positions against the ",
+        covered ? "plane, the layers under the body taken as rigid; mesh of " : "circle; mesh of ",
         level_->layer().mesh().cells_along(), " x ", level_->layer().mesh().cells_down(), " cells, ", level_->cells(),
         " in the contact");
     take_fields(edges);
@@ -202,6 +204,8 @@ class FiniteStrainSolution {
         s.peak_shear_x = std::max(s.peak_shear_x, problem_.modulus * std::abs(at.shear));
     }
 
+    // What acts on a cover acts on the layer the other way; its mesh is seen from below (README, section 6).
+    const double upon_layer = problem_.covered ? -1 : 1;
     constexpr int per_half_width = 30;
     constexpr double margin = 2;  // half-widths on either side
     const double half = 0.5 * (edges.leading - edges.trailing), step = half / per_half_width;
@@ -216,9 +220,9 @@ class FiniteStrainSolution {
                    grid.first_column + 1;
     for (int column = 0; column < grid.columns; ++column) {
       const double place = step * (grid.first_column + column);
-      const Eigen::Vector2d position = level_->moved(place);
-      fields.u.push_back(problem_.length * (position.x() - place));
-      fields.w.push_back(problem_.length * position.y());
+      const Eigen::Vector2d moved = level_->moved(place) - level_->layer().mesh().rest(place, 0);
+      fields.u.push_back(problem_.length * upon_layer * moved.x());
+      fields.w.push_back(problem_.length * moved.y());
       const auto after =
           std::find_if(nodes.begin(), nodes.end(), [&](const SurfaceNode& node) { return node.place <= place; });
       const auto next = static_cast<std::size_t>(after - nodes.begin());
@@ -228,7 +232,7 @@ class FiniteStrainSolution {
       fields.zone.push_back(contact ? zone : Zone::free);
       const MeshLevel::Traction traction = contact ? between(tractions, edges, place) : MeshLevel::Traction{};
       fields.pressure.push_back(problem_.modulus * traction.pressure);
-      fields.shear_x.push_back(problem_.modulus * traction.shear);
+      fields.shear_x.push_back(problem_.modulus * upon_layer * traction.shear);
       fields.slip_x.push_back(contact && friction && zone == Zone::slip ? level_->contact().slip(nearest) : 0);
     }
   }
@@ -276,7 +280,7 @@ class FiniteStrainSolution {
     // The second mesh is made for the edges found on the first.
     for (const int cells : {meshes[0], meshes[1]})
       if (!advance(level_ ? level_->edges() : ContactEdges{}, cells)) return 0;
-    return std::abs(level_->contact().driving_force()) / (2 * level_->contact().load());
+    return std::abs(level_->contact().resistance()) / (2 * level_->contact().load());
   }
 
   RollingSolution refuse() {

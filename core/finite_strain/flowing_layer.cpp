@@ -107,8 +107,9 @@ Eigen::Matrix<double, 18, 1> FlowingLayer::gathered(const Vector& all, int r, in
 
 void FlowingLayer::scatter(const Eigen::Matrix<double, 18, 1>& part, int r, int e, Vector& all) const {
   const bool base = r + 1 == mesh_.cells_down();
-  for (int i = e == 0 ? 1 : 0; i < 3; ++i)
-    all.segment(numbering_.node(2 * e + i, 2 * r), base ? 4 : 6) += part.segment(6 * i, base ? 4 : 6);
+  for (int i = 0; i < 3; ++i)
+    if (!is_held(2 * e + i))
+      all.segment(numbering_.node(2 * e + i, 2 * r), base ? 4 : 6) += part.segment(6 * i, base ? 4 : 6);
 }
 
 bool FlowingLayer::evaluate(const Vector& displacements, const Eigen::Matrix3Xd& pressures) {
@@ -132,15 +133,18 @@ bool FlowingLayer::evaluate_row(int r, const Vector& displacements, const Eigen:
     const Eigen::Matrix<double, 18, 1> moved = gathered(displacements, r, e);
     const Vector3d pressure = pressures.col(r * mesh_.cells_along() + e);
     const double area = at.length * at.height;
+    for (std::size_t k = 0; k < 3; ++k)
+      at.shortening[k] = mesh_.shortening(mesh_.z[static_cast<std::size_t>(r)] - gauss_places[k] * at.height);
     std::array<NeoHookean, 9> solid_at;
     Eigen::Matrix<double, 4, 9> own;  // stress and pressure by unit modulus
     std::array<Nodes, 9> slope_x, slope_z;
     at.lack = -area * pressure_masses.cwiseProduct(pressure) / solid.bulk_ratio;
     for (std::size_t g = 0; g < 9; ++g) {
       const auto i = static_cast<Eigen::Index>(g);
-      slope_x[g] = -shapes.along[g] / at.length;
+      slope_x[g] = -shapes.along[g] / (at.length * at.shortening[g % 3]);
       slope_z[g] = -shapes.down[g] / at.height;
-      at.gradient[g] = Matrix2d::Identity() + gradient_of(moved, slope_x[g], slope_z[g]);
+      const double place = mesh_.x[static_cast<std::size_t>(e)] - gauss_places[g / 3] * at.length;
+      at.gradient[g] = mesh_.frame(place) + gradient_of(moved, slope_x[g], slope_z[g]);
       solid_at[g] = neo_hookean(at.gradient[g]);
       whole = whole && solid_at[g].volume > 0;
       at.strain.middleRows<3>(3 * i) = strain_rows(at.gradient[g], slope_x[g], slope_z[g]);
@@ -177,7 +181,7 @@ bool FlowingLayer::evaluate_row(int r, const Vector& displacements, const Eigen:
     for (int g = 0; g < 9; ++g) {
       const auto point = static_cast<std::size_t>(g);
       const int i = g / 3, k = g % 3;
-      const double weight = area * shapes.weight[point];
+      const double measure = area * shapes.weight[point], weight = measure * at.shortening[point % 3];
       const Vector3d v = solid_at[point].dilatation;
       const Vector3d stress = total.col(g).head<3>() + total(3, g) * v;
       const auto strain = at.strain.middleRows<3>(3 * g);
@@ -192,7 +196,7 @@ bool FlowingLayer::evaluate_row(int r, const Vector& displacements, const Eigen:
       at.local.noalias() += weight * strain.transpose() * change;
       const Eigen::Matrix<double, 18, 1> widened = strain.transpose() * v;
       at.of_pressure.noalias() += weight * widened * of_pressure.transpose();
-      at.volume.noalias() += weight * shapes.pressure[point] * widened.transpose();
+      at.volume.noalias() += measure * shapes.pressure[point] * widened.transpose();
       const Nodes &x = slope_x[point], &z = slope_z[point];
       const Nodes along = stress(0) * x + stress(2) * z, down = stress(2) * x + stress(1) * z;
       for (int n = 0; n < 9; ++n)
@@ -261,7 +265,8 @@ Vector FlowingLayer::sweep(const Vector& change, bool with_lack) const {
           }
           for (int i = 0; i < 3; ++i) {
             const int g = 3 * i + k;
-            const double weight = at.length * at.height * shapes.weight[static_cast<std::size_t>(g)];
+            const double weight = at.length * at.height * shapes.weight[static_cast<std::size_t>(g)] *
+                                  at.shortening[static_cast<std::size_t>(k)];
             remembered.segment<3>(3 * g) =
                 weight * (past.col(i).head<3>() + past(3, i) * at.dilatation.segment<3>(3 * g));
           }
@@ -279,16 +284,17 @@ void FlowingLayer::add_local(BlockTridiagonal& matrix) const {
     const int rows = r + 1 == mesh_.cells_down() ? 2 : 3;
     for (int e = 0; e < mesh_.cells_along(); ++e) {
       const Cell& at = cell(r, e);
-      for (int i = e == 0 ? 1 : 0; i < 3; ++i)
-        for (int j = e == 0 ? 1 : 0; j < 3; ++j)
-          for (int a = 0; a < 2 * rows; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          for (int a = 0; a < 2 * rows && !is_held(2 * e + i) && !is_held(2 * e + j); ++a)
             for (int b = 0; b < 2 * rows; ++b)
               matrix.add(numbering_.node(2 * e + i, 2 * r) + a, numbering_.node(2 * e + j, 2 * r) + b,
                          at.local(6 * i + a, 6 * j + b));
     }
   }
-  for (int row = 0; row < numbering_.free_rows; ++row)
-    for (int c = 0; c < 2; ++c) matrix.add(numbering_.node(0, row) + c, numbering_.node(0, row) + c, 1);
+  for (int column = 0; column < numbering_.columns; ++column)
+    for (int k = 0; k < 2 * numbering_.free_rows && is_held(column); ++k)
+      matrix.add(numbering_.node(column, 0) + k, numbering_.node(column, 0) + k, 1);
 }
 
 FlowingLayer::Folding FlowingLayer::folding(const Vector& change) const {
@@ -300,7 +306,8 @@ FlowingLayer::Folding FlowingLayer::folding(const Vector& change) const {
       const Eigen::Matrix<double, 18, 1> moved = gathered(change, r, e);
       for (std::size_t g = 0; g < 9; ++g) {
         const Matrix2d& f = at.gradient[g];
-        const Matrix2d after = f + gradient_of(moved, -shapes.along[g] / at.length, -shapes.down[g] / at.height);
+        const Matrix2d after =
+            f + gradient_of(moved, -shapes.along[g] / (at.length * at.shortening[g % 3]), -shapes.down[g] / at.height);
         const double ratio = after.determinant() / f.determinant();
         found.largest = std::max(found.largest, ratio);
         if (ratio >= found.least) continue;
@@ -329,6 +336,10 @@ double FlowingLayer::taken_power() const {
           strain[n] = {0.5 * (c(0, 0) - 1), 0.5 * (c(1, 1) - 1), c(0, 1)};
           stress[n] = at.total.segment<3>(3 * g);
         }
+        if (e == 0 && mesh_.curvature > 0) {  // around the body it comes in as it has left
+          last_strain = strain[0];
+          last_stress = stress[0];
+        }
         // Quadratics between the cell's points, straight lines between cells.
         const Vector3d rise = 0.5 * (strain[2] - strain[0]), bend = strain[2] - 2 * strain[1] + strain[0];
         line += 0.5 * (stress[0] + last_stress).dot(strain[0] - last_strain) + 2 * stress[1].dot(rise) +
@@ -336,7 +347,7 @@ double FlowingLayer::taken_power() const {
         last_strain = strain[2];
         last_stress = stress[2];
       }
-      power += mesh_.height(r) * gauss_weights[k] * line;
+      power += mesh_.height(r) * gauss_weights[k] * cell(r, 0).shortening[static_cast<std::size_t>(k)] * line;
     }
   return power;
 }

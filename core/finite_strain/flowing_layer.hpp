@@ -48,9 +48,12 @@ class FlowingLayer {
   /// @return false if a cell is folded
   bool evaluate(const Vector& displacements, const Eigen::Matrix3Xd& pressures);
 
-  /// Internal forces; 0 in the rows of the contact and of the clamped leading end.
+  /// Columns of nodes that are held: the leading one, and the last one of a cover, which meets it behind.
+  bool is_held(int column) const { return column == 0 || (mesh_.curvature > 0 && column + 1 == numbering_.columns); }
+
+  /// Internal forces; 0 in the rows of the contact and of held columns.
   const Vector& forces() const { return forces_; }
-  /// Change of the internal forces with displacements, the pressures following; the clamped end is held.
+  /// Change of the internal forces with displacements, the pressures following; 0 in the same rows.
   Vector apply(const Vector& change) const { return sweep(change, false); }
   /// Change of the internal forces by what the pressures still lack at no change of displacements.
   Vector pressure_defect() const { return sweep(Vector::Zero(numbering_.size()), true); }
@@ -67,7 +70,8 @@ class FlowingLayer {
   };
   Folding folding(const Vector& change) const;
 
-  /// int S : dE/ds over the mesh, s downstream: what the flow through it takes, over V [N/m].
+  /// int S : dE/ds over the mesh, s downstream along the surface: what the flow through it takes, over its speed at
+  /// the surface [N/m].
   double taken_power() const;
 
  private:
@@ -82,6 +86,7 @@ class FlowingLayer {
     Eigen::Matrix<double, 3, 18> volume;
     Eigen::Vector3d lack;  // int psi (J - 1) - M p / bulk
     double length, height;
+    std::array<double, 3> shortening;         // of the lines of flow through it
     std::array<Eigen::Matrix2d, 9> gradient;  // F
   };
 

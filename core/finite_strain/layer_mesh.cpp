@@ -17,6 +17,8 @@ constexpr double growth_along = 0.35, growth_down = 0.5;
 constexpr double first_row = 0.5;
 /// Thicknesses of all layers that the mesh goes beyond the contact: there stresses have decayed.
 constexpr double reach = 10;
+/// Of half the circumference, where a cover's mesh ends at the latest.
+constexpr double around = 0.97;
 
 /// Borders from 0 to `length` of cells that begin with `first` and grow with the distance from `origin` before 0.
 std::vector<double> growing(double length, double first, double growth, double origin = 0) {
@@ -43,6 +45,20 @@ double LayerMesh::node_z(int row) const {
   return row % 2 == 0 ? z[r] : 0.5 * (z[r] + z[r + 1]);
 }
 
+Eigen::Vector2d LayerMesh::rest(double along, double depth) const {
+  if (curvature == 0) return {along, depth};
+  const double angle = along * curvature, half = std::sin(0.5 * angle);
+  // The axis lies at (0, -1/curvature).
+  return {shortening(depth) / curvature * std::sin(angle), depth - 2 * shortening(depth) / curvature * half * half};
+}
+
+Eigen::Matrix2d LayerMesh::frame(double along) const {
+  const double angle = along * curvature;
+  Eigen::Matrix2d columns;
+  columns << std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle);
+  return columns;
+}
+
 double LayerMesh::share(int column) const {
   const int e = column / 2;
   if (column % 2 == 1) return length(e) * 2 / 3;
@@ -51,10 +67,13 @@ double LayerMesh::share(int column) const {
 
 LayerMesh layer_mesh(const MeshWishes& wishes) {
   LayerMesh mesh;
+  mesh.curvature = wishes.curvature;
   const double half = 0.5 * (wishes.leading - wishes.trailing), middle = 0.5 * (wishes.leading + wishes.trailing);
   const double thickness = std::accumulate(wishes.thicknesses.begin(), wishes.thicknesses.end(), 0.0);
   const double edge_cell = half * (1 - std::cos(std::numbers::pi / wishes.cells));
-  const std::vector<double> beyond = growing(reach * thickness + half, edge_cell, growth_along);
+  const double turn = around * std::numbers::pi / wishes.curvature - std::max(wishes.leading, -wishes.trailing);
+  const std::vector<double> beyond =
+      growing(std::max(std::min(reach * thickness + half, turn), edge_cell), edge_cell, growth_along);
   for (auto it = beyond.rbegin(); it != beyond.rend(); ++it) mesh.x.push_back(wishes.leading + *it);
   for (int k = 1; k < wishes.cells; ++k)
     mesh.x.push_back(middle + half * std::cos(std::numbers::pi * k / wishes.cells));

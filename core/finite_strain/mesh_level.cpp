@@ -6,6 +6,7 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/material/prony_series.hpp"
+#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 
@@ -14,11 +15,17 @@ namespace {
 /// Bulk modulus over shear modulus that stands for an incompressible material.
 constexpr double nearly_incompressible = 1e6;
 
+/// @param speed  of the flow at the surface; a material at rest answers with its modulus at rest
 FlowingMaterial flowing(const MaterialInputs& layer, double speed, double length, double modulus) {
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep_spectrum(layer));
   FlowingMaterial material{.modulus = relaxation.instantaneous / modulus, .terms = {}};
-  for (const RelaxationSpectrum::Term& term : relaxation.terms)
-    if (term.modulus > 0) material.terms.push_back({term.modulus / modulus, term.time * speed / length});
+  for (const RelaxationSpectrum::Term& term : relaxation.terms) {
+    if (!(term.modulus > 0)) continue;
+    if (speed > 0)
+      material.terms.push_back({term.modulus / modulus, term.time * speed / length});
+    else
+      material.modulus -= term.modulus / modulus;
+  }
   const double nu = layer.poisson_ratio;
   material.bulk_relaxes = nu < 0.5;
   material.bulk_ratio =
@@ -54,29 +61,38 @@ Eigen::Vector2d displacement_at(const FlowingLayer& layer, const Vector& unknown
 
 }  // namespace
 
-FiniteProblem::FiniteProblem(const RollingScene& given) : scene(given) {
+FiniteProblem::FiniteProblem(const RollingScene& given) : scene(given), covered(!given.coating_layers.empty()) {
   const ContactEstimate estimate = estimate_contact(given);
+  const MaterialInputs* first = &given;
+  double thickness = given.layer_thickness;
+  if (covered) {
+    first = &given.coating_layers.front();
+    thickness = given.coating_layers.front().layer_thickness;
+  }
   length = std::min(estimate.half_width, 0.8 * given.radius);
-  modulus = static_modulus(given);
-  approach = std::min(estimate.approach, 0.5 * given.layer_thickness) / length;
+  modulus = static_modulus(*first);
+  approach = std::min(estimate.approach, 0.5 * thickness) / length;
   scene.radius /= length;
   if (scene.load) *scene.load /= modulus * length;
   if (scene.approach) approach = *scene.approach /= length;
   if (scene.driving_torque) *scene.driving_torque /= modulus * length * length;
-  const auto add = [&](const MaterialInputs& layer, double thickness) {
-    materials.push_back(flowing(layer, given.speed, length, modulus));
-    thicknesses.push_back(thickness / length);
+  const double flow = covered ? flow_of_coating(given) : 1;
+  const auto add = [&](const MaterialInputs& layer, double thickness_of_layer) {
+    materials.push_back(flowing(layer, flow * given.speed, length, modulus));
+    thicknesses.push_back(thickness_of_layer / length);
   };
-  add(given, given.layer_thickness);
-  for (const BondedLayer& layer : given.lower_layers) add(layer, layer.layer_thickness);
+  if (!covered) add(given, given.layer_thickness);
+  for (const BondedLayer& layer : covered ? given.coating_layers : given.lower_layers)
+    add(layer, layer.layer_thickness);
 }
 
 MeshLevel::MeshLevel(const FiniteProblem& problem, const ContactEdges& edges, int cells)
     : problem_(problem),
       given_(edges),
       cells_(cells),
-      layer_(layer_mesh({edges.trailing, edges.leading, cells, problem.thicknesses}), problem.materials,
-             problem.scene.friction_coefficient > 0 ? 2 : 1),
+      layer_(layer_mesh({edges.trailing, edges.leading, cells, problem.thicknesses,
+                         problem.covered ? 1 / problem.scene.radius : 0}),
+             problem.materials, problem.scene.friction_coefficient > 0 ? 2 : 1),
       contact_(problem.scene, layer_) {}
 
 void MeshLevel::take_over(const MeshLevel& from) {
@@ -218,7 +234,7 @@ ContactEdges MeshLevel::edges() const {
 }
 
 Eigen::Vector2d MeshLevel::moved(double place) const {
-  return Eigen::Vector2d(place, 0) + displacement_at(layer_, state_.unknowns, place, 0);
+  return layer_.mesh().rest(place, 0) + displacement_at(layer_, state_.unknowns, place, 0);
 }
 
 std::vector<MeshLevel::Traction> MeshLevel::tractions() const {

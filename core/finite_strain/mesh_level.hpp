@@ -15,6 +15,7 @@ struct FiniteProblem {
 
   double length = 1, modulus = 1;  // the units [m], [Pa]
   RollingScene scene;
+  bool covered = false;  // it is the body's cover that flows
   std::vector<FlowingMaterial> materials;
   std::vector<double> thicknesses;
   double approach = 0;  // where to start

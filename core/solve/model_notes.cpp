@@ -87,7 +87,8 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10)
     warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
-  if (const double apart = std::abs(1 - flow_of_coating(scene)); !scene.coating_layers.empty() && apart > 0.1) {
+  if (const double apart = std::abs(1 - flow_of_coating(scene));
+      linear && !scene.coating_layers.empty() && apart > 0.1) {
     // The coating's part of the pressure's horizontal force is a torque about the axis instead, int p w' of the
     // coating, and the power of both is R Omega: R_r misses (R Omega/V - 1) times that, which is no more than all of
     // the force.

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/material/material_scale.hpp"
+#include "core/material/prony_series.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/surface/contact_surface.hpp"
 
@@ -34,11 +35,36 @@ std::string broken_for_spectral(const RollingScene& scene) {
   return {};
 }
 
+/// The same for method finite_strain and a coated cylinder, which rolls on what must hardly yield.
+std::string broken_for_cover(const RollingScene& scene) {
+  constexpr double rigid = 1000;
+  double stiffest = 0;
+  for (const BondedLayer& layer : scene.coating_layers)
+    stiffest = std::max(stiffest, relaxation_spectrum(creep_spectrum(layer)).instantaneous);
+  if (!(flow_of_coating(scene) >= 0))
+    return message_text("rotation_ratio = ", flow_of_coating(scene),
+                        ": must be >= 0 with method \"finite_strain\" and a coating");
+  const auto too_soft = [&](const std::string& key, const MaterialInputs& layer) {
+    const double modulus = static_modulus(layer);
+    return modulus >= rigid * stiffest
+               ? std::string()
+               : message_text(key, " = ", modulus,
+                              ": with method \"finite_strain\" and a coating the layers under the body "
+                              "are taken as rigid and must have at least ",
+                              rigid, " times the coating's modulus, ", stiffest, " Pa");
+  };
+  std::string rule = too_soft("static_shear_modulus", scene);
+  for (std::size_t i = 0; i < scene.lower_layers.size() && rule.empty(); ++i)
+    rule = too_soft(message_text("lower_layers[", i, "].static_shear_modulus"), scene.lower_layers[i]);
+  return rule;
+}
+
 /// The same for method finite_strain.
 std::string broken_for_finite_strain(const RollingScene& scene) {
   if (scene.indenter == Indenter::sphere) return "method = finite_strain: only for a cylinder";
-  if (!scene.coating_layers.empty()) return "coating_layers: not with method \"finite_strain\", whose body is rigid";
-  if (!has_rigid_base(scene))
+  if (!scene.coating_layers.empty()) {
+    if (std::string rule = broken_for_cover(scene); !rule.empty()) return rule;
+  } else if (!has_rigid_base(scene))
     return message_text(scene.lower_layers.empty() ? "layer_thickness" : "lower_layers",
                         " = \"infinite\": must be finite with method \"finite_strain\"");
   if (scene.period) return message_text("period = ", *scene.period, ": not with method \"finite_strain\"");
