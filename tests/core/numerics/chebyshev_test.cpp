@@ -30,7 +30,7 @@ TEST_CASE("a smooth function is integrated against Chebyshev's densities by the 
   for (int n = 0; n < 5; ++n) {
     double sum = 0;
     for (int k = 0; k < rule.order; ++k) sum += rule.densities(k, n) * h(rule.nodes(k));
-    CHECK(sum == Approx(against_density(n, h)).epsilon(1e-13));
+    CHECK(sum == Approx(against_density(n, h)).epsilon(1e-13).margin(1e-14));  // rounding of terms of size 1
   }
 }
 

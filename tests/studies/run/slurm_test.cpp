@@ -86,7 +86,7 @@ TEST_CASE("a Slurm array gives the table of one process, resubmits what is missi
   CAPTURE(first.out);
   REQUIRE(first.out.starts_with("submitted shards 1-4 as job "));
   CHECK(run_shell(submit).out.starts_with("still in the queue"));
-  REQUIRE(cluster.wait_until_empty(30));
+  REQUIRE(cluster.wait_until_empty(patience(30)));
   CAPTURE(run_shell("cat " + shell_word(jobs.string()) + "/logs/*").out);
   REQUIRE(std::filesystem::exists(database));
   CHECK(stored_rows(database, "both bodies") == alone);
@@ -97,7 +97,7 @@ TEST_CASE("a Slurm array gives the table of one process, resubmits what is missi
   std::filesystem::remove(jobs / "shards" / "3.db");
   std::filesystem::remove(database);
   CHECK(run_shell(submit).out.starts_with("submitted shards 3 as job "));
-  REQUIRE(cluster.wait_until_empty(30));
+  REQUIRE(cluster.wait_until_empty(patience(30)));
   CHECK(stored_rows(database, "both bodies") == alone);
 
   REQUIRE(write_scripts(folder.write("slow.json", slow), "1") == 0);
@@ -115,13 +115,13 @@ TEST_CASE("a Slurm array gives the table of one process, resubmits what is missi
     }
   }));
   run_shell("scancel --batch --signal=TERM $(cut -d, -f1 " + shell_word((jobs / "jobs").string()) + ")");
-  REQUIRE(cluster.wait_until_empty(30));
+  REQUIRE(cluster.wait_until_empty(patience(30)));
   const std::size_t saved = answered(jobs / "shards" / "1.db", "slow");
   CHECK(saved >= 2);
   CHECK(saved < 30);
   CHECK(answered(database, "slow") == saved);
   CHECK(std::filesystem::is_empty(folder / "a scratch"));
   CHECK(run_shell(submit).out.starts_with("submitted shards 1 as job "));
-  REQUIRE(cluster.wait_until_empty(60));
+  REQUIRE(cluster.wait_until_empty(patience(60)));
   CHECK(answered(database, "slow") == 30);
 }
