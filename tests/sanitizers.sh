@@ -12,7 +12,7 @@ trouble=
 # Builds a preset's program and tests, and shows the compiler's words if that fails.
 build() {
   log=build/$1.log
-  { cmake --preset "$1" && ninja -C "build/$1" rollres rollres_tests $2; } >"$log" 2>&1 || {
+  { cmake --preset "$1" && ninja -C "build/$1" rollres rollres_tests ${2-}; } >"$log" 2>&1 || {
     grep -E -A 5 'error:|Error|FAILED' "$log" | head -n 60
     trouble="$trouble $1 was not built;"
     return 1
@@ -62,7 +62,7 @@ if build tsan; then
   cat >"$folder/study.json" <<'STUDY'
 {"study": "threads", "scene": {"indenter": "cylinder", "radius": 0.02, "layer_thickness": 0.005, "static_shear_modulus": 3e6,
   "stiffening": 1, "creep_time": 0.25, "speed": 0.05, "load": 100, "friction_coefficient": 0.2},
- "axes": {"indenter": ["cylinder", "sphere"], "method": ["automatic", "active_set"],
+ "axes": {"indenter": ["cylinder", "sphere"], "method": ["automatic", "newton"],
   "speed": {"from": 0.01, "to": 1, "points": 6, "spacing": "logarithmic"}, "poisson_ratio": [0.5, 0.3]}}
 STUDY
   threads sweep "$folder/study.json" --db "$folder/a.db" --jobs 8
