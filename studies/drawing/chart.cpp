@@ -64,12 +64,13 @@ std::string description_of(const ChartRequest& request) {
   return text;
 }
 
-/// Whether a file ends as SVG and PNG do.
+/// Whether a file ends as SVG, PNG or GIF do.
 bool ends_as_a_picture(const std::filesystem::path& file) {
   constexpr std::streamoff tail = 64;
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   in.seekg(-std::min<std::streamoff>(tail, in.tellg()), std::ios::end);
   const std::string end((std::istreambuf_iterator<char>(in)), {});
+  if (file.extension() == ".gif") return end.ends_with(std::string_view("\0;", 2));  // an empty block, the trailer
   return end.find(file.extension() == ".png" ? "IEND" : "</svg>") != std::string::npos;
 }
 
@@ -141,21 +142,26 @@ std::string chart_data(const ChartRequest& request) {
   return data.str();
 }
 
-void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
-                   const PictureWords& words, const std::string& gnuplot) {
-  if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
-  write_file(files.data, data);
-  write_file(files.script, script);
+void run_script(const std::filesystem::path& script, const std::vector<std::filesystem::path>& pictures,
+                const std::string& gnuplot) {
   std::error_code error;
-  for (const auto& picture : {files.svg, files.png}) std::filesystem::remove(picture, error);
-  gnuplot::run(files.script, gnuplot);
-  for (const auto& picture : {files.svg, files.png}) {
+  for (const auto& picture : pictures) std::filesystem::remove(picture, error);
+  gnuplot::run(script, gnuplot);
+  for (const auto& picture : pictures) {
     if (const auto size = std::filesystem::file_size(picture, error); error || size == 0)
       throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but drew nothing");
     if (ends_as_a_picture(picture)) continue;
     std::filesystem::remove(picture, error);
     throw std::runtime_error(picture.string() + ": " + gnuplot + " ended well but the picture is cut off: disk full?");
   }
+}
+
+void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
+                   const PictureWords& words, const std::string& gnuplot) {
+  if (const auto folder = files.script.parent_path(); !folder.empty()) make_directory(folder);
+  write_file(files.data, data);
+  write_file(files.script, script);
+  run_script(files.script, {files.svg, files.png}, gnuplot);
   write_file(files.svg, with_words(content_of(files.svg), words));
 }
 

@@ -85,6 +85,12 @@ struct PictureWords {
   std::string title, description = {};
 };
 
+/// Lets gnuplot draw the pictures of a script; older ones are removed before.
+/// @param pictures  .svg, .png, .gif, in the script's folder
+/// @throws std::runtime_error if gnuplot is missing or fails (with its own words), or a picture is missing or cut off
+void run_script(const std::filesystem::path& script, const std::vector<std::filesystem::path>& pictures,
+                const std::string& gnuplot = "gnuplot");
+
 /// Writes script and data and lets gnuplot draw the two pictures: what every picture of this program does. The words go
 /// into the SVG.
 /// @throws std::runtime_error as draw_chart

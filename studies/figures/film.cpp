@@ -245,11 +245,7 @@ FilmFiles draw_film(const FilmRequest& request, const std::filesystem::path& nam
   const Film made(request);
   write_file(film.data, made.data());
   write_file(film.script, made.script(film));
-  std::error_code error;
-  std::filesystem::remove(film.film, error);
-  gnuplot::run(film.script);
-  if (const auto size = std::filesystem::file_size(film.film, error); error || size == 0)
-    throw std::runtime_error(film.film.string() + ": gnuplot ended well but drew nothing");
+  run_script(film.script, {film.film});
   return film;
 }
 

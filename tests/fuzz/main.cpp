@@ -3,7 +3,9 @@
 ///
 ///     rollres_fuzz replay CORPUS              every file of every target's folder
 ///     rollres_fuzz mutate CORPUS SECONDS SEED
+///     rollres_fuzz census COUNT SEED          how often each input is drawn; a complaint where it is hardly ever
 ///     rollres_fuzz scenes COUNT SEED [TIME_LIMIT MEMORY_LIMIT]   absent: the scenes' own default limits
+///     rollres_fuzz scene NUMBER SEED [TIME_LIMIT MEMORY_LIMIT]   one of them
 
 #include <sys/resource.h>
 
@@ -183,9 +185,9 @@ void mutate(const std::filesystem::path& corpus, double seconds, std::uint64_t s
   std::cout << done << " mutations, " << complaints << " complaints" << std::endl;
 }
 
-void solve_scenes(std::size_t count, std::uint64_t seed, double time_limit, double memory_limit) {
+void solve_scenes(std::size_t first, std::size_t count, std::uint64_t seed, double time_limit, double memory_limit) {
   const auto scene_of = [&](std::size_t piece) {
-    RollingScene scene = random_scene(seed * 1'000'003 + piece);
+    RollingScene scene = random_scene(seed * 1'000'003 + first + piece);
     if (time_limit > 0) scene.time_limit = time_limit;
     if (memory_limit > 0) scene.memory_limit = memory_limit;
     return scene;
@@ -193,6 +195,7 @@ void solve_scenes(std::size_t count, std::uint64_t seed, double time_limit, doub
   const double time_allowed = time_limit > 0 ? time_limit : 60, memory_allowed = memory_limit > 0 ? memory_limit : 4e9;
   double longest = 0, largest = 0;
   std::map<std::string, int> ends;
+  std::string limited;
   ForkedWork work{.pieces = count, .time_limit = 20 * time_allowed + 120};
   work.work = [&](std::size_t piece) {
     const RollingScene scene = scene_of(piece);
@@ -220,13 +223,14 @@ void solve_scenes(std::size_t count, std::uint64_t seed, double time_limit, doub
     if (wrong.empty() && answer >> seconds >> memory && std::getline(answer, status)) {
       std::getline(answer, wrong);
       ++ends[status];
+      if (status.ends_with("limits")) limited += " " + std::to_string(first + end.piece);
     }
     longest = std::max(longest, seconds);
     largest = std::max(largest, memory);
     if (seconds > 1.1 * time_allowed + 0.5) wrong += std::to_string(seconds) + " s of processor time; ";
     if (memory > memory_share * memory_allowed + 1e8) wrong += std::to_string(memory / 1e9) + " GB; ";
     if (!wrong.empty())
-      complain(wrong, "scene-" + std::to_string(seed) + "-" + std::to_string(end.piece) + ".json",
+      complain(wrong, "scene-" + std::to_string(seed) + "-" + std::to_string(first + end.piece) + ".json",
                scene_json(scene_of(end.piece)));
     return wrong.empty();
   };
@@ -234,7 +238,19 @@ void solve_scenes(std::size_t count, std::uint64_t seed, double time_limit, doub
   std::cout << count << " scenes:";
   for (const auto& [status, number] : ends) std::cout << " " << number << status << ",";
   std::cout << " longest " << longest << " s, largest " << largest / 1e9 << " GB, " << complaints << " complaints"
-            << std::endl;
+            << (limited.empty() ? "" : ", ended by a limit:" + limited) << std::endl;
+}
+
+/// One in a thousand scenes is the least that a run of a few thousand can learn from.
+void count_inputs(std::size_t count, std::uint64_t seed) {
+  std::map<std::string, std::size_t> drawn;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const auto& [key, times] : drawn_inputs(random_scene(seed * 1'000'003 + i)))
+      drawn[key] += static_cast<std::size_t>(times);
+  for (const auto& [key, times] : drawn) {
+    std::cout << times << " " << key << (1000 * times < count ? "  FOUND: hardly ever drawn" : "") << "\n";
+    complaints += 1000 * times < count;
+  }
 }
 
 }  // namespace
@@ -246,10 +262,16 @@ int main(int count, char** words) {
     replay(said[1]);
   else if (said.size() == 4 && said[0] == "mutate")
     mutate(said[1], thinned(number(2)), static_cast<std::uint64_t>(number(3)));
+  else if (said.size() == 3 && said[0] == "census")
+    count_inputs(static_cast<std::size_t>(number(1)), static_cast<std::uint64_t>(number(2)));
   else if (said.size() >= 3 && said[0] == "scenes")
-    solve_scenes(static_cast<std::size_t>(thinned(number(1))), static_cast<std::uint64_t>(number(2)), number(3),
+    solve_scenes(0, static_cast<std::size_t>(thinned(number(1))), static_cast<std::uint64_t>(number(2)), number(3),
                  number(4));
+  else if (said.size() >= 3 && said[0] == "scene")
+    solve_scenes(static_cast<std::size_t>(number(1)), 1, static_cast<std::uint64_t>(number(2)), number(3), number(4));
   else
-    return std::cerr << "replay CORPUS | mutate CORPUS SECONDS SEED | scenes COUNT SEED [SECONDS BYTES]\n", 2;
+    return std::cerr << "replay CORPUS | mutate CORPUS SECONDS SEED | census COUNT SEED\n"
+                        "scenes COUNT SEED [SECONDS BYTES] | scene NUMBER SEED [SECONDS BYTES]\n",
+           2;
   return complaints > 0;
 }

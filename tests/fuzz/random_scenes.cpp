@@ -1,6 +1,7 @@
 #include "tests/fuzz/random_scenes.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <random>
 #include <type_traits>
@@ -36,46 +37,64 @@ double usual(std::string_view unit) {
   return 1;
 }
 
-double random_number(Dice& dice, const Quantity& quantity, double now) {
+double random_number(Dice& dice, const Quantity& quantity, double now, double decades) {
   const double middle = now != 0 && std::isfinite(now) ? now : usual(quantity.unit);
-  double value = middle * std::pow(10.0, 12 * dice.unit() - 6);
+  double value = middle * std::pow(10.0, decades * (dice.unit() - 0.5));
   if (dice.one_in(20)) value = quantity.range.lowest;
   if (dice.one_in(40) && quantity.range.infinity_allowed) return INFINITY;
   if (dice.one_in(10) && quantity.range.lowest < 0) value = -value;
   return std::clamp(value, std::max(quantity.range.lowest, -1e300), std::min(quantity.range.highest, 1e300));
 }
 
-/// Changes about one in `every` inputs of a scene or of a layer, lists all to the same length.
+/// Whether a material cannot be without this list; the others are drawn seldom.
+bool is_needed(std::string_view list) {
+  for (std::size_t i = 0; i < ChoiceNames<MaterialModel>::names.size(); ++i)
+    if (find_name(needed_inputs(static_cast<MaterialModel>(i)), list) >= 0) return true;
+  return false;
+}
+
+/// A further layer as it is before it is changed.
+BondedLayer ordinary_layer() {
+  BondedLayer layer;
+  layer.layer_thickness = 0.002;
+  layer.static_shear_modulus = 1e6;
+  layer.stiffening = 1;
+  layer.creep_time = 0.1;
+  return layer;
+}
+
+/// Changes about one in `every` inputs of a scene or of a layer by so many decades, lists all to the same length.
 class Change {
  public:
-  Change(Dice& dice, double every) : dice_(dice), every_(every), length_(dice.one_in(30) ? 300 : 1 + dice.below(8)) {}
+  Change(Dice& dice, double every, double decades)
+      : dice_(dice),
+        every_(every),
+        decades_(decades),
+        length_(dice.one_in(30) ? 300 : 1 + dice.below(8)),
+        all_lists_(dice.one_in(6)) {}
 
   void operator()(const Quantity& quantity, double& value) {
-    if (dice_.one_in(every_)) value = random_number(dice_, quantity, value);
+    if (dice_.one_in(every_)) value = number(quantity, value);
   }
   void operator()(const Quantity& quantity, int& value) {
-    if (dice_.one_in(every_)) value = static_cast<int>(random_number(dice_, quantity, value));
+    if (dice_.one_in(every_)) value = static_cast<int>(number(quantity, value));
   }
   void operator()(const Quantity& quantity, std::optional<double>& value) {
     if (!dice_.one_in(every_)) return;
     if (value && dice_.one_in(4))
       value.reset();
     else if (value || dice_.one_in(4))
-      value = random_number(dice_, quantity, value.value_or(0));
+      value = number(quantity, value.value_or(0));
   }
   void operator()(const Quantity& quantity, std::vector<double>& values) {
+    if (!all_lists_ && !is_needed(quantity.key)) return;
     values.resize(length_);
-    for (double& value : values) value = random_number(dice_, quantity, 0);
+    for (double& value : values) value = number(quantity, 0);
   }
   void operator()(const Quantity&, BondedLayers& layers) {
     for (layers.clear(); dice_.one_in(5);) {
-      BondedLayer layer;
-      layer.layer_thickness = 0.002;
-      layer.static_shear_modulus = 1e6;
-      layer.stiffening = 1;
-      layer.creep_time = 0.1;
-      visit_layer_inputs(layer, Change(dice_, every_));
-      layers.push_back(layer);
+      layers.push_back(ordinary_layer());
+      visit_layer_inputs(layers.back(), Change(dice_, every_, decades_));
     }
   }
   template <class Choice>
@@ -85,9 +104,12 @@ class Change {
   }
 
  private:
+  double number(const Quantity& quantity, double now) { return random_number(dice_, quantity, now, decades_); }
+
   Dice& dice_;
-  double every_;
+  double every_, decades_;
   std::size_t length_;
+  bool all_lists_;
 };
 
 /// An ordinary scene: the paper's.
@@ -104,19 +126,71 @@ RollingScene ordinary() {
   return scene;
 }
 
-/// Puts the input that a line "key = value: rule" or "key is missing: rule" names back to what it is in `sound`, or
-/// gives it a number if it is missing there too.
-void mend(RollingScene& scene, RollingScene sound, const std::string& line, Dice& dice) {
-  const std::string key = line.substr(0, line.find_first_of(" :[."));
-  visit_inputs(scene, [&](const Quantity& quantity, auto& value) {
-    if (quantity.key != key) return;
-    visit_inputs(sound, [&](const Quantity& other, const auto& kept) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(kept)>, std::decay_t<decltype(value)>>)
-        if (other.key == key) value = kept;
-    });
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
-      if (line.find(" is missing: ") != std::string::npos) value = random_number(dice, quantity, 0);
+/// Whether a key stands in a text as a whole word.
+bool names(const std::string& text, std::string_view key) {
+  const auto in_word = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == '_');
+  };
+  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1))
+    if ((at == 0 || !in_word(at - 1)) && !in_word(at + key.size())) return true;
+  return false;
+}
+
+/// Mends an input that breaks a rule: a choice or a number becomes what it is in `sound`, an optional one comes or
+/// goes, a list is sorted or, sorted already, goes.
+class Mend {
+ public:
+  explicit Mend(Dice& dice) : dice_(dice) {}
+
+  void operator()(const Quantity& quantity, std::optional<double>& value, const std::optional<double>&) {
+    if (value)
+      value.reset();
+    else
+      value = random_number(dice_, quantity, 0, 12);
+  }
+  void operator()(const Quantity&, std::vector<double>& values, const std::vector<double>&) {
+    if (std::is_sorted(values.begin(), values.end()))
+      values.clear();
+    else
+      std::sort(values.begin(), values.end());
+  }
+  template <class Value>
+  void operator()(const Quantity&, Value& value, const Value& sound) {
+    value = sound;
+  }
+
+ private:
+  Dice& dice_;
+};
+
+/// Mends one of the inputs whose keys stand in a line "key = value: rule" or "key is missing: rule".
+/// @param visit  visit_inputs or visit_layer_inputs
+template <class Inputs, class Visit>
+void mend(Inputs& inputs, Inputs sound, const std::string& line, Dice& dice, const Visit& visit) {
+  std::vector<std::string_view> named;
+  visit(inputs, [&](const Quantity& quantity, const auto&) {
+    if (names(line, quantity.key)) named.push_back(quantity.key);
   });
+  if (named.empty()) return;
+  const std::string_view key = named[dice.below(named.size())];
+  visit(inputs, [&](const Quantity& quantity, auto& value) {
+    if (quantity.key != key) return;
+    visit(sound, [&](const Quantity& other, auto& kept) {
+      if constexpr (std::is_same_v<decltype(kept), decltype(value)>)
+        if (other.key == key) Mend{dice}(quantity, value, kept);
+    });
+  });
+}
+
+void mend(RollingScene& scene, const std::string& line, Dice& dice) {
+  for (BondedLayers* layers : {&scene.lower_layers, &scene.coating_layers}) {
+    const std::string list = layers == &scene.lower_layers ? "lower_layers[" : "coating_layers[";
+    if (!line.starts_with(list)) continue;
+    const auto place = static_cast<std::size_t>(std::stoul(line.substr(list.size())));
+    return mend(layers->at(place), ordinary_layer(), line.substr(line.find("].") + 2), dice,
+                [](auto& layer, auto&& visitor) { visit_layer_inputs(layer, visitor); });
+  }
+  mend(scene, ordinary(), line, dice, [](auto& inputs, auto&& visitor) { visit_inputs(inputs, visitor); });
 }
 
 }  // namespace
@@ -125,15 +199,43 @@ RollingScene random_scene(std::uint64_t seed) {
   Dice dice(seed);
   for (;;) {
     RollingScene scene = ordinary();
-    visit_inputs(scene, Change(dice, dice.one_in(2) ? 2 : 6));
+    const double every = dice.one_in(2) ? 2 : 6, decades = dice.one_in(3) ? 1.5 : 12;
+    visit_inputs(scene, Change(dice, every, decades));
     scene.time_limit.reset();
     scene.memory_limit.reset();
-    for (int tries = 0; tries < 30; ++tries) {
+    for (int tries = 0; tries < 60; ++tries) {
       const std::vector<std::string> broken = check(scene);
       if (broken.empty()) return scene;
-      mend(scene, ordinary(), broken[dice.below(broken.size())], dice);
+      mend(scene, broken[dice.below(broken.size())], dice);
     }
   }
+}
+
+std::map<std::string, int> drawn_inputs(const RollingScene& scene) {
+  std::map<std::string, int> drawn;
+  const auto look = [&](const std::string& owner, const auto& inputs, const auto& plain, const auto& visit) {
+    visit(inputs, [&](const Quantity& quantity, const auto& value) {
+      const std::string key = owner + std::string(quantity.key);
+      if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
+        for (std::size_t i = 0; i < ChoiceNames<std::decay_t<decltype(value)>>::names.size(); ++i)
+          drawn[key + "=" + std::string(ChoiceNames<std::decay_t<decltype(value)>>::names[i])] +=
+              static_cast<std::size_t>(value) == i;
+      } else {
+        visit(plain, [&](const Quantity& other, const auto& kept) {
+          if constexpr (std::is_same_v<decltype(kept), decltype(value)>)
+            if (other.key == quantity.key) drawn[key] += value != kept;
+        });
+      }
+    });
+  };
+  const auto visit_scene = [](auto& inputs, auto&& visitor) { visit_inputs(inputs, visitor); };
+  const auto visit_layer = [](auto& inputs, auto&& visitor) { visit_layer_inputs(inputs, visitor); };
+  look("", scene, ordinary(), visit_scene);
+  for (const BondedLayer& layer : scene.lower_layers) look("lower_layers.", layer, ordinary_layer(), visit_layer);
+  for (const BondedLayer& layer : scene.coating_layers) look("coating_layers.", layer, ordinary_layer(), visit_layer);
+  drawn.erase("time_limit");
+  drawn.erase("memory_limit");
+  return drawn;
 }
 
 std::string what_is_wrong(const RollingScene& scene, const RollingSolution& solution) {

@@ -130,3 +130,18 @@ TEST_CASE("a chart bears any name, and a picture that is cut off is an error", "
   CHECK_THROWS_WITH(draw_chart(request, folder.path / "c", cut.string()), Contains("cut off"));
   CHECK(!std::filesystem::exists(folder.path / "c.svg"));
 }
+
+TEST_CASE("a film that is cut off is an error", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  const auto script = folder.write("film.gp", "");
+  const auto drawing = [&](const std::string& bytes) {
+    const auto program = folder.write("gnuplot.sh", "#!/bin/sh\nprintf '" + bytes + "' > film.gif\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    return program.string();
+  };
+  const auto film = folder.path / "film.gif";
+  CHECK_NOTHROW(run_script(script, {film}, drawing("GIF89a...\\0;")));
+  CHECK_THROWS_WITH(run_script(script, {film}, drawing("GIF89a...")), Contains("film.gif") && Contains("cut off"));
+  CHECK(!std::filesystem::exists(film));
+  CHECK_THROWS_WITH(run_script(script, {film}, drawing("")), Contains("drew nothing"));
+}
