@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/messages/message_text.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -21,6 +23,9 @@ constexpr double furthest = 40;  // memory lengths after which nothing is rememb
 IntervalMemory::IntervalMemory(const SpectralProblem& problem, const Interval& interval, int order) {
   const Index terms = problem.terms();
   const double half = interval.half_length();
+  constexpr double kept = 2;  // `tails` and the factors of all memories
+  require_memory(8 * static_cast<double>(terms) * (kept * static_cast<double>(terms) + 2 * order + terms_at_a_distance),
+                 message_text("the memories of ", terms, " retardation times"));
   series.resize(order + 1, terms);
   beyond = Eigen::MatrixXd::Zero(terms_at_a_distance, terms);
   memory.resize(order + 1, terms);
@@ -28,11 +33,13 @@ IntervalMemory::IntervalMemory(const SpectralProblem& problem, const Interval& i
   tail_lift = VectorXd::Zero(terms);
   std::vector<ScaledBesselK> edge;
   for (Index m = 0; m < terms; ++m) {
+    require_time();
     const double decay = half / problem.creep_length[static_cast<std::size_t>(m)];
     edge.push_back(scaled_bessel_k(decay));
     memory.col(m) = edge_memory(decay, order + 1, edge.back());
   }
   for (Index j = 0; j < terms; ++j) {
+    require_time();
     const double rate = half / problem.relaxation_length[static_cast<std::size_t>(j)];
     const VectorXd bessel = scaled_bessel_i(rate, order + 1);
     series.col(j) = 2 * bessel;
@@ -70,6 +77,7 @@ PrescribedSlope::PrescribedSlope(const SpectralProblem& problem, const Interval&
     : elastic(points.size()), amplitude(problem.terms()) {
   for (Index i = 0; i < points.size(); ++i) elastic(i) = problem.glassy * f(points(i));
   for (Index j = 0; j < problem.terms(); ++j) {
+    require_time();
     const double length = problem.relaxation_length[static_cast<std::size_t>(j)];
     const double modulus = problem.relaxation_modulus[static_cast<std::size_t>(j)];
     // A short memory as if the body went on; a long one from the leading end.

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/material/lumped_spectrum.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/passage_slopes.hpp"
 
@@ -97,6 +99,8 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
     relaxation_length.push_back(scene.speed * term.time);
     relaxation_modulus.push_back(term.modulus);
   }
+  const auto count = static_cast<double>(terms());
+  require_memory(8 * count * count, message_text("the memories of ", terms(), " retardation times"));
   memory_factor.resize(terms(), terms());
   for (Eigen::Index j = 0; j < terms(); ++j)
     for (Eigen::Index m = 0; m < terms(); ++m) {

@@ -5,6 +5,7 @@
 
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/spectral/graded_system.hpp"
 #include "core/spectral/sliding_base.hpp"
 #include "core/spectral/spectral_memory.hpp"
@@ -92,6 +93,7 @@ class System : private ZonedSystem {
     means_ = MatrixXd::Zero(terms_, size_);
     const VectorXd leading_edge = VectorXd::Constant(1, edges_.contact.to);
     for (Index m = 0; m < terms_; ++m) {
+      require_time();
       means_.row(m).head(n_) = 0.5 * memory_.memory.col(m).tail(n_).transpose();
       means_.row(m).segment(amplitude_, terms_) = memory_.tails.col(m).transpose();
       if (problem_.layered()) means_.row(m) += normal_slopes(sources_, remembered(m), leading_edge);

@@ -1,7 +1,10 @@
 #include "core/spectral/zoned_system.hpp"
 
 #include <optional>
+#include <string>
 
+#include "core/messages/message_text.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/spectral/spectral_memory.hpp"
 
 namespace rollres {
@@ -26,12 +29,17 @@ void ZonedSystem::place_unknowns(Index contact, const std::vector<Index>& in_sti
     rotation_ += in_sticks[z] + 1 + terms_;
   }
   size_ = rotation_ + (sticks_.empty() ? 0 : 1);
+  const auto unknowns = static_cast<double>(size_), copies = 2.0;  // with the means; the factorisation has its own
+  const std::string what = message_text(size_, " unknowns of continuous edges, ", terms_, " retardation times");
+  require_memory(8 * unknowns * (copies * unknowns + copies * static_cast<double>(terms_)), what);
+  require_factorisation(unknowns, what);
   matrix_ = MatrixXd::Zero(size_, size_);
   right_ = VectorXd::Zero(size_);
 }
 
 void ZonedSystem::remember(Index amplitude, const MatrixXd& means) {
   for (Index j = 0; j < terms_; ++j) {
+    require_time();
     auto row = matrix_.row(amplitude + j);
     row += problem_.relaxation_modulus[static_cast<std::size_t>(j)] * (problem_.memory_factor.row(j) * means);
     row(amplitude + j) += 1;

@@ -65,6 +65,25 @@ TEST_CASE("a scene that needs more memory than its limit names what to change", 
   CHECK_THAT(solve(scene).reason, Contains("nodes of 0.00025 m"));
 }
 
+TEST_CASE("memories of very many retardation times are refused before their matrices are made", "[core][limits]") {
+  RollingScene scene = paper_cylinder();
+  scene.spacing.reset();
+  scene.method = Method::spectral;
+  scene.material = MaterialModel::prony;
+  constexpr int terms = 1000;
+  for (int i = 0; i < terms; ++i) {
+    scene.relaxation_times.push_back(std::pow(10.0, -6 + 8.0 * i / terms));
+    scene.relaxation_moduli.push_back(3e6 / terms);
+  }
+  for (const double bytes : {4e6, 1.2e7, 3e7}) {  // the first matrix, the second, the system
+    scene.memory_limit = bytes;
+    const RollingSolution solution = solve(scene);
+    INFO(bytes << ": " << solution.reason);
+    CHECK(solution.status == Status::not_converged);
+    CHECK_THAT(solution.reason, Contains("retardation times") && Contains("memory_limit"));
+  }
+}
+
 TEST_CASE("a solution that needs longer than its limit of time says so, by every method", "[core][limits]") {
   for (const Method method : {Method::newton, Method::newton_dense, Method::active_set, Method::spectral}) {
     RollingScene scene = paper_cylinder();
