@@ -34,7 +34,8 @@ std::filesystem::path temporary_folder() {
 }
 
 ReadableSource::ReadableSource(const std::filesystem::path& file) {
-  if (!of_older_schema(file)) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none) || !of_older_schema(file)) {  // a pipe is refused when it is opened
     database_.emplace(open_database(file, Access::read));
     return;
   }

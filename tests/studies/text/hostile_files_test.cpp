@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "db/merge/merge.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/drawing/chart.hpp"
@@ -84,6 +85,8 @@ TEST_CASE("a database of a negative version, and a pipe, are refused", "[studies
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   for (const Access access : {Access::read, Access::write})
     CHECK_THROWS_WITH(open_database(pipe, access), Contains("not a regular file"));
+  const Database merged = open_database(folder.path / "merged.db", Access::write);
+  CHECK_THROWS_WITH(merge(merged, pipe), Contains("not a regular file"));
 }
 
 TEST_CASE("a database that was deleted takes no more results", "[studies][hostile]") {
