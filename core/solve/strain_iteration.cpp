@@ -9,6 +9,7 @@
 #include "core/interior/interior_summary.hpp"
 #include "core/material/strain_softening.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/scene/layer_name.hpp"
 
 namespace rollres {
 
@@ -214,9 +215,7 @@ class StrainIteration {
 
   std::string name_of_layer(std::size_t place) const {
     const std::size_t under = 1 + scene_.lower_layers.size();
-    if (place == 0) return "the layer in contact";
-    if (place < under) return message_text("lower layer ", place);
-    return message_text("coating ", place - under + 1);
+    return layer_name(place >= under, place < under ? place : place - under);
   }
 
   std::string unreachable(const VectorXd& x) const {

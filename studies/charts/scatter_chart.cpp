@@ -24,6 +24,8 @@ Prepared prepared(const ScatterPicture& picture, const std::string& name, const 
   request.x.unit = typeset_unit(scaled.name);
   request.mark_peaks = false;
   request.marks = false;
+  request.ordered = picture.ordered;
+  request.end_labels = false;  // the ends lie on one line
   request.comment = picture.comment;
   return {std::move(request), scaled.factor};
 }

@@ -17,6 +17,7 @@ struct ScatterPicture {
   std::vector<std::string> labels;     ///< of each place: "V = 1 m/s"
   std::vector<ScatterBatches> values;  ///< of each place
   std::string comment = {};
+  bool ordered = false;  ///< the places are in the order of a number
 };
 
 /// Shares of the values in bins of equal width, as steps; with one place filled to the axis.

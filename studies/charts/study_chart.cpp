@@ -313,6 +313,42 @@ std::vector<ChartCurve> labelled(const Curves& curves, const Choice& choice, con
   return all;
 }
 
+/// A family with its symbol, and with a unit where its numbers have one.
+ChartAxis family_axis(const QuantityColumn& column, const StudyRows& rows) {
+  ChartAxis axis = described(column);
+  axis.symbol = column.quantity.symbol;  // stands alone in the legend
+  if (const std::string_view unit = unit_in(rows, column); unit != "1") axis.unit = unit;
+  return axis;
+}
+
+/// Tells two families apart, one by colour and one by dash and mark, where these have looks enough for their values.
+void tell_families_apart(ChartRequest& request, const Curves& curves, const Choice& choice, const StudyRows& rows) {
+  constexpr std::size_t most_colours = 7, most_dashes = 5;
+  if (choice.families.size() != 2) return;
+  std::array<std::set<Cell>, 2> values;
+  for (const auto& [place, points] : curves)
+    for (const std::size_t family : {0, 1}) values[family].insert(place[family]);
+  const bool texts = choice.families[1]->type == "TEXT" && choice.families[0]->type != "TEXT";
+  std::size_t first = texts || values[0].size() < values[1].size() ? 1 : 0;
+  if (choice.families[0]->type == "TEXT" && choice.families[1]->type != "TEXT") first = 0;
+  if (values[first].size() > most_colours || values[1 - first].size() > most_dashes) first = 1 - first;
+  if (values[first].size() > most_colours || values[1 - first].size() > most_dashes) return;
+  for (const std::size_t family : {first, 1 - first}) {
+    const QuantityColumn& column = *choice.families[family];
+    ChartFamily& shown = request.families.emplace_back();
+    if (column.type != "TEXT") shown.axis = family_axis(column, rows);
+    for (const Cell& value : values[family])
+      shown.labels.push_back(value_in_words(column.quantity, value, unit_in(rows, column)));
+  }
+  std::size_t number = 0;
+  for (const auto& [place, points] : curves) {
+    const auto rank = [&, &at = place](std::size_t family) {
+      return static_cast<std::size_t>(std::distance(values[family].begin(), values[family].find(at[family])));
+    };
+    request.curves[number++].place = {rank(first), rank(1 - first)};
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> stored_charts(ResultStore& store, const std::string& study) {
@@ -355,8 +391,10 @@ std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& 
   std::string text;
   for (const std::string_view key : shown) {
     const QuantityColumn* const column = find_quantity_column(key);
-    const bool filtered =
-        std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) { return filter.column == key; });
+    const bool filtered = std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) {
+      const QuantityColumn* const of = find_quantity_column(filter.column);
+      return filter.column == key || (of && of->quantity.key == key);
+    });
     if (!column || filtered) continue;
     if (const auto value = rows.common(*column))
       text += (text.empty() ? "" : ", ") + std::string(column->quantity.symbol) + " = " +
@@ -395,11 +433,11 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
                   (definition.sampled.size() < 2 || !definition.sampled.contains(key_of(*choice.along)));
   if (!request.lines) request.x.margin = 0.03;  // no mark is cut by the frame
   if (choice.families.size() == 1) {
-    request.family = described(*choice.families.front());
-    request.family.symbol = choice.families.front()->quantity.symbol;  // stands alone in the legend
+    request.family = family_axis(*choice.families.front(), rows);
     request.ordered = choice.families.front()->type != "TEXT";
   }
   request.curves = labelled(curves, choice, rows);
+  tell_families_apart(request, curves, choice, rows);
   if (options.shares)
     stack_shares(request, study.name);
   else if (choice.scatter)

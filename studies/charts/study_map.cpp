@@ -78,7 +78,8 @@ void add_limits(MapRequest& request, const DesignProblem& problem, const StudyRo
                 const std::vector<std::size_t>& nodes) {
   if (problem.scenes.size() > 1) return;  // the map shows one of them
   for (const Condition& constraint : problem.constraints) {
-    MapLimit limit{constraint.text(), std::vector<double>(request.field.values.size(), RollingSolution::absent)};
+    MapLimit limit{formula_in_words(constraint.text()),
+                   std::vector<double>(request.field.values.size(), RollingSolution::absent)};
     for (std::size_t row = 0; row < nodes.size(); ++row) {
       if (nodes[row] == nowhere || !rows.converged(row)) continue;
       const RowOfFormula values(rows, row);
@@ -103,7 +104,7 @@ void add_optimum(MapRequest& request, const StoredOptimum* found, const std::str
   if (!found->best) return;
   request.optimum = point(*found->best);
   request.optimum_meaning = std::string(found->problem.goal.maximise ? "best: greatest " : "best: least ") +
-                            in_words(found->problem.goal.formula.text());
+                            formula_in_words(found->problem.goal.formula.text());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
+#include "studies/study/study_definition.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -57,8 +58,9 @@ std::string store_front(ResultStore& store, std::span<const DesignProblem> probl
   return record.name;
 }
 
-/// Draws and names the pictures.
-void draw(const ChartRequest& request, const OptimiseArguments& arguments, Session& session) {
+/// Draws and names the pictures, under the title of the study.
+void draw(ChartRequest request, const StudyRecord& study, const OptimiseArguments& arguments, Session& session) {
+  request.title = title_of_study(definition_in(study.definition, arguments.study), study.name);
   const ChartFiles files = draw_chart(request, arguments.out);
   for (const auto& file : {files.svg, files.png}) (arguments.json ? session.err : session.out) << file.string() << '\n';
 }
@@ -97,7 +99,7 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
       print_text(problems, front, session.out);
       session.out << "the front is stored as study \"" << stored << "\"\n";
     }
-    if (!arguments.out.empty() && front.any()) draw(front_chart(problems, front), arguments, session);
+    if (!arguments.out.empty() && front.any()) draw(front_chart(problems, front), study, arguments, session);
     if (!front.complete()) session.status = ExitStatus::no_answer;
     return;
   }
@@ -110,7 +112,7 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
     else
       print_text(problems, report, session.out);
     if (!arguments.out.empty() && report.best)
-      draw(course_chart(problems[*report.best], report.reports[*report.best]), arguments, session);
+      draw(course_chart(problems[*report.best], report.reports[*report.best]), study, arguments, session);
     if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
     return;
   }
@@ -121,7 +123,7 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
     session.out << text_of(json_of(problem, report), 2) << '\n';
   else
     print_text(problem, report, session.out);
-  if (!arguments.out.empty() && report.best) draw(course_chart(problem, report), arguments, session);
+  if (!arguments.out.empty() && report.best) draw(course_chart(problem, report), study, arguments, session);
   if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
 }
 

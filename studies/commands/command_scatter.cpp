@@ -91,6 +91,7 @@ void draw(const ScatterReport& report, const ScatterArguments& arguments, Sessio
       picture.labels.push_back(place_in_words(report, place));
       picture.values.push_back(place.values[i]);
     }
+    picture.ordered = report.study.axes.size() == 1 && report.study.axes.front().texts.empty();
     if (report.results.places.size() <= most_curves) {
       name(draw_chart(histogram_chart(picture), named(arguments.out, ending + "histogram")));
       name(draw_chart(cumulative_chart(picture), named(arguments.out, ending + "cumulative")));

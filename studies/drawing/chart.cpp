@@ -106,9 +106,9 @@ std::string chart_data(const ChartRequest& request) {
     for (const char letter : text) data << (letter == '\n' ? std::string_view("\n# ") : std::string_view(&letter, 1));
     data << "\n";
   };
-  const auto described = [](const ChartAxis& axis) {
-    return axis.name + (axis.symbol.empty() ? "" : " " + axis.symbol) +
-           (axis.unit.empty() ? "" : " [" + axis.unit + "]");
+  const auto named = [](const ChartAxis& axis) { return axis.name + (axis.symbol.empty() ? "" : " " + axis.symbol); };
+  const auto described = [&](const ChartAxis& axis) {
+    return named(axis) + (axis.unit.empty() ? "" : " [" + axis.unit + "]");
   };
   comment(request.title);
   if (!request.subtitle.empty()) comment(request.subtitle);
@@ -124,9 +124,10 @@ std::string chart_data(const ChartRequest& request) {
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const ChartCurve& curve = request.curves[i];
     if (i > 0) data << "\n\n";
-    comment(described(request.family) + (request.family.name.empty() ? "" : " = ") + curve.label);
-    const std::vector<bool> marks =
-        request.lines && request.marks ? marked(curve, i) : std::vector<bool>(curve.points.size(), !request.lines);
+    comment(named(request.family) + (request.family.name.empty() ? "" : " = ") + curve.label);
+    const std::vector<bool> marks = request.lines && curve.line && request.marks
+                                        ? marked(curve, i)
+                                        : std::vector<bool>(curve.points.size(), !request.lines || !curve.line);
     for (std::size_t j = 0; j < curve.points.size(); ++j) {
       const ChartPoint& point = curve.points[j];
       data << short_number(point.x, 15) << " " << (point.drawn() ? short_number(point.y, 15) : "NaN") << " "

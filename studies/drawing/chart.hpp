@@ -4,11 +4,12 @@
 /// a chart can be restyled: change NAME.gp and run "gnuplot NAME.gp" in its folder.
 ///
 /// Every curve differs by colour (safe for colour-blind readers), dash and mark; curves in an order go from dark to
-/// light, and where there are many each bears its label, and its peak, at its end. A point that did not converge is
-/// drawn hollow; one without a value is a cross on the lower edge; the line of a curve never passes over either. A
-/// curve may have an area from `low` to `high` of its points: a band, left out where it is too narrow to be seen, or
-/// its part of a stack.
+/// light, and where there are many each bears its label, and its peak, at its end; of two families one is told by
+/// colour, the other by dash and mark. A point that did not converge is drawn hollow; one without a value is a cross on
+/// the lower edge; the line of a curve never passes over either. A curve may have an area from `low` to `high` of its
+/// points: a band, left out where it is too narrow to be seen, or its part of a stack.
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -30,13 +31,6 @@ struct ChartPoint {
   bool joined() const { return drawn() && converged; }  ///< the line passes through it
 };
 
-struct ChartCurve {
-  std::string label;                     ///< the value of the family: "20 kN/m"
-  std::vector<ChartPoint> points;        ///< in the order in which the line joins them
-  std::optional<std::size_t> like = {};  ///< looks as this other curve: the line through its points; without a label
-  bool marks = true;                     ///< on some of its points; else only on those that no line reaches
-};
-
 /// What an axis or the family shows: "rolling resistance", "R_r" (as Quantity writes it), "N/m".
 struct ChartAxis {
   std::string name;
@@ -46,13 +40,31 @@ struct ChartAxis {
   double margin = 0;         ///< of the x axis: left free at either end, as a fraction of its length
 };
 
+struct ChartCurve {
+  std::string label;                      ///< the value of the family: "20 kN/m"
+  std::vector<ChartPoint> points;         ///< in the order in which the line joins them
+  std::optional<std::size_t> like = {};   ///< looks as this other curve: the line through its points; without a label
+  bool marks = true;                      ///< on some of its points; else only on those that no line reaches
+  bool line = true;                       ///< joins its points, where the chart has lines
+  std::array<std::size_t, 2> place = {};  ///< of its values in the chart's two families
+};
+
+/// One of two families whose values together tell the curves apart.
+struct ChartFamily {
+  ChartAxis axis;                   ///< its symbol or, where it has none, its name stands before each value
+  std::vector<std::string> labels;  ///< of its values
+};
+
 struct ChartRequest {
   std::string title;          ///< broken into two lines where it is long
   std::string subtitle = {};  ///< what is shown of it: "load = 20 kN/m"
   ChartAxis x, y;
   ChartAxis family = {};  ///< the legend says "symbol = label"
+  std::vector<ChartFamily> families =
+      {};  ///< two: colours from dark to light tell the first, dashes and marks the second
   std::vector<ChartCurve> curves;
   bool ordered = false;    ///< the curves come in the order of the family's values
+  bool end_labels = true;  ///< many curves in an order bear their labels at their ends
   std::string areas = {};  ///< what the areas of the points mean, as bands round the curves; empty: they fill the chart
   bool lines = true;       ///< join the points of a curve; else each bears a mark and no peak is marked
   bool marks = true;       ///< on some points of each curve; else the line alone

@@ -1,7 +1,9 @@
 #include "studies/drawing/chart_frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
@@ -56,6 +58,8 @@ class Heading {
       lines = broken(title, width(title) / most_lines + room / 4);
       for (; lines.size() > most_lines; lines.pop_back()) lines[lines.size() - 2] += " " + lines.back();
     }
+    if (lines.size() == 2 && 4 * width(lines.back()) < width(lines.front()))  // one word alone
+      lines = broken(title, 2 * width(title) / 3);
     std::size_t longest = room;
     for (const std::string& line : lines) longest = std::max(longest, std::min(width(line), 3 * room / 2));
     const double size = font_size * static_cast<double>(room) / static_cast<double>(longest);
@@ -129,7 +133,7 @@ void write_axis(std::ostream& script, char name, const Span& span) {
          << ")\n";
 }
 
-/// Where the entries of a legend stand: row by row, as many side by side as the picture holds.
+/// Where entries of a legend stand: row by row, as many side by side as the picture holds.
 struct LegendGrid {
   static constexpr double sample = 54;  // room left of the text [px]
   double column = 1;                    // width of a column [px]
@@ -137,11 +141,13 @@ struct LegendGrid {
 
   double top;  // above it [px]
 
-  LegendGrid(const std::vector<LegendEntry>& entries, double above) : top(above) {
-    if (entries.empty()) return;
-    std::size_t longest = 1;
-    for (const LegendEntry& entry : entries) longest = std::max(longest, entry.letters);
-    column = sample + 11 + 9.2 * static_cast<double>(longest);
+  LegendGrid(std::span<const LegendEntry> entries, double above) : top(above) {
+    constexpr double letter = 9.2, wide_letter = 0.45 * letter;  // what an m takes more
+    double longest = letter;
+    for (const LegendEntry& entry : entries)
+      longest = std::max(longest, letter * static_cast<double>(entry.letters) +
+                                      wide_letter * static_cast<double>(std::ranges::count(entry.markup, 'm')));
+    column = sample + 11 + longest;
     columns = std::clamp<std::size_t>(static_cast<std::size_t>((picture_width - 4) / column), 1, 5);
     columns = std::min(columns, entries.size());
     rows = (entries.size() + columns - 1) / columns;
@@ -157,6 +163,27 @@ struct LegendGrid {
     const std::size_t row = entry / columns;
     return top + legend_row_height * (static_cast<double>(row) + 0.3);
   }
+};
+
+/// A legend: its entries in grids one below the other, of which each starts with an entry that asks for a new row.
+class Legend {
+ public:
+  Legend(const std::vector<LegendEntry>& entries, double above) {
+    const std::span<const LegendEntry> all(entries);
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+      for (end = begin + 1; end < all.size() && !all[end].new_row;) ++end;
+      const LegendGrid grid(all.subspan(begin, end - begin), above + height_);
+      for (std::size_t i = 0; i < end - begin; ++i) places_.push_back({grid.x(i), grid.y(i)});
+      height_ += grid.height();
+    }
+  }
+  double height() const { return height_; }
+  /// Start of an entry's text from the left, and the middle of its height from the top [px].
+  const std::array<double, 2>& place(std::size_t entry) const { return places_[entry]; }
+
+ private:
+  double height_ = 0;
+  std::vector<std::array<double, 2>> places_;
 };
 
 }  // namespace
@@ -194,18 +221,18 @@ void write_pictures(std::ostream& script, const ChartFiles& files, const std::st
                     std::vector<std::string> plots, const std::vector<LegendEntry>& entries,
                     const PictureShape& shape) {
   const Heading heading(title, shape.subtitle);
-  const LegendGrid grid(entries, heading.height());
-  const double height = std::round(shape.height + heading.height() + grid.height());
+  const Legend legend(entries, heading.height());
+  const double height = std::round(shape.height + heading.height() + legend.height());
   const auto from_top = [&](double pixels) { return short_number(1 - pixels / height, 4); };
   heading.write(script, from_top);
-  script << "set tmargin at screen " << from_top(heading.height() + grid.height() + shape.gap)
+  script << "set tmargin at screen " << from_top(heading.height() + legend.height() + shape.gap)
          << "\nset rmargin at screen " << short_number(shape.right / picture_width, 3) << "\n";
   if (shape.left > 0) script << "set lmargin at screen " << short_number(shape.left / picture_width, 4) << "\n";
   if (shape.bottom > 0) script << "set bmargin at screen " << short_number(shape.bottom / height, 4) << "\n";
   script << "set key Left reverse samplen 2.2\n";
   for (std::size_t i = 0; i < entries.size(); ++i)
     plots.push_back("keyentry with " + entries[i].sample + " title " + gnuplot::quoted(entries[i].markup) + " at " +
-                    short_number(grid.x(i) / picture_width, 4) + "," + short_number(1 - grid.y(i) / height, 4));
+                    short_number(legend.place(i)[0] / picture_width, 4) + "," + from_top(legend.place(i)[1]));
   const std::string plot = (shape.surface ? "splot " : "plot ") + joined(plots, ", \\\n     ");
 
   script << "\nset terminal svg size " << picture_width << "," << height

@@ -61,6 +61,7 @@ struct LegendEntry {
   std::string sample;   ///< how it looks: "points pt 7 lc rgb 'red'"
   std::string markup;   ///< what it says, in gnuplot's markup
   std::size_t letters;  ///< of what it says
+  bool new_row = false;
 
   static LegendEntry plain(std::string sample, std::string_view text);
 };

@@ -155,8 +155,10 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const Layout& la
 /// Whether the curves bear their labels, and the values of their peaks, at their ends: many curves in an order.
 bool labels_at_ends(const ChartRequest& request) {
   constexpr std::size_t most_in_legend = 5;
-  return request.ordered && request.lines && request.curves.size() > most_in_legend;
+  return request.ordered && request.end_labels && request.lines && request.curves.size() > most_in_legend;
 }
+
+bool joined(const ChartRequest& request, const ChartCurve& curve) { return request.lines && curve.line; }
 
 /// Look of the n-th curve. The periods 7, 6 and 5 of colours, marks and dashes have no common factor, so 210 curves
 /// differ.
@@ -168,9 +170,14 @@ struct Look {
 Look look(const ChartRequest& request, std::size_t curve) {
   curve = request.curves[curve].like.value_or(curve);
   const std::size_t count = request.curves.size();
-  if (labels_at_ends(request)) return {ordered_colour(curve, count), 7, 6, "1"};
   constexpr std::array<int, 6> filled{7, 5, 9, 13, 11, 15}, hollow{6, 4, 8, 12, 10, 14};
   constexpr std::array<std::string_view, 5> dashes{"1", "(10,4)", "(3,3)", "(10,3,2,3)", "(6,2)"};
+  if (!request.families.empty()) {
+    const auto [first, second] = request.curves[curve].place;
+    return {ordered_colour(first, request.families.front().labels.size()), filled[second % filled.size()],
+            hollow[second % hollow.size()], dashes[second % dashes.size()]};
+  }
+  if (labels_at_ends(request)) return {ordered_colour(curve, count), 7, 6, "1"};
   const bool ordered = request.ordered && count > 2;
   return {ordered ? ordered_colour(curve, count) : std::string(curve_colour(curve)), filled[curve % filled.size()],
           hollow[curve % hollow.size()], dashes[curve % dashes.size()]};
@@ -256,28 +263,56 @@ bool write_crosses(std::ostream& script, const ChartRequest& request) {
   return any;
 }
 
-std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool areas) {
+/// "H = 5 mm"; a number without a symbol and without a unit bears its name.
+LegendEntry value_entry(const std::string& sample, const ChartAxis& family, bool number, const std::string& label) {
+  const bool named = family.symbol.empty() && number && family.unit.empty() && !family.name.empty();
+  const std::string before = named ? family.name : family.symbol;
+  const std::string markup = named ? gnuplot::plain(before) : gnuplot::symbol(before);
+  return {sample, (before.empty() ? "" : markup + " = ") + gnuplot::plain(label) + kept_blanks,
+          width(label) + (before.empty() ? 0 : width(before) + 3)};
+}
+
+/// The values of two families: colours without marks, then marks without colour.
+std::vector<LegendEntry> legend_of_families(const ChartRequest& request) {
   std::vector<LegendEntry> entries;
+  for (std::size_t family = 0; family < request.families.size(); ++family) {
+    const auto& [axis, labels] = request.families[family];
+    for (std::size_t value = 0; value < labels.size(); ++value) {
+      const auto curve = std::find_if(request.curves.begin(), request.curves.end(),
+                                      [&](const ChartCurve& one) { return one.place[family] == value; });
+      if (curve == request.curves.end()) continue;
+      const Look like = look(request, static_cast<std::size_t>(curve - request.curves.begin()));
+      const std::string sample = family == 0 ? "lines lw 5 dt 1 lc rgb '" + like.colour + "'"
+                                             : "linespoints lw 2 dt " + std::string(like.dash) + " pt " +
+                                                   std::to_string(like.filled) + " ps 0.7 lc rgb '#444444'";
+      entries.push_back(value_entry(sample, axis, true, labels[value]));
+      entries.back().new_row = value == 0;
+    }
+  }
+  return entries;
+}
+
+std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool areas) {
+  std::vector<LegendEntry> entries = legend_of_families(request);
   bool hollow = false;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
-    const auto& [label, points, like, marks] = request.curves[i];
-    hollow |= std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; });
-    if (label.empty() || like || labels_at_ends(request)) continue;
-    const std::string& symbol = request.family.symbol;
-    const std::string equals = symbol.empty() ? "" : gnuplot::symbol(symbol) + " = ";
-    entries.push_back({(!request.lines           ? "points linetype "
-                        : request.marks && marks ? "linespoints linetype "
-                                                 : "lines linetype ") +
-                           std::to_string(i + 1),
-                       equals + gnuplot::plain(label) + kept_blanks,
-                       width(label) + (symbol.empty() ? 0 : width(symbol) + 3)});
+    const ChartCurve& curve = request.curves[i];
+    hollow |=
+        std::any_of(curve.points.begin(), curve.points.end(), [](const auto& p) { return p.drawn() && !p.converged; });
+    if (curve.label.empty() || curve.like || labels_at_ends(request) || !request.families.empty()) continue;
+    const char* const sample = !joined(request, curve)        ? "points linetype "
+                               : request.marks && curve.marks ? "linespoints linetype "
+                                                              : "lines linetype ";
+    entries.push_back(value_entry(sample + std::to_string(i + 1), request.family, request.ordered, curve.label));
   }
+  const std::size_t curves = entries.size();
   const std::string grey = " lw 1.5 lc rgb '#444444'";
   if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
   if (areas && !request.areas.empty())
     entries.push_back({"boxes fc rgb '#444444' fs transparent solid 0.2 noborder", gnuplot::plain(request.areas),
                        width(request.areas)});
   if (crosses) entries.push_back({"points pt 2 ps 0.7" + grey, "no answer", 9});
+  if (entries.size() > curves) entries[curves].new_row = true;
   return entries;
 }
 
@@ -288,10 +323,10 @@ std::vector<std::string> area_plots(const ChartRequest& request) {
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const std::string data = "data index " + std::to_string(i), colour = "'" + look(request, i).colour + "'";
     const auto& points = request.curves[i].points;
-    const bool joined = std::adjacent_find(points.begin(), points.end(), [](const auto& a, const auto& b) {
-                          return a.joined() && b.joined();
-                        }) != points.end();
-    if (request.lines && joined)
+    const bool in_a_row = std::adjacent_find(points.begin(), points.end(), [](const auto& a, const auto& b) {
+                            return a.joined() && b.joined();
+                          }) != points.end();
+    if (joined(request, request.curves[i]) && in_a_row)
       parts.push_back(data + " using 1:5:6 with filledcurves fc rgb " + colour + " fs transparent solid " + depth +
                       " noborder notitle");
     else
@@ -309,8 +344,9 @@ std::vector<std::string> plots(const ChartRequest& request, bool areas) {
     const std::string data = "data index " + std::to_string(i) + " using 1:($3 == ";
     const std::string type = "linetype " + std::to_string(i + 1) + " notitle";
     if (std::any_of(points.begin(), points.end(), [](const auto& point) { return point.joined(); })) {
-      if (request.lines) parts.push_back(data + "1 ? $2 : NaN) with lines " + type);
-      if (!request.lines || request.marks) parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
+      const bool line = joined(request, request.curves[i]);
+      if (line) parts.push_back(data + "1 ? $2 : NaN) with lines " + type);
+      if (!line || request.marks) parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
     }
     if (std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; }))
       parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(request, i).hollow) +

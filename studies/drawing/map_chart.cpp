@@ -1,11 +1,14 @@
 #include "studies/drawing/map_chart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/drawing/colour_map.hpp"
+#include "studies/drawing/contour_levels.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -79,30 +82,50 @@ class MapDrawing : PictureBuilder {
       write_numbered_colours(script(), levels, label);
       for (double& level : levels) level = std::log10(level);
       for (double& number : field.values) number = std::log10(number);
-      paint(field, levels, [&](double level, bool above) {
-        const auto place = std::lower_bound(levels.begin(), levels.end(), level) - levels.begin();
-        return static_cast<double>(place) + (above ? 0.5 : -0.5);
-      });
+      paint(
+          field, levels, [](double level) { return std::pow(10.0, level); },
+          [&](double level, bool above) {
+            const auto place = std::lower_bound(levels.begin(), levels.end(), level) - levels.begin();
+            return static_cast<double>(place) + (above ? 0.5 : -0.5);
+          });
     } else {
       const ColourBands bands = ColourBands::between(lowest, highest);
       write_colours(script(), bands, label);
-      paint(field, bands.levels, [&](double level, bool above) { return bands.inside(level, above); });
+      paint(
+          field, bands.levels, [](double level) { return level; },
+          [&](double level, bool above) { return bands.inside(level, above); });
     }
   }
 
-  /// @param colour  of the band above or below a level, on the palette
-  template <class Colour>
-  void paint(const PlaneField& values, const std::vector<double>& levels, const Colour& colour) {
+  /// @param shown   the value of a level   @param colour  of the band above or below a level, on the palette
+  template <class Value, class Colour>
+  void paint(const PlaneField& values, const std::vector<double>& levels, const Value& shown, const Colour& colour) {
+    std::vector<ContourLoop> loops = loops_of(values, levels);
+    for (ContourLoop& loop : loops) {
+      const double band = colour(loop.level, loop.higher_inside);
+      loop.level = shown(loop.level);
+      const std::string block = add("level " + short_number(loop.level), columns(), closed(loop));
+      plot(block + " using 1:2 with filledcurves closed fillcolor palette cb " + short_number(band) + " notitle");
+      plot(block + " using 1:2 with lines lc rgb '#80000000' lw 0.7" + (loop.level < 0 ? " dt (5,3)" : "") +
+           " notitle");
+    }
+    std::vector<std::array<double, 2>> marks;
+    if (request_.optimum) marks.push_back({request_.optimum->x, request_.optimum->y});
+    if (const auto peak = map_peak(request_))
+      marks.push_back(
+          {request_.field.x[*peak % request_.field.x.size()], request_.field.y[*peak / request_.field.x.size()]});
+    write_contour_levels(script(), loops, x_, y_, marks);
+  }
+
+  /// Contours of a field whose missing nodes are filled, in the units of the axes.
+  std::vector<ContourLoop> loops_of(const PlaneField& values, std::span<const double> levels) const {
     PlaneField field = filled(values);
     for (double& x : field.x) x = x_.along(x);
     for (double& y : field.y) y = y_.along(y);
-    for (ContourLoop loop : contour_loops(field, levels, -std::numeric_limits<double>::infinity())) {
+    std::vector<ContourLoop> loops = contour_loops(field, levels, -std::numeric_limits<double>::infinity());
+    for (ContourLoop& loop : loops)
       for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
-      const std::string block = add("level " + short_number(loop.level), columns(), closed(loop));
-      plot(block + " using 1:2 with filledcurves closed fillcolor palette cb " +
-           short_number(colour(loop.level, loop.higher_inside)) + " notitle");
-      plot(block + " using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
-    }
+    return loops;
   }
 
   /// Blanks the cells around nodes without an answer.
@@ -142,14 +165,9 @@ class MapDrawing : PictureBuilder {
     std::vector<std::string> looks{"lines lc rgb 'white' lw 2.5 dt (6,3)", "lines lc rgb 'white' lw 2.5 dt (2,2)"};
     for (std::size_t i = 0; i < request_.limits.size(); ++i) {
       const MapLimit& limit = request_.limits[i];
-      PlaneField field{request_.field.x, request_.field.y, limit.excess};
-      if (std::none_of(field.values.begin(), field.values.end(), [](double value) { return value > 0; })) continue;
-      field = filled(field);
-      for (double& x : field.x) x = x_.along(x);
-      for (double& y : field.y) y = y_.along(y);
-      std::vector<ContourLoop> loops = contour_loops(field, std::array{0.0}, -std::numeric_limits<double>::infinity());
-      for (ContourLoop& loop : loops)
-        for (auto& point : loop.points) point = {x_.back(point[0]), y_.back(point[1])};
+      if (std::none_of(limit.excess.begin(), limit.excess.end(), [](double value) { return value > 0; })) continue;
+      const std::vector<ContourLoop> loops =
+          loops_of({request_.field.x, request_.field.y, limit.excess}, std::array{0.0});
       const std::string block = add("beyond " + limit.meaning, columns(), loops);
       if (loops.size() == 1)  // a hole in it would be veiled, too
         for (const char* const veil : {"'white' fs transparent solid 0.5", "'#000000' fs transparent pattern 4"})

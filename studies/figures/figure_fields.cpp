@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "studies/drawing/colour_map.hpp"
+#include "studies/drawing/contour_levels.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/figures/figure_map.hpp"
 #include "studies/text/readable_number.hpp"
@@ -45,36 +46,6 @@ FieldOfFigure field_of_figure(const FigureSource& source, std::string_view name,
           field,
           ColourBands(*lowest, *highest),
           gnuplot::symbol(shown.symbol) + "  [" + typeset_unit(unit.name) + "]"};
-}
-
-/// Writes the levels of contour lines on them, each where none stands yet; small loops bear none.
-void write_levels(std::ostream& script, const std::vector<ContourLoop>& loops, const MapView& view) {
-  constexpr double apart = 0.085, smallest = 0.1;  // of the map
-  std::vector<std::array<double, 2>> taken;
-  script << "set style textbox opaque noborder fillcolor rgb 'white' margins 0.3,0.2\n";
-  for (std::size_t number = 0; number < loops.size(); ++number) {
-    const ContourLoop& loop = loops[number];
-    const auto fraction = [&](const std::array<double, 2>& point) {
-      return std::array<double, 2>{view.x.fraction(point[0]), view.y.fraction(point[1])};
-    };
-    const auto [lowest, highest] = std::minmax_element(
-        loop.points.begin(), loop.points.end(), [](const auto& one, const auto& other) { return one[1] < other[1]; });
-    if (fraction(*highest)[1] - fraction(*lowest)[1] < smallest) continue;
-    const std::size_t size = loop.points.size();
-    for (std::size_t step = 0; step < size; ++step) {
-      const auto& point = loop.points[(number * size / 5 + step) % size];  // not all on one side
-      const auto [x, y] = fraction(point);
-      if (x < 0.06 || x > 0.94 || y < 0.05 || y > 0.95) continue;
-      if (std::any_of(taken.begin(), taken.end(), [&, x = x, y = y](const auto& other) {
-            return std::abs(other[0] - x) < 1.4 * apart && std::abs(other[1] - y) < 0.7 * apart;
-          }))
-        continue;
-      taken.push_back({x, y});
-      script << "set label " << gnuplot::quoted(short_number(loop.level, 3)) << " at first " << short_number(point[0])
-             << ", first " << short_number(point[1]) << " center boxed front font ',11'\n";
-      break;
-    }
-  }
 }
 
 /// What is drawn of loops above and below zero: a list of their blocks, for a loop of the script.
@@ -120,7 +91,7 @@ PictureText contour_map(const Figure& figure, const FigureSource& source, const 
   map.script() << "# The inside of each loop of the data, in its colour; then the loops, dashed below zero.\nbands = \""
                << listed(inside) << "\"\npositive = \"" << blocks_of(loops, false) << "\"\nnegative = \""
                << blocks_of(loops, true) << "\"\n";
-  write_levels(map.script(), loops, view);
+  write_contour_levels(map.script(), loops, view.x, view.y);
   if (shown.traction)  // zero outside the contact
     map.script() << "set object rectangle from graph 0, graph 0 to graph 1, graph 1 fillcolor palette cb "
                  << short_number(bands.inside(0, bands.levels.back() > 0)) << " fillstyle solid noborder behind\n";

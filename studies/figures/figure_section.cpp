@@ -3,6 +3,7 @@
 
 #include "core/interior/interior_summary.hpp"
 #include "studies/drawing/colour_map.hpp"
+#include "studies/drawing/contour_levels.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/figures/figure_map.hpp"
 #include "studies/text/readable_number.hpp"
@@ -74,6 +75,7 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
     picture.plot(block + " using 1:2 with filledcurves closed fillcolor palette cb " + inside + " notitle");
     picture.plot(block + " using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
   }
+  write_contour_levels(picture.script(), loops, x, z);
   std::vector<DataRow> bonds;
   for (const double bond : section.bonds) {
     if (bond <= section.z.front() || bond >= section.z.back()) continue;

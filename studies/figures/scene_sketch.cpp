@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/material/material.hpp"
+#include "core/scene/layer_name.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
@@ -199,7 +200,7 @@ class SceneSketch {
       std::vector<Point> below = interface(i + 1 < layers_.size() ? depths_[i + 1] : deepest_);
       outline.insert(outline.end(), below.rbegin(), below.rend());
       const std::string colour = layer_colours[i % layer_colours.size()];
-      fill(i == 0 ? "layer" : "lower layer [" + std::to_string(i - 1) + "]", outline, colour);
+      fill(layer_name(false, i), outline, colour);
       const double thickness = layers_[i].thickness;
       explain(colour, (std::isfinite(thickness) ? shown(thickness, "m") + " thick: " : "infinitely thick: ") +
                           material_in_words(*layers_[i].material));
@@ -227,7 +228,7 @@ class SceneSketch {
     for (std::size_t i = 0; i < scene_.coating_layers.size(); ++i) {
       const BondedLayer& layer = scene_.coating_layers[i];
       const std::string colour = coating_colours[i % coating_colours.size()];
-      fill("coating [" + std::to_string(i) + "]", circle(r), colour);
+      fill(layer_name(true, i), circle(r), colour);
       explain(colour, "coating, " + shown(layer.layer_thickness, "m") + ": " + material_in_words(layer));
       r -= in_unit(layer.layer_thickness);
     }
@@ -259,7 +260,8 @@ class SceneSketch {
     }
     const auto line = [&](const char* name, const char* colour, const std::vector<DataRow>& rows) {
       if (std::all_of(rows.begin(), rows.end(), [](const DataRow& one) { return one.empty(); })) return;
-      const std::string look = std::string("lines lw 4 lc rgb '") + colour + "'";
+      const std::string dashes = std::string_view(name) == "slip" ? " dt (1,0.6)" : "";  // seen without colour, too
+      const std::string look = std::string("lines lw 4 lc rgb '") + colour + "'" + dashes;
       picture_.plot(picture_.add(name, "x, z [" + unit_.name + "]", without_doubled_blanks(rows)) + " using 1:2 with " +
                     look + " notitle");
       picture_.explain(

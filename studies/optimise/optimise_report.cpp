@@ -61,7 +61,7 @@ struct FormulaAxis {
 };
 FormulaAxis axis_of(const DesignProblem& problem, const Formula& formula, double size) {
   const ScaledUnit unit = scaled_unit(problem.unit(formula), size);
-  return {{.name = in_words(formula.text()), .unit = typeset_unit(unit.name)}, unit.factor};
+  return {{.name = formula_in_words(formula.text()), .unit = typeset_unit(unit.name)}, unit.factor};
 }
 
 std::string goal_in_words(const DesignProblem& problem, const Goal& goal) {
@@ -95,11 +95,9 @@ Table variables_table(const DesignProblem& problem, const OptimiseReport& report
 Table constraints_table(const DesignProblem& problem, const OptimiseReport& report) {
   Table table{{"constraint", "left", "right", "slack", "multiplier"}, {}};
   for (const Variable& variable : problem.variables) table.columns.emplace_back(variable.quantity.key);
-  const std::vector<ConstraintPlace> places = constraint_places(problem);
   for (std::size_t j = 0; j < report.best->constraints.size(); ++j) {
     const ConstraintSides& sides = report.best->constraints[j];
-    const Formula& left =
-        j < places.size() ? problem.constraints[places[j].constraint].left() : problem.bound->goal.formula;
+    const Formula& left = limited(problem, j);
     std::vector<Cell> row{constraint_name(problem, j), value_in_words(problem, left, sides.left),
                           value_in_words(problem, left, sides.right)};
     if (report.optimum) {
@@ -161,8 +159,9 @@ void print_nearest(const DesignProblem& problem, const Design& design, std::ostr
   out << '\n';
   for (std::size_t j = 0; j < design.constraints.size(); ++j)
     if (!design.constraints[j].holds)
-      out << "broken: " << constraint_name(problem, j) << ": " << short_number(design.constraints[j].left)
-          << " against " << short_number(design.constraints[j].right) << '\n';
+      out << "broken: " << constraint_name(problem, j) << ": "
+          << value_in_words(problem, limited(problem, j), design.constraints[j].left) << " against "
+          << value_in_words(problem, limited(problem, j), design.constraints[j].right) << '\n';
 }
 
 }  // namespace
@@ -177,6 +176,32 @@ std::string in_words(const DesignProblem& problem, const OptimiseProgress& progr
          (progress.best ? ", best " + value_in_words(problem, problem.goal.formula, *progress.best) : "");
 }
 
+const Formula& limited(const DesignProblem& problem, std::size_t constraint) {
+  const std::vector<ConstraintPlace> places = constraint_places(problem);
+  return constraint < places.size() ? problem.constraints[places[constraint].constraint].left()
+                                    : problem.bound->goal.formula;
+}
+
+std::string limits_in_words(const DesignProblem& problem, const OptimiseReport& report) {
+  std::vector<std::string> limits;
+  for (std::size_t j = 0; report.optimum && j < report.optimum->constraints.size(); ++j) {
+    const ConstraintState& state = report.optimum->constraints[j];
+    if (!state.active) continue;
+    limits.push_back(formula_in_words(constraint_name(problem, j)));
+    if (std::isfinite(state.multiplier) && state.multiplier > 0)
+      limits.back() += ", where 1 % more room would " + std::string(problem.goal.maximise ? "raise" : "lower") +
+                       " it by " + short_number(state.multiplier, 3) + " %";
+  }
+  for (std::size_t i = 0; report.optimum && i < report.optimum->bounds.size(); ++i)
+    if (const ActiveBound bound = report.optimum->bounds[i]; bound != ActiveBound::none)
+      limits.push_back("the " + std::string(name_of(bound)) + " " + in_words(problem.variables[i].quantity.key) +
+                       " allowed");
+  const std::string held = limits.empty() ? "" : "It is held back by " + joined(limits, ", and by ") + ". ";
+  if (report.status == DesignStatus::optimum) return held + "To first order no design near it is better.";
+  return held + "That it is the best near it is not confirmed" +
+         (report.reason.empty() ? "." : ": " + report.reason + ".");
+}
+
 void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out) {
   out << problem.name << ": " << name_of(report.status) << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
   if (report.best) {
@@ -189,6 +214,7 @@ void print_text(const DesignProblem& problem, const OptimiseReport& report, std:
       write_aligned(out, constraints_table(problem, report));
       out << '\n';
     }
+    if (report.status == DesignStatus::optimum) out << limits_in_words(problem, report) << "\n\n";
     if (!problem.uncertain.any())
       for (const std::string& key : report.best->keys) out << "evaluation " << key << '\n';
   } else if (report.nearest) {
@@ -307,7 +333,8 @@ Json json_of(std::span<const DesignProblem> problems, const ParetoReport& front)
 
 ChartRequest course_chart(const DesignProblem& problem, const OptimiseReport& report) {
   const auto [axis, factor] = axis_of(problem, problem.goal.formula, std::abs(report.value()));
-  ChartRequest request{.title = problem.name + ": best design seen",
+  ChartRequest request{.title = problem.name,
+                       .subtitle = "the best design seen so far",
                        .x = {.name = "designs with an answer"},
                        .y = axis,
                        .curves = {},
@@ -333,7 +360,8 @@ ChartRequest front_chart(std::span<const DesignProblem> problems, const ParetoRe
     }
   const auto [x, x_factor] = axis_of(problem, problem.pareto->goal.formula, second_size);
   const auto [y, y_factor] = axis_of(problem, problem.goal.formula, size);
-  ChartRequest request{.title = problem.name + ": front", .x = x, .y = y, .curves = {}, .mark_peaks = false};
+  ChartRequest request{
+      .title = problem.name, .subtitle = "the designs of the front", .x = x, .y = y, .curves = {}, .mark_peaks = false};
   request.x.margin = 0.03;
   for (std::size_t choice = 0; choice < problems.size(); ++choice) {
     ChartCurve curve;

@@ -13,6 +13,13 @@ std::string in_words(const EvaluationCount& count);
 /// The same, with the best value up to now.
 std::string in_words(const DesignProblem& problem, const OptimiseProgress& progress);
 
+/// What a constraint limits: the formula on its left, or the goal of a bound.
+const Formula& limited(const DesignProblem& problem, std::size_t constraint);
+
+/// What holds the best design back and what that costs, in sentences: "It is held back by peak pressure ≤ 4 MPa, where
+/// 1 % more room would lower it by 1.8 %. To first order no design near it is better."
+std::string limits_in_words(const DesignProblem& problem, const OptimiseReport& report);
+
 /// Status, the best design with its constraints, or the nearest one, and how it was searched.
 void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out);
 /// The designs on the front. @param problems  that its points choose from, at least one
@@ -23,7 +30,8 @@ Json json_of(std::span<const DesignProblem> problems, const ParetoReport& front)
 /// What a problem takes from the lists of its file.
 Json chosen_json(const DesignProblem& problem);
 
-/// The course of the search: the value of the best feasible design against the number of designs.
+/// The course of the search: the value of the best feasible design against the number of designs. Its title is the name
+/// of the problem.
 ChartRequest course_chart(const DesignProblem& problem, const OptimiseReport& report);
 
 /// The front, first goal against second; dominated designs and what is no optimum stay off its line. Where things are

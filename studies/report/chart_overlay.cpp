@@ -47,17 +47,43 @@ class Overlay {
                                    [](const ChartCurve& curve) { return !curve.label.empty(); });
     const auto has_button = [&](const ChartCurve& curve) { return !curve.like && !(named && curve.label.empty()); };
     if (std::count_if(request_.curves.begin(), request_.curves.end(), has_button) < 2) return "";
+    if (!request_.families.empty()) return buttons_of_families();
     std::string markup = "<div class=\"families\">";
     if (!request_.family.name.empty()) markup += "<span>" + xml_text(request_.family.name) + "</span>";
     for (std::size_t i = 0; i < request_.curves.size(); ++i)
       if (has_button(request_.curves[i]))
-        markup += "<button type=\"button\" aria-pressed=\"false\" data-curve=\"" + std::to_string(i) +
-                  "\"><i style=\"background:" + curve_colour(request_, i) + "\"></i>" + xml_text(name_of_curve(i)) +
-                  "</button>";
+        markup += button(std::to_string(i), curve_colour(request_, i), name_of_curve(i));
     return markup + "</div>";
   }
 
  private:
+  /// @param curves  their numbers: "0 4 8"   @param colour  of all of them, or empty
+  static std::string button(const std::string& curves, const std::string& colour, const std::string& name) {
+    return "<button type=\"button\" aria-pressed=\"false\" data-curve=\"" + curves + "\">" +
+           (colour.empty() ? "" : "<i style=\"background:" + colour + "\"></i>") + xml_text(name) + "</button>";
+  }
+
+  /// A button for each value of either family, which shows all curves of that value.
+  std::string buttons_of_families() const {
+    std::string markup;
+    for (std::size_t family = 0; family < request_.families.size(); ++family) {
+      const auto& [axis, labels] = request_.families[family];
+      markup += "<div class=\"families\">";
+      if (!axis.name.empty()) markup += "<span>" + xml_text(axis.name) + "</span>";
+      for (std::size_t value = 0; value < labels.size(); ++value) {
+        std::string curves, colour;
+        for (std::size_t i = 0; i < request_.curves.size(); ++i) {
+          if (request_.curves[i].place[family] != value) continue;
+          curves += (curves.empty() ? "" : " ") + std::to_string(i);
+          if (family == 0) colour = curve_colour(request_, i);
+        }
+        markup += button(curves, colour, labels[value]);
+      }
+      markup += "</div>";
+    }
+    return markup;
+  }
+
   /// What an axis spans and says, for the script that draws it anew: data-x="0.01 10 log" data-x-name="speed V [m/s]".
   static std::string axis(const std::string& letter, const ChartAxis& axis, const Span& span) {
     std::string name = axis.name + (axis.symbol.empty() ? "" : " " + axis.symbol);
@@ -99,11 +125,11 @@ class Overlay {
     std::string line, above, below;  // a run of joined points, and the two sides of its area, there and back
     const auto end_line = [&] {
       if (!above.empty()) markup += "<polygon points=\"" + above + below + "\"/>";
-      if (request_.lines && !line.empty()) markup += "<polyline points=\"" + line + "\"/>";
+      if (request_.lines && request_.curves[i].line && !line.empty()) markup += "<polyline points=\"" + line + "\"/>";
       line = above = below = "";
     };
     for (const ChartPoint& point : request_.curves[i].points) {
-      if (!point.joined() || !request_.lines) end_line();
+      if (!point.joined() || !request_.lines || !request_.curves[i].line) end_line();
       if (!point.joined()) continue;
       line += (line.empty() ? "" : " ") + place(point);
       if (!point.area()) continue;

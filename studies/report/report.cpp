@@ -38,9 +38,10 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   const PictureSection charts = chart_section(source, options), errors = accuracy_pictures(source);
   const std::string title = title_of_study(source.definition, study.name);
   StudyReport report{study.name, "<h1>" + html::text(title) + "</h1>\n", charts.pictures + errors.pictures};
-  const PictureSection sketch = sketch_section(source);
+  const std::optional<StoredOptimum> found = stored_optimum(store, study.name);
+  const PictureSection sketch = sketch_section(source, found);
   report.pictures += sketch.pictures;
-  if (const auto found = stored_optimum(store, study.name)) {
+  if (found) {
     const PictureSection optimum = optimum_section(source, *found);
     report.html += summary_section(source, optimum_sentences(*found)) + optimum.html;
     report.pictures += optimum.pictures;

@@ -105,7 +105,7 @@ for (const figure of document.querySelectorAll('figure'))
       for (const other of figure.querySelectorAll('.families button'))
         other.setAttribute('aria-pressed', String(alone && other === button));
       for (const group of figure.querySelectorAll('.points g'))
-        group.classList.toggle('chosen', alone && group.dataset.curve === button.dataset.curve);
+        group.classList.toggle('chosen', alone && button.dataset.curve.split(' ').includes(group.dataset.curve));
     });
 // Zoom: a part of a chart that is drawn out by the mouse is drawn anew, with its own numbers; a finger scrolls.
 const element = (name, attributes, text) => {

@@ -29,40 +29,7 @@ std::string design_in_words(const DesignProblem& problem, const Design& design) 
   return text;
 }
 
-/// The formula on the left of a constraint.
-const Formula& left_of(const DesignProblem& problem, std::size_t constraint) {
-  const std::size_t own = problem.constraints.size();
-  return constraint < own * problem.scenes.size() ? problem.constraints[constraint % own].left()
-                                                  : problem.bound->goal.formula;
-}
-
-std::string goal_in_words(const DesignProblem& problem) { return in_words(problem.goal.formula.text()); }
-
-/// What the active constraints and bounds cost, and what is known of the optimum.
-std::string why_it_is_best(const StoredOptimum& found) {
-  const DesignProblem& problem = found.problem;
-  const OptimiseReport& search = *found.search;
-  std::string text;
-  if (search.optimum)
-    for (std::size_t j = 0; j < search.optimum->constraints.size(); ++j)
-      if (const ConstraintState& state = search.optimum->constraints[j]; state.active)
-        text += std::string(text.empty() ? "It is held back by " : " and ") + constraint_name(problem, j) +
-                (std::isfinite(state.multiplier) && state.multiplier > 0
-                     ? ", where 1 % more room would " + std::string(problem.goal.maximise ? "raise" : "lower") +
-                           " it by " + short_number(state.multiplier, 3) + " %"
-                     : "");
-  if (search.optimum)
-    for (std::size_t i = 0; i < search.optimum->bounds.size(); ++i)
-      if (search.optimum->bounds[i] != ActiveBound::none)
-        text += std::string(text.empty() ? "It is held back by " : " and ") + "the " +
-                std::string(name_of(search.optimum->bounds[i])) + " " + in_words(problem.variables[i].quantity.key) +
-                " allowed";
-  if (!text.empty()) text += ". ";
-  return text + (search.status == DesignStatus::optimum
-                     ? "To first order no design near it is better."
-                     : "That it is the best near it is not confirmed" +
-                           (search.reason.empty() ? "." : ": " + search.reason + "."));
-}
+std::string goal_in_words(const DesignProblem& problem) { return formula_in_words(problem.goal.formula.text()); }
 
 std::string elasticity(const OptimiseReport& search, std::size_t variable) {
   if (!search.optimum) return "";
@@ -89,8 +56,9 @@ std::string design_table(const StoredOptimum& found) {
   rows.clear();
   for (std::size_t j = 0; j < best.constraints.size(); ++j) {
     const ConstraintSides& sides = best.constraints[j];
-    std::vector<std::string> cells{constraint_name(problem, j), with_unit(problem, left_of(problem, j), sides.left),
-                                   with_unit(problem, left_of(problem, j), sides.right)};
+    std::vector<std::string> cells{formula_in_words(constraint_name(problem, j)),
+                                   with_unit(problem, limited(problem, j), sides.left),
+                                   with_unit(problem, limited(problem, j), sides.right)};
     if (found.search && found.search->optimum) {
       const ConstraintState& state = found.search->optimum->constraints[j];
       cells.push_back(state.active ? "reached" : percent(state.slack, 3) + " left");
@@ -104,7 +72,8 @@ std::string design_table(const StoredOptimum& found) {
   return section + (rows.empty() ? "" : html::table(columns, rows));
 }
 
-/// All designs over the first two variables: those that keep the constraints, those that do not, and the best.
+/// All designs over the first two variables: those that keep the constraints, those that do not, the way of the search
+/// from one best design to the next, and the last of them.
 std::optional<ChartRequest> design_chart(const ReportSource& source, const StoredOptimum& found) {
   const DesignProblem& problem = found.problem;
   if (problem.variables.size() < 2) return std::nullopt;
@@ -126,14 +95,20 @@ std::optional<ChartRequest> design_chart(const ReportSource& source, const Store
                        .subtitle = "designs looked at",
                        .x = x,
                        .y = y,
-                       .curves = {{"meets the constraints", {}}, {"breaks a constraint", {}}, {"best", {}}},
-                       .lines = false,
+                       .curves = {{"meets the constraints", {}},
+                                  {"breaks a constraint", {}},
+                                  {"in the order of the search", {}},
+                                  {"best", {}}},
                        .mark_peaks = false};
   const auto place = [&](const Design& design) {
     return ChartPoint{design.point[0] / x_factor, design.point[1] / y_factor};
   };
   for (const Design& design : found.designs) request.curves[design.feasible() ? 0 : 1].points.push_back(place(design));
-  if (found.best) request.curves[2].points.push_back(place(*found.best));
+  if (found.search)
+    for (const Design& design : found.search->designs) request.curves[2].points.push_back(place(design));
+  if (found.best) request.curves[3].points.push_back(place(*found.best));
+  for (const std::size_t points : {0, 1, 3}) request.curves[points].line = false;
+  request.curves[2].marks = false;
   std::erase_if(request.curves, [](const ChartCurve& curve) { return curve.points.empty(); });
   return request;
 }
@@ -153,7 +128,7 @@ std::vector<std::string> optimum_sentences(const StoredOptimum& found) {
   std::vector<std::string> sentences{"The " + extreme + goal + (constrained ? " within the constraints" : "") + " is " +
                                      with_unit(problem, problem.goal.formula, found.best->value) + ", with " +
                                      design_in_words(problem, *found.best) + "."};
-  if (found.search) sentences.push_back(why_it_is_best(found));
+  if (found.search) sentences.push_back(limits_in_words(problem, *found.search));
   sentences.push_back(counted);
   return sentences;
 }
@@ -166,9 +141,11 @@ PictureSection optimum_section(const ReportSource& source, const StoredOptimum& 
     section += html::paragraph("What the constraints cost: rollres optimise tells it, with the file at the end.");
   std::vector<std::pair<std::string, ChartRequest>> charts;
   if (auto designs = design_chart(source, found)) charts.emplace_back("The designs that were looked at", *designs);
-  if (found.search && found.search->designs.size() > 1)
+  if (found.search && found.search->designs.size() > 1) {
     charts.emplace_back("The best design seen so far, in the course of the search",
                         course_chart(found.problem, *found.search));
+    charts.back().second.title = title_of_study(source.definition, source.study.name);
+  }
   const PictureSection pictures = chart_pictures(charts);
   return {section + pictures.html, pictures.pictures};
 }

@@ -10,6 +10,7 @@
 #include "studies/figures/scene_sketch.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
+#include "studies/scatter/scatter_statistics.hpp"
 #include "studies/scene_io/cells.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
@@ -66,7 +67,7 @@ FixedAxes all_but_longest(const ReportSource& source, std::size_t free) {
     fixed.filters.push_back(
         {axes[i]->name, Comparison::equal, number ? shortest(*number) : value_in_words(middle, "")});
     fixed.words += (fixed.words.empty() ? " at " : ", ") + in_words(std::string(axes[i]->quantity.key)) + " = " +
-                   value_in_words(middle, unit_in(source.rows, *axes[i]));
+                   value_in_words(axes[i]->quantity, middle, unit_in(source.rows, *axes[i]));
   }
   return fixed;
 }
@@ -113,35 +114,69 @@ void add_shares(const ReportSource& source, Pictures& pictures) {
   });
 }
 
-/// How the resistance scatters at each place of the axes that do not: its histogram, and the probability below a value.
-void add_scatter(const ReportSource& source, Pictures& pictures) {
-  const StudyRows& rows = source.rows;
-  const QuantityColumn& output = *find_quantity_column("rolling_resistance");
-  if (source.definition.uncertain.empty()) return;
+/// The resistance at each place of the axes that do not scatter.
+struct ScatteredResistance {
   std::vector<const QuantityColumn*> axes;
-  for (const QuantityColumn* const axis : source.varied())
-    if (!source.definition.uncertain.contains(key_of(*axis))) axes.push_back(axis);
-  std::map<std::vector<Cell>, std::vector<double>> places;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    std::vector<Cell> place;
-    for (const QuantityColumn* const axis : axes) place.push_back(rows.cell(row, *axis));
-    if (rows.converged(row)) places[place].push_back(rows.number(row, output));
+  std::map<std::vector<Cell>, std::vector<double>> places;  ///< the values there, rising
+
+  explicit ScatteredResistance(const ReportSource& source) {
+    if (source.definition.uncertain.empty()) return;
+    for (const QuantityColumn* const axis : source.varied())
+      if (!source.definition.uncertain.contains(key_of(*axis))) axes.push_back(axis);
+    for (std::size_t row = 0; row < source.rows.size(); ++row) {
+      std::vector<Cell> place;
+      for (const QuantityColumn* const axis : axes) place.push_back(source.rows.cell(row, *axis));
+      if (const double value = source.rows.number(row, "rolling_resistance"); source.rows.converged(row))
+        places[place].push_back(value);
+    }
+    for (auto& [place, values] : places) std::sort(values.begin(), values.end());
   }
+};
+
+/// How the resistance scatters: its histogram, and the probability below a value.
+void add_scatter(const ReportSource& source, const ScatteredResistance& found, Pictures& pictures) {
+  const QuantityColumn& output = *find_quantity_column("rolling_resistance");
+  const auto& [axes, places] = found;
   if (places.empty() || places.size() > most_curves) return;
   ScatterPicture picture{.title = title_of_study(source.definition, source.study.name),
                          .axis = described(output),
-                         .unit = unit_in(rows, output),
+                         .unit = unit_in(source.rows, output),
                          .labels = {},
-                         .values = {}};
+                         .values = {},
+                         .ordered = axes.size() == 1 && axes.front()->type != "TEXT"};
   for (const auto& [place, values] : places) {
     std::string label;
     for (std::size_t i = 0; i < axes.size(); ++i)
-      label += (label.empty() ? "" : ", ") + value_in_words(axes[i]->quantity, place[i], unit_in(rows, *axes[i]));
+      label +=
+          (label.empty() ? "" : ", ") + value_in_words(axes[i]->quantity, place[i], unit_in(source.rows, *axes[i]));
     picture.labels.push_back(label);
     picture.values.push_back({values});
   }
   where_possible([&] { pictures.add("how often the resistance lies where", histogram_chart(picture)); });
   where_possible([&] { pictures.add("the probability of a resistance below a value", cumulative_chart(picture)); });
+}
+
+/// Mean, deviation and quantiles at each place.
+std::string scatter_table(const ReportSource& source, const ScatteredResistance& found) {
+  if (found.places.empty()) return "";
+  std::vector<html::TableColumn> columns;
+  for (const QuantityColumn* const axis : found.axes) columns.push_back({in_words(axis->quantity.key), true});
+  const QuantityColumn& output = *find_quantity_column("rolling_resistance");
+  for (const char* const name : {"points", "mean", "standard deviation", "P10", "P50", "P90"})
+    columns.push_back({name, true});
+  std::vector<html::TableRow> rows;
+  for (const auto& [place, values] : found.places) {
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < place.size(); ++i)
+      cells.push_back(value_in_words(found.axes[i]->quantity, place[i], unit_in(source.rows, *found.axes[i])));
+    cells.push_back(std::to_string(values.size()));
+    for (const double number : {mean_value(values), deviation_of(values), quantile_of_sorted(values, 0.1),
+                                quantile_of_sorted(values, 0.5), quantile_of_sorted(values, 0.9)})
+      cells.push_back(std::isfinite(number) ? readable(number, unit_in(source.rows, output)) : "");
+    rows.push_back({cells});
+  }
+  return html::paragraph("How the rolling resistance scatters; rollres scatter tells the errors of these numbers:") +
+         html::table(columns, rows);
 }
 
 void add_map(const ReportSource& source, const std::string& optimum, Pictures& pictures) {
@@ -198,8 +233,9 @@ PictureSection together_section(ResultStore& store, const ReportOptions& options
   return {html::heading("All studies") + pictures.html() + refusal, pictures.count()};
 }
 
-PictureSection sketch_section(const ReportSource& source) {
-  const std::vector<std::string> keys = source.store.points(source.study.name);
+PictureSection sketch_section(const ReportSource& source, const std::optional<StoredOptimum>& found) {
+  const bool best = found && found->best && !found->best->keys.empty();
+  const std::vector<std::string> keys = best ? found->best->keys : source.store.points(source.study.name);
   for (std::size_t i = 0; i < keys.size(); ++i) {  // from the middle on, round
     const auto answer = source.store.find(keys[(i + keys.size() / 2) % keys.size()]);
     if (!answer || answer->solution.status != Status::converged) continue;
@@ -209,7 +245,8 @@ PictureSection sketch_section(const ReportSource& source) {
              value_in_words(axis->quantity, input_of(scene, key_of(*axis)), axis->quantity.unit_for(scene.indenter));
     });
     Pictures pictures;
-    const std::string meaning = "One of the scenes, to scale" + (place.empty() ? "" : ": " + place);
+    const std::string meaning =
+        (best ? "The best design, to scale" : "One of the scenes, to scale") + (place.empty() ? "" : ": " + place);
     where_possible([&] {
       pictures.add(meaning, [&](const std::filesystem::path& file) {
         const ChartFiles files = chart_files(file);
@@ -234,11 +271,12 @@ PictureSection chart_section(const ReportSource& source, const ReportOptions& op
   std::string refusal;
   add_charts(source, pictures, refusal);
   add_shares(source, pictures);
-  add_scatter(source, pictures);
+  const ScatteredResistance scattered(source);
+  add_scatter(source, scattered, pictures);
   const auto& charts = source.definition.charts;
   const bool mapped = std::any_of(charts.begin(), charts.end(), [](const auto& chart) { return !chart.map.empty(); });
   if (!mapped || !options.optimum.empty()) add_map(source, options.optimum, pictures);
-  return {html::heading("Charts") + pictures.html() + refusal, pictures.count()};
+  return {html::heading("Charts") + pictures.html() + refusal + scatter_table(source, scattered), pictures.count()};
 }
 
 PictureSection accuracy_pictures(const ReportSource& source) {

@@ -53,8 +53,8 @@ struct PictureSection {
   std::size_t pictures = 0;
 };
 
-/// One of the study's scenes as a sketch.
-PictureSection sketch_section(const ReportSource& source);
+/// One of the study's scenes as a sketch: the best design of an optimisation.
+PictureSection sketch_section(const ReportSource& source, const std::optional<StoredOptimum>& found);
 
 /// Charts with their meanings.
 PictureSection chart_pictures(const std::vector<std::pair<std::string, ChartRequest>>& charts);

@@ -26,8 +26,13 @@ std::string what_was_asked(const ReportSource& source) {
   const std::string body = in_words(source.rows.text(0, "indenter"));
   std::string text =
       std::to_string(source.study.points) + (source.study.points == 1 ? " scene" : " scenes") + " of a rolling " + body;
-  for (const QuantityColumn* axis : axes) text += (axis == axes.front() ? ": " : "; ") + axis_in_words(source, *axis);
-  return text + ".";
+  std::string ranges, scattered;
+  for (const QuantityColumn* const axis : axes)
+    if (source.definition.uncertain.contains(key_of(*axis)))
+      scattered += (scattered.empty() ? "" : ", ") + in_words(axis->quantity.key);
+    else
+      ranges += (ranges.empty() ? ": " : "; ") + axis_in_words(source, *axis);
+  return text + ranges + (scattered.empty() ? "." : ". What scatters: " + scattered + ".");
 }
 
 /// "between 0.75 N/m (at speed = 10 m/s) and 1570 N/m (at ...)"

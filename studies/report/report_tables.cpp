@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/idle_inputs.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
@@ -106,6 +107,16 @@ std::vector<ResultColumn> result_columns(const ReportSource& source) {
   return columns;
 }
 
+/// Some scenes of the study, evenly from all.
+std::vector<RollingScene> some_scenes(const ReportSource& source) {
+  constexpr std::size_t most = 32;
+  const std::vector<std::string> keys = source.store.points(source.study.name);
+  std::vector<RollingScene> scenes;
+  for (std::size_t i = 0; i < keys.size(); i += 1 + keys.size() / most)
+    if (const auto answer = source.store.find(keys[i])) scenes.push_back(answer->scene);
+  return scenes;
+}
+
 }  // namespace
 
 std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
@@ -131,6 +142,7 @@ std::string scene_section(const ReportSource& source) {
   std::vector<TableRow> axes, inputs;
   std::string defaults;
   const auto varied = source.varied();
+  const std::vector<RollingScene> scenes = some_scenes(source);
   for (const QuantityColumn* const each : source.rows.columns()) {
     const QuantityColumn& column = *each;
     if (!column.is_input) continue;
@@ -151,10 +163,13 @@ std::string scene_section(const ReportSource& source) {
     const Cell& value = *values.begin();
     const InputKind* const kind = find_input(q.key);
     if (std::holds_alternative<std::monostate>(value)) continue;
+    if (kind && at_default(value, *kind) &&
+        std::all_of(scenes.begin(), scenes.end(), [&](const RollingScene& scene) { return is_idle(scene, q.key); }))
+      continue;
     if (kind && at_default(value, *kind) && !q.symbol.empty() && q.unit != "1")
       inputs.push_back({{key, symbol, shown(value), meaning}});
     else if (kind && at_default(value, *kind))
-      defaults += (defaults.empty() ? "" : ", ") + key + " = " + shown(value);
+      defaults += (defaults.empty() ? "" : ", ") + key + " = " + in_words(shown(value));
     else
       inputs.push_back({{key, symbol, shown(value), meaning}});
   }

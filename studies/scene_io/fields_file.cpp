@@ -8,6 +8,7 @@
 
 #include "core/newton/surface_window.hpp"
 #include "studies/scene_io/solution_json.hpp"
+#include "studies/scene_io/vtk_array.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -106,44 +107,37 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, c
   const double width = strip ? strip_width * grid.spacing_x * (grid.columns - 1) : 0;
   const std::string extent =
       "0 " + std::to_string(grid.columns - 1) + " 0 " + std::to_string(strip ? 1 : grid.rows - 1) + " 0 0";
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"0.1\">\n<ImageData WholeExtent=\"" + extent +
-      "\" Origin=\"" + triple(grid.x(0), strip ? -0.5 * width : grid.y(0), 0) + "\" Spacing=\"" +
-      triple(grid.spacing_x, strip ? width : grid.spacing_y, 1) + "\">\n" + field_data(scene, solution) +
-      "<Piece Extent=\"" + extent + "\">\n<PointData Scalars=\"sigma_z [Pa]\" Vectors=\"displacement [m]\">\n";
-  auto open = [&](const std::string& type, const std::string& name, int components) {
-    text += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-            std::to_string(components) + "\" format=\"ascii\">\n";
+  std::string text = vtk_head("ImageData") + "<ImageData WholeExtent=\"" + extent + "\" Origin=\"" +
+                     triple(grid.x(0), strip ? -0.5 * width : grid.y(0), 0) + "\" Spacing=\"" +
+                     triple(grid.spacing_x, strip ? width : grid.spacing_y, 1) + "\">\n" + field_data(scene, solution) +
+                     "<Piece Extent=\"" + extent + "\">\n" +
+                     "<PointData Scalars=\"sigma_z [Pa]\" Vectors=\"displacement [m]\">\n";
+  const auto of_all_rows = [&](const auto& values) {
+    auto all = values;
+    if (strip) all.insert(all.end(), values.begin(), values.end());
+    return all;
   };
-  auto close = [&] { text += "</DataArray>\n"; };
-  const auto each_node = [&](const auto& line) {
-    for (int again = 0; again < (strip ? 2 : 1); ++again)
-      for (std::size_t node = 0; node < static_cast<std::size_t>(grid.size()); ++node) text += line(node) + '\n';
-  };
-  for (const Column& column : columns) {
-    open("Float64", column.name + " [" + column.unit + "]", 1);
-    each_node([&](std::size_t node) { return shortest(column.values[node]); });
-    close();
-  }
+  for (const Column& column : columns)
+    text += vtk_array(column.name + " [" + column.unit + "]", of_all_rows(column.values));
   const auto component = [&](const std::vector<double>& values, std::size_t node) {
     return node < values.size() && std::isfinite(values[node]) ? values[node] : 0.0;
   };
   const auto vectors = [&](const char* name, const std::vector<double>& x, const std::vector<double>& y,
                            const std::vector<double>& z, double factor_z) {
-    open("Float64", name, 3);
-    each_node([&](std::size_t node) {
-      return triple(component(x, node), component(y, node), factor_z * component(z, node) + 0.0);
-    });
-    close();
+    std::vector<double> values;
+    for (std::size_t node = 0; node < static_cast<std::size_t>(grid.size()); ++node)
+      for (const double value : {component(x, node), component(y, node), factor_z * component(z, node) + 0.0})
+        values.push_back(value);
+    text += vtk_array(name, of_all_rows(values), 3);
   };
   vectors("displacement [m]", fields.u, fields.v, fields.w, 1);
   vectors("traction [Pa]", fields.shear_x, fields.shear_y, fields.pressure, -1);
   const SurfaceVelocity velocity = surface_velocity(scene, fields);
   vectors("velocity [m/s]", velocity.x, velocity.y, {}, 1);
   if (std::isfinite(solution.approach)) vectors("body [m]", {}, {}, body_surface(scene, grid, solution.approach), 1);
-  open("Int8", "zone", 1);
-  each_node([&](std::size_t node) { return std::to_string(static_cast<int>(fields.zone[node])); });
-  close();
+  std::vector<std::int8_t> zones;
+  for (const Zone zone : fields.zone) zones.push_back(static_cast<std::int8_t>(zone));
+  text += vtk_array("zone", of_all_rows(zones));
   return text + "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
 }
 

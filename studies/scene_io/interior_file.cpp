@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/scene/layer_name.hpp"
+#include "studies/scene_io/vtk_array.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -26,10 +28,6 @@ constexpr std::array<Field, 9> fields{{{"u", "m", &InteriorFields::u},
                                        {"loss_density", "W/m3", &InteriorFields::loss_density}}};
 
 std::string heading(const Field& field) { return std::string(field.name) + " [" + field.unit + "]"; }
-
-std::string layer_name(bool on_body, std::size_t layer) {
-  return (on_body ? "coating " : "layer ") + std::to_string(layer + 1);
-}
 
 std::string number(double value) { return shortest(value + 0.0); }
 
@@ -55,14 +53,8 @@ std::string interior_csv(const std::vector<InteriorSection>& sections) {
 std::string interior_vtr(const InteriorSection& section) {
   const std::size_t columns = section.x.size(), rows = section.z.size();
   const std::string extent = "0 " + std::to_string(columns - 1) + " 0 0 0 " + std::to_string(rows - 1);
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"RectilinearGrid\" version=\"0.1\">\n<RectilinearGrid WholeExtent=\"" +
-      extent + "\">\n<Piece Extent=\"" + extent + "\">\n<PointData Scalars=\"loss_density [W/m3]\">\n";
-  const auto array = [&](const std::string& name, const auto& values) {
-    text += "<DataArray type=\"Float64\" Name=\"" + name + "\" format=\"ascii\">\n";
-    for (const double value : values) text += number(value) + '\n';
-    text += "</DataArray>\n";
-  };
+  std::string text = vtk_head("RectilinearGrid") + "<RectilinearGrid WholeExtent=\"" + extent +
+                     "\">\n<Piece Extent=\"" + extent + "\">\n<PointData Scalars=\"loss_density [W/m3]\">\n";
   // z rises in the file: under the body the rows come from the bottom.
   const auto row_at = [&](std::size_t place) { return section.on_body ? place : rows - 1 - place; };
   for (const Field& field : fields) {
@@ -71,14 +63,12 @@ std::string interior_vtr(const InteriorSection& section) {
       for (std::size_t column = 0; column < columns; ++column)
         values.push_back((section.fields.*field.values)(static_cast<Eigen::Index>(column),
                                                         static_cast<Eigen::Index>(row_at(place))));
-    array(heading(field), values);
+    text += vtk_array(heading(field), values);
   }
   std::vector<double> z;
-  for (std::size_t place = 0; place < rows; ++place) z.push_back(section.z[row_at(place)]);
+  for (std::size_t place = 0; place < rows; ++place) z.push_back(section.z[row_at(place)] + 0.0);
   text += "</PointData>\n<Coordinates>\n";
-  array("x [m]", section.x);
-  array("y [m]", std::vector<double>{0});
-  array("z [m]", z);
+  text += vtk_array("x [m]", section.x) + vtk_array("y [m]", std::array{0.0}) + vtk_array("z [m]", z);
   return text + "</Coordinates>\n</Piece>\n</RectilinearGrid>\n</VTKFile>\n";
 }
 
@@ -105,8 +95,11 @@ std::string bonds_csv(const InteriorSummary& summary) {
 std::string interior_text(const InteriorSummary& summary) {
   std::string text = "\ninside the layers\n";
   for (const LayerLoss& layer : summary.layers) {
-    text += "  " + layer_name(layer.on_body, layer.layer) + ": loss " + readable(layer.loss, "W/m");
-    if (summary.loss != 0) text += " (" + short_number(100 * layer.loss / summary.loss, 4) + " %)";
+    constexpr double rounding = 1e-12;
+    const bool lossless = std::abs(layer.loss) <= rounding * std::abs(summary.loss);
+    text +=
+        "  " + layer_name(layer.on_body, layer.layer) + ": loss " + (lossless ? "none" : readable(layer.loss, "W/m"));
+    if (summary.loss != 0 && !lossless) text += " (" + short_number(100 * layer.loss / summary.loss, 4) + " %)";
     text += ", strain amplitude " + short_number(layer.strain_amplitude, 4) + ", largest " +
             short_number(layer.peak_strain_amplitude, 4) + '\n';
     for (const Bond& bond : summary.bonds)

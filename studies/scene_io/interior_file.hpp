@@ -10,7 +10,7 @@
 
 namespace rollres {
 
-/// A table of sections: x, z, layer ("layer 1", "coating 1"), displacements, stresses, strains, density of loss.
+/// A table of sections: x, z, layer ("layer", "coating [0]"), displacements, stresses, strains, density of loss.
 std::string interior_csv(const std::vector<InteriorSection>& sections);
 
 /// One section as a VTK rectilinear grid in the plane x-z, y being 0.

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/scene/idle_inputs.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
@@ -73,6 +74,7 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   };
   const std::map<std::string_view, std::string> usual = usual_layer();
   visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+    if (is_idle(scene, quantity.key)) return;
     const std::string shown = value_text(quantity, value, quantity.unit_for(scene.indenter));
     const std::optional<LayerKey> layered = layer_key(quantity.key);
     if (!layered || shown != usual.at(layered->input)) add(inputs, quantity, symbol_beside_name(quantity), shown);

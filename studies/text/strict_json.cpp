@@ -87,8 +87,10 @@ void refuse(const std::string& place, std::string_view key, const Json& value, c
 }
 
 void refuse_unknown_keys(const Json& object, std::span<const std::string_view> known, const std::string& place) {
+  constexpr std::size_t few = 10;  // of which all are told
+  const std::string all = known.size() <= few ? "known are " + joined(known) : "";
   for (const auto& [key, value] : object.items())
-    if (find_name(known, key) < 0) refuse(place, key, value, unknown("unknown key", known, key));
+    if (find_name(known, key) < 0) refuse(place, key, value, unknown("unknown key", known, key, all));
 }
 
 const Json& needed(const Json& object, const std::string& key, const std::string& place, const std::string& rule) {

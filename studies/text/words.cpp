@@ -71,6 +71,27 @@ std::string in_words(std::string_view key) {
   return words;
 }
 
+std::string formula_in_words(std::string_view formula) {
+  std::string words;
+  const auto in_key = [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) || letter == '_'; };
+  for (std::size_t begin = 0, end = 0; begin < formula.size(); begin = end) {
+    if (in_key(formula[begin])) {
+      // "coating_layers[0].layer_thickness" is one key, the bracket of "4 [MPa]" none.
+      for (end = begin; end < formula.size() && in_key(formula[end]);) ++end;
+      const std::size_t close = formula.find("].", end);
+      if (end < formula.size() && formula[end] == '[' && close != std::string_view::npos)
+        for (end = close + 2; end < formula.size() && in_key(formula[end]);) ++end;
+      words += in_words(formula.substr(begin, end - begin));
+      continue;
+    }
+    const std::string_view two = formula.substr(begin, 2);
+    const bool less = two == "<=", more = two == ">=";
+    end = begin + (less || more ? 2 : 1);
+    words += less ? "≤" : more ? "≥" : std::string(1, formula[begin]);
+  }
+  return words;
+}
+
 std::string_view symbol_beside_name(const Quantity& quantity) {
   return layer_key(quantity.key) ? quantity.symbol.substr(0, quantity.symbol.find(' ')) : quantity.symbol;
 }

@@ -50,6 +50,9 @@ auto refusing_at(const std::string& place, Function function) {
 /// "rolling resistance", "layer thickness of coating [0]"
 std::string in_words(std::string_view key);
 
+/// A formula or condition as people read it: "rolling resistance / load", "peak pressure ≤ 4 MPa".
+std::string formula_in_words(std::string_view formula);
+
 /// The symbol of a quantity where its name in words stands beside it: "H", not "H of coating [0]".
 std::string_view symbol_beside_name(const Quantity& quantity);
 

@@ -141,6 +141,13 @@ TEST_CASE("three axes give a curve for every combination of two, and a filter ta
   const ChartRequest all = stored_chart(store, {}).request;
   REQUIRE(all.curves.size() == 6);
   CHECK(all.curves[1].label == "P = 10 kN/m, μ = 0.2");
+  // The longer family by colour, the other by dash and mark.
+  REQUIRE(all.families.size() == 2);
+  CHECK(all.families[0].axis.symbol == "μ");
+  CHECK(all.families[0].labels == std::vector<std::string>{"0.1", "0.2", "0.3"});
+  CHECK(all.families[1].labels == std::vector<std::string>{"10 kN/m", "20 kN/m"});
+  CHECK(all.curves[1].place == std::array<std::size_t, 2>{1, 0});
+  CHECK(all.curves[5].place == std::array<std::size_t, 2>{2, 1});
   const ChartRequest some = stored_chart(store, {.filters = {parse_filter("friction_coefficient=0.2")}}).request;
   CHECK(some.curves.size() == 2);
   CHECK(some.curves[1].label == "20 kN/m");

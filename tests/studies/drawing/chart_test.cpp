@@ -279,6 +279,42 @@ TEST_CASE("entries of the legend stand in rows inside the picture", "[studies][c
     }
 }
 
+TEST_CASE("of two families one is told by colour, the other by dash and mark", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  const std::vector<ChartPoint> points = request.curves[0].points;
+  request.families = {{{.name = ""}, {"soft", "hard", "filled"}}, {{.name = "share", .unit = ""}, {"0.1", "0.2"}}};
+  request.curves.clear();
+  for (std::size_t first = 0; first < 3; ++first)
+    for (std::size_t second = 0; second < 2; ++second)
+      request.curves.push_back({.label = "both", .points = points, .place = {first, second}});
+  const std::string script = chart_script(request, chart_files("chart"));
+  const auto line_type = [&](std::size_t curve) {
+    const std::string mark = "set linetype " + std::to_string(curve + 1) + " ";
+    const std::size_t begin = script.find(mark) + mark.size();
+    const std::string look = script.substr(begin, script.find('\n', begin) - begin);
+    const std::size_t dash = look.find(" lw 2 dt ");
+    return std::pair(look.substr(0, dash), look.substr(dash));
+  };
+  CHECK(line_type(0).first == line_type(1).first);
+  CHECK(line_type(0).first != line_type(2).first);
+  CHECK(line_type(0).second == line_type(4).second);
+  CHECK(line_type(0).second != line_type(1).second);
+  std::size_t entries = 0;
+  for (std::size_t at = 0; (at = script.find("keyentry", at)) != std::string::npos; ++at) ++entries;
+  CHECK(entries == 5);  // three colours, two marks
+  CHECK_THAT(script, Contains("'hard  '") && Contains("'share = 0.2  '"));
+}
+
+TEST_CASE("a number without symbol and unit bears its name in the legend", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.ordered = true;
+  request.family = {.name = "payne drop"};
+  request.curves[0].label = "0.5";
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("'payne drop = 0.5  '"));
+  request.family.unit = "K";
+  CHECK_THAT(chart_script(request, chart_files("chart")), Contains("'0.5  '"));
+}
+
 TEST_CASE("the files of a chart share its name whatever suffix it is given", "[studies][chart]") {
   for (const char* name : {"out/a.b", "out/a.b.svg", "out/a.b.png", "out/a.b.gp", "out/a.b.dat"}) {
     const ChartFiles files = chart_files(name);

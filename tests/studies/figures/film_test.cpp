@@ -9,6 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
+#include "tests/studies/vtk_numbers.hpp"
 
 // Covers command_film, too.
 
@@ -53,15 +54,6 @@ std::vector<std::vector<std::vector<double>>> blocks_of(const std::string& text)
   return blocks;
 }
 
-/// The numbers of an array of a VTK file, as a reader finds it by its name.
-std::vector<double> array_of(const std::string& vti, const std::string& name) {
-  const std::size_t at = vti.find("Name=\"" + name + "\" NumberOfComponents"), begin = vti.find('>', at) + 1;
-  std::istringstream numbers(vti.substr(begin, vti.find("</DataArray>", begin) - begin));
-  std::vector<double> found;
-  for (double number; numbers >> number;) found.push_back(number);
-  return found;
-}
-
 }  // namespace
 
 TEST_CASE("a film shows each speed once, its pressure bearing the load", "[studies][figures][film]") {
@@ -98,6 +90,25 @@ TEST_CASE("a film shows each speed once, its pressure bearing the load", "[studi
   CHECK(length == Approx(1e3 * (answer.leading_edge - answer.trailing_edge)).epsilon(0.01));
 }
 
+TEST_CASE("a film over temperatures has its points at degrees Celsius, as its axis says", "[studies][figures][film]") {
+  const TemporaryDirectory scratch;
+  RollingScene rubber = small_cylinder();
+  rubber.reference_temperature = 293.15;
+  rubber.wlf_c1 = 17.4;
+  rubber.wlf_c2 = 51.6;
+  const std::string file = (scratch / "results.db").string();
+  run_sweep(Study{.name = "warm", .base = rubber, .axes = {{.key = "temperature", .values = {273.15, 293.15, 313.15}}}},
+            solved, file);
+  const ProgramRun run = run_rollres({"film", "--db", file, "--out", (scratch / "film").string()}, solved);
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  CHECK_THAT(file_text(scratch / "film.gp"), Contains("temperature [°C]") && Contains("set xrange [0:40]"));
+  const auto points = blocks_of(file_text(scratch / "film.dat")).front();
+  REQUIRE(points.size() == 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    CHECK(points[i].front() == Approx(20.0 * static_cast<double>(i)).margin(1e-9));
+}
+
 TEST_CASE("a film of several families is refused, with the filter that it lacks", "[studies][figures][film]") {
   const TemporaryDirectory scratch;
   const std::string file =
@@ -120,15 +131,20 @@ TEST_CASE("the fields of a cylinder are a strip for ParaView, each row the same"
   for (const auto& [name, components] :
        {std::pair("sigma_z [Pa]", 1), std::pair("zone", 1), std::pair("displacement [m]", 3),
         std::pair("traction [Pa]", 3), std::pair("body [m]", 3)}) {
-    const std::vector<double> numbers = array_of(vti, name);
     INFO(name);
+    std::vector<double> numbers = vtk_numbers<double>(vti, name);
+    if (std::string(name) == "zone") {
+      const std::vector<std::int8_t> zones = vtk_numbers<std::int8_t>(vti, name);
+      numbers.assign(zones.begin(), zones.end());
+    }
     const std::size_t row = columns * static_cast<std::size_t>(components);
     REQUIRE(numbers.size() == 2 * row);
     CHECK(std::equal(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(row),
                      numbers.begin() + static_cast<std::ptrdiff_t>(row)));
   }
   // The body lies on the surface where it touches.
-  const std::vector<double> body = array_of(vti, "body [m]"), surface = array_of(vti, "displacement [m]");
+  const std::vector<double> body = vtk_numbers<double>(vti, "body [m]"),
+                            surface = vtk_numbers<double>(vti, "displacement [m]");
   for (std::size_t i = 0; i < columns; ++i)
     if (solution.fields.zone[i] != Zone::free)
       CHECK(body[3 * i + 2] == Approx(surface[3 * i + 2]).margin(0.02 * solution.approach));

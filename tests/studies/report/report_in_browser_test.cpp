@@ -11,6 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/source_directory.hpp"
+#include "tests/studies/program.hpp"
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -133,4 +134,33 @@ TEST_CASE("reports are read on a phone, in the dark and on paper, and their char
   for (std::size_t at = 0; (at = pdf.find("/Type /Page\n", at)) != std::string::npos; ++at) ++pages;
   CHECK(pages >= 1);
   CHECK(pages <= 4);
+}
+
+TEST_CASE("reports of optimisations and of inputs that scatter are read on a phone and in the dark",
+          "[studies][report][browser]") {
+  if (browser().empty()) {
+    WARN("Chromium is not installed");
+    return;
+  }
+  const TemporaryDirectory scratch;
+  const std::string scene = R"("scene": {"radius": 0.1, "layer_thickness": 0.01, "static_shear_modulus": 1e6,
+    "material": "elastic", "load": 1e4, "speed": 1}, )";
+  const auto report = [&](const std::string& command, const std::string& text) {
+    const std::string file = (scratch / (command + ".db")).string();
+    const auto study = scratch.write(command + ".json", R"({"study": "felt", )" + scene + text + "}");
+    REQUIRE(run_rollres({command, study.string(), "--db", file}, closed_form).status == 0);
+    ResultStore store(file, Access::read);
+    return study_report(store, {}).html;
+  };
+  const std::string optimum = report("optimise", R"("variables": {"load": {"from": 1e4, "to": 4e4, "start": 3e4},
+    "speed": {"from": 0.1, "to": 0.9, "start": 0.5}}, "minimise": "rolling_resistance",
+    "constraints": ["load * speed >= 6000"])");
+  const std::string scatter = report("scatter", R"("axes": {"speed": [0.5, 1, 2]},
+    "uncertain": {"load": {"normal": "5 %"}, "points": 64})");
+  const Browser chromium(scratch);
+  for (const auto& [page, dark] : {std::pair(optimum, true), {scatter, false}}) {
+    const std::string found = chromium.faults(page, dark);
+    CHECK_THAT(found, Contains("\ndone\n") && !Contains("fault") && !Contains("error of the script"));
+    CHECK_THAT(found, Contains("400 px: ") && Contains("768 px: ") && Contains("1200 px: "));
+  }
 }

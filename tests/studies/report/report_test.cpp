@@ -259,9 +259,10 @@ TEST_CASE("the report of an optimisation opens with the best design within its c
   CHECK(fault_of(report.html).empty());
   CHECK_THAT(report.html,
              Contains("The least rolling resistance within the constraints is ") &&
-                 Contains("It is held back by load * speed &gt;= 6000, where 1 % more room would lower it by ") &&
+                 Contains("It is held back by load * speed ≥ 6000, where 1 % more room would lower it by ") &&
                  Contains("To first order no design near it is better.") && Contains("<h2>Best design</h2>") &&
-                 Contains("<td>reached</td>") && Contains("1 % more room is worth") &&
+                 Contains("<td>load * speed ≥ 6000</td>") && Contains("<td>reached</td>") &&
+                 Contains("The best design, to scale: ") && Contains("1 % more room is worth") &&
                  !Contains("The rolling resistance lies between"));
   CHECK(report.html.find("<h2>Best design</h2>") < report.html.find("<h2>Charts</h2>"));
 }

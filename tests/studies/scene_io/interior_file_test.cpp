@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/studies/temporary_directory.hpp"
+#include "tests/studies/vtk_numbers.hpp"
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -19,17 +20,21 @@ TEST_CASE("what is inside the layers is written as tables and as a grid for Para
   write_interior(folder.path, scene, solution);
   const std::string table = file_text(folder / "inside.csv"), grid = file_text(folder / "inside.vtr");
   CHECK(table.starts_with("x [m],z [m],layer,u [m],w [m],sigma_x [Pa],sigma_z [Pa],tau_xz [Pa],strain_x [1]"));
-  CHECK_THAT(table, Contains(",layer 1,"));
+  CHECK_THAT(table, Contains(",layer,"));
   const auto lines = std::count(table.begin(), table.end(), '\n');
-  // Nine fields and three coordinates, each value in a line of its own.
   CHECK_THAT(grid, Contains("<RectilinearGrid WholeExtent=\"0 280 0 0 0 39\">"));
   CHECK(lines == 281 * 40 + 1);
-  CHECK(file_text(folder / "losses.csv")
-            .starts_with("layer,z [m],loss [W/m2],share [1],strain_amplitude [1]\nlayer 1,-"));
+  CHECK(vtk_numbers<double>(grid, "loss_density [W/m3]").size() == 281 * 40);
+  const std::vector<double> heights = vtk_numbers<double>(grid, "z [m]");
+  REQUIRE(heights.size() == 40);
+  CHECK(std::is_sorted(heights.begin(), heights.end()));
+  CHECK(heights.front() == -scene.layer_thickness);
+  CHECK(
+      file_text(folder / "losses.csv").starts_with("layer,z [m],loss [W/m2],share [1],strain_amplitude [1]\nlayer,-"));
   CHECK(file_text(folder / "bonds.csv").starts_with("bond_below,z [m],largest_shear [Pa]"));
   CHECK_FALSE(std::filesystem::exists(folder / "coating.vtr"));
   CHECK_THAT(interior_text(interior_summary(scene, solution.fields, InteriorField::Detail::inside)),
-             Contains("layer 1: loss 18.") && Contains("(100 %)"));
+             Contains("layer: loss 18.") && Contains("(100 %)"));
   scene.period = 1;
   CHECK_FALSE(has_interior(scene, solution));
 }

@@ -162,7 +162,8 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"speed": [1]})", R"(, "set": {"speed": 1})"), ": set: speed = 1: is an axis of the study too"},
     {study_with(R"({"speed": [1]})", R"(, "set": {"load": "1 N"})"),
      ": set: load = \"1 N\": must have a unit of force per length (N/m) for a cylinder"},
-    {study_with(R"({"speed": [1]})", R"(, "chart": {"colour": 1})"), ": chart: colour = 1: unknown key"},
+    {study_with(R"({"speed": [1]})", R"(, "chart": {"colour": 1})"),
+     ": chart: colour = 1: unknown key; known are name, x, y, family, map"},
     {study_with(R"({"speed": [1]})", R"(, "chart": {"x": "radius"})"),
      ": chart: x = \"radius\": must be an axis of the study or a number of the solution"},
     {study_with(R"({"speed": [1]})", R"(, "chart": {"y": "rolling_resistence"})"),
@@ -208,7 +209,7 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"layer": {"zip": {"radius": [0.02], "speed": ["1 kg"]}}})"),
      ": axes: layer: zip: speed = \"1 kg\": must have a unit of speed (m/s)"},
     {study_with(R"({"layer": {"zip": {"radius": [0.02], "speed": [1]}, "points": 3}})"),
-     ": axes: layer: points = 3: unknown key"},
+     ": axes: layer: points = 3: unknown key; known are zip"},
     {study_with(R"({"speed": {"zip": {"radius": [0.02], "speed": [1]}}})"),
      ": axes: speed: zip = {\"radius\":[0.02],\"speed\":[1]}: a zip needs a name of its own, not that of an input and "
      "not "
@@ -237,7 +238,7 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"speed": [1]})", sampled(R"("radius": {"from": 1})")),
      ": sample: ranges: radius: to is missing: a range has from and to"},
     {study_with(R"({"speed": [1]})", sampled(R"("radius": {"from": 1, "to": 2, "points": 3})")),
-     ": sample: ranges: radius: points = 3: unknown key"},
+     ": sample: ranges: radius: points = 3: unknown key; known are from, to, spacing"},
     {study_with(R"({"speed": [1]})", sampled(R"("radius": {"from": 0, "to": 2})")),
      ": sample: ranges: radius: from: radius = 0: must be > 0"},
     {study_with(R"({"speed": [1]})",

@@ -97,7 +97,9 @@ TEST_CASE("what cannot scatter so is refused with its place, value and rule", "[
       of_modulus(R"("lognormal": ["3 MPa", "1 MPa"])") ==
       R"(static_shear_modulus: lognormal = "1 MPa": the standard deviation of the logarithm has no unit: 0.1 or 10 %)");
   CHECK(of_modulus(R"("uniform": ["3 MPa", "2 MPa"])").ends_with("the second number must be larger than the first"));
-  CHECK(of_modulus(R"("gamma": [1, 2])") == R"(static_shear_modulus: gamma = [1,2]: unknown key)");
+  CHECK(
+      of_modulus(R"("gamma": [1, 2])") ==
+      R"(static_shear_modulus: gamma = [1,2]: unknown key; known are normal, lognormal, uniform, loguniform, triangular, truncated)");
   CHECK(of_modulus(R"("normal": "5 %", "uniform": [1, 2])")
             .ends_with("must be an object with one of normal, lognormal, "
                        "uniform, loguniform, triangular"));

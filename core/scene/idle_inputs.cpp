@@ -1,0 +1,39 @@
+#include "core/scene/idle_inputs.hpp"
+
+#include "core/scene/scene_input.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Inputs of which a material model takes the ones that needed_inputs lists.
+constexpr std::array<std::string_view, 8> of_models{"stiffening",       "creep_time",        "fractional_order",
+                                                    "relaxation_times", "relaxation_moduli", "frequencies",
+                                                    "storage_moduli",   "loss_moduli"};
+
+bool is_idle(const MaterialInputs& layer, std::string_view key) {
+  if (find_name(of_models, key) >= 0) return find_name(needed_inputs(layer.material), key) < 0;
+  if (key == "listed_moduli")
+    return layer.material != MaterialModel::prony && layer.material != MaterialModel::master_curve;
+  if (key.starts_with("payne_")) return layer.payne_drop == 0 && layer.payne_loss_peak == 1;
+  if (key.starts_with("sweep_")) return layer.sweep_strains.empty();
+  return false;
+}
+
+}  // namespace
+
+bool is_idle(const RollingScene& scene, std::string_view key) {
+  if (const std::optional<LayerKey> layered = layer_key(key)) {
+    const auto& layers = layered->list == "coating_layers" ? scene.coating_layers : scene.lower_layers;
+    return layered->layer < layers.size() && is_idle(layers[layered->layer], layered->input);
+  }
+  const bool sphere = scene.indenter == Indenter::sphere, paper = scene.method == Method::active_set;
+  if (key == "series_terms") return !scene.period;
+  if (key == "slip_stencil" || key == "slip_threshold") return !paper;
+  if (key == "resticking") return !paper || sphere;
+  if (key == "slip_rule") return !paper || !sphere;
+  if (key == "interior") return sphere;
+  return is_idle(static_cast<const MaterialInputs&>(scene), key);
+}
+
+}  // namespace rollres
