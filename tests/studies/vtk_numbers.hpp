@@ -23,7 +23,7 @@ std::vector<Number> vtk_numbers(const std::string& file, const std::string& name
   std::uint64_t size = 0;
   if (bytes.size() < sizeof size) return {};
   std::memcpy(&size, bytes.data(), sizeof size);
-  if (bytes.size() != sizeof size + size) return {};
+  if (bytes.size() != sizeof size + size || size % sizeof(Number) != 0) return {};
   std::vector<Number> numbers(size / sizeof(Number));
   if (size > 0) std::memcpy(numbers.data(), bytes.data() + sizeof size, size);
   return numbers;
