@@ -31,6 +31,7 @@ struct Descent {
   bool stopped_by_itself;  ///< what Ceres calls convergence: no more progress, which is no proof of a least misfit
   std::string why;         ///< it stopped
   int iterations = 0;
+  bool met_edge = false;   ///< a step led beyond the least value with an answer of a parameter (nearest_answer.hpp)
   bool abandoned = false;  ///< far above another's end, by some of the data: its misfit is an estimate
 
   bool found() const { return prediction.found(); }
@@ -38,7 +39,8 @@ struct Descent {
 
 /// Points without a prediction are stepped back from; the best point seen is the end. No step changes a parameter by
 /// more than a stride either way, in the logarithm where it is positive: where data hardly feel one, Gauss and Newton
-/// would send it off by orders of magnitude. No descent goes farther from its start than a factor of 10^6.
+/// would send it off by orders of magnitude. Beyond the least value with an answer of a parameter that has one the
+/// descent goes on at that value. No descent goes farther from its start than a factor of 10^6.
 Descent descend(const FitProblem& problem, const FitPoint& start, const DescentOptions& options = {});
 
 }  // namespace rollres

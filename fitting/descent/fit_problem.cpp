@@ -28,7 +28,12 @@ FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& ro
   part.data.clear();
   for (const std::size_t row : rows) part.data.push_back(problem.data[row]);
   part.predict = [predict = problem.predict_rows, rows](const FitPoint& point) { return predict(point, rows); };
-  part.predict_rows = {};
+  part.predict_rows = [predict = problem.predict_rows, rows](const FitPoint& point,
+                                                             const std::vector<std::size_t>& some) {
+    std::vector<std::size_t> own;
+    for (const std::size_t row : some) own.push_back(rows[row]);
+    return predict(point, own);
+  };
   part.differentiate = [plain = part](const FitPoint& point, const Prediction& prediction) {
     return rough_differences(plain, point, prediction);
   };

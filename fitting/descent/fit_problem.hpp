@@ -26,6 +26,8 @@ struct FitParameter {
   /// Where other starts are looked for [SI]; NaN: a factor around the start.
   double usual_lowest = RollingSolution::absent, usual_highest = RollingSolution::absent;
   bool saturates = false;  ///< beyond some value it acts no longer: descents are tried from all over the usual ones
+  bool has_least = false;  ///< below some value, which depends on the others, scenes have no answer
+  double least = RollingSolution::absent;  ///< that value [SI], where a fit stands on it
 };
 
 struct MeasuredValue {
@@ -46,6 +48,7 @@ using FitPoint = std::vector<double>;
 struct Prediction {
   Eigen::VectorXd values;  ///< [SI], one for each measurement
   std::string reason = {};
+  FitPoint taken_at = {};  ///< if not at the point that was asked, which has none (nearest_answer.hpp)
 
   bool found() const { return reason.empty(); }
 };

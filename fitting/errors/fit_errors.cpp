@@ -21,7 +21,8 @@ std::vector<AtBound> bounds_met(const FitProblem& problem, const FitPoint& point
     const Variable& variable = problem.parameters[j].variable;
     const double here = variable.scaled(point[j]), fall = -gradient[static_cast<Eigen::Index>(j)];
     AtBound at = AtBound::no;
-    if (here - variable.scaled(variable.lowest) < touching && fall < 0) at = AtBound::lowest;
+    const double lowest = std::fmax(variable.lowest, problem.parameters[j].least);
+    if (here - variable.scaled(lowest) < touching && fall < 0) at = AtBound::lowest;
     if (variable.scaled(variable.highest) - here < touching && fall > 0) at = AtBound::highest;
     met.push_back(at);
   }

@@ -168,9 +168,12 @@ class Side : ProfileSide {
     const double bound = direction < 0 ? variable.lowest : variable.highest;
     constexpr double farthest = 6.9;  // a factor of 1000
     const double to_bound = std::abs(variable.scaled(bound) - origin_[index()]);
-    const double limit = std::min(to_bound, farthest);
+    double limit = std::min(to_bound, farthest);
     const double physical = direction < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
-    const IntervalEnd at_limit = to_bound <= farthest && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
+    const FitParameter& own = problem.parameters[parameter];
+    const bool to_least = direction < 0 && own.has_least;
+    if (to_least && fit.end[parameter] <= own.least) return {fit.end[parameter], IntervalEnd::limit};
+    IntervalEnd at_limit = to_bound <= farthest && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
     if (limit <= 0) return {bound, at_limit};
     if (const auto quick = quick_end(*this, limit, other_side)) {
       bend = quick->bend;
@@ -185,7 +188,14 @@ class Side : ProfileSide {
     for (int attempt = 0; attempt < most && !(stop_ && stop_->load()); ++attempt) {
       next = std::min(next, limit);
       const double root = root_of_rise(next);
-      if (std::isnan(root)) return {value_at(inside), IntervalEnd::open};
+      if (std::isnan(root)) {
+        if (!to_least || (stop_ && stop_->load())) return {value_at(inside), IntervalEnd::open};
+        at_limit = IntervalEnd::limit;
+        limit = answered_between(inside, next);
+        if (limit - inside < 0.02 * limit) return {value_at(limit), at_limit};
+        next = limit;
+        continue;
+      }
       if (std::abs(root - target) < 0.05 * target) {
         const double slope = (root - inside_root) / (next - inside);  // inside < next: roots grow with the distance
         return {value_at(next + (target - root) / slope), IntervalEnd::closed};
@@ -238,6 +248,16 @@ class Side : ProfileSide {
     }
     scaled[index()] = origin_[index()] + moved;
     return scaled;
+  }
+
+  /// The farthest distance with an answer between two, to a twentieth of their difference.
+  double answered_between(double with, double without) const {
+    const double enough = 0.05 * (without - with);
+    while (without - with > enough) {
+      const double middle = 0.5 * (with + without);
+      (problem.predict(point_of(problem, guess(middle))).found() ? with : without) = middle;
+    }
+    return with;
   }
 
   /// sqrt of the rise with the parameter at this distance; NaN without a prediction.

@@ -13,7 +13,7 @@ namespace rollres {
 /// What is at an end of an interval.
 enum class IntervalEnd {
   closed,  ///< beyond it the misfit is too large
-  limit,   ///< the quantity cannot go beyond it: 0 for a friction coefficient
+  limit,   ///< the quantity cannot go beyond it: 0 for a friction coefficient, or the least that the drive bears
   open     ///< a bound of the fit, a factor of 1000, or points without a prediction come first
 };
 template <>

@@ -55,12 +55,15 @@ bool misses_by_far(const FitReport& report) {
 }
 
 /// Whether Gauss and Newton's step from here is but a small part of the standard errors; where it is free along a
-/// direction, whether it promises next to nothing.
+/// direction, whether it promises next to nothing; on the edge of what has an answer, or with a noisy model, little.
 bool arrived(const FitReport& report) {
   constexpr double near = 0.002, exactly = 1e-7, next_to_nothing = 1;
   if (leaves_free(report) && report.errors.fall < next_to_nothing * report.errors.scale) return true;
   constexpr double little = 0.01, smooth = 1e-5;
-  if (report.noise > smooth && report.errors.fall < little * report.errors.scale) return true;
+  const bool on_edge = std::any_of(report.parameters.begin(), report.parameters.end(), [](const auto& fitted) {
+    return fitted.at_bound == AtBound::lowest && std::isfinite(fitted.parameter.least);
+  });
+  if ((on_edge || report.noise > smooth) && report.errors.fall < little * report.errors.scale) return true;
   const Eigen::VectorXd& step = report.errors.step;
   for (Eigen::Index j = 0; j < step.size(); ++j) {
     const double deviation = report.errors.deviations[j];
@@ -69,11 +72,13 @@ bool arrived(const FitReport& report) {
   return true;
 }
 
-/// Parameters that the misfit presses against a bound: held, they do not spoil the steps of the others.
+/// Parameters that the misfit presses against a bound: held, they do not spoil the steps of the others. Least values
+/// with an answer move with the others: descents mind them.
 std::vector<std::size_t> pressed_on_bounds(const FitReport& report) {
   std::vector<std::size_t> held;
   for (std::size_t j = 0; j < report.errors.at_bound.size(); ++j)
-    if (report.errors.at_bound[j] != AtBound::no) held.push_back(j);
+    if (report.errors.at_bound[j] != AtBound::no && !std::isfinite(report.parameters[j].parameter.least))
+      held.push_back(j);
   if (held.size() == report.parameters.size()) held.clear();
   return held;
 }
@@ -103,11 +108,24 @@ void step_over_noise(const FitProblem& problem, Descent& best, const std::vector
   }
 }
 
+/// Notes whether a descent that met the edge of what has an answer ends on it.
+void mind_least_values(FitProblem& problem, const Descent& end) {
+  constexpr double below = 1.01;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    FitParameter& parameter = problem.parameters[j];
+    if (!parameter.has_least || !end.found() || !(end.met_edge || std::isfinite(parameter.least))) continue;
+    FitPoint beyond = end.end;
+    beyond[j] = std::max(beyond[j] / below, parameter.variable.lowest);
+    parameter.least = problem.predict(beyond).found() ? RollingSolution::absent : end.end[j];
+  }
+}
+
 /// The report on the best descent, which goes on from where it stopped for its rough tolerance: by secants from the
 /// slopes of the report, which stay good enough for the errors if this leads less than a third of a standard error
 /// away.
-FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, const FitOptions& options) {
+FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const FitOptions& options) {
   Descent& best = best_of(descents);
+  mind_least_values(problem, best);
   FitReport report = report_on(problem, best, descents);
   constexpr int most_rounds = 4;
   constexpr double beside = 0.1, smooth = 1e-5;
@@ -131,6 +149,8 @@ FitReport settled(const FitProblem& problem, std::vector<Descent>& descents, con
     const int iterations = best.iterations + further.iterations;
     best = {best.start,  further.end, further.misfit, further.prediction, further.stopped_by_itself,
             further.why, iterations};
+    best.met_edge = further.met_edge;
+    mind_least_values(problem, best);
     report = near && !last ? report_on(problem, best, descents, report.slopes) : report_on(problem, best, descents);
   }
   step_over_noise(problem, best, descents, report);
@@ -202,8 +222,7 @@ bool misses_its_data(FitReport report, const FitProblem& problem) {
 
 /// A misfit is believed when an offset or a scale of the data would explain it, or descents from elsewhere end no
 /// better.
-void doubt_misfit(const FitProblem& problem, std::vector<Descent>& descents, FitReport& report,
-                  const FitOptions& options) {
+void doubt_misfit(FitProblem& problem, std::vector<Descent>& descents, FitReport& report, const FitOptions& options) {
   if (options.starts <= 1 || options.known || problem.ending->over() || !misses_its_data(report, problem)) return;
   if (report.slopes.found()) report.misfit_cause = missing_term(problem, report, options);
   if (!report.misfit_cause.empty()) return;

@@ -70,6 +70,27 @@ std::vector<UsualSpan> spans_of(const FitProblem& problem, const FitOptions& opt
   return spans;
 }
 
+/// The problem for descents from afar: in logarithms, and no farther than twice the usual values, or the starts. Beyond
+/// them lie scenes that cost a hundred times as much and describe no body that rolls; who ends there goes on by itself.
+FitProblem from_afar(const FitProblem& given) {
+  constexpr double twice = 2;
+  FitProblem problem = in_logarithms(given);
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    const FitParameter& parameter = given.parameters[j];
+    if (!std::isfinite(parameter.usual_lowest)) continue;
+    double lowest = std::min(parameter.usual_lowest, parameter.start);
+    double highest = std::max(parameter.usual_highest, parameter.start);
+    for (const FitPoint& suggestion : given.suggestions) {
+      lowest = std::min(lowest, suggestion[j]);
+      highest = std::max(highest, suggestion[j]);
+    }
+    Variable& variable = problem.parameters[j].variable;
+    variable.lowest = std::max(variable.lowest, lowest / twice);
+    variable.highest = std::min(variable.highest, highest * twice);
+  }
+  return problem;
+}
+
 /// The given start, what is suggested, and points between.
 std::vector<FitPoint> candidates_of(const FitProblem& problem, const FitOptions& options) {
   const Eigen::Index for_each_start = problem.estimate ? 3 : 5;
@@ -355,7 +376,7 @@ Descent rough_descent(const FitProblem& given, const FitPoint& start, const FitO
 std::vector<Descent> rough_descents(const FitProblem& given, const FitOptions& options) {
   const std::vector<FitPoint> starts = starts_of(given, options);
   if (starts.size() == 1) return {rough_descent(given, starts.front(), options)};
-  const FitProblem problem = in_logarithms(given);
+  const FitProblem problem = from_afar(given);
   std::vector<std::size_t> rows = few_rows(problem);
   std::vector<Descent> descents;
   if (rows.empty()) {

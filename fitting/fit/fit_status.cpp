@@ -108,7 +108,8 @@ void flag_parameters(FitReport& report) {
     ConfidenceInterval& profile = fitted.profile.interval;
     const auto add = [&](const std::string& words) { fitted.flag += (fitted.flag.empty() ? "" : ", ") + words; };
     fitted.flag.clear();
-    if (fitted.at_bound == AtBound::lowest) add("at its lower bound");
+    if (fitted.at_bound == AtBound::lowest)
+      add(std::isfinite(fitted.parameter.least) ? "at the least value with an answer" : "at its lower bound");
     if (fitted.at_bound == AtBound::highest) add("at its upper bound");
     if (has_no_effect(report, j)) {  // what its profile met is rounding
       add("not bounded: changes no prediction");
@@ -144,7 +145,10 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
   const auto warn = [&](const auto&... words) { report.warnings.push_back(message_text<4>(words...)); };
   for (std::size_t j = 0; j < report.parameters.size(); ++j) {
     const FittedParameter& fitted = report.parameters[j];
-    if (fitted.at_bound != AtBound::no) warn(fitted.parameter.name + " is at its bound: its error is not known");
+    if (fitted.at_bound == AtBound::lowest && std::isfinite(fitted.parameter.least))
+      warn(fitted.parameter.name + " is at the least value with which all data have an answer: its error is not known");
+    else if (fitted.at_bound != AtBound::no)
+      warn(fitted.parameter.name + " is at its bound: its error is not known");
     if (fitted.slope_doubt > doubtful_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
       warn("the slopes by ", fitted.parameter.name, " are known to ", percent(fitted.slope_doubt), " only");
   }

@@ -112,7 +112,7 @@ std::string noise_remedy(const std::vector<MeasuredScene>& scenes) {
 struct UsualValues {
   std::string_view key;
   double lowest, highest;
-  bool saturates = false;
+  bool friction = false;
 };
 constexpr std::array<UsualValues, 3> usual_values{
     {{"friction_coefficient", 0.02, 1, true}, {"fractional_order", 0.2, 1}, {"poisson_ratio", 0.3, 0.5}}};
@@ -124,7 +124,7 @@ void add_usual_values(FitParameter& parameter) {
     if (key == usual.key || key.ends_with("." + std::string(usual.key))) {
       parameter.usual_lowest = usual.lowest;
       parameter.usual_highest = usual.highest;
-      parameter.saturates = usual.saturates;
+      parameter.saturates = parameter.has_least = usual.friction;
     }
   constexpr double measured_badly = 1.5;  // lengths and loads are known to that at least
   if (quantity.unit == "m" || key == "load" || key == "speed") {

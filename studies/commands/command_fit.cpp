@@ -119,11 +119,13 @@ MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredE
     const std::atomic<bool>* const stop = file.options.stop;
     const Evaluate until_stopped = [&](const RollingScene& scene) {
       if (stop && *stop) throw Interrupted();
+      const Interruptible interruptible([stop] { return stop && *stop; });
       return stored(scene);
     };
     made.context.curves =
         fit_curves(file, report, until_stopped, arguments.jobs, arguments.out.empty() ? for_the_store : CurveDetail{});
     save_fit(open_database(arguments.database, Access::write), fit_record(report, made.context));
+    if (stop && *stop) session.err << "interrupted: the fit is stored, its curves are not complete\n";
   }
   made.candidate.resistance = std::move(file);
   return made;

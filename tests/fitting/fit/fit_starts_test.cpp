@@ -5,11 +5,12 @@
 #include <random>
 
 #include "core/material/material.hpp"
+#include "fitting/descent/nearest_answer.hpp"
 #include "fitting/fit/misfit_cause.hpp"
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 
-// Covers measured_terms, scene_model and misfit_cause, too.
+// Covers nearest_answer, measured_terms, scene_model and misfit_cause, too.
 
 using namespace rollres;
 
@@ -42,25 +43,27 @@ TEST_CASE("a start a hundred times off leads where a near one does, in fewer tha
     CHECK(std::abs(far.parameters[j].value - near.parameters[j].value) < 0.05 * near.parameters[j].standard_error);
 }
 
-TEST_CASE("friction is found from a start above the one that it ends to act at, and rows without an answer are minded",
-          "[fitting][fit_starts]") {
-  // In place of a solver: friction costs up to a third of the resistance, ends to act at 0.2, and the drive of the
-  // heavier loads needs some of it.
-  const Evaluate rubbing = [](const RollingScene& scene) {
-    const double friction = scene.friction_coefficient, part = std::min(friction / 0.2, 1.0);
-    RollingSolution solution = quick_resistance(scene);
-    solution.rolling_resistance *= 1 - part * (1 - part / 2) * scene.speed / (scene.speed + 0.1);
-    if (friction < 0.3 * solution.rolling_resistance / *scene.load) {
-      solution.status = Status::no_steady_state;
-      solution.reason = "the drive asks for more traction than friction can give";
-    }
-    return solution;
-  };
+namespace {
+
+/// In place of a solver: friction costs up to a third of the resistance, ends to act at 0.2, and the drive needs some
+/// of it: 0.0465 for the heaviest load at a friction of 0.0475.
+RollingSolution rubbing(const RollingScene& scene) {
+  const double friction = scene.friction_coefficient, part = std::min(friction / 0.2, 1.0);
+  RollingSolution solution = quick_resistance(scene);
+  solution.rolling_resistance *= 1 - part * (1 - part / 2) * scene.speed / (scene.speed + 0.1);
+  if (friction < 0.3 * solution.rolling_resistance / *scene.load) {
+    solution.status = Status::no_steady_state;
+    solution.reason = "the drive asks for more traction than friction can give";
+  }
+  return solution;
+}
+
+FitProblem rubbing_problem(double friction, std::uint64_t seed) {
   std::vector<MeasuredScene> scenes = measured(quick_resistance, spread_speeds(0.003, 3, 10), {1e4, 2e4, 4e4, 8e4});
-  std::mt19937_64 random(4);
+  std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   for (MeasuredScene& row : scenes) {
-    row.scene.friction_coefficient = 0.12;
+    row.scene.friction_coefficient = friction;
     const double exact = rubbing(row.scene).rolling_resistance;
     row.measured = {exact * (1 + 0.02 * normal(random)), 0.02 * exact, "row"};
   }
@@ -68,12 +71,51 @@ TEST_CASE("friction is found from a start above the one that it ends to act at, 
   inputs.push_back({{"friction_coefficient"}, 0.5});
   FitProblem problem = resistance_problem(scenes, inputs, rubbing);
   problem.deviations_known = true;
-  const FitReport report = fit(problem, {.starts = 4});
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("friction is found from a start above the one that it ends to act at, and rows without an answer are minded",
+          "[fitting][fit_starts]") {
+  const FitReport report = fit(rubbing_problem(0.12, 4), {.starts = 4});
   CAPTURE(report.evaluations, report.chi_squared);
   INFO(name_of(report.status) << ": " << report.reason);
   CHECK(report.status >= FitStatus::usable_with_warnings);
   CHECK(report.evaluations < 3000);
   CHECK(std::abs(report.parameters[3].value - 0.12) < 3 * report.parameters[3].standard_error);
+}
+
+TEST_CASE("beyond the least friction that the drive bears the answer is that at the least", "[fitting][fit_starts]") {
+  const FitProblem problem = rubbing_problem(0.0475, 1), answered = with_nearest_answers(problem, {});
+  const FitPoint beyond{1e6, 2, 0.1, 0.03};
+  CHECK_FALSE(problem.predict(beyond).found());
+  const Prediction there = answered.predict(beyond);
+  REQUIRE(there.found());
+  FitPoint least = there.taken_at;
+  CHECK(least[3] == Approx(0.0467).epsilon(0.005));
+  CHECK(problem.predict(least).values == there.values);
+  least[3] /= 1.001;
+  CHECK_FALSE(problem.predict(least).found());
+  CHECK_FALSE(with_nearest_answers(problem, {3}).predict(beyond).found());
+  CHECK(answered.predict({1e6, 2, 0.1, 0.06}).taken_at.empty());
+}
+
+TEST_CASE("a friction close to what the drive can just bear is found, and its interval ends there",
+          "[fitting][fit_starts]") {
+  for (const std::uint64_t seed : {1, 2, 3}) {  // the least misfit lies beyond, inside, beyond
+    const FitReport report = fit(rubbing_problem(0.0475, seed), {.starts = 4});
+    const FittedParameter& friction = report.parameters[3];
+    CAPTURE(seed, report.evaluations, report.chi_squared, friction.value, friction.flag);
+    INFO(name_of(report.status) << ": " << report.reason);
+    CHECK(report.status >= FitStatus::usable_with_warnings);
+    CHECK((friction.flag == "at the least value with an answer") == (seed != 2));
+    CHECK(friction.profile.interval.low == IntervalEnd::limit);
+    CHECK(friction.profile.interval.lowest == Approx(0.0467).epsilon(0.01));
+    CHECK(friction.profile.interval.highest > 0.05);
+    CHECK(report.parameters[0].profile.interval.lowest < 1.03e6);
+    CHECK(report.parameters[0].profile.interval.highest > 1.03e6);
+  }
 }
 
 TEST_CASE("an offset of the data is named where it is not modelled, and found where it is", "[fitting][fit_starts]") {
