@@ -184,9 +184,19 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
          std::abs(worst.residual) / scatter, " standard deviations off the fit");
 }
 
+/// A reduced chi squared from which on a misfit is one.
+constexpr double far = 4;
+
+/// Whether the misfit would be one still if it fell as far as the slopes promise.
+bool misses_at_its_least(const FitReport& report) {
+  constexpr double settled = 0.5;  // of the misfit: slopes that promise more promise what they do not know
+  if (!(report.errors.fall < settled * report.chi_squared)) return false;
+  return !report.deviations_known || report.chi_squared - report.errors.fall > far * report.degrees;
+}
+
 /// Why the model does not describe the data; empty if it may.
 std::string misfit_in_words(const FitReport& report) {
-  constexpr double least_p = 1e-3, far = 4, third = 1.0 / 3, fifth = 0.2;
+  constexpr double least_p = 1e-3, third = 1.0 / 3, fifth = 0.2;
   std::string words;
   if (report.deviations_known) {
     if (!(report.p_value < least_p && report.reduced_chi_squared > far)) return "";
@@ -216,8 +226,7 @@ void judge(FitReport& report, const FitProblem& problem) {
     report.reason += "; " + noise;
   if (known && report.ended.empty() && report.degrees > 0)
     if (const std::string misfit = misfit_in_words(report); !misfit.empty()) {
-      constexpr double settled = 0.5;  // what is left after the fall that slopes promise misses the data still
-      if (report.errors.fall < settled * report.chi_squared) {
+      if (misses_at_its_least(report)) {
         report.status = FitStatus::misfit;
         report.reason = misfit;
         return;
