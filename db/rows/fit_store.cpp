@@ -68,6 +68,11 @@ constexpr auto columns<ProfileRow> = std::tuple(std::pair("parameter", &ProfileR
                                                 std::pair("value", &ProfileRow::value),
                                                 std::pair("rise", &ProfileRow::rise));
 
+using InputRow = FitInputRecord;
+template <>
+constexpr auto columns<InputRow> = std::tuple(std::pair("datum", &InputRow::datum), std::pair("name", &InputRow::name),
+                                              std::pair("unit", &InputRow::unit), std::pair("value", &InputRow::value));
+
 using CurveRow = FitCurveRecord;
 template <>
 constexpr auto columns<CurveRow> = std::tuple(std::pair("curve", &CurveRow::curve),
@@ -177,16 +182,24 @@ void add_columns(SQLite::Database& connection, const std::string& table) {
   });
 }
 
+/// A table of rows that belong to a fit, in an order.
+template <class Record>
+void create_part(SQLite::Database& connection, const std::string& table) {
+  connection.exec("CREATE TABLE IF NOT EXISTS " + table +
+                  "(fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE, position INTEGER NOT NULL, " +
+                  column_list<Record>(true) + ", PRIMARY KEY(fit, position)) STRICT, WITHOUT ROWID");
+}
+
 }  // namespace
 
 void add_fit_curves(SQLite::Database& connection) {
   add_columns<Fit>(connection, "fit");
   add_columns<Datum>(connection, "fit_data");
-  const std::string rows = "(fit INTEGER NOT NULL REFERENCES fit ON DELETE CASCADE, position INTEGER NOT NULL, ";
-  const std::string key = ", PRIMARY KEY(fit, position)) STRICT, WITHOUT ROWID";
-  connection.exec("CREATE TABLE IF NOT EXISTS fit_profile" + rows + column_list<ProfileRow>(true) + key);
-  connection.exec("CREATE TABLE IF NOT EXISTS fit_curve" + rows + column_list<CurveRow>(true) + key);
+  create_part<ProfileRow>(connection, "fit_profile");
+  create_part<CurveRow>(connection, "fit_curve");
 }
+
+void add_fit_inputs(SQLite::Database& connection) { create_part<InputRow>(connection, "fit_input"); }
 
 void add_fit_scenes(SQLite::Database& connection) { add_columns<Fit>(connection, "fit"); }
 
@@ -215,7 +228,7 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
     SQLite::Database& connection = database.connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
     for (const std::string table :
-         {"fit_parameter", "fit_correlation", "fit_data", "fit_profile", "fit_curve", "fit"}) {
+         {"fit_parameter", "fit_correlation", "fit_data", "fit_input", "fit_profile", "fit_curve", "fit"}) {
       SQLite::Statement remove(connection, "DELETE FROM " + table + " WHERE " + (table == "fit" ? "id" : "fit") +
                                                " IN (SELECT id FROM fit WHERE name = ? AND definition = ? AND "
                                                "data_digest = ?)");
@@ -236,6 +249,7 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
     insert_all("fit_data", fit.data);
     insert_all("fit_profile", fit.profiles);
     insert_all("fit_curve", fit.curves);
+    insert_all("fit_input", fit.inputs);
     transaction.commit();
     return id;
   });
@@ -255,6 +269,7 @@ std::optional<FitRecord> find_fit(const Database& database, const std::string& n
     fit.data = parts_of<Datum>(connection, "fit_data", " ORDER BY position", id);
     fit.profiles = parts_of<ProfileRow>(connection, "fit_profile", " ORDER BY position", id);
     fit.curves = parts_of<CurveRow>(connection, "fit_curve", " ORDER BY position", id);
+    fit.inputs = parts_of<InputRow>(connection, "fit_input", " ORDER BY position", id);
     return fit;
   });
 }

@@ -6,6 +6,7 @@
 ///     fit_parameter    its parameters: value, errors, intervals
 ///     fit_correlation  pairs of them
 ///     fit_data         the measured values with what the fit makes of them
+///     fit_input        what a measured value was measured at: each input that varies, by fit_data.position
 ///     fit_profile      the profile likelihood of each parameter, point by point
 ///     fit_curve        the fitted curves between the measured values, point by point
 ///
@@ -46,6 +47,13 @@ struct FitDataRecord {
   std::int64_t curve = -1;                                ///< number of its curve, from 0; -1: none
 };
 
+/// An input of a measured value.
+struct FitInputRecord {
+  std::int64_t datum = 1;  ///< its place in FitRecord::data, from 1: fit_data.position
+  std::string name, unit;
+  double value = FitParameterRecord::absent;  ///< in the unit (SI)
+};
+
 /// A point of the profile of a parameter: the least misfit with the parameter held there.
 struct FitProfileRecord {
   std::string parameter;
@@ -84,6 +92,7 @@ struct FitRecord {
   std::vector<FitDataRecord> data;
   std::vector<FitProfileRecord> profiles;
   std::vector<FitCurveRecord> curves;  ///< curve by curve, x in rising order
+  std::vector<FitInputRecord> inputs;  ///< value by value
 };
 
 /// The tables above: a migration (schema.hpp).
@@ -111,7 +120,10 @@ void add_fit_scenes(SQLite::Database& connection);
 /// What pictures of fits need: axes, profiles and curves. A migration.
 void add_fit_curves(SQLite::Database& connection);
 
-enum class FitParts { without_data, with_data };  ///< data with profiles and curves
+/// The table of the inputs of measured values. A migration.
+void add_fit_inputs(SQLite::Database& connection);
+
+enum class FitParts { without_data, with_data };  ///< data with their inputs, profiles and curves
 
 /// The newest fit of a name.
 std::optional<FitRecord> find_fit(const Database& database, const std::string& name,

@@ -235,7 +235,8 @@ std::span<const Migration> schema_migrations() {
                                              create_fit_tables,   add_kinematics,
                                              show_as_asked,       add_notes,
                                              add_variants,        add_fit_scenes,
-                                             add_fit_curves,      add_designs};
+                                             add_fit_curves,      add_designs,
+                                             add_fit_inputs};
   return migrations;
 }
 

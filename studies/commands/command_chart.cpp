@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
 #include "db/merge/gathered.hpp"
+#include "db/rows/fit_store.hpp"
 #include "studies/charts/study_chart.hpp"
+#include "studies/fit/fit_chart.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
@@ -12,7 +15,7 @@ namespace rollres {
 namespace {
 
 struct ChartArguments {
-  std::string out;
+  std::string out, fit;
   std::vector<std::string> databases, studies, filters;
   std::string x_scale = "auto", y_scale = "auto", map_scale = "auto";
   StudyChartOptions options;
@@ -99,6 +102,68 @@ void draw(ChartArguments arguments, ResultStore& store, Session& session) {
   draw_map(arguments, store, session);
 }
 
+/// The wished name; of one of several charts it ends with the chart's.
+std::filesystem::path one_of_several(const std::filesystem::path& out, const std::string& chart) {
+  const std::filesystem::path script = chart_files(out).script;  // its suffix is known
+  return script.parent_path() / (script.stem().string() + "_" + file_name(chart) + ".svg");
+}
+
+/// The name of the fit that is meant: one of a study's name is meant by --fit alone.
+std::string fit_meant(const ChartArguments& arguments, ResultStore& store) {
+  if (!arguments.fit.empty()) return arguments.fit;
+  const std::vector<FitSummary> fits = stored_fits(store.database());
+  if (arguments.studies.empty()) return store.studies().empty() && fits.size() == 1 ? fits.front().name : "";
+  const std::string& name = arguments.studies.front();
+  const bool is_fit = std::any_of(fits.begin(), fits.end(), [&](const FitSummary& fit) { return fit.name == name; });
+  return is_fit && !store.study(name) ? name : "";
+}
+
+void refuse_for_a_fit(const ChartArguments& arguments) {
+  const StudyChartOptions& options = arguments.options;
+  std::string filters;
+  for (const std::string& filter : arguments.filters) filters += filter;
+  for (const auto& [option, word] :
+       {std::pair("--x", options.x), std::pair("--y", options.y), std::pair("--family", options.family),
+        std::pair("--map", options.map), std::pair("--optimum", options.optimum), std::pair("--where", filters)})
+    if (!word.empty())
+      throw std::invalid_argument(std::string(option) + " = " + word + ": is for studies, not for a fit");
+  if (options.shares) throw std::invalid_argument("--shares: is for studies, not for a fit");
+  if (arguments.studies.size() > 1 || (!arguments.fit.empty() && !arguments.studies.empty()))
+    throw std::invalid_argument("--study = " + arguments.studies.back() + ": a fit is drawn alone");
+}
+
+/// One chart of a fit, or all of them.
+void draw_fit(const ChartArguments& arguments, const std::string& name, ResultStore& store, Session& session) {
+  refuse_for_a_fit(arguments);
+  const std::optional<FitRecord> fit = find_fit(store.database(), name, FitParts::with_data);
+  if (!fit) {
+    std::vector<std::string> known;
+    for (const FitSummary& one : stored_fits(store.database())) known.push_back(one.name);
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    throw std::invalid_argument(
+        unknown(arguments.databases.front() + ": --fit = " + name + ": no such fit", names, name));
+  }
+  const std::vector<FitChart> charts = fit_charts(*fit);
+  if (charts.empty()) throw std::invalid_argument(name + ": this fit has no answer that could be drawn");
+  const std::string& wanted = arguments.options.chart;
+  const bool all = wanted.empty() || wanted == "all";
+  const std::filesystem::path usual =
+      std::filesystem::path(arguments.databases.front()).parent_path() / (file_name(name) + ".svg");
+  bool any = false;
+  for (const FitChart& chart : charts) {
+    if (!all && chart.name != wanted) continue;
+    any = true;
+    const std::filesystem::path out = arguments.out.empty() ? usual : std::filesystem::path(arguments.out);
+    const bool named = !all && !arguments.out.empty();
+    session.out << draw_chart(chart.request, named ? out : one_of_several(out, chart.name)).svg.string() << ": "
+                << chart.meaning << '\n';
+  }
+  if (any) return;
+  std::vector<std::string_view> names{"all"};
+  for (const FitChart& chart : charts) names.push_back(chart.name);
+  throw std::invalid_argument(unknown("--chart = " + wanted + ": no such chart of " + name, names, wanted));
+}
+
 /// One chart of the study, or all of them; with --out, the name of each of several ends with that of the chart.
 void chart(ChartArguments arguments, Session& session) {
   StudyChartOptions& options = arguments.options;
@@ -110,6 +175,8 @@ void chart(ChartArguments arguments, Session& session) {
   for (const auto& [file, name, here] : gathered.renamed())
     session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
   ResultStore store(gathered.file(), Access::read);
+  if (const std::string fit = fit_meant(arguments, store); !fit.empty())
+    return draw_fit(arguments, fit, store, session);
   std::vector<std::string> studies = arguments.studies;
   if (studies.empty() && arguments.databases.size() > 1) studies = store.study_names();
   if (!studies.empty()) options.study = studies.front();
@@ -120,10 +187,7 @@ void chart(ChartArguments arguments, Session& session) {
   for (const std::string& name : stored_charts(store, options.study)) {
     ChartArguments one = arguments;
     one.options.chart = name;
-    if (!one.out.empty()) {
-      const std::filesystem::path script = chart_files(arguments.out).script;  // its suffix is known
-      one.out = (script.parent_path() / (script.stem().string() + "_" + file_name(name) + ".svg")).string();
-    }
+    if (!one.out.empty()) one.out = one_of_several(arguments.out, name).string();
     draw(one, store, session);
   }
 }
@@ -131,19 +195,24 @@ void chart(ChartArguments arguments, Session& session) {
 }  // namespace
 
 void add_chart(Command& program, Session& session) {
-  const auto [command, arguments] =
-      program.add<ChartArguments>("chart", "Draw a stored study as SVG and PNG, through gnuplot", session, chart);
+  const auto [command, arguments] = program.add<ChartArguments>(
+      "chart", "Draw a stored study, or a fit, as SVG and PNG, through gnuplot", session, chart);
   StudyChartOptions& options = arguments.options;
   command->add_option("--db FILE", arguments.databases, "database; may be repeated: several are read as one")
       ->one_value_each()
       ->required();
   command
-      ->add_option("--study NAME", arguments.studies,
-                   "study; may be left out if the database holds one; may be repeated: the studies are drawn together, "
-                   "each a family")
+      ->add_option(
+          "--study NAME", arguments.studies,
+          "study, or fit; may be left out if the database holds one; may be repeated: the studies are drawn together, "
+          "each a family")
       ->one_value_each();
+  command->add_option("--fit NAME", arguments.fit,
+                      "fit: data and fit, residuals against each input, normal quantiles, profiles, ellipses");
   command->add_option("--chart NAME", options.chart,
-                      "chart of the study file, by its name or its number; all: every one; left out: the first");
+                      "chart of the study file, by its name or its number; all: every one; left out: the first. Of a "
+                      "fit: data, residuals, residuals_KEY, residuals_fit, quantiles, profile_KEY or ellipse; left "
+                      "out: every one");
   command->add_option("--x KEY", options.x,
                       "input or output along x; left out: as the study file says, or its longest axis");
   command->add_option("--y KEY", options.y,
@@ -174,7 +243,8 @@ void add_chart(Command& program, Session& session) {
       "          rollres chart --db results.db --shares --where 'load=20 kN/m'\n"
       "          rollres chart --db results.db --map rolling_resistance --x speed --y load\n"
       "          rollres chart --db one.db --db other.db --study summer --study winter --x speed\n"
-      "          rollres chart --db results.db --chart all");
+      "          rollres chart --db results.db --chart all\n"
+      "          rollres chart --db fits.db --fit rubber --chart data --out rubber");
 }
 
 }  // namespace rollres

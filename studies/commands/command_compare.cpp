@@ -1,7 +1,9 @@
 #include <cmath>
 #include <ostream>
 
+#include "db/rows/fit_store.hpp"
 #include "studies/evidence/comparison.hpp"
+#include "studies/fit/stored_comparison.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/readable_number.hpp"
@@ -86,8 +88,38 @@ void print_table(const CompareArguments& arguments, const StudyComparison& compa
     session.err << left << " smaller differences are not shown; --limit sets how many are\n";
 }
 
-/// Two studies, the first and the last that are named.
+/// The two fits that are meant where the names are not those of studies; empty: studies are.
+std::optional<StoredComparison> compared_fits(const CompareArguments& arguments) {
+  const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
+  ResultStore first(arguments.database, Access::read), second(other, Access::read);
+  if (first.study(arguments.studies.front()) || second.study(arguments.studies.back())) return std::nullopt;
+  const auto a = find_fit(first.database(), arguments.studies.front(), FitParts::with_data);
+  const auto b = find_fit(second.database(), arguments.studies.back(), FitParts::with_data);
+  if (!a || !b) return std::nullopt;
+  if (arguments.studies.size() == 1 && arguments.other_database.empty())
+    throw std::invalid_argument("fit = " + a->name + ": needs a second fit, or a second database with --with");
+  return compare_fits(*a, *b);
+}
+
+void print_fits(const CompareArguments& arguments, const StoredComparison& comparison, Session& session) {
+  for (const auto& [option, word] :
+       {std::pair("--outputs", arguments.outputs), std::pair("--ignore", arguments.ignored)})
+    if (!word.empty())
+      throw std::invalid_argument(std::string(option) + " = " + word + ": is for studies, not for fits");
+  if (arguments.limit) throw std::invalid_argument("--limit: is for studies, not for fits");
+  if (arguments.format == "csv") throw std::invalid_argument("--format = csv: of fits there are table and json");
+  Json object = json_of(comparison);
+  if (arguments.within) object["within"] = comparison.within(*arguments.within);
+  session.out << (arguments.format == "json" ? text_of(object, 2) + "\n" : stored_comparison_summary(comparison));
+  if (arguments.within ? comparison.within(*arguments.within) : !comparison.parameters.empty()) return;
+  session.status = ExitStatus::no_answer;
+  session.err << (comparison.parameters.empty() ? "nothing matches\n"
+                                                : "not within " + short_number(*arguments.within) + "\n");
+}
+
+/// Two studies, or fits, the first and the last that are named.
 void compare_two(const CompareArguments& arguments, Session& session) {
+  if (const auto fits = compared_fits(arguments)) return print_fits(arguments, *fits, session);
   ComparisonOptions options{.ignored = split_at_commas(arguments.ignored)};
   if (!arguments.outputs.empty()) options.outputs = split_at_commas(arguments.outputs);
   const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
@@ -126,7 +158,8 @@ void compare(CompareArguments arguments, Session& session) {
     const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
     ResultStore store(other, Access::read);
     for (std::size_t i = 1; i < studies.size(); ++i)
-      stored_study(store, studies[i]);  // or refuses, before any is printed
+      if (store.study(studies[i]) || !find_fit(store.database(), studies[i]))
+        stored_study(store, studies[i]);  // or refuses, before any is printed
   }
   for (std::size_t i = 1; i < studies.size(); ++i) {
     arguments.studies = {studies.front(), studies[i]};
@@ -138,12 +171,14 @@ void compare(CompareArguments arguments, Session& session) {
 }  // namespace
 
 void add_compare(Command& program, Session& session) {
-  const auto [command, arguments] =
-      program.add<CompareArguments>("compare", "Compare two stored studies point by point", session, compare);
+  const auto [command, arguments] = program.add<CompareArguments>(
+      "compare", "Compare two stored studies point by point, or two fits", session, compare);
   constexpr int most_studies = 1000;
   command
-      ->add_option("studies NAME", arguments.studies,
-                   "names of two studies, or of one that both databases hold; of more: the first with each other")
+      ->add_option(
+          "studies NAME", arguments.studies,
+          "names of two studies, or of one that both databases hold; of more: the first with each other; or of fits: "
+          "their parameters with intervals, and AICc")
       ->required()
       ->expected(1, most_studies);
   command->add_option("--db FILE", arguments.database, "database")->required();
@@ -161,8 +196,9 @@ void add_compare(Command& program, Session& session) {
   command->add_option("--limit N", arguments.limit, "print this many, the largest first")->not_negative();
   command->add_option("--format FORMAT", arguments.format, "table, csv or json")->one_of({"table", "csv", "json"});
   command->footer(
-      "Exit status 1: nothing matches, or not within.\n"
-      "Example: rollres compare spectral newton --db results.db --outputs rolling_resistance,approach --within 1e-3");
+      "Exit status 1: nothing matches, or not within (of fits: a relative difference of a parameter).\n"
+      "Example: rollres compare spectral newton --db results.db --outputs rolling_resistance,approach --within 1e-3\n"
+      "         rollres compare rubber_2012 rubber_2013 --db fits.db");
 }
 
 }  // namespace rollres

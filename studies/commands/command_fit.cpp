@@ -7,9 +7,11 @@
 #include "core/numerics/solution_limits.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/material/material_problem.hpp"
+#include "studies/fit/fit_chart.hpp"
 #include "studies/fit/fit_comparison.hpp"
 #include "studies/fit/fit_curves.hpp"
 #include "studies/fit/fit_file.hpp"
+#include "studies/fit/fit_inputs.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/fit/fit_summary.hpp"
 #include "studies/fit/fitted_scene.hpp"
@@ -53,7 +55,8 @@ FitContext context_of(const FitFile& file) {
                      .indenter = file.indenter(),
                      .output_unit = unit_of_all(file),
                      .data_warnings = file.warnings,
-                     .notes = file.notes};
+                     .notes = file.notes,
+                     .inputs = measured_inputs(file)};
   for (const FixedInput& fixed : file.fixed)
     context.fixed.push_back(
         {fixed.key, std::string(find_input(fixed.key)->quantity.unit_for(file.indenter())), fixed.value});
@@ -90,7 +93,7 @@ void save(const FitReport& report, FitContext& context, std::chrono::steady_cloc
 }
 
 void draw(const FitReport& report, const FitContext& context, const FitArguments& arguments, Session& session) {
-  for (const auto& picture : draw_fit(report, context.curves, context.name, arguments.out, context.indenter))
+  for (const auto& picture : draw_fit(fit_record(report, context), arguments.out))
     session.err << "drawn: " << picture.string() << '\n';
 }
 
@@ -146,7 +149,8 @@ FitContext context_of(const File& file, const char* kind, const char* unit) {
           .definition = file.definition,
           .data_digest = file.data_digest,
           .output_unit = unit,
-          .notes = file.notes};
+          .notes = file.notes,
+          .inputs = measured_inputs(file)};
 }
 
 MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Session& session) {
@@ -182,7 +186,8 @@ MadeFit make_shift_fit(const FitArguments& arguments, const ShiftFile& file, Ses
   return {{.source = arguments.fit,
            .name = file.name,
            .model = std::string(shift_names[static_cast<std::size_t>(file.law.law)]),
-           .report = found.report},
+           .report = found.report,
+           .shift_law = file.law.law},
           context};
 }
 
@@ -202,13 +207,20 @@ void fit_shift_factors(const FitArguments& arguments, Session& session) {
   if (!arguments.out.empty() && report.slopes.found()) draw(report, made.context, arguments, session);
 }
 
+/// Answers through the store until the user wants an end.
+Evaluate until(const StopSignal& signal, StoredEvaluations& stored) {
+  return [&](const RollingScene& scene) {
+    if (signal.requested()) throw Interrupted();
+    return stored(scene);
+  };
+}
+
 void fit_resistance(const FitArguments& arguments, Session& session) {
   FitFile file = read_fit(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
   file.options.stop = &signal.requested();
   StoredEvaluations stored(session.evaluate, arguments.database);
-  const Evaluate evaluate = [&](const RollingScene& scene) { return stored(scene); };
   const MadeFit made = make_resistance_fit(arguments, std::move(file), stored, session);
   const FitReport& report = made.candidate.report;
   const FitFile& given = *made.candidate.resistance;
@@ -217,9 +229,9 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
   Json object = json_of(report, made.context);
   if (!arguments.json) session.out << fit_summary(report, made.context) << std::flush;
   if (arguments.design && known) {
-    const FitDesign next = design_of(given, report, evaluate, arguments.jobs);
-    object["design"] = json_of(next, report);
-    if (!arguments.json) session.out << design_summary(next, given, report) << std::flush;
+    const FitDesign next = design_of(given, report, until(signal, stored), arguments.jobs);
+    object["design"] = json_of(next);
+    if (!arguments.json) session.out << design_summary(next, given) << std::flush;
   }
   if (arguments.coverage > 0 && known) {
     const Coverage counted = coverage_of(given, report, arguments, session);
@@ -274,9 +286,9 @@ void compare_fits(const FitArguments& given, Session& session) {
     }
     session.err << fit << ": " << name_of(fits.back().report.status) << '\n';
   }
-  stored.flush();
   if (fits.size() < given.fits.size()) throw std::runtime_error("interrupted: the fits that were made are stored");
-  const FitComparison comparison = compare(fits);
+  const FitComparison comparison = compare(fits, until(signal, stored), given.jobs);
+  stored.flush();
   session.status = comparison.fits.front().usable ? ExitStatus::answered : ExitStatus::no_answer;
   if (given.json)
     session.out << text_of(json_of(comparison), 2) << '\n';
@@ -307,7 +319,9 @@ void add_fit(Command& program, Session& session) {
   command->add_option("--out DIR", arguments.out,
                       "Draw data, residuals, profiles and the worst pair's ellipse into DIR");
   command->add_option("--scene FILE", arguments.scene, "Write what was fitted as a scene file, with all digits");
-  command->add_flag("--design", arguments.design, "Which speed, and which load, to measure next");
+  command->add_flag("--design", arguments.design,
+                    "What to measure next: speeds, loads, all inputs at once, several together (key design of the "
+                    "file: ranges, targets)");
   command
       ->add_option("--coverage N", arguments.coverage,
                    "Draw the data N times around the fit, fit them, and count the intervals that hold it")

@@ -75,6 +75,9 @@ std::vector<KeySection> key_sections() {
           {"Fit of a scene", table_of(fit_keys)},
           {"Fit of a scene: a data set", table_of(data_set_keys)},
           {"Fit of a scene: a parameter", table_of(fit_parameter_keys)},
+          {"Fit of a scene: `prior` of a parameter", table_of(prior_keys)},
+          {"Fit of a scene: `design`", table_of(design_wish_keys)},
+          {"Fit of a scene: a range under `design`", table_of(design_range_keys)},
           {"Fit of a material", table_of(material_fit_keys)}};
 }
 

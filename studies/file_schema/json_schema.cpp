@@ -147,6 +147,7 @@ Json chart(bool formulas) {
   return object_of(chart_keys, {{"x", either}, {"y", either}, {"family", varied}, {"map", numbers}});
 }
 
+constexpr const char* design_range_name = "range of a design";
 constexpr const char* parameter_name = "fitted input";
 constexpr const char* data_set_name = "data set";
 constexpr const char* variable_name = "variable";
@@ -171,7 +172,13 @@ Json scene_fit() {
   for (const std::string_view term : {noise_level_key, relative_noise_key})
     parameters["properties"][std::string(term)] = {{"anyOf", {noise, list_of(noise)}}};
   const Json set{{"anyOf", {name(), reference(data_set_name)}}};
+  Json ranges = inputs_and_layers([](const InputKind&) { return reference(design_range_name); }, real_input);
+  ranges["minProperties"] = 1;
+  Json target = inputs_and_layers([](const InputKind&) { return input_number(); }, real_input);
+  target["properties"]["data"] = name();
+  const Json design = object_of(design_wish_keys, {{"ranges", ranges}, {"targets", list_of(target)}});
   return object_of(fit_keys, {{"scene", scene_or_file()},
+                              {"design", design},
                               {"set", inputs_and_layers(input_reference, any_input)},
                               {"data", {{"anyOf", {name(), reference(data_set_name), list_of(set)}}}},
                               {"parameters", parameters},
@@ -248,9 +255,14 @@ std::string fit_schema() {
   schema["then"] = material_fit();
   schema["else"] = scene_fit();
   Json& definitions = schema["definitions"] = input_definitions();
+  definitions[design_range_name] = object_of(design_range_keys);
   definitions[parameter_name] = object_of(fit_parameter_keys, {{"prior", object_of(prior_keys)}});
+  const Json data_sigma{{"anyOf",
+                         {input_number(), object_of(modulus_sigma_keys, {{"storage_modulus", percentage()},
+                                                                         {"loss_modulus", percentage()}})}}};
   definitions[data_set_name] = object_of(data_set_keys, {{"set", inputs_and_layers(input_reference, any_input)},
                                                          {"output", name()},
+                                                         {"sigma", data_sigma},
                                                          {"ignore_columns", list_of(name())}});
   return printed(schema);
 }

@@ -1,268 +1,362 @@
 #include "studies/fit/fit_chart.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
-#include "fitting/errors/statistics.hpp"
 #include "fitting/fit/fit.hpp"
 #include "studies/drawing/chart_frame.hpp"
-#include "studies/drawing/gnuplot.hpp"
+#include "studies/fit/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
 
-/// An axis with a readable unit, and what it spans in that unit.
-struct ScaledAxis {
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double far_off = 3;  // deviations from which on a measurement is marked
+
+/// An axis in a readable unit for these values [SI].
+struct FitAxis {
   ChartAxis axis;
-  Span span;
-  double factor;
+  double factor = 1;
 
-  double in_unit(double si) const { return si / factor; }
+  FitAxis(ChartAxis wanted, const std::vector<double>& values) : axis(std::move(wanted)) {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      axis.logarithmic &= value > 0;
+      smallest = std::min(smallest, std::abs(value));
+      largest = std::max(largest, std::abs(value));
+    }
+    const ScaledUnit unit =
+        axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);
+    axis.unit = typeset_unit(unit.name);
+    factor = unit.factor;
+    axis.margin = 0.03;
+  }
 };
 
-ScaledAxis scaled_axis(ChartAxis axis, const std::vector<double>& values) {
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  bool positive = true;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    positive &= value > 0;
-    smallest = std::min(smallest, std::abs(value));
-    largest = std::max(largest, std::abs(value));
-  }
-  axis.logarithmic &= positive;
-  const ScaledUnit unit =
-      axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);
-  axis.unit = typeset_unit(unit.name);
-  ScaledAxis scaled{axis, {}, unit.factor};
-  scaled.span.logarithmic = axis.logarithmic;
-  for (const double value : values)
-    if (std::isfinite(value)) scaled.span.include(value / unit.factor);
-  scaled.span.widen(0.04, 0.06);
-  return scaled;
+bool has_curves(const FitRecord& fit) { return !fit.x_name.empty(); }
+
+/// Only without stated deviations the residuals do not scatter by 1.
+double scatter_of(const FitRecord& fit) {
+  return fit.deviations_known || !(fit.reduced_chi_squared > 0) ? 1 : std::sqrt(fit.reduced_chi_squared);
 }
 
-class Picture {
- public:
-  Picture(const std::filesystem::path& folder, const std::string& name, std::string title, ScaledAxis x, ScaledAxis y)
-      : files_(chart_files(folder / name)), title_(std::move(title)), x_(std::move(x)), y_(std::move(y)) {
-    write_axes(script_, files_, x_.axis, x_.span, y_.axis, y_.span);
-  }
-
-  /// Starts a block of data; returns "data index N".
-  std::string block() {
-    if (blocks_ > 0) data_ << "\n\n";
-    return "data index " + std::to_string(blocks_++);
-  }
-  /// A line of the block: x and y values [SI].
-  void add(double x, std::initializer_list<double> ys) {
-    data_ << short_number(x_.in_unit(x), 12);
-    for (const double y : ys) data_ << ' ' << (std::isfinite(y) ? short_number(y_.in_unit(y), 12) : "NaN");
-    data_ << '\n';
-  }
-  void plot(const std::string& words) { plots_.push_back(words); }
-  void legend(const std::string& sample, const std::string& words) {
-    entries_.push_back({sample, gnuplot::plain(words) + kept_blanks, width(words)});
-  }
-  std::ostream& script() { return script_; }
-  const ScaledAxis& x() const { return x_; }
-  const ScaledAxis& y() const { return y_; }
-
-  std::filesystem::path draw() {
-    write_pictures(script_, files_, title_, plots_, entries_);
-    draw_pictures(files_, data_.str(), script_.str(), {title_, y_.axis.name + " against " + x_.axis.name});
-    return files_.svg;
-  }
-
- private:
-  ChartFiles files_;
-  std::string title_;
-  ScaledAxis x_, y_;
-  std::ostringstream script_, data_;
-  int blocks_ = 0;
-  std::vector<std::string> plots_;
-  std::vector<LegendEntry> entries_;
-};
-
-std::string colour(std::size_t curve) { return " lc rgb '" + std::string(curve_colour(curve)) + "'"; }
-
-std::string marks(std::size_t curve) {
-  constexpr int types[] = {7, 5, 9, 13, 11, 15};
-  return " pt " + std::to_string(types[curve % std::size(types)]) + " ps 0.6";
+bool outlies(const FitRecord& fit, const FitDataRecord& one) {
+  return std::abs(one.residual) > far_off * scatter_of(fit);
 }
 
-std::vector<double> all_x(const FitCurves& curves) {
+/// What residuals are drawn against: a value for each measurement, NaN where it has none.
+struct ResidualAxis {
+  ChartAxis axis;
   std::vector<double> values;
-  for (const FitCurve& curve : curves.curves) {
-    values.insert(values.end(), curve.x.begin(), curve.x.end());
-    values.insert(values.end(), curve.data_x.begin(), curve.data_x.end());
+
+  /// Whether there are two different values.
+  bool varies() const {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double value : values)
+      if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+    return most > least;
   }
-  return values;
+};
+
+/// Where the measurements lie on the axis of the curves.
+ResidualAxis place_axis(const FitRecord& fit) {
+  ResidualAxis along{{.name = fit.x_name, .unit = fit.x_unit, .logarithmic = fit.x_logarithmic}, {}};
+  for (const FitDataRecord& one : fit.data) along.values.push_back(one.x);
+  return along;
 }
 
-std::filesystem::path draw_data(const FitReport& report, const FitCurves& curves, const std::string& name,
-                                const std::filesystem::path& folder) {
-  const double scatter = std::sqrt(report.errors.scale);
-  std::vector<double> ys;
-  for (const FitCurve& curve : curves.curves) ys.insert(ys.end(), curve.value.begin(), curve.value.end());
-  for (const FittedValue& value : report.values) {
-    ys.push_back(value.measured.value);
-    for (const double side : {-1.0, 1.0})
-      if (const double end = value.measured.value + side * scatter * value.measured.deviation;
-          end > 0 || !curves.y.logarithmic)
-        ys.push_back(end);
-  }
-  Picture picture(folder, name + "_data", name + ": data and fit", scaled_axis(curves.x, all_x(curves)),
-                  scaled_axis(curves.y, ys));
-  for (std::size_t c = 0; c < curves.curves.size(); ++c) {
-    const FitCurve& curve = curves.curves[c];
-    const std::string line = picture.block();
-    for (std::size_t i = 0; i < curve.x.size(); ++i)
-      picture.add(curve.x[i], {curve.value[i], curve.value[i] - curve.band[i], curve.value[i] + curve.band[i]});
-    picture.plot(line + " using 1:3:4 with filledcurves fs transparent solid 0.25 noborder" + colour(c) + " notitle");
-    picture.plot(line + " using 1:2 with lines lw 1.5" + colour(c) + " notitle");
-    const std::string points = picture.block();
-    for (std::size_t i = 0; i < curve.data.size(); ++i) {
-      const MeasuredValue& measured = report.values[curve.data[i]].measured;
-      picture.add(curve.data_x[i], {measured.value, scatter * measured.deviation});
+bool is_wide(const std::vector<double>& values) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+  constexpr double wide = 20;
+  return least > 0 && most > wide * least;
+}
+
+ResidualAxis prediction_axis(const FitRecord& fit) {
+  ResidualAxis along{{.name = "what the fit says", .unit = fit.y_unit}, {}};
+  for (const FitDataRecord& one : fit.data)
+    along.values.push_back(has_curves(fit) && one.curve < 0 ? nothing : one.predicted);
+  along.axis.logarithmic = is_wide(along.values);
+  return along;
+}
+
+/// Each input that varies between measurements, by its name, but the one of the curves.
+std::vector<std::pair<std::string, ResidualAxis>> input_axes(const FitRecord& fit) {
+  std::vector<std::pair<std::string, ResidualAxis>> axes;
+  for (const FitInputRecord& input : fit.inputs) {
+    if (input.datum < 1 || input.datum > std::ssize(fit.data)) continue;
+    auto axis = std::find_if(axes.begin(), axes.end(), [&](const auto& known) { return known.first == input.name; });
+    if (axis == axes.end()) {
+      axes.push_back({input.name, {{.name = in_words(input.name), .unit = input.unit}, {}}});
+      axis = std::prev(axes.end());
+      axis->second.values.assign(fit.data.size(), nothing);
     }
-    picture.plot(points + " using 1:2:3 with yerrorbars lw 1.2" + marks(c) + colour(c) + " notitle");
-    picture.legend("linespoints lw 1.5" + marks(c) + colour(c), curve.label.empty() ? "fit" : curve.label);
+    axis->second.values[static_cast<std::size_t>(input.datum - 1)] = input.value;
   }
-  picture.legend("boxes fs transparent solid 0.25 noborder lc rgb '#444444'", "95 % band");
-  return picture.draw();
+  std::erase_if(axes, [&](const auto& one) { return !one.second.varies() || one.second.axis.name == fit.x_name; });
+  for (auto& [name, along] : axes) along.axis.logarithmic = is_wide(along.values);
+  return axes;
 }
 
-std::filesystem::path draw_residuals(const FitReport& report, const FitCurves& curves, const std::string& name,
-                                     const std::filesystem::path& folder) {
-  const double scatter = std::sqrt(report.errors.scale);
-  std::vector<double> ys{-2.5, 2.5};
-  for (const FittedValue& value : report.values) ys.push_back(value.residual / scatter);
-  Picture picture(folder, name + "_residuals", name + ": residuals", scaled_axis(curves.x, all_x(curves)),
-                  scaled_axis({.name = "(fit - data) / standard deviation"}, ys));
-  for (const double level : {-2.0, 0.0, 2.0})
-    picture.script() << "set arrow from graph 0, first " << level << " to graph 1, first " << level
-                     << " nohead lw 1.2 dt " << (level == 0 ? "1" : "2") << " lc rgb '#888888' back\n";
-  for (std::size_t c = 0; c < curves.curves.size(); ++c) {
-    const FitCurve& curve = curves.curves[c];
-    const std::string points = picture.block();
-    for (std::size_t i = 0; i < curve.data.size(); ++i)
-      picture.add(curve.data_x[i], {report.values[curve.data[i]].residual / scatter});
-    picture.plot(points + " using 1:2 with points" + marks(c) + colour(c) + " notitle");
-    picture.legend("points" + marks(c) + colour(c), curve.label.empty() ? "residuals" : curve.label);
-  }
-  return picture.draw();
-}
-
-ChartAxis parameter_axis(const FittedParameter& fitted, Indenter indenter) {
-  const Quantity& quantity = fitted.parameter.variable.quantity;
-  const std::string_view unit = quantity.unit_for(indenter);
-  return {.name = fitted.parameter.name, .symbol = std::string(quantity.symbol), .unit = std::string(unit)};
-}
-
-std::filesystem::path draw_profile(const FitReport& report, std::size_t parameter, const std::string& name,
-                                   const std::filesystem::path& folder, Indenter indenter) {
-  const FittedParameter& fitted = report.parameters[parameter];
-  const double quantile = two_sided_quantile(confidence, report.deviations_known ? 0 : report.degrees);
-  const double threshold = quantile * quantile;
-  std::vector<double> xs, ys{0, 1.4 * threshold};
-  for (const ProfilePoint& point : fitted.profile.points)
-    if (point.rise < 2.5 * threshold) {
-      xs.push_back(point.value);
-      ys.push_back(point.rise);
-    }
-  std::string file = fitted.parameter.name;
-  std::replace_if(
-      file.begin(), file.end(),
-      [](char letter) { return std::string_view(" /()").find(letter) != std::string_view::npos; }, '_');
-  ChartAxis x = parameter_axis(fitted, indenter);
-  x.logarithmic = fitted.parameter.variable.logarithmic && xs.back() > 10 * xs.front();
-  Picture picture(folder, name + "_profile_" + file, name + ": profile of " + fitted.parameter.name, scaled_axis(x, xs),
-                  scaled_axis({.name = "rise of chi squared"}, ys));
-  picture.script() << "set arrow from graph 0, first " << short_number(threshold) << " to graph 1, first "
-                   << short_number(threshold) << " nohead lw 1.2 dt 2 lc rgb '#888888' back\n";
-  const std::string line = picture.block();
-  const Variable& variable = fitted.parameter.variable;
-  const double centre = variable.scaled(fitted.value), deviation = fitted.relative_error;
-  constexpr int pieces = 80;
-  if (std::isfinite(deviation))
-    for (int i = 0; i <= pieces; ++i) {
-      const double offset = (2.4 * i / pieces - 1.2) * quantile;
-      picture.add(variable.value(centre + offset * deviation), {offset * offset});
-    }
-  picture.plot(line + " using 1:2 with lines lw 1.5 dt 2 lc rgb '#888888' notitle");
-  // Between the points the root of the rise is all but a straight line.
-  const std::string curve = picture.block();
-  const std::vector<ProfilePoint>& known = fitted.profile.points;
-  const auto root = [&](const ProfilePoint& point) {
-    return std::copysign(std::sqrt(std::max(point.rise, 0.0)), point.value - fitted.value);
+/// The labels of the curves, by their numbers.
+std::vector<std::string> labels_of(const FitRecord& fit) {
+  std::vector<std::string> labels;
+  const auto room = [&](std::int64_t curve) -> std::string& {
+    if (static_cast<std::size_t>(curve) >= labels.size()) labels.resize(static_cast<std::size_t>(curve) + 1);
+    return labels[static_cast<std::size_t>(curve)];
   };
-  for (std::size_t k = 0; k + 1 < known.size(); ++k)
-    for (int i = 0; i <= 20; ++i) {
-      const double part = i / 20.0, from = variable.scaled(known[k].value), to = variable.scaled(known[k + 1].value);
-      const double rise = root(known[k]) + part * (root(known[k + 1]) - root(known[k]));
-      picture.add(variable.value(from + part * (to - from)), {rise * rise});
-    }
-  picture.plot(curve + " using 1:2 with lines lw 1.8" + colour(0) + " notitle");
-  const std::string points = picture.block();
-  for (const ProfilePoint& point : known)
-    if (point.rise < 2.5 * threshold) picture.add(point.value, {point.rise});
-  picture.plot(points + " using 1:2 with points" + marks(0) + colour(0) + " notitle");
-  picture.legend("linespoints lw 1.8" + marks(0) + colour(0), "profile likelihood");
-  picture.legend("lines lw 1.5 dt 2 lc rgb '#888888'", "linear; level of 95 %");
-  return picture.draw();
+  for (const FitDataRecord& one : fit.data)
+    if (one.curve >= 0) room(one.curve);
+  for (const FitCurveRecord& point : fit.curves) room(point.curve) = point.label;
+  return labels;
 }
 
-std::filesystem::path draw_ellipse(const FitReport& report, const std::string& name,
-                                   const std::filesystem::path& folder, Indenter indenter) {
-  const ParameterPair pair = worst_pair(report);
-  const auto a = static_cast<Eigen::Index>(pair.first), b = static_cast<Eigen::Index>(pair.second);
-  const FittedParameter &first = report.parameters[pair.first], &second = report.parameters[pair.second];
-  const double correlation = report.errors.correlations(a, b);
-  // Both together within 95 %: chi squared of two degrees of freedom.
-  const double reach = std::sqrt(-2 * std::log(1 - confidence));
-  std::vector<double> xs, ys;
-  constexpr int pieces = 180;
-  for (int i = 0; i <= pieces; ++i) {
-    const double angle = 2 * std::numbers::pi * i / pieces;
-    const double u = std::cos(angle), v = correlation * u + std::sqrt(1 - correlation * correlation) * std::sin(angle);
-    const auto moved = [&](const FittedParameter& fitted, double part) {
-      const Variable& variable = fitted.parameter.variable;
-      const double scaled = variable.scaled(fitted.value) + reach * fitted.relative_error * part;
-      return variable.logarithmic ? std::exp(scaled) : scaled * variable.size;
-    };
-    xs.push_back(moved(first, u));
-    ys.push_back(moved(second, v));
+std::string off_in_words() { return "more than " + short_number(far_off) + " deviations off"; }
+
+void add_alone(ChartCurve& curve, ChartPoint point) {
+  curve.points.push_back(point);
+  curve.points.push_back({nothing, nothing});
+}
+
+/// Measurements with their deviations, the fitted curves with their bands, and what lies far off them.
+ChartRequest data_and_fit(const FitRecord& fit) {
+  std::vector<double> values;
+  for (const FitDataRecord& one : fit.data) values.push_back(one.measured);
+  for (const FitCurveRecord& point : fit.curves) values.push_back(point.value);
+  const ResidualAxis along = place_axis(fit);
+  const FitAxis x(along.axis, along.values),
+      y({.name = fit.y_name, .unit = fit.y_unit, .logarithmic = fit.y_logarithmic}, values);
+  ChartRequest request{
+      .title = fit.name + ": data and fit", .x = x.axis, .y = y.axis, .curves = {}, .mark_peaks = false};
+  request.areas = "deviation, 95 % band";
+  const std::vector<std::string> labels = labels_of(fit);
+  for (const std::string& label : labels) request.curves.push_back({label.empty() ? "measured" : label, {}});
+  ChartCurve far{.label = off_in_words(), .points = {}};
+  for (const FitDataRecord& one : fit.data) {
+    if (one.curve < 0) continue;
+    const double at = one.x / x.factor, value = one.measured / y.factor,
+                 deviation = scatter_of(fit) * one.deviation / y.factor;
+    add_alone(request.curves[static_cast<std::size_t>(one.curve)],
+              {at, value, true, value - deviation, value + deviation});
+    if (outlies(fit, one)) add_alone(far, {at, value});
   }
-  Picture picture(folder, name + "_ellipse", name + ": 95 % ellipse, correlation " + short_number(correlation, 3),
-                  scaled_axis(parameter_axis(first, indenter), xs), scaled_axis(parameter_axis(second, indenter), ys));
-  const std::string line = picture.block();
-  for (std::size_t i = 0; i < xs.size(); ++i) picture.add(xs[i], {ys[i]});
-  picture.plot(line + " using 1:2 with lines lw 1.8" + colour(0) + " notitle");
-  const std::string point = picture.block();
-  picture.add(first.value, {second.value});
-  picture.plot(point + " using 1:2 with points pt 7 ps 1" + colour(0) + " notitle");
-  return picture.draw();
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    ChartCurve line{.label = labels[i].empty() ? "the fit" : labels[i], .points = {}, .like = i, .marks = false};
+    for (const FitCurveRecord& point : fit.curves)
+      if (static_cast<std::size_t>(point.curve) == i)
+        line.points.push_back({point.x / x.factor, point.value / y.factor, true, (point.value - point.band) / y.factor,
+                               (point.value + point.band) / y.factor});
+    request.curves.push_back(std::move(line));
+  }
+  if (!far.points.empty()) request.curves.push_back(std::move(far));
+  return request;
+}
+
+/// Residuals over their deviations, between the two of most, against what is asked for.
+ChartRequest residuals(const FitRecord& fit, const ResidualAxis& along) {
+  const FitAxis x(along.axis, along.values);
+  ChartRequest request{.title = fit.name + ": residuals",
+                       .x = x.axis,
+                       .y = {.name = "(fit - measured)/deviation"},
+                       .curves = {},
+                       .mark_peaks = false};
+  const std::vector<std::string> labels = labels_of(fit);
+  for (const std::string& label : labels) request.curves.push_back({label.empty() ? "residuals" : label, {}});
+  ChartCurve others{.label = labels.empty() ? "residuals" : "of other values", .points = {}},
+      far{.label = off_in_words(), .points = {}};
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t i = 0; i < fit.data.size(); ++i) {
+    const double at = along.values[i] / x.factor, residual = fit.data[i].residual / scatter_of(fit);
+    if (!std::isfinite(at) || !std::isfinite(residual)) continue;
+    least = std::min(least, at), most = std::max(most, at);
+    const std::int64_t curve = fit.data[i].curve;
+    add_alone(curve < 0 ? others : request.curves[static_cast<std::size_t>(curve)], {at, residual});
+    if (outlies(fit, fit.data[i])) add_alone(far, {at, residual});
+  }
+  if (!(most > least)) least -= 0.5, most += 0.5;
+  request.curves.push_back({"none, and 2 deviations", {}, {}, false});
+  for (const double level : {-2.0, 0.0, 2.0})
+    for (const ChartPoint& point : {ChartPoint{least, level}, {most, level}, {nothing, nothing}})
+      request.curves.back().points.push_back(point);
+  for (ChartCurve* const curve : {&others, &far})
+    if (!curve->points.empty()) request.curves.push_back(std::move(*curve));
+  std::erase_if(request.curves, [](const ChartCurve& curve) { return curve.points.empty(); });
+  return request;
+}
+
+/// Residuals in their order against what a normal distribution would have (Blom 1958: (i - 3/8)/(n + 1/4)).
+ChartRequest normal_quantiles(const FitRecord& fit) {
+  std::vector<double> sorted;
+  for (const FitDataRecord& one : fit.data)
+    if (std::isfinite(one.residual)) sorted.push_back(one.residual / scatter_of(fit));
+  std::sort(sorted.begin(), sorted.end());
+  ChartRequest request{.title = fit.name + ": quantiles of the residuals",
+                       .x = {.name = "quantile of a normal distribution", .margin = 0.03},
+                       .y = {.name = "(fit - measured)/deviation"},
+                       .curves = {{"residuals", {}}, {"as normal residuals lie", {}, {}, false}},
+                       .mark_peaks = false};
+  const boost::math::normal normal;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const double share = (static_cast<double>(i) + 0.625) / (static_cast<double>(sorted.size()) + 0.25);
+    const double quantile = boost::math::quantile(normal, share);
+    add_alone(request.curves[0], {quantile, sorted[i]});
+    if (i == 0 || i + 1 == sorted.size()) request.curves[1].points.push_back({quantile, quantile});
+  }
+  return request;
+}
+
+/// The value so many standard errors away.
+double moved(const FitParameterRecord& one, double errors) {
+  return is_logarithmic(one) ? one.value * std::exp(errors * one.relative_error)
+                             : one.value + errors * one.standard_error;
+}
+
+ChartRequest profile(const FitRecord& fit, const FitParameterRecord& parameter,
+                     const std::vector<FitProfileRecord>& known) {
+  const double level = fit.profile_threshold;
+  std::vector<double> values;
+  for (const FitProfileRecord& point : known) values.push_back(point.value);
+  const FitAxis x({.name = in_words(parameter.name), .unit = parameter.unit}, values);
+  ChartRequest request{
+      .title = fit.name + ": profile of " + in_words(parameter.name),
+      .subtitle = {},
+      .x = x.axis,
+      .y = {.name = "rise of the misfit"},
+      .curves = {{"refitted", {}}, {"", {}, 0, false}, {"by the slopes", {}, {}, false}, {"95 %", {}, {}, false}},
+      .mark_peaks = false};
+  request.x.margin = 0;
+  const auto root = [&](const FitProfileRecord& point) {  // all but straight between the points
+    return std::copysign(std::sqrt(std::max(point.rise, 0.0)), point.value - parameter.value);
+  };
+  const auto seen = [&](double rise) { return rise < 2.5 * level; };
+  constexpr int pieces = 12;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (seen(known[i].rise)) add_alone(request.curves[0], {known[i].value / x.factor, known[i].rise});
+    for (int piece = 0; i + 1 < known.size() && piece <= pieces; ++piece) {
+      const double part = static_cast<double>(piece) / pieces;
+      const double rise = std::pow(root(known[i]) + part * (root(known[i + 1]) - root(known[i])), 2);
+      const double value = known[i].value + part * (known[i + 1].value - known[i].value);
+      if (seen(rise)) request.curves[1].points.push_back({value / x.factor, rise});
+    }
+  }
+  if (std::isfinite(parameter.relative_error))
+    for (int piece = -4 * pieces; piece <= 4 * pieces; ++piece) {
+      const double errors = 1.2 * std::sqrt(level) * piece / (4 * pieces);
+      request.curves[2].points.push_back({moved(parameter, errors) / x.factor, errors * errors});
+    }
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const ChartCurve& curve : request.curves)
+    for (const ChartPoint& point : curve.points)
+      if (point.drawn()) least = std::min(least, point.x), most = std::max(most, point.x);
+  request.curves[3].points = {{least, level}, {most, level}};
+  return request;
+}
+
+/// Where both parameters together lie in 95 % of all cases: chi squared of two degrees of freedom.
+ChartRequest ellipse(const FitRecord& fit, const FitParameterRecord& first, const FitParameterRecord& second,
+                     double correlation) {
+  const double reach = std::sqrt(-2 * std::log(1 - confidence));
+  constexpr int pieces = 90;
+  std::vector<double> xs, ys;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = 2 * std::numbers::pi * i / pieces, u = std::cos(angle);
+    const double v = correlation * u + std::sqrt(1 - correlation * correlation) * std::sin(angle);
+    xs.push_back(moved(first, reach * u));
+    ys.push_back(moved(second, reach * v));
+  }
+  const FitAxis x({.name = in_words(first.name), .unit = first.unit}, xs),
+      y({.name = in_words(second.name), .unit = second.unit}, ys);
+  ChartRequest request{
+      .title = fit.name + ": 95 % ellipse",
+      .subtitle = "correlation " + short_number(correlation, 3),
+      .x = x.axis,
+      .y = y.axis,
+      .curves = {{"95 %", {}, {}, false}, {"the fit", {{first.value / x.factor, second.value / y.factor}}}},
+      .mark_peaks = false};
+  for (std::size_t i = 0; i < xs.size(); ++i) request.curves[0].points.push_back({xs[i] / x.factor, ys[i] / y.factor});
+  return request;
+}
+
+/// A name as part of a file's.
+std::string file_word(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char letter) { return std::string_view(" /()").find(letter) != std::string_view::npos; }, '_');
+  return name;
+}
+
+void add_profiles(const FitRecord& fit, std::vector<FitChart>& charts) {
+  for (const FitParameterRecord& parameter : fit.parameters) {
+    std::vector<FitProfileRecord> known;
+    for (const FitProfileRecord& point : fit.profiles)
+      if (point.parameter == parameter.name) known.push_back(point);
+    if (known.size() > 2)
+      charts.push_back({"profile_" + file_word(parameter.name),
+                        "how the misfit grows as " + in_words(parameter.name) +
+                            " is held elsewhere; its interval is below the line of 95 %",
+                        profile(fit, parameter, known)});
+  }
+}
+
+/// The strongest pair, and others that are far from independent.
+void add_ellipses(const FitRecord& fit, std::vector<FitChart>& charts) {
+  constexpr double slight = 0.5;
+  constexpr std::size_t most = 4;
+  std::vector<FitCorrelationRecord> pairs = fit.correlations;
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& one, const auto& other) {
+    return std::abs(one.correlation) > std::abs(other.correlation);
+  });
+  if (pairs.size() > most) pairs.resize(most);
+  const auto find = [&](const std::string& name) {
+    return std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                        [&](const auto& one) { return one.name == name; });
+  };
+  bool any = false;
+  for (const FitCorrelationRecord& pair : pairs) {
+    const auto first = find(pair.first), second = find(pair.second);
+    if (first == fit.parameters.end() || second == fit.parameters.end()) continue;
+    if (!std::isfinite(first->relative_error) || !std::isfinite(second->relative_error)) continue;
+    if (any && std::abs(pair.correlation) < slight) continue;
+    charts.push_back({any ? "ellipse_" + file_word(pair.first) + "_" + file_word(pair.second) : "ellipse",
+                      in_words(pair.first) + " and " + in_words(pair.second) + " together",
+                      ellipse(fit, *first, *second, std::clamp(pair.correlation, -1.0, 1.0))});
+    any = true;
+  }
 }
 
 }  // namespace
 
-std::vector<std::filesystem::path> draw_fit(const FitReport& report, const FitCurves& curves, const std::string& name,
-                                            const std::filesystem::path& folder, Indenter indenter) {
-  std::vector<std::filesystem::path> drawn{draw_data(report, curves, name, folder),
-                                           draw_residuals(report, curves, name, folder)};
-  for (std::size_t j = 0; j < report.parameters.size(); ++j)
-    if (report.parameters[j].profile.points.size() > 2)
-      drawn.push_back(draw_profile(report, j, name, folder, indenter));
-  if (report.parameters.size() > 1) {
-    const ParameterPair pair = worst_pair(report);
-    const double correlation =
-        report.errors.correlations(static_cast<Eigen::Index>(pair.first), static_cast<Eigen::Index>(pair.second));
-    if (std::isfinite(correlation)) drawn.push_back(draw_ellipse(report, name, folder, indenter));
+std::vector<FitChart> fit_charts(const FitRecord& fit) {
+  if (fit.data.empty()) return {};
+  std::vector<FitChart> charts;
+  const std::string over = "residuals of the fit over the deviations, against ";
+  if (has_curves(fit)) {
+    charts.push_back(
+        {"data", "measurements with their deviations, and the fitted curves with their bands", data_and_fit(fit)});
+    charts.push_back({"residuals", over + fit.x_name, residuals(fit, place_axis(fit))});
   }
+  for (const auto& [name, along] : input_axes(fit))
+    charts.push_back({"residuals_" + file_word(name), over + along.axis.name, residuals(fit, along)});
+  charts.push_back({has_curves(fit) ? "residuals_fit" : "residuals", over + "what the fit says",
+                    residuals(fit, prediction_axis(fit))});
+  charts.push_back(
+      {"quantiles", "residuals in their order, against those of a normal distribution", normal_quantiles(fit)});
+  add_profiles(fit, charts);
+  add_ellipses(fit, charts);
+  return charts;
+}
+
+std::vector<std::filesystem::path> draw_fit(const FitRecord& fit, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> drawn;
+  for (const FitChart& chart : fit_charts(fit))
+    drawn.push_back(draw_chart(chart.request, folder / (fit.name + "_" + chart.name + ".svg")).svg);
   return drawn;
 }
 

@@ -9,7 +9,9 @@
 #include <stdexcept>
 
 #include "fitting/errors/statistics.hpp"
+#include "fitting/fit/experiment_design.hpp"
 #include "fitting/fit/measured_terms.hpp"
+#include "studies/fit/design_space.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -20,10 +22,18 @@ namespace rollres {
 
 namespace {
 
-void require_same_data(const FitCandidate& a, const FitCandidate& b) {
-  const auto same = [](const FittedValue& one, const FittedValue& other) {
+bool has_fitted_noise(const FitCandidate& fit) { return !fit.report.noise_terms.empty(); }
+
+void require_comparable(const FitCandidate& a, const FitCandidate& b) {
+  if (b.report.values.empty()) throw std::invalid_argument(b.source + ": has no prediction to compare");
+  if (b.resistance && b.resistance->loss != Loss::none)
+    throw std::invalid_argument(b.source + ": loss = " + std::string(name_of(b.resistance->loss)) +
+                                ": has no likelihood by which fits could be compared");
+  const bool noise = has_fitted_noise(a) || has_fitted_noise(b);
+  const auto same = [&](const FittedValue& one, const FittedValue& other) {
     const auto equal = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(x); };
-    return equal(one.measured.value, other.measured.value) && equal(one.measured.deviation, other.measured.deviation);
+    return equal(one.measured.value, other.measured.value) &&
+           (noise || equal(one.measured.deviation, other.measured.deviation));
   };
   if (a.report.deviations_known != b.report.deviations_known ||
       !std::equal(a.report.values.begin(), a.report.values.end(), b.report.values.begin(), b.report.values.end(), same))
@@ -31,18 +41,28 @@ void require_same_data(const FitCandidate& a, const FitCandidate& b) {
                                 ": only fits of the same data can be compared");
 }
 
-ComparedFit compared(const FitCandidate& fit) {
+/// @param any_noise  the noise is fitted in one of the fits that are compared
+ComparedFit compared(const FitCandidate& fit, bool any_noise) {
   ComparedFit answer{fit.name, fit.model, std::string(name_of(fit.report.status))};
   answer.usable = fit.report.status >= FitStatus::usable_with_warnings;
-  answer.parameters = static_cast<int>(fit.report.parameters.size());
+  answer.parameters = static_cast<int>(fit.report.parameters.size() + fit.report.noise_terms.size());
   answer.chi_squared = fit.report.chi_squared;
-  const auto n = static_cast<double>(fit.report.values.size());
-  const bool known = fit.report.deviations_known;
-  const double k = answer.parameters + (known ? 0 : 1);
-  answer.likelihood = known ? fit.report.chi_squared : n * std::log(fit.report.chi_squared / n);
-  answer.aicc = n - k - 1 > 0 ? answer.likelihood + 2 * k + 2 * k * (k + 1) / (n - k - 1)
-                              : std::numeric_limits<double>::infinity();
-  answer.bic = answer.likelihood + k * std::log(n);
+  double log_variances = 0;
+  for (const FittedValue& value : fit.report.values)
+    if (any_noise) log_variances += 2 * std::log(value.measured.deviation);
+  const InformationCriteria criteria =
+      information_criteria(answer.chi_squared, fit.report.values.size(), answer.parameters,
+                           fit.report.deviations_known || has_fitted_noise(fit), log_variances);
+  answer.likelihood = criteria.likelihood;
+  if (any_noise && !has_fitted_noise(fit)) {  // the likelihood at the best scale has n, as chi squared has elsewhere
+    const auto n = static_cast<double>(fit.report.values.size());
+    answer.likelihood += n;
+    answer.aicc = criteria.aicc + n;
+    answer.bic = criteria.bic + n;
+    return answer;
+  }
+  answer.aicc = criteria.aicc;
+  answer.bic = criteria.bic;
   return answer;
 }
 
@@ -58,6 +78,9 @@ bool is_case_of(const FitCandidate& small, const FitCandidate& large) {
   if (a == MaterialForm::zener) return b == MaterialForm::fractional_zener || (b == a ? false : has_free_times(large));
   return a == MaterialForm::prony && a == b && has_free_times(small) && has_free_times(large);
 }
+
+/// Arrhenius' law is VFT's with its temperature at 0, and WLF's with c2 at the reference.
+bool is_case_of(ShiftLaw small, ShiftLaw large) { return small == ShiftLaw::arrhenius && (large == ShiftLaw::wlf); }
 
 /// Whether the scenes of one fit are those of another with its inputs at some values.
 bool is_case_of(const FitFile& small, const FitFile& large) {
@@ -77,15 +100,16 @@ bool is_case_of(const FitFile& small, const FitFile& large) {
   return small.output == large.output;
 }
 
-std::vector<LikelihoodRatio> likelihood_ratios(const std::vector<FitCandidate>& fits) {
+std::vector<LikelihoodRatio> likelihood_ratios(const std::vector<FitCandidate>& fits, bool any_noise) {
   std::vector<LikelihoodRatio> ratios;
   for (const FitCandidate& small : fits)
     for (const FitCandidate& large : fits) {
-      const ComparedFit a = compared(small), b = compared(large);
+      const ComparedFit a = compared(small, any_noise), b = compared(large, any_noise);
       const int degrees = b.parameters - a.parameters;
-      const bool materials = small.file && large.file, scenes = small.resistance && large.resistance;
-      if (degrees <= 0 || !(materials || scenes)) continue;
-      if (!(materials ? is_case_of(small, large) : is_case_of(*small.resistance, *large.resistance))) continue;
+      const bool nested = small.file && large.file               ? is_case_of(small, large)
+                          : small.resistance && large.resistance ? is_case_of(*small.resistance, *large.resistance)
+                                                                 : is_case_of(small.shift_law, large.shift_law);
+      if (degrees <= 0 || !nested) continue;
       const double rise = std::max(0.0, a.likelihood - b.likelihood);
       ratios.push_back({small.name, large.name, rise, degrees, chi_squared_tail(rise, degrees)});
     }
@@ -149,18 +173,89 @@ std::optional<LargestDifference> scene_difference(const FitCandidate& a, const F
   return largest;
 }
 
+bool slopes_known(const FitCandidate& fit) { return fit.report.slopes.found() && !fit.report.interrupted; }
+
+/// What a fit says of scenes, and the standard errors of that.
+std::vector<std::pair<double, double>> predicted(const FitCandidate& fit, const std::vector<MeasuredScene>& scenes,
+                                                 const Evaluate& evaluate, int jobs) {
+  const FitFile& file = *fit.resistance;
+  const Eigen::MatrixXd covariance = design_covariance(fit.report);
+  std::vector<std::pair<double, double>> all;
+  for (const ScenePrediction& one : predictions_at(fit.report, file.inputs, scenes, evaluate,
+                                                   {.output = file.output, .jobs = jobs, .step = file.step}))
+    all.emplace_back(one.value, std::sqrt(std::max(0.0, one.slope.dot(covariance * one.slope))));
+  return all;
+}
+
+/// Anywhere in the design space of the first fit: the measurement that tells both apart best.
+std::optional<LargestDifference> next_difference(const FitCandidate& a, const FitCandidate& b, const Evaluate& evaluate,
+                                                 int jobs) {
+  DesignSpace space = design_space(*a.resistance);
+  const DesignSpace other = design_space(*b.resistance);
+  for (const FitFile* const file : {&*a.resistance, &*b.resistance})
+    std::erase_if(space.ranges, [&](const DesignRange& range) {
+      return std::any_of(file->inputs.begin(), file->inputs.end(),
+                         [&](const FittedInput& input) { return input.input.key == range.key; });
+    });
+  if (space.empty() || !slopes_known(a) || !slopes_known(b)) return std::nullopt;
+  const auto of_other = [&](const MeasuredScene& scene) {
+    const auto set = std::find_if(other.sets.begin(), other.sets.end(),
+                                  [&](const MeasuredScene& one) { return one.set == scene.set; });
+    MeasuredScene same = set == other.sets.end() ? other.sets.front() : *set;
+    for (const DesignRange& range : space.ranges) set_input(same.scene, range.key, real_input(scene.scene, range.key));
+    return same;
+  };
+  const double relative = std::min(usual_relative_deviation(a.report), usual_relative_deviation(b.report));
+  std::optional<LargestDifference> largest;
+  search_space(space, [&](const std::vector<MeasuredScene>& scenes) {
+    std::vector<MeasuredScene> others;
+    for (const MeasuredScene& scene : scenes) others.push_back(of_other(scene));
+    const auto x = predicted(a, scenes, evaluate, jobs), y = predicted(b, others, evaluate, jobs);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const double deviation = std::hypot(relative * x[i].first, x[i].second, y[i].second);
+      LargestDifference one{
+          a.name, b.name, "", "", {x[i].first, y[i].first}, std::abs(x[i].first - y[i].first) / deviation};
+      values.push_back(std::isfinite(one.deviations) ? -one.deviations : std::numeric_limits<double>::infinity());
+      if (!std::isfinite(one.deviations) || (largest && one.deviations <= largest->deviations)) continue;
+      const Quantity output = measured_quantity(scenes[i].output.empty() ? a.resistance->output : scenes[i].output);
+      const Indenter body = scenes[i].scene.indenter;
+      one.unit = output.unit_for(body);
+      for (const DesignRange& range : space.ranges) {
+        const double value = real_input(scenes[i].scene, range.key);
+        one.inputs.emplace_back(range.key, value);
+        one.where += (one.where.empty() ? " at " : ", ") + range.key + " = " +
+                     readable(value, find_input(range.key)->quantity.unit_for(body));
+      }
+      one.where = std::string(output.key) + one.where;
+      if (space.sets.size() > 1) one.where += ", of data " + scenes[i].set;
+      largest = one;
+    }
+    return values;
+  });
+  return largest;
+}
+
 }  // namespace
 
-FitComparison compare(const std::vector<FitCandidate>& fits) {
-  for (const FitCandidate& fit : fits) {
-    if (fit.report.values.empty()) throw std::invalid_argument(fit.source + ": has no prediction to compare");
-    require_same_data(fits.front(), fit);
-  }
+InformationCriteria information_criteria(double chi_squared, std::size_t values, int parameters, bool scale_known,
+                                         double log_variances) {
+  const auto n = static_cast<double>(values);
+  const double k = parameters + (scale_known ? 0 : 1);
+  const double likelihood = log_variances + (scale_known ? chi_squared : n * std::log(chi_squared / n));
+  return {likelihood,
+          n - k - 1 > 0 ? likelihood + 2 * k + 2 * k * (k + 1) / (n - k - 1) : std::numeric_limits<double>::infinity(),
+          likelihood + k * std::log(n)};
+}
+
+FitComparison compare(const std::vector<FitCandidate>& fits, const Evaluate& evaluate, int jobs) {
+  for (const FitCandidate& fit : fits) require_comparable(fits.front(), fit);
+  const bool any_noise = std::any_of(fits.begin(), fits.end(), has_fitted_noise);
   FitComparison answer;
   std::vector<std::size_t> order;
   for (const FitCandidate& fit : fits) {
     order.push_back(order.size());
-    answer.fits.push_back(compared(fit));
+    answer.fits.push_back(compared(fit, any_noise));
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return answer.fits[a].aicc < answer.fits[b].aicc; });
@@ -170,10 +265,13 @@ FitComparison compare(const std::vector<FitCandidate>& fits) {
   const double least = answer.fits.front().aicc;
   for (ComparedFit& fit : answer.fits) sum += fit.weight = fit.aicc == least ? 1 : std::exp(0.5 * (least - fit.aicc));
   for (ComparedFit& fit : answer.fits) fit.weight /= sum;
-  answer.ratios = likelihood_ratios(fits);
+  answer.ratios = likelihood_ratios(fits, any_noise);
   const FitCandidate &best = fits[order[0]], &next = fits[order[1]];
   if (best.material && next.material) answer.difference = material_difference(best, next);
-  if (best.resistance && next.resistance) answer.difference = scene_difference(best, next);
+  if (best.resistance && next.resistance) {
+    answer.difference = scene_difference(best, next);
+    if (evaluate) answer.next = next_difference(best, next, evaluate, jobs);
+  }
   return answer;
 }
 
@@ -195,6 +293,11 @@ std::string comparison_summary(const FitComparison& comparison) {
     text << "the two best differ most, by " << short_number(most->deviations, 3) << " deviations, in " << most->where
          << ": " << most->first << " " << readable(most->values[0], most->unit) << ", " << most->second << " "
          << readable(most->values[1], most->unit) << '\n';
+  if (const auto& next = comparison.next)
+    text << "next measurement to tell them apart, by " << short_number(next->deviations, 3)
+         << " deviations of it and of both predictions: " << next->where << ": " << next->first << " "
+         << readable(next->values[0], next->unit) << ", " << next->second << " "
+         << readable(next->values[1], next->unit) << '\n';
   return text.str();
 }
 
@@ -202,7 +305,8 @@ Json json_of(const FitComparison& comparison) {
   Json object{{"best", comparison.fits.front().name},
               {"fits", Json::array()},
               {"likelihood_ratios", Json::array()},
-              {"largest_difference", nullptr}};
+              {"largest_difference", nullptr},
+              {"next_measurement", nullptr}};
   for (const ComparedFit& fit : comparison.fits)
     object["fits"].push_back({{"fit", fit.name},
                               {"model", fit.model},
@@ -218,11 +322,16 @@ Json json_of(const FitComparison& comparison) {
                                            {"rise", finite_or_null(ratio.rise)},
                                            {"degrees", ratio.degrees},
                                            {"p_value", finite_or_null(ratio.p_value)}});
-  if (const auto& most = comparison.difference)
-    object["largest_difference"] = {{"where", most->where},
-                                    {"fits", {most->first, most->second}},
-                                    {"values", {finite_or_null(most->values[0]), finite_or_null(most->values[1])}},
-                                    {"deviations", finite_or_null(most->deviations)}};
+  const auto difference_json = [](const LargestDifference& one) {
+    Json difference{{"where", one.where},
+                    {"fits", {one.first, one.second}},
+                    {"values", {finite_or_null(one.values[0]), finite_or_null(one.values[1])}},
+                    {"deviations", finite_or_null(one.deviations)}};
+    for (const auto& [key, value] : one.inputs) difference["inputs"][key] = finite_or_null(value);
+    return difference;
+  };
+  if (comparison.difference) object["largest_difference"] = difference_json(*comparison.difference);
+  if (comparison.next) object["next_measurement"] = difference_json(*comparison.next);
   return object;
 }
 

@@ -5,6 +5,7 @@
 /// With n values, k parameters and -2 ln L = chi squared (deviations known) or n ln(chi squared / n) (their common
 /// scale is one parameter more):
 ///     AICc = -2 ln L + 2 k + 2 k (k + 1) / (n - k - 1),   BIC = -2 ln L + k ln n,
+/// (where the noise is fitted, in any of the fits, with the logarithms of the variances, and its terms are parameters),
 /// and weights exp(-ΔAICc/2) that add up to 1. Of two models one of which is a case of the other, the rise of -2 ln L
 /// is distributed as chi squared of as many degrees as it has parameters less, if it is true; at a bound of the larger
 /// model the probability given is up to twice too large.
@@ -21,6 +22,14 @@
 
 namespace rollres {
 
+struct InformationCriteria {
+  double likelihood, aicc, bic;  ///< likelihood: -2 ln L; aicc infinite with too few values
+};
+/// @param parameters  fitted ones, without a common scale of the deviations, which is added where it is not known
+/// @param log_variances  sum of the logarithms of the variances, where these differ between fits
+InformationCriteria information_criteria(double chi_squared, std::size_t values, int parameters, bool scale_known,
+                                         double log_variances = 0);
+
 /// One fit; either of resistance or of a material.
 struct FitCandidate {
   std::string source, name, model;  ///< model in words: "zener", "prony, 2 terms"
@@ -28,6 +37,7 @@ struct FitCandidate {
   std::optional<FitFile> resistance = {};
   std::optional<MaterialFile> file = {};
   std::optional<MaterialFit> material = {};
+  ShiftLaw shift_law = ShiftLaw::none;  ///< of a fit of shift factors
 };
 
 struct ComparedFit {
@@ -50,17 +60,22 @@ struct LargestDifference {
   std::string first, second, where;  ///< fits; "loss_modulus at 120 Hz"
   std::string_view unit;
   double values[2] = {}, deviations = 0;
+  std::vector<std::pair<std::string, double>> inputs = {};  ///< of a scene that is not measured yet [SI]
 };
 
 struct FitComparison {
   std::vector<ComparedFit> fits;  ///< the least AICc first
   std::vector<LikelihoodRatio> ratios;
   std::optional<LargestDifference> difference;
+  std::optional<LargestDifference> next;  ///< of scenes: anywhere in the design space of the best fit
 };
 
-/// @param fits  two at least
-/// @throws std::invalid_argument if they are not of the same data with the same deviations
-FitComparison compare(const std::vector<FitCandidate>& fits);
+/// @param fits      two at least
+/// @param evaluate  for scenes that are not measured, where the two best are fits of scenes; may be empty
+/// @param jobs      threads; 0: one for each core
+/// @throws std::invalid_argument if they are not of the same data with the same deviations (where these are not
+///         fitted), or if one has a robust loss
+FitComparison compare(const std::vector<FitCandidate>& fits, const Evaluate& evaluate = {}, int jobs = 0);
 
 std::string comparison_summary(const FitComparison& comparison);
 Json json_of(const FitComparison& comparison);

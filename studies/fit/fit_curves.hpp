@@ -2,10 +2,26 @@
 
 /// The fitted curves between the measured values of a resistance fit.
 
-#include "studies/fit/fit_chart.hpp"
+#include <string>
+#include <vector>
+
+#include "studies/drawing/chart.hpp"
 #include "studies/fit/fit_file.hpp"
 
 namespace rollres {
+
+/// One family of data and its fitted curve [SI].
+struct FitCurve {
+  std::string label;
+  std::vector<double> x = {}, value = {}, band = {};  ///< band: half-width
+  std::vector<double> data_x = {};                    ///< of its data
+  std::vector<std::size_t> data = {};                 ///< their places in the report
+};
+
+struct FitCurves {
+  ChartAxis x, y;  ///< units: SI
+  std::vector<FitCurve> curves;
+};
 
 /// How closely curves are drawn: for the store quickly, for pictures with slopes of their own.
 struct CurveDetail {

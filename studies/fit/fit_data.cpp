@@ -46,7 +46,13 @@ GivenSet given_set(const Json& value, const std::filesystem::path& fit_file, con
   given.set = set_entries(value, place);
   if (value.contains("output")) given.output = output_name(value, place);
   given.ignored = names_or_none(value, std::string(ignored_columns_key), place);
-  if (const auto sigma = value.find("sigma"); sigma != value.end()) given.sigma = *sigma;
+  if (const auto sigma = value.find("sigma"); sigma != value.end()) {
+    given.sigma = *sigma;
+    if (sigma->is_object()) {
+      if (given.output != moduli_name) refuse(place, "sigma", *sigma, "one for each modulus needs output: moduli");
+      refuse_unknown_keys(*sigma, modulus_sigma_keys, place + ": sigma");
+    }
+  }
   return given;
 }
 
@@ -155,7 +161,12 @@ Deviation deviation_of(const FitFile& fit, const GivenSet& set, const MeasuredTa
     return {sigma.of(value), relative};
   }
   if (set.sigma) {
-    const Sigma sigma = given_sigma(*set.sigma, unit, set.place);
+    const bool of_each = set.sigma->is_object();  // one for storage and one for loss moduli
+    const std::string place_of_each = set.place + ": sigma";
+    const Sigma sigma =
+        of_each ? given_sigma(needed(*set.sigma, output.name, place_of_each, "must be a standard deviation"), unit,
+                              place_of_each)
+                : given_sigma(*set.sigma, unit, set.place);
     return {sigma.of(value), sigma.relative};
   }
   if (fit.relative_weights) return {std::abs(value), true};
@@ -185,6 +196,23 @@ void leave_out_spacing(FitFile& fit, RollingScene& scene) {
                         (scene.indenter == Indenter::sphere ? "the grid is tied to the contact"
                                                             : "the edges of contact are continuous"));
   scene.spacing.reset();
+}
+
+/// Puts the loss tangent of a table, beside one modulus, into the place of the other; beside both it is left out.
+void replace_loss_tangent(MeasuredTable& table) {
+  std::vector<std::string> tangents;
+  for (const MeasuredColumn& column : table.columns)
+    if (column.name == "loss_tangent" || column.name == "tan_delta") tangents.push_back(column.name);
+  if (tangents.empty()) return;
+  const MeasuredModuli moduli = measured_moduli(table, positive);
+  table.leave_out(tangents);
+  for (const auto& [key, values] :
+       {std::pair(storage_modulus_key, &moduli.storage), std::pair(loss_modulus_key, &moduli.loss)}) {
+    if (table.find(key)) continue;
+    MeasuredColumn column{std::string(key), "Pa", {}};
+    for (const double value : *values) column.cells.push_back(message_text<17>(value));
+    table.columns.push_back(std::move(column));
+  }
 }
 
 /// Reads the rows of one data set into the fit. @param keep_spacing  the fit's own set has one
@@ -245,6 +273,7 @@ std::string read_data(FitFile& fit, const std::vector<GivenSet>& sets, const std
   for (const GivenSet& set : sets) {
     MeasuredTable table = read_measured_table(set.file);
     table.leave_out(set.ignored);
+    if (set.output == moduli_name) replace_loss_tangent(table);
     all_text += table.text + '\n';
     std::vector<std::string> others;
     for (const GivenSet& other : sets)

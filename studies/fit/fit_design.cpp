@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
 
 #include "core/scene/scene_input.hpp"
 #include "db/rows/result_store.hpp"
-#include "fitting/descent/latin_hypercube.hpp"
+#include "studies/fit/design_space.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -23,116 +23,109 @@ constexpr int speeds_tried = 25, loads_tried = 13;
 double spaced(double from, double to, int i, int count) { return from * std::pow(to / from, i / (count - 1.0)); }
 
 /// One scene for each combination of all inputs but the speed.
-std::vector<MeasuredScene> groups_of(const FitFile& file) {
-  std::map<std::string, bool> seen;
-  std::vector<MeasuredScene> groups;
-  for (const MeasuredScene& row : file.scenes) {
-    if (is_modulus(row.output)) continue;
-    MeasuredScene group = row;
-    group.scene.speed = 1;
-    if (seen.try_emplace(evaluation_key(group.scene) + row.set, true).second && groups.size() < most_groups)
-      groups.push_back(group);
-  }
+std::vector<MeasuredScene> without_speed(const FitFile& file) {
+  const auto at_one = [](MeasuredScene row) {
+    row.scene.speed = 1;
+    return row;
+  };
+  std::vector<MeasuredScene> groups =
+      examples_of(file, [&](const MeasuredScene& row) { return evaluation_key(at_one(row).scene) + row.set; });
+  if (groups.size() > most_groups) groups.resize(most_groups);
   return groups;
 }
 
-/// An input between two ends, in equal factors where both are positive.
-struct Span {
-  std::string key;
-  double lowest, highest;
+/// Joins choices to those that are known, and tells what each is worth: the logarithm of the worst aim's deviation.
+class Rating {
+ public:
+  Rating(MeasurementPlan& plan, const FitFile& file, const FitReport& report, const Evaluate& evaluate,
+         const ResistanceFitOptions& options)
+      : plan_(plan), file_(file), report_(report), evaluate_(evaluate), options_(options) {}
 
-  bool logarithmic() const { return lowest > 0; }
-  double at(double part) const {
-    part = std::clamp(part, 0.0, 1.0);
-    return logarithmic() ? lowest * std::pow(highest / lowest, part) : lowest + part * (highest - lowest);
+  /// @param others  places in plan.choices that are measured, too; empty: the worst aim of now counts alone
+  std::vector<double> operator()(const std::vector<MeasuredScene>& scenes,
+                                 const std::vector<std::size_t>& others = {}) const {
+    std::vector<double> values;
+    for (DesignChoice& choice : rated(plan_, report_, file_.inputs, scenes, evaluate_, options_)) {
+      if (!std::isfinite(choice.predicted) || choice.slope.squaredNorm() == 0) {
+        values.push_back(std::numeric_limits<double>::infinity());
+        continue;
+      }
+      double left = choice.deviations[static_cast<Eigen::Index>(plan_.worst)];
+      plan_.choices.push_back(std::move(choice));
+      if (!others.empty()) {
+        std::vector<std::size_t> all = others;
+        all.push_back(plan_.choices.size() - 1);
+        left = plan_.deviations_with(covariance_with(plan_, all)).maxCoeff();
+      }
+      values.push_back(std::log(left));
+    }
+    return values;
   }
-  /// The part that a value lies at.
-  double part_of(double value) const {
-    return logarithmic() ? std::log(value / lowest) / std::log(highest / lowest)
-                         : (value - lowest) / (highest - lowest);
-  }
+
+ private:
+  MeasurementPlan& plan_;
+  const FitFile& file_;
+  const FitReport& report_;
+  const Evaluate& evaluate_;
+  const ResistanceFitOptions& options_;
 };
 
-/// The inputs that vary, and the speed and the load, each over a range about that of the data.
-std::vector<Span> spans_of(const FitFile& file) {
-  std::vector<std::string> keys{"speed"};
-  if (file.scenes.front().scene.load) keys.emplace_back("load");
-  for (const std::string& key : file.varying)
-    if (find_input(key)->real() && std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-  std::vector<Span> spans;
-  for (const std::string& key : keys) {
-    Span span{key, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const MeasuredScene& row : file.scenes) {
-      if (is_modulus(row.output)) continue;
-      const double value = real_input(row.scene, key);
-      if (!std::isfinite(value)) continue;
-      span.lowest = std::min(span.lowest, value);
-      span.highest = std::max(span.highest, value);
-    }
-    const double beyond = key == "speed" ? 10 : key == "load" ? 3 : 1;
-    if (span.lowest > 0) span.lowest /= beyond, span.highest *= beyond;
-    if (span.highest > span.lowest) spans.push_back(span);
-  }
-  return spans;
+/// Choices at the ends of the ranges may come several times.
+void drop_repeated(MeasurementPlan& plan, const DesignSpace& space) {
+  const auto same = [&](const DesignChoice& a, const DesignChoice& b) {
+    return a.set == b.set && std::all_of(space.ranges.begin(), space.ranges.end(), [&](const DesignRange& range) {
+             return real_input(a.scene, range.key) == real_input(b.scene, range.key);
+           });
+  };
+  plan.sort();
+  plan.choices.erase(std::unique(plan.choices.begin(), plan.choices.end(), same), plan.choices.end());
 }
 
-/// Scenes over a part of all spans: of half-width `reach` around a place in the unit cube.
-std::vector<MeasuredScene> scenes_around(const std::vector<MeasuredScene>& groups, const std::vector<Span>& spans,
-                                         const Eigen::VectorXd& centre, double reach, int count, std::uint64_t seed,
-                                         std::vector<Eigen::VectorXd>& places) {
-  const Eigen::MatrixXd sample = latin_hypercube(count, std::ssize(spans), seed);
-  std::vector<MeasuredScene> scenes;
-  for (int i = 0; i < count; ++i) {
-    MeasuredScene one = groups[static_cast<std::size_t>(i) % groups.size()];
-    Eigen::VectorXd place = centre + reach * (2 * sample.row(i).transpose().array() - 1).matrix();
-    place = place.cwiseMax(0).cwiseMin(1);
-    for (std::size_t k = 0; k < spans.size(); ++k)
-      set_input(one.scene, spans[k].key, spans[k].at(place[static_cast<Eigen::Index>(k)]));
-    scenes.push_back(std::move(one));
-    places.push_back(std::move(place));
+/// Places of the best choices that lie apart: one of each neighbourhood.
+std::vector<std::size_t> best_apart(const MeasurementPlan& plan, const DesignSpace& space) {
+  constexpr double apart = 0.1;  // of the ranges
+  std::vector<std::size_t> best;
+  for (std::size_t i = 0; i < plan.choices.size() && best.size() < best_shown; ++i) {
+    const Eigen::VectorXd here = place_of(space, plan.choices[i].scene);
+    if (std::none_of(best.begin(), best.end(), [&](std::size_t other) {
+          return plan.choices[other].set == plan.choices[i].set &&
+                 (place_of(space, plan.choices[other].scene) - here).norm() < apart;
+        }))
+      best.push_back(i);
   }
-  return scenes;
+  return best;
 }
 
-/// The best measurements over all inputs at once.
+/// The best measurements over all inputs at once, and several together: of those that were looked at, then each moved
+/// with the others where they are.
 void look_anywhere(FitDesign& answer, const FitFile& file, const FitReport& report, const Evaluate& evaluate,
                    const ResistanceFitOptions& options) {
-  const std::vector<Span> spans = spans_of(file);
-  std::vector<MeasuredScene> groups;
-  for (const MeasuredScene& row : file.scenes)
-    if (!is_modulus(row.output) &&
-        std::none_of(groups.begin(), groups.end(), [&](const MeasuredScene& other) { return other.set == row.set; }))
-      groups.push_back(row);
-  if (spans.empty() || groups.empty()) return;
-  for (const Span& span : spans) answer.inputs.push_back(span.key);
-  Eigen::VectorXd centre = Eigen::VectorXd::Constant(std::ssize(spans), 0.5);
-  const int first = 30 + 10 * static_cast<int>(spans.size());
-  double reach = 0.5;
-  for (int round = 0; round < 4; ++round, reach /= 3) {
-    std::vector<Eigen::VectorXd> places;
-    const std::vector<MeasuredScene> scenes = scenes_around(groups, spans, centre, reach, round == 0 ? first : 12,
-                                                            static_cast<std::uint64_t>(round) + 1, places);
-    const MeasurementPlan plan = design(report, file.inputs, scenes, evaluate, options);
-    if (round == 0)
-      answer.anywhere = plan;
-    else
-      answer.anywhere.choices.insert(answer.anywhere.choices.end(), plan.choices.begin(), plan.choices.end());
-    auto& choices = answer.anywhere.choices;
-    if (choices.empty()) return;
-    const auto worst = static_cast<Eigen::Index>(answer.anywhere.worst);
-    std::stable_sort(choices.begin(), choices.end(), [&](const DesignChoice& a, const DesignChoice& b) {
-      return a.deviations[worst] < b.deviations[worst];
-    });
-    const auto same = [&](const DesignChoice& a, const DesignChoice& b) {  // at the ends of the spans
-      return a.set == b.set && std::all_of(spans.begin(), spans.end(), [&](const Span& span) {
-               return real_input(a.scene, span.key) == real_input(b.scene, span.key);
-             });
-    };
-    choices.erase(std::unique(choices.begin(), choices.end(), same), choices.end());
-    for (std::size_t k = 0; k < spans.size(); ++k)
-      centre[static_cast<Eigen::Index>(k)] = spans[k].part_of(real_input(choices.front().scene, spans[k].key));
+  const DesignSpace space = design_space(file);
+  if (space.empty()) return;
+  for (const DesignRange& range : space.ranges) answer.inputs.push_back(range.key);
+  MeasurementPlan& plan = answer.anywhere = plan_for(report, answer.speeds.aims);
+  const Rating rating(plan, file, report, evaluate, options);
+  search_space(space, [&](const auto& scenes) { return rating(scenes); });
+  drop_repeated(plan, space);
+  if (plan.choices.empty()) return;
+  for (int count = 1; count <= file.design.points; ++count) {
+    const auto size = static_cast<std::size_t>(count);
+    const std::vector<std::size_t> rough = best_together(plan, size).choices;
+    for (std::size_t moved = 0; size > 1 && moved < size; ++moved) {
+      std::vector<std::size_t> others = rough;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(moved));
+      const DesignChoice& start = plan.choices[rough[moved]];
+      const auto set =
+          static_cast<std::size_t>(std::find_if(space.sets.begin(), space.sets.end(),
+                                                [&](const MeasuredScene& one) { return one.set == start.set; }) -
+                                   space.sets.begin());
+      search_from(space, set, place_of(space, start.scene), [&](const auto& scenes) { return rating(scenes, others); });
+    }
+    drop_repeated(plan, space);
   }
-  answer.together = best_together(answer.anywhere, named_together);
+  answer.best = best_apart(plan, space);
+  for (int count = 1; count <= file.design.points; ++count)  // once all choices have their places
+    answer.together.push_back(best_together(plan, static_cast<std::size_t>(count)));
 }
 
 std::vector<Cell> inputs_of(const DesignChoice& choice, const FitDesign& design) {
@@ -148,8 +141,8 @@ Table table_of_anywhere(const FitDesign& design) {
   table.columns.insert(table.columns.end(), {"data", "error now", "afterwards", "ratio"});
   const MeasurementPlan& plan = design.anywhere;
   const auto worst = static_cast<Eigen::Index>(plan.worst);
-  for (std::size_t i = 0; i < std::min(best_shown, plan.choices.size()); ++i) {
-    const DesignChoice& choice = plan.choices[i];
+  for (const std::size_t place : design.best) {
+    const DesignChoice& choice = plan.choices[place];
     std::vector<Cell> row = inputs_of(choice, design);
     row.insert(row.end(), {choice.set, percent(plan.deviations[worst]), percent(choice.deviations[worst]),
                            short_number(plan.ratio(choice), 3)});
@@ -178,17 +171,21 @@ Table table_of(const MeasurementPlan& design, const FitFile& file) {
 
 FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate& evaluate, int jobs) {
   const ResistanceFitOptions options{.output = file.output, .jobs = jobs, .step = file.step};
+  const std::vector<DesignAim> aims =
+      file.design.targets.empty() ? parameter_aims(report) : refusing_at(file.source + ": design: targets", [&] {
+        return prediction_aims(report, file.inputs, file.design.targets, evaluate, options);
+      });
   const auto [slowest, fastest] =
       std::minmax_element(file.scenes.begin(), file.scenes.end(),
                           [](const auto& a, const auto& b) { return a.scene.speed < b.scene.speed; });
   std::vector<MeasuredScene> candidates;
-  for (MeasuredScene group : groups_of(file))
+  for (MeasuredScene group : without_speed(file))
     for (int i = 0; i < speeds_tried; ++i) {
       group.scene.speed = spaced(0.1 * slowest->scene.speed, 10 * fastest->scene.speed, i, speeds_tried);
       candidates.push_back(group);
     }
   if (candidates.empty()) return {};
-  FitDesign answer{design(report, file.inputs, candidates, evaluate, options), {}, {}};
+  FitDesign answer{design(report, file.inputs, candidates, evaluate, options, aims), {}, {}};
   look_anywhere(answer, file, report, evaluate, options);
   if (answer.speeds.choices.empty() || !answer.speeds.choices.front().scene.load) return answer;
   const auto [lightest, heaviest] =
@@ -200,15 +197,16 @@ FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate
     candidates.push_back({best.scene, {}, best.set, file.output});
     candidates.back().scene.load = spaced(*lightest->scene.load / 3, 3 * *heaviest->scene.load, i, loads_tried);
   }
-  answer.loads = design(report, file.inputs, candidates, evaluate, options);
+  answer.loads = design(report, file.inputs, candidates, evaluate, options, aims);
   return answer;
 }
 
-std::string design_summary(const FitDesign& design, const FitFile& file, const FitReport& report) {
+std::string design_summary(const FitDesign& design, const FitFile& file) {
   std::ostringstream text;
-  text << "\nnext measurement, for " << report.parameters[design.speeds.worst].parameter.name
+  text << "\nnext measurement, for " << design.speeds.aims[design.speeds.worst].name
        << " (the worst known), with the relative deviation that the data have\n";
-  if (design.speeds.choices.empty()) return text.str() + "  no scene nearby has an answer\n";
+  if (design.speeds.choices.empty() && design.anywhere.choices.empty())
+    return text.str() + "  no scene nearby has an answer\n";
   text << "speeds\n";
   write_aligned(text, table_of(design.speeds, file));
   if (!design.loads.choices.empty()) {
@@ -218,16 +216,21 @@ std::string design_summary(const FitDesign& design, const FitFile& file, const F
   if (design.anywhere.choices.empty()) return text.str();
   text << "all inputs at once\n";
   write_aligned(text, table_of_anywhere(design));
-  text << named_together << " measurements together\n";
-  Table table{design.inputs, {}};
-  for (const std::size_t place : design.together.choices)
-    table.rows.push_back(inputs_of(design.anywhere.choices[place], design));
-  write_aligned(text, table);
-  text << "then the errors are";
-  for (std::size_t j = 0; j < report.parameters.size(); ++j)
-    text << (j == 0 ? " " : ", ") << percent(design.together.deviations[static_cast<Eigen::Index>(j)]) << " of "
-         << report.parameters[j].parameter.name;
-  text << '\n';
+  for (const JointChoice& joint : design.together) {
+    text << joint.choices.size() << (joint.choices.size() == 1 ? " measurement\n" : " measurements together\n");
+    Table table{design.inputs, {}};
+    table.columns.emplace_back("data");
+    for (const std::size_t place : joint.choices) {
+      table.rows.push_back(inputs_of(design.anywhere.choices[place], design));
+      table.rows.back().emplace_back(design.anywhere.choices[place].set);
+    }
+    write_aligned(text, table);
+    text << "then the errors are";
+    for (std::size_t k = 0; k < design.anywhere.aims.size(); ++k)
+      text << (k == 0 ? " " : ", ") << percent(joint.deviations[static_cast<Eigen::Index>(k)]) << " of "
+           << design.anywhere.aims[k].name;
+    text << '\n';
+  }
   return text.str();
 }
 

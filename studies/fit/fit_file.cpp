@@ -8,6 +8,7 @@
 #include "db/file/digest.hpp"
 #include "fitting/fit/closed_form_start.hpp"
 #include "fitting/fit/noise_fit.hpp"
+#include "studies/fit/design_wish.hpp"
 #include "studies/fit/fit_data.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/scene_entries.hpp"
@@ -212,6 +213,7 @@ FitFile read_fit(const std::filesystem::path& file) {
     fit.fixed.push_back({parameter.key, *input.start});
   }
   if (fit.inputs.empty()) refuse(place, "parameters", parameters, "all are fixed: nothing is left to fit");
+  fit.design = read_design(object, fit, place);
   return fit;
 }
 

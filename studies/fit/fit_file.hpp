@@ -21,8 +21,10 @@
 /// data: the set that it belongs to. noise_level and relative_noise (an empty object, or one with data) are fitted too
 /// where no sigma is given. Without a start, material parameters start from closed forms
 /// (closed_form_start.hpp), the others from the scene. Other keys: loss ("none", "huber", "cauchy"), loss_scale, starts
-/// (1), seed (1), step (scaled; in place of steps that suit the noise), comment.
+/// (1), seed (1), step (scaled; in place of steps that suit the noise), design (design_wish.hpp), comment.
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -43,6 +45,30 @@ struct FittedNoise {
   std::string key, set;  ///< noise_level or relative_noise; set: empty: all
 };
 
+/// An input between two ends, in equal factors where both are positive.
+struct DesignRange {
+  std::string key;
+  double lowest, highest;  ///< [SI]
+
+  bool logarithmic() const { return lowest > 0; }
+  double at(double part) const {
+    part = std::clamp(part, 0.0, 1.0);
+    return logarithmic() ? lowest * std::pow(highest / lowest, part) : lowest + part * (highest - lowest);
+  }
+  /// The part that a value lies at.
+  double part_of(double value) const {
+    return logarithmic() ? std::log(value / lowest) / std::log(highest / lowest)
+                         : (value - lowest) / (highest - lowest);
+  }
+};
+
+/// What --design is to look for, as far as the file says so.
+struct DesignWish {
+  std::vector<DesignRange> ranges;     ///< in which further measurements can be made
+  std::vector<MeasuredScene> targets;  ///< predictions to be known better; none: the parameters
+  int points = 3;                      ///< measurements that are named together
+};
+
 struct FitFile {
   std::string name;
   std::string source;      ///< for messages
@@ -60,6 +86,7 @@ struct FitFile {
   double loss_scale = 1;
   std::optional<double> step = {};
   FitOptions options;
+  DesignWish design = {};
   std::vector<std::string> warnings = {};  ///< rows given twice, a negative output
   std::vector<std::string> notes = {};     ///< a spacing of the scene that was left out
 

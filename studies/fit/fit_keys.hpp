@@ -41,6 +41,20 @@ inline constexpr std::array fit_keys{
             whole_from(1, 2'000'000'000)},
     FileKey{"time_limit", "after so long the fit ends with the best so far: in s, or with a unit"},
     FileKey{"step", "of the differences, scaled, in place of steps that suit the noise"},
+    FileKey{"design", "what --design looks for: an object"},
+};
+
+inline constexpr std::array design_wish_keys{
+    FileKey{"ranges",
+            "inputs, each from and to: where further measurements can be made; default: about those of the data"},
+    FileKey{"targets",
+            "scenes whose prediction is to be known better, each an object of inputs (and data, a data set); "
+            "default: the parameters are"},
+    FileKey{"points", "how many measurements are named together; default 3", whole_from(1, 20)},
+};
+inline constexpr std::array design_range_keys{
+    FileKey{"from", "its lower end", a_number, is_needed},
+    FileKey{"to", "its upper end", a_number, is_needed},
 };
 
 inline constexpr std::array data_set_keys{
@@ -48,7 +62,9 @@ inline constexpr std::array data_set_keys{
     FileKey{"name", "of the data set; default: the file's", a_name},
     FileKey{"set", "inputs that replace those of the scene for these data"},
     FileKey{"output", "what is measured here: an output, or moduli; default: that of the fit"},
-    FileKey{"sigma", "standard deviation of all these data: \"2 %\", or with a unit", a_number},
+    FileKey{"sigma",
+            "standard deviation of all these data: \"2 %\", or with a unit; of moduli one for storage_modulus and one "
+            "for loss_modulus"},
     FileKey{"ignore_columns", "columns of the table that are left out"},
     FileKey{"comment", "a text that the program ignores", a_text},
 };

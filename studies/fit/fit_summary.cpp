@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "core/scene/scene_input.hpp"
@@ -146,36 +147,45 @@ Json parameter_json(const FittedParameter& fitted, const FitContext& context) {
   return object;
 }
 
-Json choices_json(const MeasurementPlan& design, const FitReport& report, const std::vector<std::string>& inputs = {}) {
+Json after_json(const MeasurementPlan& plan, const Eigen::VectorXd& deviations) {
+  Json after = Json::object();
+  for (std::size_t k = 0; k < plan.aims.size(); ++k)
+    after[plan.aims[k].name] = deviations[static_cast<Eigen::Index>(k)];
+  return after;
+}
+
+std::vector<std::size_t> places_of_best(const MeasurementPlan& plan) {
+  std::vector<std::size_t> places(std::min(best_shown, plan.choices.size()));
+  std::iota(places.begin(), places.end(), 0);
+  return places;
+}
+
+/// @param inputs  that are told beside speed and load
+Json choices_json(const MeasurementPlan& design, const std::vector<std::size_t>& places,
+                  const std::vector<std::string>& inputs = {}) {
   Json choices = Json::array();
-  for (std::size_t i = 0; i < std::min(best_shown, design.choices.size()); ++i) {
-    const DesignChoice& choice = design.choices[i];
-    Json after = Json::object();
-    for (std::size_t j = 0; j < report.parameters.size(); ++j)
-      after[report.parameters[j].parameter.name] = choice.deviations[static_cast<Eigen::Index>(j)];
+  for (const std::size_t place : places) {
+    const DesignChoice& choice = design.choices[place];
     choices.push_back({{"speed", choice.scene.speed},
                        {"load", choice.scene.load ? Json(*choice.scene.load) : Json(nullptr)},
                        {"data", choice.set},
                        {"predicted", choice.predicted},
                        {"deviation", choice.deviation},
-                       {"relative_errors", after},
+                       {"relative_errors", after_json(design, choice.deviations)},
                        {"ratio", design.ratio(choice)}});
     for (const std::string& key : inputs) choices.back()[key] = real_input(choice.scene, key);
   }
   return choices;
 }
 
-Json together_json(const FitDesign& design, const FitReport& report) {
-  if (design.together.choices.empty()) return nullptr;
-  Json measured = Json::array(), after = Json::object();
-  for (const std::size_t place : design.together.choices) {
+Json together_json(const FitDesign& design, const JointChoice& joint) {
+  Json measured = Json::array();
+  for (const std::size_t place : joint.choices) {
     const DesignChoice& choice = design.anywhere.choices[place];
     Json& one = measured.emplace_back(Json{{"data", choice.set}});
     for (const std::string& key : design.inputs) one[key] = real_input(choice.scene, key);
   }
-  for (std::size_t j = 0; j < report.parameters.size(); ++j)
-    after[report.parameters[j].parameter.name] = design.together.deviations[static_cast<Eigen::Index>(j)];
-  return {{"measurements", measured}, {"relative_errors", after}};
+  return {{"measurements", measured}, {"relative_errors", after_json(design.anywhere, joint.deviations)}};
 }
 
 }  // namespace
@@ -319,6 +329,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context) {
   for (const FittedValue& value : report.values)
     record.data.push_back({value.measured.place, value.measured.value, value.measured.deviation, value.predicted,
                            value.residual, value.band});
+  if (!record.data.empty()) record.inputs = context.inputs;
   add_pictured(record, report, context.curves);
   return record;
 }
@@ -392,13 +403,18 @@ Json json_of(const FitReport& report, const FitContext& context) {
   return object;
 }
 
-Json json_of(const FitDesign& design, const FitReport& report) {
-  return {{"worst", report.parameters[design.speeds.worst].parameter.name},
-          {"relative_error", number(design.speeds.deviations[static_cast<Eigen::Index>(design.speeds.worst)])},
-          {"speeds", choices_json(design.speeds, report)},
-          {"loads", choices_json(design.loads, report)},
-          {"anywhere", choices_json(design.anywhere, report, design.inputs)},
-          {"together", together_json(design, report)}};
+Json json_of(const FitDesign& design) {
+  Json sequence = Json::array();
+  for (const JointChoice& joint : design.together) sequence.push_back(together_json(design, joint));
+  const MeasurementPlan& plan = design.speeds;
+  return {{"worst", plan.aims[plan.worst].name},
+          {"relative_error", number(plan.deviations[static_cast<Eigen::Index>(plan.worst)])},
+          {"relative_errors", after_json(plan, plan.deviations)},
+          {"speeds", choices_json(design.speeds, places_of_best(design.speeds))},
+          {"loads", choices_json(design.loads, places_of_best(design.loads))},
+          {"anywhere", choices_json(design.anywhere, design.best, design.inputs)},
+          {"sequence", sequence},
+          {"together", sequence.empty() ? Json(nullptr) : sequence.back()}};
 }
 
 Json json_of(const Coverage& coverage) {

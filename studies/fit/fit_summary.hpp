@@ -8,7 +8,7 @@
 #include "db/rows/fit_store.hpp"
 #include "fitting/fit/coverage.hpp"
 #include "fitting/fit/fit_report.hpp"
-#include "studies/fit/fit_chart.hpp"
+#include "studies/fit/fit_curves.hpp"
 #include "studies/fit/fit_design.hpp"
 #include "studies/text/strict_json.hpp"
 
@@ -31,6 +31,7 @@ struct FitContext {
   std::size_t solved = 0, recalled = 0;
   double seconds = 0;
   FitCurves curves = {};  ///< empty: not drawn
+  std::vector<FitInputRecord> inputs = {};
 };
 
 /// Status, parameters with errors and intervals, tests, and what to mind: for people.
@@ -44,7 +45,7 @@ FitRecord fit_record(const FitReport& report, const FitContext& context);
 /// The report with parameters, profiles and data.
 Json json_of(const FitReport& report, const FitContext& context);
 
-Json json_of(const FitDesign& design, const FitReport& report);
+Json json_of(const FitDesign& design);
 
 Json json_of(const Coverage& coverage);
 

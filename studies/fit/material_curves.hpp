@@ -2,7 +2,7 @@
 
 /// The fitted curves between the measured values of fits of materials.
 
-#include "studies/fit/fit_chart.hpp"
+#include "studies/fit/fit_curves.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/fit/shift_file.hpp"
 

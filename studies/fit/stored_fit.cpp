@@ -1,5 +1,6 @@
 #include "studies/fit/stored_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -41,11 +42,22 @@ Table parameters_of(const FitRecord& fit) {
   return table;
 }
 
+/// With a column for each input, in SI.
 Table data_of(const FitRecord& fit) {
   Table table{{"place", "curve", "x", "measured", "deviation", "predicted", "residual", "band"}, {}};
   for (const FitDataRecord& one : fit.data)
     table.rows.push_back({one.place, one.curve < 0 ? Cell() : Cell(one.curve), cell(one.x), cell(one.measured),
                           cell(one.deviation), cell(one.predicted), cell(one.residual), cell(one.band)});
+  for (const FitInputRecord& input : fit.inputs) {
+    if (input.datum < 1 || input.datum > std::ssize(table.rows)) continue;
+    const auto found = std::find(table.columns.begin(), table.columns.end(), input.name);
+    const auto column = static_cast<std::size_t>(found - table.columns.begin());
+    if (found == table.columns.end()) {
+      table.columns.push_back(input.name);
+      for (auto& row : table.rows) row.emplace_back();
+    }
+    table.rows[static_cast<std::size_t>(input.datum - 1)][column] = cell(input.value);
+  }
   return table;
 }
 
@@ -68,6 +80,12 @@ Json axis_json(const std::string& name, const std::string& unit, bool logarithmi
 }
 
 }  // namespace
+
+bool is_logarithmic(const FitParameterRecord& one) {
+  if (!(one.linear_lowest > 0) || !(one.value > 0)) return false;
+  const double up = std::log(one.linear_highest / one.value), down = std::log(one.value / one.linear_lowest);
+  return std::abs(up - down) < 1e-3 * up;
+}
 
 std::string fit_record_summary(const FitRecord& fit) {
   std::ostringstream text;

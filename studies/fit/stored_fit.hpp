@@ -11,6 +11,9 @@
 
 namespace rollres {
 
+/// Whether the parameter's linear interval is even about its logarithm rather than about itself.
+bool is_logarithmic(const FitParameterRecord& one);
+
 /// Status, parameters and tests: for people.
 std::string fit_record_summary(const FitRecord& fit);
 

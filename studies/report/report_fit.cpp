@@ -1,6 +1,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "studies/fit/fit_chart.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/text/readable_number.hpp"
@@ -82,7 +83,9 @@ PictureSection fit_section(const FitRecord& fit) {
   std::string section = html::heading("Fit") + html::lead(fit_in_words(fit));
   for (const std::string* const words : {&fit.reason, &fit.warnings})
     if (!words->empty()) section += html::listing(*words);
-  const PictureSection pictures = fit_pictures(fit);
+  std::vector<std::pair<std::string, ChartRequest>> charts;
+  for (FitChart& chart : fit_charts(fit)) charts.emplace_back(std::move(chart.meaning), std::move(chart.request));
+  const PictureSection pictures = chart_pictures(charts);
   section += parameter_table(fit) + pictures.html + test_table(fit);
   std::vector<TableRow> pairs, data;
   for (const FitCorrelationRecord& pair : fit.correlations)

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The sections of a report (report.hpp), each as HTML: report_summary.cpp, report_optimum.cpp,
-/// report_tables.cpp, report_model.cpp, report_pictures.cpp, report_fit.cpp, report_fit_pictures.cpp.
+/// report_tables.cpp, report_model.cpp, report_pictures.cpp, report_fit.cpp.
 
 #include "db/rows/fit_store.hpp"
 #include "studies/drawing/chart.hpp"
@@ -71,10 +71,7 @@ PictureSection chart_section(const ReportSource& source, const ReportOptions& op
 PictureSection accuracy_pictures(const ReportSource& source);
 /// Several studies in one chart, or why that cannot be drawn.
 PictureSection together_section(ResultStore& store, const ReportOptions& options);
-/// Data and fitted curves, residuals, profiles of the parameters, ellipses of pairs.
-PictureSection fit_pictures(const FitRecord& fit);
-
-/// A stored fit: status, parameters, tests, correlations, residuals.
+/// A stored fit: status, parameters, its charts, tests, correlations, residuals.
 PictureSection fit_section(const FitRecord& fit);
 
 }  // namespace rollres
