@@ -1,5 +1,6 @@
 #include <cmath>
 #include <ostream>
+#include <tuple>
 
 #include "db/rows/fit_store.hpp"
 #include "studies/evidence/comparison.hpp"
@@ -95,7 +96,15 @@ std::optional<StoredComparison> compared_fits(const CompareArguments& arguments)
   if (first.study(arguments.studies.front()) || second.study(arguments.studies.back())) return std::nullopt;
   const auto a = find_fit(first.database(), arguments.studies.front(), FitParts::with_data);
   const auto b = find_fit(second.database(), arguments.studies.back(), FitParts::with_data);
-  if (!a || !b) return std::nullopt;
+  if (!a && !b) return std::nullopt;
+  for (const auto& [found, name, store] : {std::tuple(a.has_value(), arguments.studies.front(), &first),
+                                           {b.has_value(), arguments.studies.back(), &second}}) {
+    if (found) continue;
+    std::vector<std::string> known;
+    for (const FitSummary& fit : stored_fits(store->database())) known.push_back(fit.name);
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    throw std::invalid_argument(unknown(store->database().name() + ": " + name + ": no such fit", names, name));
+  }
   if (arguments.studies.size() == 1 && arguments.other_database.empty())
     throw std::invalid_argument("fit = " + a->name + ": needs a second fit, or a second database with --with");
   return compare_fits(*a, *b);

@@ -143,9 +143,8 @@ ChartRequest data_and_fit(const FitRecord& fit) {
     if (one.curve < 0) continue;
     const double at = one.x / x.factor, value = one.measured / y.factor,
                  deviation = scatter_of(fit) * one.deviation / y.factor;
-    add_alone(request.curves[static_cast<std::size_t>(one.curve)],
+    add_alone(outlies(fit, one) ? far : request.curves[static_cast<std::size_t>(one.curve)],
               {at, value, true, value - deviation, value + deviation});
-    if (outlies(fit, one)) add_alone(far, {at, value});
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     ChartCurve line{.label = labels[i].empty() ? "the fit" : labels[i], .points = {}, .like = i, .marks = false};
@@ -177,8 +176,10 @@ ChartRequest residuals(const FitRecord& fit, const ResidualAxis& along) {
     if (!std::isfinite(at) || !std::isfinite(residual)) continue;
     least = std::min(least, at), most = std::max(most, at);
     const std::int64_t curve = fit.data[i].curve;
-    add_alone(curve < 0 ? others : request.curves[static_cast<std::size_t>(curve)], {at, residual});
-    if (outlies(fit, fit.data[i])) add_alone(far, {at, residual});
+    add_alone(outlies(fit, fit.data[i]) ? far
+              : curve < 0               ? others
+                                        : request.curves[static_cast<std::size_t>(curve)],
+              {at, residual});
   }
   if (!(most > least)) least -= 0.5, most += 0.5;
   request.curves.push_back({"none, and 2 deviations", {}, {}, false});
