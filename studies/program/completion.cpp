@@ -134,7 +134,7 @@ Completion values(const CommandWords& command, const OptionWords& option, std::s
       {"STUDY", "json"},    {"SCENE|STUDY", "json"},
       {"FIT", "json"},      {"DIR", "folders"}};
   static constexpr std::array<std::string_view, 3> of_databases{"--db", "--with", "sources"};
-  static constexpr std::array<std::string_view, 3> with_fits{"report", "show", "export"};
+  static constexpr std::array<std::string_view, 5> with_fits{"report", "show", "export", "chart", "compare"};
   Completion completion;
   for (const std::string& choice : option.choices) completion.add(choice);
   const auto kind = kinds.find(option.value);

@@ -15,7 +15,7 @@
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers report_look, chart_overlay, html and report_fit_pictures, too.
+// Covers report_look, chart_overlay and html, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
