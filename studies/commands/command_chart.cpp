@@ -5,8 +5,8 @@
 #include "db/merge/gathered.hpp"
 #include "db/rows/fit_store.hpp"
 #include "studies/charts/study_chart.hpp"
-#include "studies/fit/fit_chart.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/stored_fits/fit_chart.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 

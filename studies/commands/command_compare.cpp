@@ -4,9 +4,9 @@
 
 #include "db/rows/fit_store.hpp"
 #include "studies/evidence/comparison.hpp"
-#include "studies/fit/stored_comparison.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/stored/study_rows.hpp"
+#include "studies/stored_fits/stored_comparison.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"

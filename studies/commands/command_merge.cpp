@@ -4,9 +4,9 @@
 
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
-#include "studies/fit/stored_fit.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/export_study.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 

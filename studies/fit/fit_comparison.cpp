@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "fitting/errors/information_criteria.hpp"
 #include "fitting/errors/statistics.hpp"
 #include "fitting/fit/experiment_design.hpp"
 #include "fitting/fit/measured_terms.hpp"
@@ -237,16 +238,6 @@ std::optional<LargestDifference> next_difference(const FitCandidate& a, const Fi
 }
 
 }  // namespace
-
-InformationCriteria information_criteria(double chi_squared, std::size_t values, int parameters, bool scale_known,
-                                         double log_variances) {
-  const auto n = static_cast<double>(values);
-  const double k = parameters + (scale_known ? 0 : 1);
-  const double likelihood = log_variances + (scale_known ? chi_squared : n * std::log(chi_squared / n));
-  return {likelihood,
-          n - k - 1 > 0 ? likelihood + 2 * k + 2 * k * (k + 1) / (n - k - 1) : std::numeric_limits<double>::infinity(),
-          likelihood + k * std::log(n)};
-}
 
 FitComparison compare(const std::vector<FitCandidate>& fits, const Evaluate& evaluate, int jobs) {
   for (const FitCandidate& fit : fits) require_comparable(fits.front(), fit);

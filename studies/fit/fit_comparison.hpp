@@ -22,14 +22,6 @@
 
 namespace rollres {
 
-struct InformationCriteria {
-  double likelihood, aicc, bic;  ///< likelihood: -2 ln L; aicc infinite with too few values
-};
-/// @param parameters  fitted ones, without a common scale of the deviations, which is added where it is not known
-/// @param log_variances  sum of the logarithms of the variances, where these differ between fits
-InformationCriteria information_criteria(double chi_squared, std::size_t values, int parameters, bool scale_known,
-                                         double log_variances = 0);
-
 /// One fit; either of resistance or of a material.
 struct FitCandidate {
   std::string source, name, model;  ///< model in words: "zener", "prony, 2 terms"

@@ -17,7 +17,8 @@ std::vector<FitInputRecord> measured_inputs(const FitFile& file) {
     const MeasuredScene& row = file.scenes[i];
     for (const std::string& key : file.varying) {
       const InputKind& kind = *find_input(key);
-      if (kind.real())
+      const bool acts = !is_modulus(row.output) || key == "temperature";  // on a modulus nothing of the scene does
+      if (kind.real() && acts)
         inputs.push_back(
             {datum, key, std::string(kind.quantity.unit_for(file.indenter())), real_input(row.scene, key)});
     }

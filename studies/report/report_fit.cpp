@@ -1,9 +1,9 @@
 #include <cctype>
 #include <cmath>
 
-#include "studies/fit/fit_chart.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
+#include "studies/stored_fits/fit_chart.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 

@@ -3,10 +3,10 @@
 
 #include "db/rows/fit_store.hpp"
 #include "db/rows/schema.hpp"
-#include "studies/fit/fit_chart.hpp"
 #include "studies/fit/fit_comparison.hpp"
 #include "studies/fit/fit_inputs.hpp"
-#include "studies/fit/stored_comparison.hpp"
+#include "studies/stored_fits/fit_chart.hpp"
+#include "studies/stored_fits/stored_comparison.hpp"
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 #include "tests/source_directory.hpp"

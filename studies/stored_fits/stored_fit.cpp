@@ -1,4 +1,4 @@
-#include "studies/fit/stored_fit.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

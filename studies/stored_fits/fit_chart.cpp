@@ -1,4 +1,4 @@
-#include "studies/fit/fit_chart.hpp"
+#include "studies/stored_fits/fit_chart.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -7,7 +7,7 @@
 
 #include "fitting/fit/fit.hpp"
 #include "studies/drawing/chart_frame.hpp"
-#include "studies/fit/stored_fit.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 
@@ -182,7 +182,7 @@ ChartRequest residuals(const FitRecord& fit, const ResidualAxis& along) {
               {at, residual});
   }
   if (!(most > least)) least -= 0.5, most += 0.5;
-  request.curves.push_back({"none, and 2 deviations", {}, {}, false});
+  request.curves.push_back({"0 and ±2 deviations", {}, {}, false});
   for (const double level : {-2.0, 0.0, 2.0})
     for (const ChartPoint& point : {ChartPoint{least, level}, {most, level}, {nothing, nothing}})
       request.curves.back().points.push_back(point);

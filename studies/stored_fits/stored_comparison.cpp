@@ -1,11 +1,11 @@
-#include "studies/fit/stored_comparison.hpp"
+#include "studies/stored_fits/stored_comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "studies/fit/fit_comparison.hpp"
-#include "studies/fit/stored_fit.hpp"
+#include "fitting/errors/information_criteria.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
