@@ -13,7 +13,10 @@
 /// Power balance: contact_powers.hpp. `energy_residual` compares what the drive gives, Q V + T Omega, with what the
 /// layers and friction take by the fields; with printed kinematics, less the power that these leave over.
 
+#include <optional>
+
 #include "core/convolution/influence_operator.hpp"
+#include "core/estimate/linearity_error.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/contact_problem.hpp"
 #include "core/newton/newton_system.hpp"
@@ -34,7 +37,9 @@ GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& i
                        const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
 
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
-std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution);
+/// @param nonlinear  what `linearity_error` says of them
+std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution,
+                                      const std::optional<LinearityError>& nonlinear);
 
 /// Why a tolerance has no answer, or the one found without inertia is none: its layers' inertia counts, but the body is
 /// faster than their waves. Empty otherwise.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/estimate/linearity_error.hpp"
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
@@ -59,15 +58,16 @@ std::string unanswered_inertia(const RollingScene& scene, const RollingSolution&
                       scene.speed / std::sqrt(number), " m/s; inertia = off leaves it out");
 }
 
-std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution) {
+std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution,
+                                      const std::optional<LinearityError>& nonlinear) {
   std::vector<std::string> warnings;
   const bool linear = solution.method != Method::finite_strain;
   const double strain = solution.approach / total_thickness(scene);
-  if (const auto missed = linear ? linearity_error(scene, solution) : std::nullopt) {
-    if (strain > noticeable_strain || (scene.tolerance && std::abs(missed->value) > *scene.tolerance))
+  if (nonlinear) {
+    if (strain > noticeable_strain || (scene.tolerance && std::abs(nonlinear->value) > *scene.tolerance))
       warnings.push_back(message_text("the layer is taken as linear: at finite strain (d/H = ", strain,
-                                      ") the rolling resistance would differ by ", in_percent(missed->value), " +- ",
-                                      in_percent(missed->scatter), " %; method \"finite_strain\" computes it"));
+                                      ") the rolling resistance would differ by ", in_percent(nonlinear->value), " +- ",
+                                      in_percent(nonlinear->scatter), " %; method \"finite_strain\" computes it"));
   } else if (linear && strain > noticeable_strain) {
     warnings.push_back(message_text("strain d/H = ", strain,
                                     " is not small: the layer is taken as linear, and what that costs is not known"));

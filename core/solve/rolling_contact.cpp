@@ -358,14 +358,16 @@ RollingSolution solve_in_flow(const RollingScene& given) {
     if (const double error = spectrum_error(choice.scene, half_width); error > 0) {
       add_error(error, solution);
       solution.model += message_text("; what the master curve leaves open changes R_r by ", error, " (estimate)");
-      if (constexpr double noticeable = 0.05; error > noticeable)
+      if (error > std::min(0.05, given.tolerance.value_or(1)))
         solution.warnings.push_back(
             message_text("master curve: leaves the rolling resistance open by ", 100 * error,
                          " % (estimate): rows scatter, are too few or end near the frequencies of the contact, about ",
                          choice.scene.speed / (2 * std::numbers::pi * half_width), " Hz"));
     }
-    if (const auto missed = linearity_error(choice.scene, solution)) solution.model_error = missed->value;
-    for (std::string& warning : warnings_for(choice.scene, solution)) solution.warnings.push_back(std::move(warning));
+    const auto missed = linearity_error(choice.scene, solution);
+    if (missed) solution.model_error = missed->value;
+    for (std::string& warning : warnings_for(choice.scene, solution, missed))
+      solution.warnings.push_back(std::move(warning));
   }
   return solution;
 }
