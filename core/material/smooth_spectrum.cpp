@@ -145,6 +145,9 @@ class EvenSpectrum {
 SpectrumFit smooth_spectrum(const RelativeRows& rows) {
   constexpr double stiffest = 1, softest = 1e-10, softer = 0.3;  // weights of the bends
   constexpr double nearly = 1;  // so much less evidence, and the spectrum may be rougher
+  // One weight for all times takes the spectrum of single terms, which bends from each to the next, for noise. What is
+  // open is therefore told with bends that hardly weigh where rows say something.
+  constexpr double locally = 1e-5;
   constexpr double hopeless = 8;
   constexpr int first_steps = 40, steps = 12;
   EvenSpectrum spectrum(rows);
@@ -157,7 +160,7 @@ SpectrumFit smooth_spectrum(const RelativeRows& rows) {
     best.evidence = std::max(best.evidence, evidence);
     if (evidence < best.evidence - nearly) continue;
     best.series = spectrum.series();
-    best.open = spectrum.open(weight);
+    best.open = spectrum.open(locally * weight);
   }
   return best;
 }

@@ -247,6 +247,24 @@ TEST_CASE(
   CHECK(coverage.median_ratio() < 7);
 }
 
+TEST_CASE("ten terms of a solid, which noise makes look like a smooth spectrum, lie within the estimate",
+          "[core][material][rolling_contact]") {
+  PronySeries series{1e6, {}};
+  for (int j = 0; j < 10; ++j)
+    series.terms.push_back({2e6 * std::pow(10.0, -0.12 * j), std::pow(10.0, -4.5 + 0.9 * j)});
+  MasterCurve curve = sampled(series, 10);
+  for (auto* const column : {&curve.frequencies, &curve.storage, &curve.loss}) column->resize(61);  // up to 1 kHz
+  Coverage coverage;
+  for (const double speed : {1.0, 3.0, 200.0}) {  // the last beyond the table
+    const RollingScene solid = on_solid(series, speed);
+    const double truth = solve(solid).rolling_resistance;
+    for (std::uint64_t draw = 1; draw <= 10; ++draw) coverage.add(solve(on_rows(solid, curve, 0.02, draw)), truth);
+  }
+  CAPTURE(coverage.draws, coverage.covered, coverage.median_ratio());
+  CHECK(coverage.covered >= 0.95 * coverage.draws);
+  CHECK(coverage.median_ratio() < 5);
+}
+
 TEST_CASE("a rubber's few rows over fifteen decades, with 5 % noise, give the rolling resistance within the estimate",
           "[core][material][rolling_contact]") {
   const MaterialInputs rubber = filled_rubber();
