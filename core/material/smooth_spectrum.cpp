@@ -146,8 +146,10 @@ SpectrumFit smooth_spectrum(const RelativeRows& rows) {
   constexpr double stiffest = 1, softest = 1e-10, softer = 0.3;  // weights of the bends
   constexpr double nearly = 1;  // so much less evidence, and the spectrum may be rougher
   // One weight for all times takes the spectrum of single terms, which bends from each to the next, for noise. What is
-  // open is therefore told with bends that hardly weigh where rows say something.
-  constexpr double locally = 1e-5;
+  // open is therefore told with bends that hardly weigh, but for rows so far apart that only bends tell what lies
+  // between them.
+  constexpr double dense = 3, ends = 5;  // rows a decade
+  const double locally = static_cast<double>(rows.rows()) > dense * rows.decades() + ends ? 1e-5 : 1;
   constexpr double hopeless = 8;
   constexpr int first_steps = 40, steps = 12;
   EvenSpectrum spectrum(rows);
