@@ -49,7 +49,7 @@ TEST_CASE("commands, options, choices, keys and stored studies are completed", "
   CHECK(offered({"query", "--columns", "speed,viscous"}) == "open;speed,viscous_loss;");
   CHECK(offered({"query", "sta"}) == "open;static_shear_modulus=;static_young_modulus=;status=;");
   CHECK(offered({"schema", "fi"}) == "words;fit;");
-  CHECK(offered({"sweep", "stu"}) == "files;");
+  CHECK(offered({"sweep", "absent"}) == "files;");
   CHECK(offered({"figures", "--out", ""}) == "folders;");
   CHECK(offered({"sweep", "--jobs", ""}) == "words;");
   CHECK(offered({"no_command", ""}) == "words;");
@@ -70,7 +70,8 @@ TEST_CASE("commands, options, choices, keys and stored studies are completed", "
   fit.name = "wool";
   save_fit(open_database(file, Access::write), fit);
   CHECK(offered({"report", "--db", file, "--study", "w"}) == "words;wheel 2;wool;");  // it takes fits, too
-  CHECK(offered({"chart", "--db", file, "--study", "w"}) == "words;wheel 2;");
+  CHECK(offered({"chart", "--db", file, "--study", "w"}) == "words;wheel 2;wool;");
+  CHECK(offered({"film", "--db", file, "--study", "w"}) == "words;wheel 2;");
 }
 
 TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][completion]") {
@@ -91,7 +92,7 @@ TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][com
   CHECK(bash("rollres solve scene.json --set = drive =") == "top_force;torque;free;rotation;");
   CHECK(bash("rollres query --columns speed,viscous") == "speed,viscous_loss;");
   CHECK(bash("rollres chart --db " + file + " --study w") == "wheel\\ 2;");
-  CHECK(bash("rollres sweep stu") == ";");  // files, by readline itself
+  CHECK(bash("rollres sweep absent") == ";");  // files, by readline itself
   directory.write("results.svg", "");
   CHECK(bash("rollres chart --db '~/res'") == "~/results.db;");  // as it was typed
   if (installed("fish")) {

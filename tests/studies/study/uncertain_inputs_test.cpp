@@ -145,7 +145,8 @@ TEST_CASE("the parameters of a stored fit scatter by its covariance", "[studies]
                 .correlations = {{"static_shear_modulus", "creep_time", -0.9}},
                 .data = {},
                 .profiles = {},
-                .curves = {}};
+                .curves = {},
+                .inputs = {}};
   fit.parameters.push_back({.name = "static_shear_modulus", .unit = "Pa", .value = 3e6, .standard_error = 3e5});
   fit.parameters.push_back({.name = "creep_time", .unit = "s", .value = 0.25, .standard_error = 0.01});
   fit.parameters.push_back({.name = "stiffening", .unit = "1", .value = 2, .standard_error = 0.1});
