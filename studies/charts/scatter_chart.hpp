@@ -13,7 +13,7 @@ namespace rollres {
 struct ScatterPicture {
   std::string title;
   ChartAxis axis;  ///< name and symbol of the number
-  std::string_view unit;
+  std::string unit;
   std::vector<std::string> labels;     ///< of each place: "V = 1 m/s"
   std::vector<ScatterBatches> values;  ///< of each place
   std::string comment = {};

@@ -140,7 +140,7 @@ void add_scatter(const ReportSource& source, const ScatteredResistance& found, P
   if (places.empty() || places.size() > most_curves) return;
   ScatterPicture picture{.title = title_of_study(source.definition, source.study.name),
                          .axis = described(output),
-                         .unit = unit_in(source.rows, output),
+                         .unit = std::string(unit_in(source.rows, output)),
                          .labels = {},
                          .values = {},
                          .ordered = axes.size() == 1 && axes.front()->type != "TEXT"};

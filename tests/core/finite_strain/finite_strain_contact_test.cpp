@@ -8,6 +8,7 @@
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
+#include "tests/source_directory.hpp"
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -23,7 +24,8 @@ RollingScene finite_cylinder(double load, double friction) {
   return scene;
 }
 
-RollingSolution answered(const RollingScene& scene) {
+RollingSolution answered(RollingScene scene) {
+  scene.time_limit = patience(60);
   const RollingSolution solution = solve(scene);
   INFO(solution.reason << solution.model);
   REQUIRE(solution.status == Status::converged);

@@ -227,18 +227,18 @@ TEST_CASE("links, pictures, paths, options and files of the README and of the gu
   });
   CHECK(commands > 10);
 
-  // A scene and a study that stand there whole.
+  // Scenes and studies that stand there whole, a study of the scene before it, too.
   const TemporaryDirectory directory;
   std::filesystem::copy(source_directory() / "studies/examples/paper_cylinder.json", directory.path);
   int whole = 0;
   for (const Block& block : blocks()) {
     if (block.language != "json" || block.lines.front() != "{") continue;
-    const std::string file = directory.write("block.json", block.text()).string();
     const bool study = parse_object(block.text(), "README.md").contains("study");
+    const std::string file = directory.write(study ? "study.json" : "wheel.json", block.text()).string();
     const ProgramRun run = run_rollres({study ? "plan" : "solve", file}, closed_form);
     INFO(block.text() << run.err);
     CHECK(run.status == 0);
     ++whole;
   }
-  CHECK(whole == 2);
+  CHECK(whole == 3);
 }
