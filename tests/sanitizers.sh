@@ -30,7 +30,7 @@ plain_addresses=
 
 export ROLLRES_THIN=1 UBSAN_OPTIONS=print_stacktrace=1
 export ASAN_OPTIONS=detect_stack_use_after_return=0:allocator_may_return_null=0:detect_leaks=0
-export TSAN_OPTIONS="exitcode=66:suppressions=$PWD/tests/tsan.txt"
+export TSAN_OPTIONS="exitcode=66:suppressions='$PWD/tests/tsan.txt'"
 
 if build asan rollres_fuzz; then
   say_time "address and undefined behaviour built"
@@ -68,9 +68,8 @@ STUDY
   threads sweep "$folder/study.json" --db "$folder/a.db" --jobs 8
   threads report --db "$folder/a.db" --out "$folder/a.html"
   threads solve studies/examples/paper_sphere.json --set "spacing=0.08 mm"
-  threads solve studies/examples/ball_on_mat.json
   threads fit studies/examples/fit_cylinder.json --db "$folder/f.db" --jobs 8
-  threads gradient studies/examples/paper_cylinder.json --jobs 8
+  threads gradient studies/examples/paper_cylinder.json --inputs speed,layer_thickness --jobs 8
   say_time "threads run"
 fi
 
