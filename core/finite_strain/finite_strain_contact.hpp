@@ -1,6 +1,7 @@
 #pragma once
 
-/// Rolling of a cylinder on layers, or of a covered one on a rigid plane, whose displacements and strains are not small. Theory: core/finite_strain/README.md.
+/// Rolling of a cylinder on layers, or of a covered one on a rigid plane, whose displacements and strains are not small.
+/// Theory: core/finite_strain/README.md.
 
 #include <string>
 

@@ -10,6 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 #include "tests/source_directory.hpp"
+#include "tests/studies/half_space_fit.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -34,20 +35,6 @@ struct FitFiles {
     }
   }
 
-  static json definition() {
-    return {
-        {"fit", "half space"},
-        {"scene",
-         {{"radius", 0.1},
-          {"layer_thickness", "infinite"},
-          {"static_shear_modulus", 1e6},
-          {"stiffening", 2},
-          {"creep_time", 0.1},
-          {"speed", 1},
-          {"load", 1e4}}},
-        {"data", "table.csv"},
-        {"parameters", {{"static_shear_modulus", "2 MPa"}, {"stiffening", json::object()}, {"creep_time", "30 ms"}}}};
-  }
   std::string database() const { return (directory / "fit.db").string(); }
   ProgramRun run(const json& fit, std::vector<std::string> more = {}) const {
     directory.write("table.csv", table);
@@ -61,7 +48,7 @@ struct FitFiles {
 
 TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   const FitFiles files;
-  const ProgramRun first = files.run(FitFiles::definition(), {"--json"});
+  const ProgramRun first = files.run(half_space_fit(), {"--json"});
   REQUIRE(first.status == 0);
   CHECK(first.err.empty());
   const json answer = json::parse(first.out);
@@ -76,7 +63,7 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   CHECK(time["start"] == 0.03);
   CHECK(answer["data"][0]["place"] == (files.directory / "table.csv").string() + ", line 2");
 
-  const json again = json::parse(files.run(FitFiles::definition(), {"--json"}).out);
+  const json again = json::parse(files.run(half_space_fit(), {"--json"}).out);
   CHECK(again["solved"] == 0);
   CHECK(again["parameters"] == answer["parameters"]);
 
@@ -101,7 +88,7 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   CHECK_THAT(file_text(page), Catch::Contains("95 % profile") && Catch::Contains("creep_time") &&
                                   Catch::Contains("degrees of freedom") && Catch::Contains("residuals of the fit"));
 
-  const ProgramRun text = files.run(FitFiles::definition());
+  const ProgramRun text = files.run(half_space_fit());
   CHECK_THAT(text.out, (Catch::StartsWith("half space: GOOD") || Catch::StartsWith("half space: USABLE")) &&
                            Catch::Contains("95 % profile") && Catch::Contains("degrees of freedom") &&
                            Catch::Contains("recalled"));
@@ -110,7 +97,7 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
 TEST_CASE("a fit with an offset or a scale of its measured values is stored, written and compared", "[studies][fit]") {
   const FitFiles files;
   for (const char* term : {"offset", "scale"}) {
-    json fit = FitFiles::definition();
+    json fit = half_space_fit();
     fit["fit"] = term;
     fit["parameters"].erase("creep_time");
     fit["scene"]["creep_time"] = 0.1;
@@ -136,7 +123,7 @@ TEST_CASE("a fit with an offset or a scale of its measured values is stored, wri
 
 TEST_CASE("rollres fit designs, counts coverage and says what it keeps fixed", "[studies][fit]") {
   const FitFiles files;
-  json fit = FitFiles::definition();
+  json fit = half_space_fit();
   fit["parameters"]["stiffening"] = {{"start", 2}, {"fixed", true}};
   fit["parameters"]["creep_time"] = json::object();  // from closed forms
   const json answer = json::parse(files.run(fit, {"--json", "--design", "--coverage", "20", "--seed", "5"}).out);
@@ -156,7 +143,7 @@ TEST_CASE("an offset is fitted, stored and left out of the fitted scene; columns
   files.table.replace(files.table.find("sigma [%]"), 9, "sigma [%],oven");
   for (std::size_t end = files.table.find('\n') + 1; (end = files.table.find('\n', end)) != std::string::npos; end += 5)
     files.table.insert(end, ",any");
-  json fit = FitFiles::definition();
+  json fit = half_space_fit();
   fit["parameters"]["offset"] = json::object();
   const ProgramRun refused = files.run(fit);
   CHECK(refused.status == 2);
@@ -171,7 +158,7 @@ TEST_CASE("an offset is fitted, stored and left out of the fitted scene; columns
 
 TEST_CASE("noise is fitted where no sigma is given, and refused where there is one", "[studies][fit]") {
   FitFiles files;
-  json fit = FitFiles::definition();
+  json fit = half_space_fit();
   fit["parameters"]["relative_noise"] = json::object();
   const ProgramRun refused = files.run(fit);
   CHECK(refused.status == 2);
@@ -191,7 +178,7 @@ TEST_CASE("rollres fit warns of a row given twice and of a negative resistance",
   const std::string row = files.table.substr(files.table.find('\n') + 1);
   files.table.replace(files.table.find("[%]"), 3, "[N/m]");
   files.table += row.substr(0, row.find('\n') + 1) + "10,700,-1,30\n";
-  const json answer = json::parse(files.run(FitFiles::definition(), {"--json", "--no-profiles"}).out);
+  const json answer = json::parse(files.run(half_space_fit(), {"--json", "--no-profiles"}).out);
   const std::string warnings = answer["warnings"].dump();
   CHECK_THAT(warnings, Catch::Contains("line 18: the same row as") && Catch::Contains("line 2; both count") &&
                            Catch::Contains("line 19: rolling_resistance [N/m] = -1: is negative"));
@@ -201,7 +188,7 @@ TEST_CASE("rollres fit refuses a wrong table in one line with file and line", "[
   FitFiles files;
   const auto refused = [&](const std::string& table) {
     files.table = table;
-    const ProgramRun run = files.run(FitFiles::definition());
+    const ProgramRun run = files.run(half_space_fit());
     CHECK(run.status == 2);
     CHECK(run.out.empty());
     return run.err;
@@ -225,7 +212,7 @@ TEST_CASE("rollres fit refuses a wrong table in one line with file and line", "[
 TEST_CASE("rollres fit refuses a wrong file naming key and rule", "[studies][fit]") {
   const FitFiles files;
   const auto refused = [&](const json& patch) {
-    json fit = FitFiles::definition();
+    json fit = half_space_fit();
     fit.merge_patch(patch);
     const ProgramRun run = files.run(fit);
     CHECK(run.status == 2);
@@ -245,7 +232,7 @@ TEST_CASE("rollres fit refuses a wrong file naming key and rule", "[studies][fit
 
 TEST_CASE("noise of the model above the scatter of the data is told in words, with what to do", "[studies][fit]") {
   const FitFiles files;
-  json fit = FitFiles::definition();
+  json fit = half_space_fit();
   fit["set"] = {{"spacing", "1 mm"}, {"method", "newton"}};
   files.directory.write("table.csv", files.table);
   const std::string file = files.directory.write("fit.json", fit.dump()).string();
@@ -261,7 +248,7 @@ TEST_CASE("noise of the model above the scatter of the data is told in words, wi
 
 TEST_CASE("a fit leaves out the scene's own spacing where there are smooth answers", "[studies][fit]") {
   const FitFiles files;
-  json fit = FitFiles::definition();
+  json fit = half_space_fit();
   fit["scene"]["spacing"] = "1 mm";
   CHECK_THAT(files.run(fit, {"--no-profiles"}).out, Catch::Contains("model    spacing = 1 mm of the scene left out"));
   fit["set"] = {{"spacing", "1 mm"}};  // insisted on
@@ -270,7 +257,7 @@ TEST_CASE("a fit leaves out the scene's own spacing where there are smooth answe
 
 TEST_CASE("a forced step below the noise ends with exit status 1 and the reason", "[studies][fit]") {
   const FitFiles files;
-  json fit = FitFiles::definition();
+  json fit = half_space_fit();
   fit["step"] = 1e-8;
   files.directory.write("table.csv", files.table);
   const std::string file = files.directory.write("fit.json", fit.dump()).string();
@@ -287,7 +274,7 @@ TEST_CASE("a forced step below the noise ends with exit status 1 and the reason"
 TEST_CASE("rollres fit draws data, residuals, profiles and the ellipse", "[studies][fit]") {
   const FitFiles files;
   const auto folder = files.directory / "pictures";
-  const ProgramRun run = files.run(FitFiles::definition(), {"--out", folder.string()});
+  const ProgramRun run = files.run(half_space_fit(), {"--out", folder.string()});
   REQUIRE(run.status == 0);
   for (const char* name :
        {"data", "residuals", "profile_creep_time", "profile_stiffening", "profile_static_shear_modulus", "ellipse"})
@@ -401,7 +388,7 @@ TEST_CASE("models fitted to the same data are compared, a case of another by its
 TEST_CASE("a fit of scenes is compared with one whose inputs it leaves fixed", "[studies][fit]") {
   const FitFiles files;
   files.directory.write("table.csv", files.table);
-  json free = FitFiles::definition(), fixed = FitFiles::definition();
+  json free = half_space_fit(), fixed = half_space_fit();
   fixed["fit"] = "two parameters";
   fixed["parameters"].erase("stiffening");
   const ProgramRun run = run_rollres({"fit", files.directory.write("a.json", fixed.dump()).string(),

@@ -7,6 +7,7 @@
 #include "studies/fit/design_wish.hpp"
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
+#include "tests/studies/half_space_fit.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -18,18 +19,7 @@ namespace {
 /// A fit of three parameters to 2 loads and 8 speeds.
 struct DesignFiles {
   TemporaryDirectory directory;
-  json fit{
-      {"fit", "half space"},
-      {"scene",
-       {{"radius", 0.1},
-        {"layer_thickness", "infinite"},
-        {"static_shear_modulus", 1e6},
-        {"stiffening", 2},
-        {"creep_time", 0.1},
-        {"speed", 1},
-        {"load", 1e4}}},
-      {"data", "table.csv"},
-      {"parameters", {{"static_shear_modulus", "2 MPa"}, {"stiffening", json::object()}, {"creep_time", "30 ms"}}}};
+  json fit = half_space_fit();
 
   DesignFiles() {
     std::ostringstream table;
