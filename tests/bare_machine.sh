@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The README's two commands on a machine that has nothing: makes a bare Debian 12 in a folder, with the Debian sources and
-# apt's settings of this machine, clones HEAD into it and runs them there. Fails if one of them fails, if the compiler
-# warned, or if a test left something out for want of a program. Needs root; the last line is that of tests/run.sh.
+# apt's settings of this machine, clones HEAD into it and runs them there, then tests/sanitizers.sh. Fails if one of them
+# fails, if the compiler warned, or if a test left something out for want of a program. Needs root; the last line is that
+# of tests/run.sh.
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
@@ -35,7 +36,8 @@ make_root() {
     "$folder/sources" && cp /etc/hosts "$root/etc/" && git clone --quiet --no-local . "$root/$clone"
 }
 
-commands='sh studies/quickstart.sh; first=$?; sh tests/run.sh; second=$?; exit $((first > second ? first : second))'
+commands='sh studies/quickstart.sh; first=$?; sh tests/run.sh; second=$?; sh tests/sanitizers.sh; third=$?
+  worse=$((first > second ? first : second)); exit $((worse > third ? worse : third))'
 # In namespaces of its own, so that nothing of it outlives unshare.
 enter='
   mount -t proc proc "$1/proc"
@@ -56,16 +58,19 @@ if make_root; then
   running=
   wait
 else
-  echo "NO BARE ROOT: THAT NEEDS ROOT, MOUNTS AND MMDEBSTRAP. THE TWO COMMANDS RUN IN PLACE AND MAY USE WHAT IS ONLY HERE."
+  echo "NO BARE ROOT: THAT NEEDS ROOT, MOUNTS AND MMDEBSTRAP. ALL RUNS IN PLACE AND MAY USE WHAT IS ONLY HERE."
   sh -c "$commands" 2>&1 | tee "$folder/output"
   status=${PIPESTATUS[0]}
 fi
 
-last=$(tail -n 1 "$folder/output")
+last=$(grep -E '^[0-9]+ passed, [0-9]+ failed' "$folder/output" | tail -n 1)
+[ -n "$last" ] || last=$(tail -n 1 "$folder/output")
 complain() {
-  printf '%s\n%s\n' "$1" "$last"
+  echo "$1"
   [ "$status" -ne 0 ] || status=1
 }
+! grep '^SANITIZERS FOUND' "$folder/output" || complain "THE SANITIZERS REPORT: see above"
 ! grep -Eq ': warning: |^CMake .*Warning' "$folder/output" || complain "THE BUILD WARNED: see 'warning' above"
 case $last in *skipped) complain "A TEST LEFT SOMETHING OUT: see 'not tried' above" ;; esac
+echo "$last"
 exit "$status"
