@@ -421,6 +421,7 @@ void take_over_what_was_asked(const RollingScene& scene, RollingSolution& soluti
   if (scene.load) solution.load = *scene.load;
   if (scene.approach) solution.approach = *scene.approach;
   if (scene.drive == Drive::torque && scene.driving_torque) solution.driving_torque = *scene.driving_torque;
+  if (scene.drive == Drive::free && std::isfinite(solution.driving_torque)) solution.driving_torque = 0;
   if (scene.drive == Drive::rotation && scene.rotation_ratio) solution.rotation_ratio = *scene.rotation_ratio;
 }
 

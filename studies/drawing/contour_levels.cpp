@@ -11,7 +11,7 @@ namespace rollres {
 
 void write_contour_levels(std::ostream& script, const std::vector<ContourLoop>& loops, const Span& x, const Span& y,
                           const std::vector<std::array<double, 2>>& taken) {
-  constexpr double apart = 0.085, smallest = 0.1;  // of the map
+  constexpr double apart = 0.105, smallest = 0.12;  // of the map
   const auto fraction = [&](const std::array<double, 2>& point) {
     return std::array<double, 2>{x.fraction(point[0]), y.fraction(point[1])};
   };
@@ -34,7 +34,7 @@ void write_contour_levels(std::ostream& script, const std::vector<ContourLoop>& 
         continue;
       full.push_back(at);
       script << "set label " << gnuplot::quoted(short_number(loop.level, 3)) << " at first " << short_number(point[0])
-             << ", first " << short_number(point[1]) << " center boxed front font ',11'\n";
+             << ", first " << short_number(point[1]) << " center boxed front font ',14'\n";
       break;
     }
   }

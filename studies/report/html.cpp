@@ -1,5 +1,7 @@
 #include "studies/report/html.hpp"
 
+#include <algorithm>
+
 #include "studies/report/report_look.hpp"
 
 namespace rollres::html {
@@ -44,14 +46,21 @@ std::string listing(std::string_view plain) { return "<pre>" + text(plain) + "</
 std::string table(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows) {
   constexpr std::size_t few = 3;  // rows that nobody sorts
   const bool sortable = rows.size() > few;
+  const auto cell_of = [](const TableRow& row, std::size_t i) { return i < row.cells.size() ? row.cells[i] : ""; };
+  std::vector<std::size_t> telling;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (std::any_of(rows.begin(), rows.end(), [&](const TableRow& row) {
+          const std::string text = cell_of(row, i);
+          return !text.empty() && text != "-";
+        }))
+      telling.push_back(i);
   std::string markup = std::string("<div class=\"table\" tabindex=\"0\"><table") +
                        (sortable ? " class=\"sortable\"" : "") + ">\n<thead><tr>";
-  for (const TableColumn& column : columns) markup += cell("th", column.number, column.head);
+  for (const std::size_t i : telling) markup += cell("th", columns[i].number, columns[i].head);
   markup += "</tr></thead>\n<tbody>\n";
   for (const TableRow& row : rows) {
     markup += row.marked ? "<tr class=\"marked\">" : "<tr>";
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      markup += cell("td", columns[i].number, i < row.cells.size() ? row.cells[i] : "");
+    for (const std::size_t i : telling) markup += cell("td", columns[i].number, cell_of(row, i));
     markup += "</tr>\n";
   }
   return markup + "</tbody></table></div>\n";

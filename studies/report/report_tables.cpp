@@ -180,12 +180,7 @@ std::string scene_section(const ReportSource& source) {
 }
 
 std::string result_section(const ReportSource& source, std::size_t most_rows) {
-  std::vector<ResultColumn> columns = result_columns(source);
-  std::erase_if(columns, [&](const ResultColumn& column) {  // that no row has
-    for (std::size_t row = 0; row < source.rows.size(); ++row)
-      if (column.cell(source.rows, row) != "-") return false;
-    return true;
-  });
+  const std::vector<ResultColumn> columns = result_columns(source);
   const std::size_t points = source.rows.size(), step = std::max<std::size_t>(1, (points + most_rows - 1) / most_rows);
   std::vector<TableColumn> heads;
   for (const ResultColumn& column : columns) heads.push_back(column.head());
