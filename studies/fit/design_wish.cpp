@@ -7,6 +7,7 @@
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
+#include "studies/scene_io/usual_names.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 
@@ -22,7 +23,7 @@ bool is_fitted(const FitFile& fit, const std::string& key) {
 /// A real input of the scene that is not fitted.
 const InputKind& free_input(const FitFile& fit, const std::string& key, const Json& value, const std::string& place) {
   const InputKind* const kind = find_input(key);
-  if (!kind) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
+  if (!kind) refuse(place, key, value, unknown_input(keys_like(key), key));
   if (!kind->real()) refuse(place, key, value, "must be an input that is a number");
   if (is_fitted(fit, key)) refuse(place, key, value, "is fitted: it has no place here");
   return *kind;

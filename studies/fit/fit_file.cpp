@@ -12,6 +12,7 @@
 #include "studies/fit/fit_data.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/scene_entries.hpp"
+#include "studies/scene_io/usual_names.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/text/file_kind.hpp"
 #include "studies/text/units.hpp"
@@ -41,7 +42,7 @@ GivenParameter given_parameter(const std::string& key, const Json& value, const 
   const bool term = is_measured_term(key);
   std::vector<std::string_view> known = keys_like(key);
   known.insert(known.end(), {offset_key, scale_key, noise_level_key, relative_noise_key});
-  if (!kind && !term && !is_noise_term(key)) refuse(place, key, value, unknown("unknown key", known, key));
+  if (!kind && !term && !is_noise_term(key)) refuse(place, key, value, unknown_input(known, key));
   if (kind && !kind->real()) refuse(place, key, value, "must be an input that is a real number");
   GivenParameter given{.key = key, .place = place + ": " + key, .set = ""};
   if (is_noise_term(key) && !value.is_object()) refuse(place, key, value, noise_rule);

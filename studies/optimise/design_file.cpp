@@ -9,6 +9,7 @@
 #include "db/rows/schema.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/optimise/design_search.hpp"
+#include "studies/scene_io/usual_names.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/study/study_variants.hpp"
@@ -39,7 +40,7 @@ struct GivenVariable {
 GivenVariable given_variable(const std::string& key, const Json& object, const std::vector<SceneEntry>& scene,
                              const std::string& variables_place) {
   const std::string place = variables_place + ": " + key;
-  if (!find_input(key)) refuse(variables_place, key, object, unknown("unknown key", keys_like(key), key));
+  if (!find_input(key)) refuse(variables_place, key, object, unknown_input(keys_like(key), key));
   if (!object.is_object()) refuse(variables_place, key, object, "must be an object with from and to");
   refuse_unknown_keys(object, variable_keys, place);
   const InputKind& kind = *find_input(key);
@@ -83,7 +84,7 @@ struct Choices {
 };
 
 std::vector<Alternative> alternatives_of(const std::string& key, const Json& list, const std::string& place) {
-  if (!find_input(key)) refuse(place, key, list, unknown("unknown key", keys_like(key), key));
+  if (!find_input(key)) refuse(place, key, list, unknown_input(keys_like(key), key));
   if (find_input(key)->list) refuse(place, key, list, "a list cannot be chosen by itself; give each list in a variant");
   if (key == "indenter") refuse(place, key, list, "must be the same in all designs");
   if (list.empty()) refuse(place, key, list, "must be a list of values, or an object with from and to");

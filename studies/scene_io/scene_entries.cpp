@@ -11,6 +11,7 @@
 #include "core/scene/scene_input.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/scene_io/usual_names.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
 
@@ -23,7 +24,7 @@ void refuse_unknown_key(const SceneEntry& entry) {
   std::vector<std::string_view> known = keys_like(entry.key);
   known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
   known.insert(known.end(), table_keys.begin(), table_keys.end());
-  refuse(entry.place, entry.key, entry.value, unknown("unknown key", known, entry.key));
+  refuse(entry.place, entry.key, entry.value, unknown_input(known, entry.key));
 }
 
 /// The unit in the words of a rule; where the units of cylinder and sphere differ, with the body.
@@ -66,6 +67,19 @@ std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, I
   return values;
 }
 
+/// Which other material an input among the entries is for: "; frequencies is given, for material "master_curve"".
+std::string other_material(const std::vector<SceneEntry>& entries, MaterialModel material) {
+  for (const SceneEntry& entry : entries) {
+    const InputKind* const kind = find_input(entry.key);
+    if (!kind || kind->needed_by_all() || kind->needed_by(material)) continue;
+    for (std::size_t other = 0; other < ChoiceNames<MaterialModel>::names.size(); ++other)
+      if (kind->needed_by(static_cast<MaterialModel>(other)))
+        return "; " + entry.key + " is given, for material \"" + std::string(ChoiceNames<MaterialModel>::names[other]) +
+               '"';
+  }
+  return "";
+}
+
 void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
   for (const InputKind& kind : input_kinds()) {
     const bool needed = kind.needed_by_all() || kind.needed_by(scene.material);
@@ -73,7 +87,8 @@ void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& 
     const std::string who =
         kind.needed_by_all() ? "every scene" : "material \"" + std::string(name_of(scene.material)) + '"';
     throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who + " needs it (" +
-                                std::string(kind.quantity.unit_for(scene.indenter)) + ")");
+                                std::string(kind.quantity.unit_for(scene.indenter)) + ")" +
+                                other_material(entries, scene.material));
   }
 }
 
@@ -110,7 +125,7 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
     const auto kind = std::find_if(layer_kinds().begin(), layer_kinds().end(),
                                    [&](const InputKind& candidate) { return candidate.quantity.key == key; });
     const SceneEntry entry{owner.key + "." + key, value, owner.place};
-    if (kind == layer_kinds().end()) refuse(entry.place, entry.key, value, unknown("unknown key", known, key));
+    if (kind == layer_kinds().end()) refuse(entry.place, entry.key, value, unknown_input(known, key));
     assign_layer_input(layer, kind->quantity.key, input_value(entry, *kind, Indenter::cylinder));
     given.push_back(kind->quantity.key);
   }
@@ -152,7 +167,7 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
 std::vector<SceneEntry> replacing_entries(const Json& object, const std::string& place) {
   std::vector<SceneEntry> entries;
   for (const auto& [key, value] : object.items()) {
-    if (!find_input(key)) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
+    if (!find_input(key)) refuse(place, key, value, unknown_input(keys_like(key), key));
     entries.push_back({key, value, place});
   }
   return entries;

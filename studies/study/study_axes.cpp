@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
+#include "studies/scene_io/usual_names.hpp"
 #include "studies/study/sampling.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_variants.hpp"
@@ -40,7 +41,7 @@ GivenAxis interval(const std::string& key, const Json& object, const std::string
 GivenAxis single_axis(const std::string& key, const Json& value, const std::string& place) {
   if (is_of_variants(key))
     refuse(place, key, value, "cannot be zipped; what goes together with it belongs into the variants");
-  if (!find_input(key)) refuse(place, key, value, unknown("unknown key", keys_like(key), key));
+  if (!find_input(key)) refuse(place, key, value, unknown_input(keys_like(key), key));
   if (find_input(key)->list) refuse(place, key, value, "a list cannot vary by itself; give each list in a variant");
   if (value.is_object()) return interval(key, value, place + ": " + key);
   if (value.is_array() && value.empty()) refuse(place, key, value, "has no value: leave the axis out, or give it one");
@@ -88,7 +89,7 @@ std::vector<GivenAxis> sample(const Json& object, const std::string& place) {
   for (const auto& [key, range] : ranges.items()) {
     const InputKind* const input = find_input(key);
     const std::string ranges_place = place + ": ranges";
-    if (!input) refuse(ranges_place, key, range, unknown("unknown key", keys_like(key), key));
+    if (!input) refuse(ranges_place, key, range, unknown_input(keys_like(key), key));
     if (!input->real()) refuse(ranges_place, key, range, "must be an input that is a real number; make it an axis");
     if (!range.is_object()) refuse(ranges_place, key, range, "must be an object with from and to");
     refuse_unknown_keys(range, range_keys, ranges_place + ": " + key);

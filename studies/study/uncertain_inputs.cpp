@@ -9,6 +9,7 @@
 #include "db/rows/fit_store.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/fit/fit_report.hpp"
+#include "studies/scene_io/usual_names.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
@@ -119,7 +120,7 @@ UncertainInput uncertain_input(const std::string& key, const Json& object, const
   if (!kind || !kind->real()) {
     std::vector<std::string_view> known = keys_like(key);
     for (const FileKey& option : uncertain_keys) known.push_back(option.key);
-    if (!kind) refuse(outer, key, object, unknown("unknown key", known, key));
+    if (!kind) refuse(outer, key, object, unknown_input(known, key));
     refuse(outer, key, object, "must be an input that is a real number");
   }
   const std::string place_text = outer + ": " + key;

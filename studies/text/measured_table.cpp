@@ -80,7 +80,9 @@ const MeasuredColumn& MeasuredTable::needed(std::string_view name) const {
 void MeasuredTable::refuse_others(std::span<const std::string_view> known) const {
   for (const MeasuredColumn& column : columns)
     if (find_name(known, column.name) < 0)
-      fail(file, column.name + ": " + unknown("unknown column", known, column.name, "ignore_columns leaves it out"));
+      fail(file, column.name + ": " +
+                     unknown("unknown column", known, column.name,
+                             "known are " + joined(known) + "; ignore_columns leaves others out"));
 }
 
 void MeasuredTable::leave_out(std::span<const std::string> names) {

@@ -148,10 +148,16 @@ TEST_CASE("a loss tangent stands for one of the moduli, and columns are left out
   CHECK(refusal_of_table("frequency [Hz],tan_delta\n1,1\n10,1\n") == "rubber.csv: has no column loss_modulus");
 
   const std::string strained = "frequency [Hz],strain [%],storage_modulus [MPa],loss_modulus [MPa]\n1,2,2,1\n9,2,4,1\n";
-  CHECK(refusal_of_table(strained) == "rubber.csv: strain: unknown column; ignore_columns leaves it out");
+  CHECK(refusal_of_table(strained) ==
+        "rubber.csv: strain: unknown column; known are frequency, angular_frequency, storage_modulus, loss_modulus, "
+        "loss_tangent, tan_delta, note; ignore_columns leaves others out");
   CHECK(scene_of(strained, R"(, "ignore_columns": ["strain"])").storage_moduli == std::vector<double>{2e6, 4e6});
   CHECK_THAT(message_of([&] { scene_of(strained, R"(, "ignore_columns": ["stain"])"); }),
              Contains("rubber.csv: ignore_columns: stain: the table has no such column"));
+  folder.write("scene.json", scene_text(R"("master_curve_file": "rubber.csv", "ignore_columns": ["strain"])"));
+  CHECK_THAT(message_of([&] { read_scene(folder / "scene.json"); }),
+             Contains("stiffening is missing: material \"zener\" needs it (1); frequencies is given, for "
+                      "material \"master_curve\""));
   CHECK_THAT(message_of([&] { scene_of(strained, R"(, "ignore_columns": "strain")"); }),
              Contains("ignore_columns = \"strain\": must be a list of names"));
 }
