@@ -32,6 +32,14 @@ int edit_distance(std::string_view a, std::string_view b) {
   return at(rows - 1, columns - 1);
 }
 
+/// Whether some whole words of a name are the part: "resistance" of "rolling_resistance".
+bool is_part_of(std::string_view part, std::string_view name) {
+  const std::size_t at = part.empty() ? std::string_view::npos : name.find(part);
+  if (at == std::string_view::npos) return false;
+  const std::size_t end = at + part.size();
+  return (at == 0 || name[at - 1] == '_') && (end == name.size() || name[end] == '_');
+}
+
 }  // namespace
 
 bool Range::contains(double value) const {
@@ -73,6 +81,9 @@ std::string nearest_name(std::span<const std::string_view> names, std::string_vi
       nearest = name;
     }
   }
+  if (!nearest.empty()) return nearest;
+  for (const std::string_view name : names)
+    if (is_part_of(misspelt, name) && (nearest.empty() || name.size() < nearest.size())) nearest = name;
   return nearest;
 }
 
