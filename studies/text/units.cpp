@@ -37,6 +37,11 @@ ut_system* unit_system() {
     System read(ut_read_xml(nullptr));
     if (!read)
       throw std::runtime_error("the database of units (udunits2) cannot be read; is libudunits2-data installed?");
+    // Speeds of vehicles and belts that the library lacks.
+    for (const auto& [name, meaning] : {std::pair{"mph", "mile/hour"}, std::pair{"fpm", "foot/minute"}}) {
+      const Unit unit(ut_parse(read.get(), meaning, UT_ASCII));
+      ut_map_name_to_unit(name, UT_ASCII, unit.get());
+    }
     return read;
   }();
   return system.get();

@@ -30,6 +30,8 @@ TEST_CASE("numbers with units become the SI numbers one would write by hand", "[
                                       {"-3 mm", "m", -0.003},
                                       {"36 km/h", "m/s", 10},
                                       {"5 cm/s", "m/s", 0.05},
+                                      {"60 mph", "m/s", 26.8224},
+                                      {"500 fpm", "m/s", 2.54},
                                       {"7 mm s-1", "m/s", 0.007},
                                       {"20 kN/m", "N/m", 20e3},
                                       {"3 N/mm", "N/m", 3e3},
