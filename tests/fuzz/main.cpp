@@ -229,7 +229,7 @@ void solve_scenes(std::size_t first, std::size_t count, std::uint64_t seed, doub
     }
     longest = std::max(longest, seconds);
     largest = std::max(largest, memory);
-    if (seconds > 1.1 * time_allowed + 0.5) wrong += std::to_string(seconds) + " s of processor time; ";
+    if (seconds > 1.1 * time_allowed + patience(0.5)) wrong += std::to_string(seconds) + " s of processor time; ";
     if (memory > memory_share * memory_allowed + 1e8) wrong += std::to_string(memory / 1e9) + " GB; ";
     if (!wrong.empty())
       complain(wrong, "scene-" + std::to_string(seed) + "-" + std::to_string(first + end.piece) + ".json",
