@@ -1,5 +1,6 @@
 #include "core/material/material.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/material/fractional_zener.hpp"
@@ -34,6 +35,17 @@ PronySeries prony_series(const MaterialInputs& layer) {
   for (std::size_t j = 0; j < layer.relaxation_times.size(); ++j)
     series.terms.push_back({as_shear(layer, layer.relaxation_moduli[j]), layer.relaxation_times[j]});
   return ordered(std::move(series));
+}
+
+/// "table of 13 a_T, between its rows by hyperbolas"
+std::string table_in_words(const MaterialInputs& layer, const std::string& symbol) {
+  return message_text("table of ", layer.shift_temperatures.size(), " ", symbol, ", between its rows by hyperbolas");
+}
+
+/// What shifts the times, in words; empty if nothing.
+std::string shift_law(const MaterialInputs& layer) {
+  if (!layer.shift_factors.empty()) return table_in_words(layer, "a_T");
+  return layer.wlf_c1 ? "WLF" : layer.vft_b ? "VFT" : layer.activation_energy ? "Arrhenius" : "";
 }
 
 CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
@@ -72,6 +84,10 @@ CreepSpectrum creep_spectrum(const MaterialInputs& layer) {
   CreepSpectrum spectrum = spectrum_at_reference(layer);
   if (const double shift = time_shift(layer); shift != 1)
     for (CreepSpectrum::Term& term : spectrum.terms) term.time *= shift;
+  if (const double shift = modulus_shift(layer); shift != 1) {
+    spectrum.instantaneous *= shift;
+    for (CreepSpectrum::Term& term : spectrum.terms) term.compliance *= shift;
+  }
   return spectrum;
 }
 
@@ -81,7 +97,8 @@ std::complex<double> complex_modulus(const MaterialInputs& layer, double omega) 
 
 double static_modulus(const MaterialInputs& layer) {
   const bool given = layer.static_shear_modulus || layer.static_young_modulus;
-  return given ? layer.rest_factor * given_static_modulus(layer) : 1 / creep_spectrum(layer).at_rest();
+  return given ? layer.rest_factor * given_static_modulus(layer) / modulus_shift(layer)
+               : 1 / creep_spectrum(layer).at_rest();
 }
 
 std::string material_route(const MaterialInputs& layer) {
@@ -94,10 +111,14 @@ std::string material_route(const MaterialInputs& layer) {
                 ? "fractional Zener solid of order 1: a Zener solid"
                 : message_text<5>("fractional Zener solid as ", creep_spectrum(layer).terms.size(),
                                   " exponentials, 1/G* to 1e-7");
-  if (layer.temperature && layer.material != MaterialModel::elastic)
-    route +=
-        message_text<5>(route.empty() ? "" : "; ", "times at ", *layer.temperature, " K: ", time_shift(layer),
-                        " of those at ", *layer.reference_temperature, " K (", layer.wlf_c1 ? "WLF" : "Arrhenius", ")");
+  const auto add = [&](const char* what, double shift, const std::string& law) {
+    route += message_text<5>(route.empty() ? "" : "; ", what, " at ", *layer.temperature, " K: ", shift,
+                             " of those at ", *layer.reference_temperature, " K (", law, ")");
+  };
+  if (layer.temperature && layer.material != MaterialModel::elastic && !shift_law(layer).empty())
+    add("times", time_shift(layer), shift_law(layer));
+  if (layer.temperature && !layer.modulus_shifts.empty())
+    add("moduli", 1 / modulus_shift(layer), table_in_words(layer, "b_T"));
   return route;
 }
 
@@ -110,6 +131,21 @@ std::vector<std::string> material_warnings(const MaterialInputs& layer) {
       warnings.push_back(message_text<5>("temperature = ", *layer.temperature,
                                          " K: is close to where WLF has no meaning (",
                                          *layer.reference_temperature - *layer.wlf_c2, " K)"));
+  }
+  if (layer.temperature && !layer.shift_factors.empty()) {
+    const auto& rows = layer.shift_temperatures;
+    const auto factor = [&](auto row) { return layer.shift_factors[static_cast<std::size_t>(row - rows.begin())]; };
+    const auto [coldest, warmest] = std::minmax_element(rows.begin(), rows.end());
+    if (factor(coldest) < factor(warmest))
+      warnings.push_back(message_text<5>("shift_factors: a_T rises with temperature, from ", factor(coldest), " at ",
+                                         *coldest, " K to ", factor(warmest), " at ", *warmest,
+                                         " K, where times of materials fall: is 1/a_T meant?"));
+  }
+  if (layer.temperature && layer.vft_b) {
+    const double far = *layer.reference_temperature - *layer.vft_temperature;
+    if (*layer.temperature < *layer.vft_temperature + 0.2 * far)
+      warnings.push_back(message_text<5>("temperature = ", *layer.temperature,
+                                         " K: is close to where VFT has no meaning (", *layer.vft_temperature, " K)"));
   }
   return warnings;
 }

@@ -1,7 +1,9 @@
 #include "core/material/material_scale.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/material/shift_table.hpp"
 #include "core/messages/require.hpp"
 
 namespace rollres {
@@ -15,17 +17,47 @@ double as_shear(const MaterialInputs& layer, double listed) {
   return layer.listed_moduli == ListedModuli::young ? listed / (2 * (1 + layer.poisson_ratio)) : listed;
 }
 
-double time_shift(const MaterialInputs& layer) {
-  if (!layer.temperature) return 1;
-  TemperatureShift shift{.law = ShiftLaw::arrhenius, .reference = *layer.reference_temperature};
-  if (layer.wlf_c1) {
+namespace {
+
+TemperatureShift shift_of(const MaterialInputs& layer) {
+  TemperatureShift shift{.law = ShiftLaw::none,
+                         .reference = *layer.reference_temperature,
+                         .table = {layer.shift_temperatures, layer.shift_factors, layer.modulus_shifts}};
+  if (!layer.shift_factors.empty()) {
+    shift.law = ShiftLaw::table;
+  } else if (layer.wlf_c1) {
     shift.law = ShiftLaw::wlf;
     shift.c1 = *layer.wlf_c1;
     shift.c2 = *layer.wlf_c2;
-  } else {
+  } else if (layer.vft_b) {
+    shift.law = ShiftLaw::vft;
+    shift.vft_b = *layer.vft_b;
+    shift.vft_temperature = *layer.vft_temperature;
+  } else if (layer.activation_energy) {
+    shift.law = ShiftLaw::arrhenius;
     shift.activation_energy = *layer.activation_energy;
   }
-  return shift_factor(shift, *layer.temperature);
+  return shift;
+}
+
+/// What one list of a table says of a temperature over what it says of the reference.
+double table_ratio(const TemperatureShift& shift, const std::vector<double>& factors, double temperature) {
+  const auto at = [&](double there) { return table_factor(shift.table.temperatures, factors, there); };
+  return at(temperature) / at(shift.reference);
+}
+
+}  // namespace
+
+double time_shift(const MaterialInputs& layer) {
+  return layer.temperature ? shift_factor(shift_of(layer), *layer.temperature) : 1;
+}
+
+double modulus_shift(const MaterialInputs& layer) {
+  return layer.temperature ? modulus_factor(shift_of(layer), *layer.temperature) : 1;
+}
+
+double modulus_factor(const TemperatureShift& shift, double temperature) {
+  return shift.table.moduli.empty() ? 1 : table_ratio(shift, shift.table.moduli, temperature);
 }
 
 double shift_factor(const TemperatureShift& shift, double temperature) {
@@ -35,6 +67,13 @@ double shift_factor(const TemperatureShift& shift, double temperature) {
   if (shift.law == ShiftLaw::arrhenius)
     return std::exp(shift.activation_energy / gas_constant * (1 / temperature - 1 / shift.reference));
   if (shift.law == ShiftLaw::none) return 1;
+  if (shift.law == ShiftLaw::table) return table_ratio(shift, shift.table.factors, temperature);
+  if (shift.law == ShiftLaw::vft) {
+    const double lowest = shift.vft_temperature;
+    require(temperature > lowest && shift.reference > lowest, "temperature", std::min(temperature, shift.reference),
+            "must be above T1 of VFT");
+    return std::exp(shift.vft_b / (temperature - lowest) - shift.vft_b / (shift.reference - lowest));
+  }
   require(shift.c2 + above > 0, "temperature", temperature, "must be above the reference less c2 for WLF");
   return std::pow(10, -shift.c1 * above / (shift.c2 + above));
 }

@@ -2,8 +2,8 @@
 
 /// What turns the numbers of a layer's material into moduli of shear and times at its temperature.
 ///
-/// Time-temperature superposition: at temperature T a material is, at frequency omega, what it is at a(T) omega at the
-/// reference temperature.
+/// Time-temperature superposition: b(T) G*(omega, T) = G*(a(T) omega, T0) with the reference temperature T0, for an
+/// entropic rubber b = T0/T (Ferry 1980, Viscoelastic Properties of Polymers, chapter 11).
 
 #include "core/scene/material_inputs.hpp"
 
@@ -18,19 +18,38 @@ double as_shear(const MaterialInputs& layer, double listed);
 /// a(T): the times of the layer at its temperature over those at the reference; 1 without a temperature.
 double time_shift(const MaterialInputs& layer);
 
-enum class ShiftLaw { none, wlf, arrhenius };
+/// b(T): the moduli of the layer at the reference temperature over those at its own, at shifted times; 1 without a
+/// table of b_T.
+double modulus_shift(const MaterialInputs& layer);
+
+enum class ShiftLaw { none, wlf, arrhenius, vft, table };
+
+/// A table of shifts, as measured (shift_table.hpp).
+struct ShiftTable {
+  std::vector<double> temperatures;  ///< [K]
+  std::vector<double> factors;       ///< a(T) [1], as many or none
+  std::vector<double> moduli;        ///< b(T) [1], as many or none
+};
 
 /// log10 a = -c1 (T - T0) / (c2 + T - T0) (Williams, Landel and Ferry 1955, J. Am. Chem. Soc. 77, 3701), or
-/// ln a = E/R (1/T - 1/T0).
+/// ln a = E/R (1/T - 1/T0), or ln a = B/(T - T1) - B/(T0 - T1) (Vogel 1921, Fulcher 1925, Tammann and Hesse 1926),
+/// which is WLF with c2 = T0 - T1, c1 = B/(c2 ln 10).
 struct TemperatureShift {
   ShiftLaw law = ShiftLaw::none;
   double reference = 293.15;     ///< T0 [K]
   double c1 = 0, c2 = 0;         ///< [1], [K], of WLF
   double activation_energy = 0;  ///< E [J/mol], of Arrhenius
+  double vft_b = 0;              ///< B [K], of VFT
+  double vft_temperature = 0;    ///< T1 [K]
+  ShiftTable table = {};         ///< its a(T) in place of a law; its b(T) beside any
 };
 
-/// a(T). @param temperature [K]; for WLF above T0 - c2
+/// a(T), of a table the one at T over the one at T0. @param temperature [K]; for WLF above T0 - c2, for VFT it and T0
+/// above T1, for a table both within it
 /// @throws std::invalid_argument if it is not
 double shift_factor(const TemperatureShift& shift, double temperature);
+
+/// b(T), that at T over that at T0; 1 without a table of b(T). @throws as above
+double modulus_factor(const TemperatureShift& shift, double temperature);
 
 }  // namespace rollres

@@ -60,22 +60,75 @@ void check_modulus(const MaterialInputs& layer, Lines& lines) {
     lines.push_back(missing("static_shear_modulus", rule + " (Pa)"));
 }
 
+/// The laws of shift that are given, by the input that stands for each.
+std::vector<std::string_view> shift_laws(const MaterialInputs& layer) {
+  std::vector<std::string_view> laws;
+  if (layer.wlf_c1 || layer.wlf_c2) laws.emplace_back("wlf_c1");
+  if (layer.activation_energy) laws.emplace_back("activation_energy");
+  if (layer.vft_b || layer.vft_temperature) laws.emplace_back("vft_b");
+  if (!layer.shift_factors.empty()) laws.emplace_back("shift_factors");
+  return laws;
+}
+
+constexpr const char* laws_in_words =
+    "wlf_c1 and wlf_c2, activation_energy, vft_b and vft_temperature, or shift_factors";
+
+void check_pair(std::string_view first, bool has_first, std::string_view second, bool has_second, Lines& lines) {
+  if (has_first == has_second) return;
+  lines.push_back(
+      missing(has_first ? second : first, std::string(first) + " and " + std::string(second) + " go together"));
+}
+
+void check_shift_table(const MaterialInputs& layer, Lines& lines) {
+  const auto& temperatures = layer.shift_temperatures;
+  const std::size_t rows = temperatures.size();
+  bool used = false;
+  for (const auto& [key, list] :
+       {std::pair("shift_factors", &layer.shift_factors), std::pair("modulus_shifts", &layer.modulus_shifts)}) {
+    if (list->empty()) continue;
+    used = true;
+    if (rows == 0)
+      lines.push_back(missing("shift_temperatures", std::string(key) + " needs it (K)"));
+    else if (list->size() != rows)
+      lines.push_back(std::string(key) + ": has " + std::to_string(list->size()) +
+                      " values, but shift_temperatures has " + std::to_string(rows));
+  }
+  if (!used || rows == 0) return;
+  if (rows == 1) lines.push_back("shift_temperatures: must have at least two values");
+  std::vector<double> sorted = temperatures;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    lines.push_back(broken("shift_temperatures", *twice, "given twice"));
+  constexpr double rounding = 1e-12;  // as within_table has it
+  for (const auto& [key, value] :
+       {std::pair("temperature", layer.temperature), std::pair("reference_temperature", layer.reference_temperature)}) {
+    if (!layer.temperature || !value) continue;
+    if (*value >= sorted.front() * (1 - rounding) && *value <= sorted.back() * (1 + rounding)) continue;
+    std::ostringstream rule;
+    rule << "must be within shift_temperatures, " << sorted.front() << " to " << sorted.back()
+         << " K: the table is not continued beyond its ends";
+    lines.push_back(broken(key, *value, rule.str()));
+  }
+}
+
 void check_temperature(const MaterialInputs& layer, Lines& lines) {
-  const bool wlf = layer.wlf_c1 || layer.wlf_c2, arrhenius = layer.activation_energy.has_value();
-  constexpr const char* both = "wlf_c1 and wlf_c2 go together";
-  if (layer.wlf_c1 && !layer.wlf_c2) lines.push_back(missing("wlf_c2", both));
-  if (layer.wlf_c2 && !layer.wlf_c1) lines.push_back(missing("wlf_c1", both));
-  if (wlf && arrhenius)
-    lines.push_back(
-        broken("activation_energy", *layer.activation_energy, "give wlf_c1 and wlf_c2 or activation_energy, not both"));
+  check_pair("wlf_c1", layer.wlf_c1.has_value(), "wlf_c2", layer.wlf_c2.has_value(), lines);
+  check_pair("vft_b", layer.vft_b.has_value(), "vft_temperature", layer.vft_temperature.has_value(), lines);
+  check_shift_table(layer, lines);
+  const std::string all = laws_in_words;
+  if (const auto laws = shift_laws(layer); laws.size() > 1)
+    lines.push_back(std::string(laws.front()) + " and " + std::string(laws.back()) + ": give one law of shift: " + all);
   if (!layer.temperature) return;
-  if (!wlf && !arrhenius)
-    lines.push_back(broken("temperature", *layer.temperature,
-                           "has no effect without a shift law: give wlf_c1 and wlf_c2, or activation_energy"));
+  if (!has_shift(layer))
+    lines.push_back(broken("temperature", *layer.temperature, "has no effect without a shift law: give " + all));
   else if (!layer.reference_temperature)
     lines.push_back(missing("reference_temperature", "a temperature needs it (K)"));
   else if (layer.wlf_c2 && *layer.temperature <= *layer.reference_temperature - *layer.wlf_c2)
     lines.push_back(broken("temperature", *layer.temperature, "must be above reference_temperature - wlf_c2"));
+  else if (layer.vft_temperature)
+    for (const auto& [key, value] : {std::pair("temperature", *layer.temperature),
+                                     std::pair("reference_temperature", *layer.reference_temperature)})
+      if (value <= *layer.vft_temperature) lines.push_back(broken(key, value, "must be above vft_temperature"));
 }
 
 void check_softening(const MaterialInputs& layer, Lines& lines) {
@@ -117,6 +170,8 @@ std::vector<std::string_view> needed_inputs(MaterialModel material) {
   }
   return {};
 }
+
+bool has_shift(const MaterialInputs& layer) { return !shift_laws(layer).empty() || !layer.modulus_shifts.empty(); }
 
 std::vector<std::string> check_material(const MaterialInputs& layer) {
   Lines lines;

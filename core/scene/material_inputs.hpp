@@ -61,17 +61,21 @@ struct MaterialInputs {
   std::vector<double> storage_moduli;          // G' or E' [Pa], as many
   std::vector<double> loss_moduli;             // G" or E" [Pa], as many
   ListedModuli listed_moduli = ListedModuli::shear;
-  std::optional<double> temperature;            // [K]; all times above are those at
-  std::optional<double> reference_temperature;  // [K]
-  std::optional<double> wlf_c1, wlf_c2;         // [1], [K]; the shift law, or
-  std::optional<double> activation_energy;      // [J/mol]
-  double payne_drop = 0;                        // of G' with the strain amplitude, over G' [1]; Kraus's model, or
-  std::optional<double> payne_strain;           // amplitude of half the drop [1]
-  double payne_exponent = 0.6;                  // m [1]
-  double payne_loss_peak = 1;                   // G" at payne_strain over that at small strains [1]
-  std::vector<double> sweep_strains;            // [1], of a strain sweep
-  std::vector<double> sweep_storage_moduli;     // [Pa], as many
-  std::vector<double> sweep_loss_moduli;        // [Pa], as many
+  std::optional<double> temperature;             // [K]; all times above are those at
+  std::optional<double> reference_temperature;   // [K]
+  std::optional<double> wlf_c1, wlf_c2;          // [1], [K]; the shift law, or
+  std::optional<double> activation_energy;       // [J/mol], or
+  std::optional<double> vft_b, vft_temperature;  // [K], [K], or
+  std::vector<double> shift_temperatures;        // [K], of a table of
+  std::vector<double> shift_factors;             // a_T [1], as many, and
+  std::vector<double> modulus_shifts;            // b_T [1], as many or none; beside any law
+  double payne_drop = 0;                         // of G' with the strain amplitude, over G' [1]; Kraus's model, or
+  std::optional<double> payne_strain;            // amplitude of half the drop [1]
+  double payne_exponent = 0.6;                   // m [1]
+  double payne_loss_peak = 1;                    // G" at payne_strain over that at small strains [1]
+  std::vector<double> sweep_strains;             // [1], of a strain sweep
+  std::vector<double> sweep_storage_moduli;      // [Pa], as many
+  std::vector<double> sweep_loss_moduli;         // [Pa], as many
   SweepDeformation sweep_deformation = SweepDeformation::shear;
   SweepAmplitude sweep_amplitude = SweepAmplitude::peak;
   double rest_factor = 1;        // no inputs: of the modulus at rest and of the moduli of relaxation, at the strain
@@ -115,6 +119,15 @@ void visit_material_inputs(Inputs& layer, Visitor&& visitor) {
   visitor(Q{"wlf_c2", "c2", "K", "of the same law (Williams, Landel and Ferry)", positive}, layer.wlf_c2);
   visitor(Q{"activation_energy", "", "J/mol", "of the shift law ln a = E_a/R (1/T - 1/T_ref) (Arrhenius)", positive},
           layer.activation_energy);
+  visitor(Q{"vft_b", "B", "K", "of the shift law ln a = B/(T - T∞) - B/(T_ref - T∞)", positive}, layer.vft_b);
+  visitor(Q{"vft_temperature", "T∞", "K", "of the same law (Vogel, Fulcher and Tammann)", positive},
+          layer.vft_temperature);
+  visitor(Q{"shift_temperatures", "", "K", "temperatures of a table of shifts", positive}, layer.shift_temperatures);
+  visitor(Q{"shift_factors", "a_T", "1", "times at these temperatures over those at T_ref", positive},
+          layer.shift_factors);
+  visitor(
+      Q{"modulus_shifts", "b_T", "1", "moduli at T_ref over those at these temperatures, at shifted times", positive},
+      layer.modulus_shifts);
   visitor(Q{"payne_drop",
             "",
             "1",
@@ -150,6 +163,9 @@ std::vector<std::string_view> needed_inputs(MaterialModel material);
 
 /// Whether a material needs static_shear_modulus or static_young_modulus.
 inline bool needs_static_modulus(MaterialModel material) { return material != MaterialModel::master_curve; }
+
+/// Whether a shift law, or a table of a_T or b_T, says what the temperature does.
+bool has_shift(const MaterialInputs& layer);
 
 /// Every rule that the inputs break together, each as one line "key = value: rule"; ranges are left to the caller.
 std::vector<std::string> check_material(const MaterialInputs& layer);

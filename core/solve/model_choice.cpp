@@ -94,6 +94,7 @@ class Simplification {
     const auto incompressible = [](MaterialInputs& m) {
       m.static_shear_modulus = static_modulus(m) / (2 * (1 - m.poisson_ratio));
       m.static_young_modulus.reset();
+      m.temperature.reset();
       m.rest_factor = 1;
       m.poisson_ratio = 0.5;
     };

@@ -13,6 +13,8 @@ namespace {
 constexpr Quantity wlf_c1{"wlf_c1", "c1", "1", "first constant of WLF", positive};
 constexpr Quantity wlf_c2{"wlf_c2", "c2", "K", "second constant of WLF", positive};
 constexpr Quantity energy{"activation_energy", "E", "J/mol", "of Arrhenius' law", not_negative};
+constexpr Quantity vft_b{"vft_b", "B", "K", "of VFT's law", positive};
+constexpr Quantity vft_temperature{"vft_temperature", "T∞", "K", "of VFT's law", positive};
 
 }  // namespace
 
@@ -30,6 +32,10 @@ std::vector<FitParameter> shift_parameters(const TemperatureShift& shift) {
     return {parameter(wlf_c1, shift.c1 > 0 ? shift.c1 : 8.86), parameter(wlf_c2, shift.c2 > 0 ? shift.c2 : 101.6)};
   if (shift.law == ShiftLaw::arrhenius)
     return {parameter(energy, shift.activation_energy > 0 ? shift.activation_energy : 1e5)};
+  if (shift.law == ShiftLaw::vft)
+    return {parameter(vft_b, shift.vft_b > 0 ? shift.vft_b : 2000),
+            parameter(vft_temperature,
+                      shift.vft_temperature > 0 ? shift.vft_temperature : std::max(1.0, shift.reference - 100))};
   return {};
 }
 
@@ -37,6 +43,7 @@ TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point) {
   const std::size_t n = point.size();
   if (shift.law == ShiftLaw::wlf) shift.c1 = point[n - 2], shift.c2 = point[n - 1];
   if (shift.law == ShiftLaw::arrhenius) shift.activation_energy = point[n - 1];
+  if (shift.law == ShiftLaw::vft) shift.vft_b = point[n - 2], shift.vft_temperature = point[n - 1];
   return shift;
 }
 

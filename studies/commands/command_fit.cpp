@@ -176,8 +176,8 @@ MadeFit make_shift_fit(const FitArguments& arguments, const ShiftFile& file, Ses
   const auto begin = std::chrono::steady_clock::now();
   FitOptions options = file.options;
   options.profiles = !arguments.no_profiles;
-  const ShiftFit found =
-      refusing_at(arguments.fit, [&] { return fit_shift(file.data, file.law, file.deviation, options); });
+  const ShiftFit found = refusing_at(
+      arguments.fit, [&] { return fit_shift(file.data, file.law, file.deviation, options, file.relative_to); });
   FitContext context = context_of(file, "shift", "1");
   context.notes.push_back("the values are ln a_T, reference temperature " + readable(file.law.reference, "K"));
   context.scene = fitted_scene(found, file);

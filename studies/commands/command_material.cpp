@@ -101,14 +101,15 @@ std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, co
   relaxing.x = creeping.x;
   std::vector<MaterialCurve> moduli{storage, loss};
   if (layer.material == MaterialModel::master_curve) {
-    // The table holds at the reference temperature: a row acts at the frequency over the shift of times.
-    const double shift = time_shift(layer);
+    // The table holds at the reference temperature: a row acts at the frequency over the shift of times, its moduli over
+    // that of moduli.
+    const double shift = time_shift(layer), unit = mega * modulus_shift(layer);
     moduli.push_back({"table", true, {}, {}});
     moduli.push_back({"table", true, {}, {}});
     for (std::size_t row = 0; row < layer.frequencies.size(); ++row) {
       for (const std::size_t i : {2U, 3U}) moduli[i].x.push_back(layer.frequencies[row] / shift);
-      moduli[2].y.push_back(as_shear(layer, layer.storage_moduli[row]) / mega);
-      moduli[3].y.push_back(as_shear(layer, layer.loss_moduli[row]) / mega);
+      moduli[2].y.push_back(as_shear(layer, layer.storage_moduli[row]) / unit);
+      moduli[3].y.push_back(as_shear(layer, layer.loss_moduli[row]) / unit);
     }
   }
   const ChartAxis modulus{.name = "shear modulus", .unit = "MPa", .logarithmic = true};

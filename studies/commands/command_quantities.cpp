@@ -125,7 +125,8 @@ void print_keys(std::ostream& out) {
          "## Scene\n\n";
   write_markdown(out, table_of(input_rows()));
   out << "\nBesides: `" << master_curve_key << "`, a CSV file with the lists of a master curve, `" << strain_sweep_key
-      << "`, one with those of a\nstrain sweep; `$schema` and `comment`, texts that are ignored. Inputs of further "
+      << "`, one with those of a\nstrain sweep, `" << shift_table_key
+      << "`, one with a table of shifts; `$schema` and `comment`, texts that are ignored. Inputs of further "
          "layers are "
       << further_layers().form() << ", counted from 0: " << joined(further_layers().keys) << ".\n";
   for (const auto& [title, keys] : key_sections()) {

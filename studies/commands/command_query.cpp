@@ -9,6 +9,7 @@
 #include "studies/stored/derived_columns.hpp"
 #include "studies/stored/shown_table.hpp"
 #include "studies/stored/study_rows.hpp"
+#include "studies/stored_fits/fit_question.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
@@ -23,7 +24,7 @@ struct QueryArguments {
   std::optional<std::string> sql;
   std::vector<std::string> filters;
   std::optional<std::int64_t> limit;
-  bool si = false;
+  bool si = false, fits = false;
 };
 
 std::vector<Filter> filters_of(const QueryArguments& arguments) {
@@ -78,6 +79,20 @@ std::vector<std::string> choose_columns(const Database& database, Query& questio
   return droppable;
 }
 
+/// Leaves out what a terminal has no room for, and says so.
+void fit_to_terminal(Table& table, const std::vector<std::string>& droppable, Session& session) {
+  constexpr std::size_t usual_width = 120;  // where there is no terminal
+  const std::size_t terminal = terminal_width(session.out);
+  const auto dropped = fit_to_width(table, terminal > 0 ? terminal : usual_width, droppable);
+  constexpr std::size_t most = 8;
+  if (dropped.empty()) return;
+  const std::vector<std::string> named(dropped.begin(),
+                                       dropped.begin() + static_cast<std::ptrdiff_t>(std::min(most, dropped.size())));
+  session.err << "no room for " << joined(named);
+  if (dropped.size() > most) session.err << " and " << dropped.size() - most << " others";
+  session.err << ": --columns chooses, --format csv has all\n";
+}
+
 Table rows(const QueryArguments& arguments, const Database& database, Session& session) {
   Query question{.filters = filters_of(arguments),
                  .columns = split_at_commas(arguments.columns),
@@ -92,13 +107,18 @@ Table rows(const QueryArguments& arguments, const Database& database, Session& s
   const FormulaDefinitions formulas = add_derived(database, question);
   if (!is_for_people(arguments)) return run_query(database, question);
   Table table = shown_rows(database, question, formulas, units_of(arguments));
-  if (!chosen || arguments.format != "table") return table;
-  constexpr std::size_t usual_width = 120;  // where there is no terminal
-  const std::size_t terminal = terminal_width(session.out);
-  const auto dropped = fit_to_width(table, terminal > 0 ? terminal : usual_width, droppable);
-  if (!dropped.empty())
-    session.err << "no room for " << joined(dropped) << ": --columns chooses, --format csv has all\n";
+  if (chosen && arguments.format == "table") fit_to_terminal(table, droppable, session);
   return table;
+}
+
+Table fits(const QueryArguments& arguments, const Database& database, Session& session) {
+  Query question{
+      .columns = split_at_commas(arguments.columns), .sort = split_at_commas(arguments.sort), .limit = arguments.limit};
+  for (const std::string& text : arguments.filters) question.filters.push_back(read_fit_filter(database, text));
+  if (!is_for_people(arguments)) return run_fit_query(database, question);
+  ShownFits shown = shown_fits(database, question, units_of(arguments));
+  if (arguments.format == "table") fit_to_terminal(shown.table, shown.droppable, session);
+  return shown.table;
 }
 
 Table groups(const QueryArguments& arguments, const Database& database) {
@@ -117,6 +137,8 @@ void query(const QueryArguments& arguments, Session& session) {
   const bool grouped = !arguments.aggregates.empty() || !arguments.by.empty();
   const bool plain =
       arguments.filters.empty() && arguments.columns.empty() && arguments.sort.empty() && !arguments.limit && !grouped;
+  if (arguments.fits && (arguments.sql || grouped))
+    throw std::invalid_argument("--fits: has no place beside --sql, --aggregate and --by");
   if (arguments.sql && !plain)
     throw std::invalid_argument("--sql: stands alone; write filters, columns, order and limit in SQL");
   if (grouped && !arguments.columns.empty())
@@ -127,9 +149,10 @@ void query(const QueryArguments& arguments, Session& session) {
     session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
   Database database = open_database(gathered.file(), Access::read);
   database.stop_when(signal.requested());
-  const Table table = arguments.sql ? run_sql(database, *arguments.sql)
-                      : grouped     ? groups(arguments, database)
-                                    : rows(arguments, database, session);
+  const Table table = arguments.sql    ? run_sql(database, *arguments.sql)
+                      : arguments.fits ? fits(arguments, database, session)
+                      : grouped        ? groups(arguments, database)
+                                       : rows(arguments, database, session);
   write_table(session.out, table, arguments.format);
   if (table.rows.empty()) {
     session.err << joined(arguments.databases) << ": nothing matches\n";
@@ -141,7 +164,7 @@ void query(const QueryArguments& arguments, Session& session) {
 
 void add_query(Command& program, Session& session) {
   const auto [command, arguments] =
-      program.add<QueryArguments>("query", "Find stored evaluations by any input or output", session, query);
+      program.add<QueryArguments>("query", "Find stored evaluations by any input or output, or fits", session, query);
   command->add_option(
       "filters FILTER", arguments.filters,
       "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study (of several, any) or a "
@@ -149,6 +172,9 @@ void add_query(Command& program, Session& session) {
   command->add_option("--db FILE", arguments.databases, "database; may be repeated: several are read as one")
       ->one_value_each()
       ->required();
+  command->add_flag("--fits", arguments.fits,
+                    "fits in place of evaluations: KEY is name, kind, status, reduced_chi_squared and so on, a fitted "
+                    "parameter, or this with _error, _lowest or _highest (its 95 % interval)");
   command->add_option("--columns KEY,...", arguments.columns, "columns to print, separated by commas");
   command->add_option("--sort KEY,...", arguments.sort,
                       "columns to sort by, separated by commas; --sort=-KEY: largest first");
@@ -178,6 +204,7 @@ void add_query(Command& program, Session& session) {
       "weighted share' --by study\n"
       "          rollres query --db results.db study=optimise_layer feasible=1 --sort goal --limit 5   (the best "
       "designs)\n"
+      "          rollres query --db results.db --fits status=GOOD 'creep_time_error<1 ms' --sort creep_time\n"
       "          rollres query --db results.db study=tyres --aggregate 'max rolling_resistance, mean approach, count' "
       "--by load");
 }

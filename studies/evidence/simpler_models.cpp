@@ -106,6 +106,7 @@ class ModelsBeside {
     smooth(glassy);
     glassy.static_shear_modulus = static_modulus(scene_) * (1 + scene_.stiffening);
     glassy.static_young_modulus.reset();
+    glassy.temperature.reset();
     glassy.stiffening = 0;
     glassy.material = MaterialModel::elastic;
     const RollingSolution elastic = evaluate_(glassy);

@@ -178,6 +178,11 @@ Json scene_texts() {
       {"description",
        "CSV file with a strain sweep at one frequency, relative to this file: strain [1] or [%], rising, "
        "storage_modulus [Pa], loss_modulus [Pa]"}};
+  texts[std::string(shift_table_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with a table of shifts, relative to this file: temperature [K] or [degC], a_T or log10_a_T, b_T"}};
   texts[std::string(ignored_columns_key)] = {
       {"type", "array"}, {"items", name()}, {"description", "columns of these files that are left out"}};
   return texts;

@@ -81,7 +81,9 @@ bool is_case_of(const FitCandidate& small, const FitCandidate& large) {
 }
 
 /// Arrhenius' law is VFT's with its temperature at 0, and WLF's with c2 at the reference.
-bool is_case_of(ShiftLaw small, ShiftLaw large) { return small == ShiftLaw::arrhenius && (large == ShiftLaw::wlf); }
+bool is_case_of(ShiftLaw small, ShiftLaw large) {
+  return small == ShiftLaw::arrhenius && (large == ShiftLaw::wlf || large == ShiftLaw::vft);
+}
 
 /// Whether the scenes of one fit are those of another with its inputs at some values.
 bool is_case_of(const FitFile& small, const FitFile& large) {

@@ -231,6 +231,11 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
   } else {
     columns.push_back(&table.needed(output));
   }
+  const MeasuredColumn* const sigma = table.find("sigma");
+  if (sigma && sigma->unit.empty() && columns.front()->unit != columns.back()->unit)
+    throw std::invalid_argument(table.file +
+                                ": sigma: must have its unit in the heading, as \"sigma [%]\", where storage and loss "
+                                "modulus do not have the same one");
   const std::vector<double> frequencies = moduli ? measured_frequencies(table) : std::vector<double>();
   const std::vector<SceneEntry> common = overridden(base, set.set);
   const auto is_other = [&](const MeasuredColumn& column) {

@@ -11,8 +11,8 @@
 namespace rollres {
 
 inline constexpr std::array<std::string_view, 2> weight_names{"uniform", "relative"}, modulus_names{"shear", "young"};
-inline constexpr std::array<std::string_view, 3> shift_names{"none", "wlf", "arrhenius"};
-inline constexpr std::array<std::string_view, 2> law_names{"wlf", "arrhenius"};
+inline constexpr std::array<std::string_view, 4> shift_names{"none", "wlf", "arrhenius", "vft"};
+inline constexpr std::array<std::string_view, 3> law_names{"wlf", "arrhenius", "vft"};
 inline constexpr std::string_view shift_alone = "shift";  ///< in place of a material: a shift law from a table of a_T
 inline constexpr std::array<std::string_view, 4> material_names{"zener", "fractional_zener", "prony", shift_alone};
 inline constexpr KeyForm fit_starts = whole_from(1, 1000), fit_seed = whole_from(0, 2'000'000'000);
@@ -100,6 +100,9 @@ inline constexpr std::array material_fit_keys{
         "relaxation times in even steps of their logarithm, or free, fitted with their moduli (default up to 5 terms)",
         one_of(ChoiceNames<SeriesTimes>::names)},
     FileKey{"shift", "how temperature shifts the frequencies", one_of(shift_names)},
+    FileKey{"shift_table_file",
+            "name of a CSV file, relative to this file, with measured shifts: a_T in place of a law, b_T of moduli",
+            a_name},
     FileKey{"reference_temperature", "where nothing is shifted: in K, or \"20 degC\" (the default)"},
     FileKey{"sigma",
             "relative standard deviation of all moduli: \"2 %\", or one of the storage and one of the loss moduli"},

@@ -1,5 +1,7 @@
 #include "studies/fit/fitted_scene.hpp"
 
+#include <array>
+
 #include "fitting/fit/measured_terms.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -11,14 +13,23 @@ namespace rollres {
 
 namespace {
 
+bool shifts(const TemperatureShift& shift) { return shift.law != ShiftLaw::none || !shift.table.temperatures.empty(); }
+
 void add_shift(Json& inputs, const TemperatureShift& shift) {
-  if (shift.law != ShiftLaw::none) inputs["reference_temperature"] = shift.reference;
+  if (shifts(shift)) inputs["reference_temperature"] = shift.reference;
   if (shift.law == ShiftLaw::wlf) {
     inputs["wlf_c1"] = shift.c1;
     inputs["wlf_c2"] = shift.c2;
   } else if (shift.law == ShiftLaw::arrhenius) {
     inputs["activation_energy"] = shift.activation_energy;
+  } else if (shift.law == ShiftLaw::vft) {
+    inputs["vft_b"] = shift.vft_b;
+    inputs["vft_temperature"] = shift.vft_temperature;
   }
+  for (const auto& [key, list] :
+       {std::pair("shift_temperatures", &shift.table.temperatures), std::pair("shift_factors", &shift.table.factors),
+        std::pair("modulus_shifts", &shift.table.moduli)})
+    if (!list->empty()) inputs[key] = *list;
 }
 
 Json material_inputs(const MaterialFit& fit, MaterialForm form) {
@@ -40,9 +51,14 @@ Json material_inputs(const MaterialFit& fit, MaterialForm form) {
   return inputs;
 }
 
-bool is_shift(std::string_view key) {
-  return key == "reference_temperature" || key == "wlf_c1" || key == "wlf_c2" || key == "activation_energy";
+/// Inputs of a law of shift, or of the a_T in its place.
+bool is_law(std::string_view key) {
+  constexpr std::array<std::string_view, 7> keys{
+      "reference_temperature", "wlf_c1", "wlf_c2", "activation_energy", "vft_b", "vft_temperature", "shift_factors"};
+  return find_name(keys, key) >= 0;
 }
+
+bool is_shift(std::string_view key) { return is_law(key) || key == "shift_temperatures" || key == "modulus_shifts"; }
 
 /// Inputs of a material that a fitted one replaces. Its temperature stays, and its shift where none was fitted.
 bool is_replaced(std::string_view key, bool shifted) {
@@ -62,7 +78,7 @@ std::string fitted_scene(const MaterialFit& fit, const MaterialFile& file) {
   const Json given = Json::parse(file.scene);
   Json scene = Json::object();
   for (const auto& [key, value] : given.items())
-    if (!is_replaced(key, fit.shift.law != ShiftLaw::none)) scene[key] = value;
+    if (!is_replaced(key, shifts(fit.shift))) scene[key] = value;
   scene.update(inputs);
   return text_of(scene, 2);
 }
@@ -71,7 +87,7 @@ std::string fitted_scene(const ShiftFit& fit, const ShiftFile& file) {
   Json scene = Json::object();
   const Json given = file.scene.empty() ? Json::object() : Json::parse(file.scene);
   for (const auto& [key, value] : given.items())
-    if (!is_shift(key)) scene[key] = value;
+    if (!(given.contains("modulus_shifts") ? is_law(key) : is_shift(key))) scene[key] = value;  // its b_T stay
   add_shift(scene, fit.shift);
   return text_of(scene, 2);
 }

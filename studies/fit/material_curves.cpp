@@ -50,9 +50,10 @@ FitCurves shift_curves(const ShiftFile& file, const TemperatureShift& shift) {
   }
   const auto [lowest, highest] = std::minmax_element(curve.data_x.begin(), curve.data_x.end());
   constexpr int pieces = 60;
+  const double one = shift_factor(shift, file.relative_to.value_or(shift.reference));
   for (int i = 0; i <= pieces; ++i) {
     curve.x.push_back(*lowest + (*highest - *lowest) * i / pieces);
-    curve.value.push_back(std::log(shift_factor(shift, curve.x.back())));
+    curve.value.push_back(std::log(shift_factor(shift, curve.x.back()) / one));
     curve.band.push_back(0);
   }
   return curves;

@@ -75,6 +75,47 @@ std::string given_scene(const Json& object, const std::filesystem::path& file, c
   return scene.inputs.dump();
 }
 
+namespace {
+
+/// @throws std::invalid_argument "WHERE: temperature = 240: must be within shift_temperatures, ..."
+void refuse_beyond(const TemperatureShift& shift, double temperature, const std::string& where) {
+  MaterialInputs layer;
+  layer.static_shear_modulus = 1;
+  layer.shift_temperatures = shift.table.temperatures;
+  layer.shift_factors = shift.table.factors;
+  layer.modulus_shifts = shift.table.moduli;
+  layer.temperature = temperature;
+  layer.reference_temperature = shift.reference;
+  if (const auto broken = check_material(layer); !broken.empty())
+    throw std::invalid_argument(where + ": " + broken.front());
+}
+
+/// The shift of a fit's file: a law whose constants are fitted, or a measured table.
+/// @param text  of the table, at whose end that of the table of shifts is put
+TemperatureShift given_shift(const Json& object, const std::filesystem::path& file, const std::string& place,
+                             std::string& text) {
+  const std::string law = name_or_first(object, "shift", shift_names, place), key{shift_table_key};
+  TemperatureShift shift{.law = static_cast<ShiftLaw>(find_name(shift_names, law)),
+                         .reference = given_reference_temperature(object, place)};
+  if (!object.contains(key)) return shift;
+  const auto name = file.parent_path() / needed_text(object, key, place, "must be the name of a CSV file");
+  const Json lists = read_shift_table(name, names_or_none(object, std::string(ignored_columns_key), place));
+  const auto list = [&](std::string_view input) {
+    const auto found = lists.find(std::string(input));
+    return found == lists.end() ? std::vector<double>() : found->get<std::vector<double>>();
+  };
+  shift.table = {list(shift_table_inputs[0]), list(shift_table_inputs[1]), list(shift_table_inputs[2])};
+  refuse_beyond(shift, shift.reference, name.string());
+  text += read_measured_table(name).text;
+  if (shift.table.factors.empty()) return shift;
+  if (shift.law != ShiftLaw::none)
+    refuse(place, "shift", object["shift"], "a_T is in the " + key + ": leave out one of them");
+  shift.law = ShiftLaw::table;
+  return shift;
+}
+
+}  // namespace
+
 bool is_material_fit(const std::filesystem::path& file) { return read_object(file.string()).contains("material"); }
 
 MaterialFile read_material_fit(const std::filesystem::path& file) {
@@ -89,9 +130,6 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   if (const auto terms = object.find("terms"); terms != object.end() && *terms != "auto")
     fit.options.terms = whole_number_or(object, "terms", 0, 1, 100, place);
   if (object.contains("times")) fit.options.times = given_times(object, fit.options, place);
-  const std::string law = name_or_first(object, "shift", shift_names, place);
-  fit.options.shift.law = static_cast<ShiftLaw>(find_name(shift_names, law));
-  fit.options.shift.reference = given_reference_temperature(object, place);
   fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
   const double share = name_or_first(object, "modulus", modulus_names, place) == "young" ? 1.0 / 3 : 1;
@@ -102,7 +140,9 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
 
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
   MeasuredTable table = read_measured_table(file.parent_path() / name);
-  fit.data_digest = digest(table.text);
+  std::string text = table.text;
+  fit.options.shift = given_shift(object, file, place, text);
+  fit.data_digest = digest(text);
   table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
   std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
   known.emplace_back("temperature");
@@ -110,21 +150,30 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
     fit.notes.push_back("columns of " + name + " left out: " + joined(others));
   const std::vector<double> frequencies = measured_frequencies(table);
   const auto [storage, loss] = measured_moduli(table, positive);
-  const bool shifted = fit.options.shift.law != ShiftLaw::none;
-  const MeasuredColumn* const temperature = shifted ? &table.needed("temperature") : table.find("temperature");
+  const TemperatureShift& shift = fit.options.shift;
+  const bool shifted = shift.law != ShiftLaw::none, tabled = !shift.table.temperatures.empty();
+  const MeasuredColumn* const temperature =
+      shifted || tabled ? &table.needed("temperature") : table.find("temperature");
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double here = temperature ? measured_number(table, *temperature, row, "K") : fit.options.shift.reference;
+    const double here = temperature ? measured_number(table, *temperature, row, "K") : shift.reference;
+    const std::string cell = temperature ? heading(*temperature) + " = " + temperature->cells[row] : "";
+    if (tabled) refuse_beyond(shift, here, table.place(row));
+    const double factor = share * modulus_factor(shift, here);
     fit.data.push_back({.angular_frequency = 2 * std::numbers::pi * frequencies[row],
                         .temperature = here,
-                        .storage = share * storage[row],
-                        .loss = share * loss[row],
-                        .storage_deviation = sigma.storage * share * storage[row],
-                        .loss_deviation = sigma.loss * share * loss[row],
+                        .storage = factor * storage[row],
+                        .loss = factor * loss[row],
+                        .storage_deviation = sigma.storage * factor * storage[row],
+                        .loss_deviation = sigma.loss * factor * loss[row],
                         .place = table.place(row)});
     if (temperature && !shifted && here != fit.data.front().temperature)
-      throw std::invalid_argument(table.place(row) + ": " + heading(*temperature) + " = " + temperature->cells[row] +
-                                  ": several temperatures need a shift (wlf or arrhenius)");
+      throw std::invalid_argument(table.place(row) + ": " + cell +
+                                  ": several temperatures need a shift (wlf, arrhenius or vft) or a table of a_T");
   }
+  if (tabled)
+    fit.notes.push_back("shifts of " + needed_text(object, std::string(shift_table_key), place, "") +
+                        (shifted && shift.law == ShiftLaw::table ? ": frequencies are reduced by a_T" : "") +
+                        (shift.table.moduli.empty() ? "" : "; moduli are those of the data times b_T"));
   return fit;
 }
 

@@ -1,31 +1,17 @@
 #include "studies/fit/shift_file.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "db/file/digest.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/fit/material_file.hpp"
+#include "studies/scene_io/master_curve_file.hpp"
 #include "studies/text/file_kind.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 
 namespace rollres {
-
-namespace {
-
-std::vector<double> shift_factors(const MeasuredTable& table) {
-  const MeasuredColumn* const decades = table.find("log10_a_T");
-  if (decades && table.find("a_T")) throw std::invalid_argument(table.file + ": give a_T or log10_a_T, not both");
-  if (!decades) return measured_numbers(table, table.needed("a_T"), "1", positive);
-  constexpr Range representable{.lowest = -300, .highest = 300};
-  std::vector<double> factors = measured_numbers(table, *decades, "1", representable);
-  for (double& factor : factors) factor = std::pow(10, factor);
-  return factors;
-}
-
-}  // namespace
 
 bool is_shift_fit(const std::filesystem::path& file) {
   const Json object = read_object(file.string());
@@ -41,8 +27,7 @@ ShiftFile read_shift_fit(const std::filesystem::path& file) {
   ShiftFile fit;
   fit.name = needed_name(object, "fit", place, "must be the name of the fit");
   fit.definition = object.dump(2);
-  const std::string law = name_or_first(object, "shift", law_names, place);
-  fit.law.law = law == "wlf" ? ShiftLaw::wlf : ShiftLaw::arrhenius;
+  fit.law.law = static_cast<ShiftLaw>(find_name(shift_names, name_or_first(object, "shift", law_names, place)));
   fit.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
   fit.scene = given_scene(object, file, place);
@@ -61,11 +46,15 @@ ShiftFile read_shift_fit(const std::filesystem::path& file) {
   if (table.find("b_T")) others.emplace_back("b_T"), table.leave_out(others);  // resembles a_T
   for (const std::string& other : table.leave_out_others(known)) others.push_back(other);
   if (!others.empty()) fit.notes.push_back("columns of " + name + " left out: " + joined(others));
-  const std::vector<double> factors = shift_factors(table);
+  const std::vector<double> factors = measured_shift_factors(table);
   for (std::size_t row = 0; row < table.rows(); ++row)
     fit.data.push_back({measured_number(table, table.needed("temperature"), row, "K"), factors[row], table.place(row)});
   fit.law.reference =
       object.contains("reference_temperature") ? given_reference_temperature(object, place) : reference_of(fit.data);
+  fit.relative_to = take_reference(fit.data);
+  if (fit.relative_to)
+    fit.notes.push_back("the row at " + readable(*fit.relative_to, "K") +
+                        " is the reference of the table, 1 by definition, and no datum");
   return fit;
 }
 

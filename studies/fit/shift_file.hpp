@@ -6,12 +6,13 @@
 ///      "reference_temperature": "20 degC", "sigma": "5 %"}
 ///
 /// Columns of the table: temperature [K] or [degC], a_T [1] or log10_a_T [1], note. Others, b_T among them, are left
-/// out with a note, unless they resemble one of these. `shift`: "wlf" (default) or "arrhenius".
+/// out with a note, unless they resemble one of these. `shift`: "wlf" (default), "arrhenius" or "vft".
 /// `reference_temperature`: default that of the row whose factor is nearest to 1. `sigma`: relative deviation of a_T.
 /// `ignore_columns`, `scene`, starts, seed, comment as in other fits of materials.
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ namespace rollres {
 struct ShiftFile {
   std::string name, definition, data_digest;
   std::vector<MeasuredShift> data;
+  std::optional<double> relative_to = std::nullopt;  ///< temperature of the row that was 1 [K], which is no datum
   TemperatureShift law;
   double deviation = std::numeric_limits<double>::quiet_NaN();
   FitOptions options;

@@ -1,5 +1,7 @@
 #include "studies/scene_io/master_curve_file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -65,9 +67,31 @@ Json read_strain_sweep(const std::filesystem::path& file, const std::vector<std:
   return lists;
 }
 
+std::vector<double> measured_shift_factors(const MeasuredTable& table) {
+  const MeasuredColumn* const decades = table.find("log10_a_T");
+  if (decades && table.find("a_T")) throw std::invalid_argument(table.file + ": give a_T or log10_a_T, not both");
+  if (!decades) return measured_numbers(table, table.needed("a_T"), "1", positive);
+  constexpr Range representable{.lowest = -300, .highest = 300};
+  std::vector<double> factors = measured_numbers(table, *decades, "1", representable);
+  for (double& factor : factors) factor = std::pow(10, factor);
+  return factors;
+}
+
+Json read_shift_table(const std::filesystem::path& file, const std::vector<std::string>& ignored) {
+  MeasuredTable table = read_measured_table(file);
+  table.leave_out(ignored);
+  table.refuse_others(shift_columns);
+  Json lists;
+  lists["shift_temperatures"] = measured_numbers(table, table.needed("temperature"), "K", positive);
+  const MeasuredColumn* const moduli = table.find("b_T");
+  if (!moduli || table.find("a_T") || table.find("log10_a_T")) lists["shift_factors"] = measured_shift_factors(table);
+  if (moduli) lists["modulus_shifts"] = measured_numbers(table, *moduli, "1", positive);
+  return lists;
+}
+
 Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place) {
   const auto named = [&](std::string_view key) { return object.is_object() && object.contains(std::string(key)); };
-  if (!named(master_curve_key) && !named(strain_sweep_key)) return object;
+  if (std::none_of(table_keys.begin(), table_keys.end(), named)) return object;
   const std::vector<std::string> ignored = names_or_none(object, std::string(ignored_columns_key), place);
   Json complete = Json::object();
   const auto add_lists = [&](std::string_view file_key, const auto& inputs, const auto& read) {
@@ -84,6 +108,8 @@ Json with_master_curve(const Json& object, const std::filesystem::path& folder, 
       add_lists(master_curve_key, master_curve_inputs, read_master_curve);
     else if (key == strain_sweep_key)
       add_lists(strain_sweep_key, strain_sweep_inputs, read_strain_sweep);
+    else if (key == shift_table_key)
+      add_lists(shift_table_key, shift_table_inputs, read_shift_table);
     else if (key != ignored_columns_key)
       complete[key] = value;
   return complete;

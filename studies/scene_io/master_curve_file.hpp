@@ -9,6 +9,10 @@
 ///
 /// Likewise the table of a strain sweep at one frequency and temperature: {"strain_sweep_file": "sweep.csv"}, with the
 /// columns strain [1] or [%], in rising order, and moduli as above; of the moduli only ratios to the first row count.
+///
+/// And a table of shifts with temperature: {"shift_table_file": "shift.csv"}, with the columns temperature [K] or
+/// [degC], a_T or log10_a_T [1], b_T [1] (core/material/material_scale.hpp says which way they count), one of a_T and
+/// b_T at least, and note.
 
 #include <array>
 #include <filesystem>
@@ -25,11 +29,16 @@ namespace rollres {
 /// The key of a scene file; its place is taken by the inputs that the table gives.
 inline constexpr std::string_view master_curve_key = "master_curve_file";
 inline constexpr std::string_view strain_sweep_key = "strain_sweep_file";
-inline constexpr std::array<std::string_view, 2> table_keys{master_curve_key, strain_sweep_key};
+inline constexpr std::string_view shift_table_key = "shift_table_file";
+inline constexpr std::array<std::string_view, 3> table_keys{master_curve_key, strain_sweep_key, shift_table_key};
 inline constexpr std::string_view ignored_columns_key = "ignore_columns";
 inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencies", "storage_moduli", "loss_moduli"};
 inline constexpr std::array<std::string_view, 3> strain_sweep_inputs{"sweep_strains", "sweep_storage_moduli",
                                                                      "sweep_loss_moduli"};
+
+inline constexpr std::array<std::string_view, 3> shift_table_inputs{"shift_temperatures", "shift_factors",
+                                                                    "modulus_shifts"};
+inline constexpr std::array<std::string_view, 5> shift_columns{"temperature", "a_T", "log10_a_T", "b_T", "note"};
 
 /// Frequencies that a table may have, measured or shifted [Hz].
 inline constexpr Range frequency_range{.lowest = 1e-30, .highest = 1e30};
@@ -56,6 +65,12 @@ MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_ran
 Json read_master_curve(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
 
 Json read_strain_sweep(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
+
+/// a_T of a table's rows, from its column "a_T" or "log10_a_T".
+/// @throws std::invalid_argument naming file, line, column, value and rule
+std::vector<double> measured_shift_factors(const MeasuredTable& table);
+
+Json read_shift_table(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
 
 /// A scene or a part of one with the lists in place of the files' names; without such a key it is left as it is.
 /// @param folder that the name is relative to   @param place in messages

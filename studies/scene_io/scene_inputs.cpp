@@ -148,8 +148,14 @@ std::vector<std::string_view> replaced_inputs(std::string_view key, const InputV
   if (key == "tolerance") return {"spacing"};
   if (key == "static_shear_modulus") return {"static_young_modulus"};
   if (key == "static_young_modulus") return {"static_shear_modulus"};
-  if (key == "activation_energy") return {"wlf_c1", "wlf_c2"};
-  if (key == "wlf_c1" || key == "wlf_c2") return {"activation_energy"};
+  using Keys = std::vector<std::string_view>;
+  if (key == "activation_energy") return {"wlf_c1", "wlf_c2", "vft_b", "vft_temperature", "shift_factors"};
+  if (key == "wlf_c1" || key == "wlf_c2") return {"activation_energy", "vft_b", "vft_temperature", "shift_factors"};
+  if (key == "vft_b" || key == "vft_temperature") return {"activation_energy", "wlf_c1", "wlf_c2", "shift_factors"};
+  if (key == "shift_factors") {
+    const auto* const list = std::get_if<std::vector<double>>(&value);
+    return list && list->empty() ? Keys{} : Keys{"activation_energy", "wlf_c1", "wlf_c2", "vft_b", "vft_temperature"};
+  }
   std::vector<std::string_view> keys;
   if (key == "drive") {
     const auto* const drive = std::get_if<std::string>(&value);

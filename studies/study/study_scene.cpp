@@ -17,7 +17,8 @@ CompleteScene complete_scene(const Json& object, const std::filesystem::path& fi
   const Json& scene = needed(object, "scene", place, rule);
   if (scene.is_object()) {
     const std::string here = place + ": scene";
-    const bool plain = !scene.contains(std::string(master_curve_key)) && !scene.contains(std::string(strain_sweep_key));
+    const bool plain = std::none_of(table_keys.begin(), table_keys.end(),
+                                    [&](std::string_view key) { return scene.contains(std::string(key)); });
     return {with_master_curve(scene, file.parent_path(), here), here, plain};
   }
   const std::filesystem::path named = file.parent_path() / needed_text(object, "scene", place, rule);

@@ -455,7 +455,8 @@ TEST_CASE("a material's inputs that are missing, too many or do not go together 
         }) == "frequencies: must have at least two different values");
   CHECK(first([](Scene& s) { s.fractional_order = 1.1; }) == "fractional_order = 1.1: must be above 0 and up to 1");
   CHECK(first([](Scene& s) { s.temperature = 300; }) ==
-        "temperature = 300: has no effect without a shift law: give wlf_c1 and wlf_c2, or activation_energy");
+        "temperature = 300: has no effect without a shift law: give wlf_c1 and wlf_c2, activation_energy, vft_b and "
+        "vft_temperature, or shift_factors");
   CHECK(first([](Scene& s) { s.wlf_c1 = 8; }) == "wlf_c2 is missing: wlf_c1 and wlf_c2 go together");
   CHECK(first([](Scene& s) {
           s.temperature = 300;
@@ -465,7 +466,35 @@ TEST_CASE("a material's inputs that are missing, too many or do not go together 
           s.wlf_c1 = 8;
           s.wlf_c2 = 50;
           s.activation_energy = 1e5;
-        }) == "activation_energy = 100000: give wlf_c1 and wlf_c2 or activation_energy, not both");
+        }) ==
+        "wlf_c1 and activation_energy: give one law of shift: wlf_c1 and wlf_c2, activation_energy, vft_b and "
+        "vft_temperature, or shift_factors");
+  CHECK(first([](Scene& s) { s.vft_b = 2000; }) == "vft_temperature is missing: vft_b and vft_temperature go together");
+  CHECK(first([](Scene& s) {
+          s.vft_b = 2000;
+          s.vft_temperature = 200;
+          s.reference_temperature = 190;
+          s.temperature = 250;
+        }) == "reference_temperature = 190: must be above vft_temperature");
+  CHECK(first([](Scene& s) {
+          s.shift_factors = {1, 2};
+        }) == "shift_temperatures is missing: shift_factors needs it (K)");
+  CHECK(first([](Scene& s) {
+          s.shift_temperatures = {280, 300, 320};
+          s.modulus_shifts = {1, 2};
+        }) == "modulus_shifts: has 2 values, but shift_temperatures has 3");
+  CHECK(first([](Scene& s) {
+          s.shift_temperatures = {280, 280};
+          s.shift_factors = {1, 2};
+        }) == "shift_temperatures = 280: given twice");
+  CHECK(first([](Scene& s) {
+          s.shift_temperatures = {280, 300};
+          s.shift_factors = {10, 1};
+          s.reference_temperature = 300;
+          s.temperature = 279;
+        }) ==
+        "temperature = 279: must be within shift_temperatures, 280 to 300 K: the table is not continued beyond its "
+        "ends");
   CHECK(first([](Scene& s) {
           s.wlf_c1 = 8;
           s.wlf_c2 = 50;

@@ -465,5 +465,5 @@ TEST_CASE("a law of shift is fitted to a table of shift factors, and written int
   CHECK_THAT(run(both).err, Catch::Contains("t.csv, line 3: a_T = 0: must be > 0"));
   const std::string law =
       directory.write("l.json", R"({"fit": "t", "material": "shift", "shift": "none", "data": "t.csv"})").string();
-  CHECK_THAT(run(law).err, Catch::Contains("shift = \"none\": must be one of wlf, arrhenius"));
+  CHECK_THAT(run(law).err, Catch::Contains("shift = \"none\": must be one of wlf, arrhenius, vft"));
 }

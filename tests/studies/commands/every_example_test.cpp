@@ -61,7 +61,7 @@ TEST_CASE("every key of studies and optimisations has an example", "[studies][ex
   check(duty_keys, of_designs);
   check(stop_keys, of_designs);
   check(pareto_keys, of_designs);
-  for (const char* const key : {"variant", "master_curve_file"}) CHECK(of_studies.contains(key));
+  for (const char* const key : {"variant", "master_curve_file", "shift_table_file"}) CHECK(of_studies.contains(key));
   CHECK(of_designs.contains("variant"));
 }
 
@@ -92,6 +92,38 @@ TEST_CASE("every key of fits of scenes has an example, and each of these is fitt
   check(design_wish_keys);
   check(design_range_keys);
   for (const char* const key : {"offset", "relative_noise"}) CHECK(used.contains(key));
+}
+
+TEST_CASE("every key of fits of materials has an example, and each of these gives back what its data were drawn from",
+          "[studies][examples][fit]") {
+  std::set<std::string> of_materials, of_shifts;
+  const TemporaryDirectory folder;
+  const auto fitted = [&](const std::string& name, std::set<std::string>& used) {
+    CAPTURE(name);
+    const std::string file = (source_directory() / "studies/examples" / (name + ".json")).string();
+    add_keys(read_object(file), used);
+    const ProgramRun run =
+        run_rollres({"fit", file, "--db", (folder / "fits.db").string(), "--json", "--no-profiles"}, quick_resistance);
+    CHECK(run.status == 0);
+    return Json::parse(run.out);
+  };
+  const auto check = [](const Json& fit, const std::string& name, double truth) {
+    CAPTURE(name);
+    const auto& all = fit["parameters"];
+    const auto one = std::find_if(all.begin(), all.end(), [&](const Json& other) { return other["name"] == name; });
+    REQUIRE(one != all.end());
+    CHECK(std::abs((*one)["value"].get<double>() - truth) < 3 * (*one)["standard_error"].get<double>());
+  };
+  const Json shifted = fitted("fit_shifted", of_materials);
+  check(shifted, "static_shear_modulus", 1e6);
+  check(shifted, "stiffening", 200);
+  check(shifted, "creep_time", 20);
+  check(shifted, "order", 0.6);
+  CHECK(shifted["scene"]["shift_temperatures"].size() == 6);
+  const Json vft = fitted("fit_shift_vft", of_shifts);
+  check(vft, "vft_b", 8.86 * 101.6 * std::log(10.0));
+  check(vft, "vft_temperature", 293.15 - 101.6);
+  CHECK(of_materials.contains("shift_table_file"));
 }
 
 TEST_CASE("every example of a study and of an optimisation is planned, run and drawn", "[studies][examples]") {

@@ -242,6 +242,26 @@ TEST_CASE("a study sweeps the temperature of a master curve, and its record need
         }) == "text: wlf_c2 = \"20 degC\": must have a unit of temperature (K)");
 }
 
+TEST_CASE("a scene reads a table of shifts, in either column, and refuses a temperature beyond it",
+          "[studies][material]") {
+  const TemporaryDirectory folder;
+  const auto read = [&](const std::string& shifts, const std::string& temperature) {
+    folder.write("shift.csv", shifts);
+    return read_scene(folder.write("scene.json", scene_text(R"("static_shear_modulus": 1e6, "stiffening": 1,
+      "creep_time": 1, "shift_table_file": "shift.csv", "reference_temperature": "20 degC", "temperature": ")" +
+                                                            temperature + "\"")));
+  };
+  const RollingScene plain = read("temperature [degC],a_T,b_T\n0,100,1.07\n20,1,1\n40,0.02,0.94\n", "0 degC");
+  CHECK(plain.shift_temperatures == std::vector<double>{273.15, 293.15, 313.15});
+  CHECK(plain.modulus_shifts == std::vector<double>{1.07, 1, 0.94});
+  CHECK(read("temperature [K],log10_a_T\n273.15,2\n293.15,0\n", "0 degC").shift_factors == std::vector<double>{100, 1});
+  CHECK_THAT(message_of([&] { read("temperature [K],log10_a_T\n273.15,2\n293.15,0\n", "-1 degC"); }),
+             Catch::Contains("must be within shift_temperatures, 273.15 to 293.15 K"));
+  CHECK_THAT(message_of([&] { read("temperature [K]\n273.15\n", "0 degC"); }), Catch::Contains("has no column a_T"));
+  CHECK_THAT(message_of([&] { read("temperature [K],a_T\n273.15,-1\n", "0 degC"); }),
+             Catch::Contains("a_T = -1: must be > 0"));
+}
+
 TEST_CASE("the example of a filled rubber has a peak of rolling resistance that moves with temperature",
           "[studies][examples]") {
   const Study study = read_study(source_directory() / "studies/examples/rubber_speed.json");

@@ -1,0 +1,66 @@
+#include "core/material/shift_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/messages/require.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Temperature [K] and logarithm of the factor.
+using Row = std::pair<double, double>;
+
+double secant(const Row& a, const Row& b) { return (b.second - a.second) / (b.first - a.first); }
+
+/// At the middle one of three rows, which follow each other.
+double slope_between(const Row& before, const Row& here, const Row& after) {
+  const double left = secant(before, here), right = secant(here, after);
+  return left * right > 0 ? left * right / secant(before, after) : 0;
+}
+
+/// At the first or last row, from the two next to it.
+double slope_at_end(const Row& end, const Row& next, const Row& second) {
+  const double near = secant(end, next), far = secant(next, second);
+  if (near * far <= 0) return near;
+  constexpr double steepest = 3;
+  return near * std::min(steepest, secant(end, second) / far);
+}
+
+double slope_at(const std::vector<Row>& rows, std::size_t i) {
+  const std::size_t last = rows.size() - 1;
+  if (last == 1) return secant(rows[0], rows[1]) * rows[1 - i].first / rows[i].first;
+  if (i == 0) return slope_at_end(rows[0], rows[1], rows[2]);
+  if (i == last) return slope_at_end(rows[last], rows[last - 1], rows[last - 2]);
+  return slope_between(rows[i - 1], rows[i], rows[i + 1]);
+}
+
+}  // namespace
+
+bool within_table(const std::vector<double>& temperatures, double temperature) {
+  const auto [lowest, highest] = std::minmax_element(temperatures.begin(), temperatures.end());
+  constexpr double rounding = 1e-12;  // degrees Celsius are turned into kelvins
+  return temperature >= *lowest * (1 - rounding) && temperature <= *highest * (1 + rounding);
+}
+
+double table_factor(const std::vector<double>& temperatures, const std::vector<double>& factors, double temperature) {
+  require(temperatures.size() > 1 && within_table(temperatures, temperature), "temperature", temperature,
+          "must be within the table of shifts");
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < temperatures.size(); ++i) rows.emplace_back(temperatures[i], std::log(factors[i]));
+  std::sort(rows.begin(), rows.end());
+  const double here = std::clamp(temperature, rows.front().first, rows.back().first);
+  const auto above = std::lower_bound(rows.begin() + 1, rows.end() - 1, here,
+                                      [](const Row& row, double value) { return row.first < value; });
+  const auto i = static_cast<std::size_t>(above - rows.begin()) - 1;
+  const Row &low = rows[i], &high = rows[i + 1];
+  const double line = secant(low, high), t = (here - low.first) / (high.first - low.first), u = 1 - t;
+  if (line == 0) return std::exp(low.second);
+  const double before = slope_at(rows, i) / line, after = slope_at(rows, i + 1) / line;  // >= 0
+  return std::exp((t * t * high.second + t * u * (low.second * after + high.second * before) + u * u * low.second) /
+                  (t * t + t * u * (before + after) + u * u));
+}
+
+}  // namespace rollres

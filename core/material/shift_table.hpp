@@ -1,0 +1,26 @@
+#pragma once
+
+/// Factors of time-temperature superposition from a table, between its rows.
+///
+/// The logarithm of the factor over the temperature by the rational pieces of Gregory and Delbourgo (1982, IMA J.
+/// Numer. Anal. 2, 123): with the values f, the slopes d at the two rows, their secant D and the place t between them
+///
+///     (t^2 f1 + t (1 - t) (f0 d1 + f1 d0)/D + (1 - t)^2 f0) / (t^2 + t (1 - t) (d0 + d1)/D + (1 - t)^2)
+///
+/// which rises and falls only where the table does. The slope at a row is that of the hyperbola through it and the rows
+/// beside it, s01 s12/s02 with the three secants; at an end s01 s02/s12, three times the secant at most, and of two
+/// rows those of a line over 1/T. So the rows of WLF, VFT and Arrhenius, which are hyperbolas, give these laws
+/// everywhere.
+
+#include <vector>
+
+namespace rollres {
+
+/// Whether a temperature lies within those of a table. @param temperatures  one at least
+bool within_table(const std::vector<double>& temperatures, double temperature);
+
+/// @param temperatures  [K], > 0, two at least, different, in any order   @param factors  [1], > 0, as many
+/// @throws std::invalid_argument if the temperature lies beyond the table
+double table_factor(const std::vector<double>& temperatures, const std::vector<double>& factors, double temperature);
+
+}  // namespace rollres
