@@ -1,10 +1,17 @@
 #include "fitting/material/material_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "core/material/passivity.hpp"
+#include "core/numerics/dense_algebra.hpp"
+#include "fitting/material/even_series.hpp"
 #include "fitting/material/material_problem.hpp"
 #include "fitting/material/series_fit.hpp"
 
@@ -21,17 +28,74 @@ FractionalZener zener_at(const FitPoint& point, bool fractional) {
   return {point[0], point[1], point[2], fractional ? point[3] : 1};
 }
 
+/// The shift with constants to start from, whose pole lies below the coldest data.
+TemperatureShift started(TemperatureShift shift, const std::vector<MeasuredModulus>& data) {
+  const double coldest = std::min_element(data.begin(), data.end(), [](const auto& a, const auto& b) {
+                           return a.temperature < b.temperature;
+                         })->temperature;
+  constexpr double usual_c1 = 8.86, usual_c2 = 101.6, farther = 1.5;  // than the coldest lies the pole
+  const double c2 = std::max(usual_c2, farther * (shift.reference - coldest));
+  if (shift.law == ShiftLaw::wlf && !(shift.c1 > 0)) {
+    shift.c1 = usual_c1;
+    shift.c2 = c2;
+  } else if (shift.law == ShiftLaw::vft && !(shift.vft_b > 0)) {
+    shift.vft_temperature = std::max(0.5 * coldest, shift.reference - c2);
+    shift.vft_b = usual_c1 * usual_c2 * std::numbers::ln10;
+  }
+  return shift;
+}
+
+/// The solid of least squares among those of an order and of a time theta of the spring-pot at its spring,
+/// G* = G0 + G0 f (i omega theta)^order/(1 + (i omega theta)^order), which are linear in G0 and G0 f; tau =
+/// theta (1 + f)^(1/order). @return its squares, and the solid
+std::pair<double, FractionalZener> best_at(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
+                                           double theta, double order) {
+  Eigen::MatrixXd a(2 * std::ssize(data), 2);
+  Eigen::VectorXd b(2 * std::ssize(data));
+  Eigen::Index row = 0;
+  for (const MeasuredModulus& measured : data) {
+    const double omega = measured.angular_frequency * shift_factor(shift, measured.temperature);
+    const std::complex<double> z = std::pow(std::complex<double>(0, omega * theta), order),
+                               unit = 1.0 - 1.0 / (1.0 + z);
+    a.row(row) << 1 / measured.storage_deviation, unit.real() / measured.storage_deviation;
+    a.row(row + 1) << 0, unit.imag() / measured.loss_deviation;
+    b[row] = measured.storage / measured.storage_deviation;
+    b[row + 1] = measured.loss / measured.loss_deviation;
+    row += 2;
+  }
+  const Eigen::VectorXd moduli = nonnegative_least_squares(a, b);
+  const double softest = std::min_element(data.begin(), data.end(), [](const auto& one, const auto& other) {
+                           return one.storage < other.storage;
+                         })->storage;
+  constexpr double least = 0.01;  // a modulus at rest that the data do not show is thought to be somewhat below them
+  const double at_rest = std::max(moduli[0], least * softest), f = std::max(moduli[1] / at_rest, 0.1);
+  return {(a * moduli - b).squaredNorm(), {at_rest, f, theta * std::pow(1 + f, 1 / order), order}};
+}
+
+/// The best of the solids whose times lie where the data do, or a decade beyond.
+FractionalZener nearest_zener(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
+                              std::span<const double> orders) {
+  constexpr int times = 80;
+  constexpr double beyond = 1;
+  std::pair<double, FractionalZener> best{std::numeric_limits<double>::infinity(), {}};
+  for (const double theta : even_times(data, shift, times, beyond))
+    for (const double order : orders)
+      if (const auto found = best_at(data, shift, theta, order); found.first < best.first) best = found;
+  return best.second;
+}
+
 MaterialFit fit_zener(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
   const bool fractional = options.form == MaterialForm::fractional_zener;
-  const auto by_storage = [](const auto& a, const auto& b) { return a.storage < b.storage; };
-  const auto [soft, hard] = std::minmax_element(data.begin(), data.end(), by_storage);
-  const auto lossy =
-      std::max_element(data.begin(), data.end(), [](const auto& a, const auto& b) { return a.loss < b.loss; });
-  const double ratio = std::max(hard->storage / soft->storage, 1.1);
-  std::vector<FitParameter> parameters{parameter(modulus_at_rest, 0.8 * soft->storage), parameter(stiffening, ratio),
-                                       parameter(creep_time, std::sqrt(ratio) / lossy->angular_frequency)};
-  if (fractional) parameters.push_back(parameter(order, 0.6));
-  MaterialFit answer = fitted_material(data, parameters, options, [fractional](const FitPoint& point, double omega) {
+  constexpr std::array orders{1.0, 0.8, 0.6, 0.4, 0.2};
+  constexpr double off = 1.1;  // a fit that ends where it starts is no fit
+  MaterialFitOptions wanted = options;
+  wanted.shift = best_shift(data, options);
+  const FractionalZener start = nearest_zener(data, wanted.shift, std::span(orders).first(fractional ? 5 : 1));
+  std::vector<FitParameter> parameters{parameter(modulus_at_rest, start.static_modulus),
+                                       parameter(stiffening, start.stiffening),
+                                       parameter(creep_time, off * start.creep_time)};
+  if (fractional) parameters.push_back(parameter(order, std::min(start.order, 0.9)));
+  MaterialFit answer = fitted_material(data, parameters, wanted, [fractional](const FitPoint& point, double omega) {
     return complex_modulus(zener_at(point, fractional), omega);
   });
   answer.zener = zener_at(answer.report.point(), fractional);
@@ -74,7 +138,9 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   };
   if (std::all_of(data.begin(), data.end(), same))
     throw std::invalid_argument("the moduli are all at one frequency: too few for a material");
-  MaterialFit answer = options.form == MaterialForm::prony ? fit_series(data, options) : fit_zener(data, options);
+  MaterialFitOptions wanted = options;
+  wanted.shift = started(options.shift, data);
+  MaterialFit answer = options.form == MaterialForm::prony ? fit_series(data, wanted) : fit_zener(data, wanted);
   const MasterCurve curve = master_curve_of(data, answer.shift);
   const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
   if (*lowest < *highest) warn(answer.report, passivity_test(curve).in_words());

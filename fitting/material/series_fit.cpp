@@ -139,38 +139,6 @@ MaterialFit fit_moduli(const std::vector<MeasuredModulus>& data, const PronySeri
   return answer;
 }
 
-/// The shift of least misfit of the series that is best at each shift.
-TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
-  FitProblem problem =
-      material_problem(data, {}, options, [](const FitPoint&, double) { return std::complex<double>(); });
-  FitPoint start = start_point(problem);
-  if (start.empty()) return options.shift;
-  const EvenSeries basis = automatic_series(data, shift_at(options.shift, start), options.deviations_known);
-  problem.predict = [&data, &options, &basis](const FitPoint& point) {
-    Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
-    try {
-      const TemperatureShift here = shift_at(options.shift, point);
-      const PronySeries series = even_series(data, here, basis.times, basis.beyond).series;
-      Eigen::Index row = 0;
-      for (const MeasuredModulus& measured : data) {
-        const auto value =
-            complex_modulus(series, measured.angular_frequency * shift_factor(here, measured.temperature));
-        prediction.values[row++] = value.real();
-        prediction.values[row++] = value.imag();
-      }
-    } catch (const std::invalid_argument& error) {
-      prediction.reason = error.what();
-    }
-    return prediction;
-  };
-  problem.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
-    constexpr double step = 1e-2, rounding = 1e-12;
-    return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
-  };
-  const Descent found = descend(problem, start, {.tolerance = 1e-4, .stop = options.options.stop});
-  return shift_at(options.shift, found.found() ? found.end : start);
-}
-
 /// That a smooth spectrum has another loss between the rows: what rows far apart leave open.
 std::string open_between_rows(const std::vector<MeasuredModulus>& data, const MaterialFit& found) {
   constexpr double noticeable = 0.1;
@@ -284,6 +252,37 @@ MaterialFit fit_free(const std::vector<MeasuredModulus>& data, const MaterialFit
 }
 
 }  // namespace
+
+TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
+  FitProblem problem =
+      material_problem(data, {}, options, [](const FitPoint&, double) { return std::complex<double>(); });
+  FitPoint start = start_point(problem);
+  if (start.empty()) return options.shift;
+  const EvenSeries basis = automatic_series(data, shift_at(options.shift, start), options.deviations_known);
+  problem.predict = [&data, &options, &basis](const FitPoint& point) {
+    Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
+    try {
+      const TemperatureShift here = shift_at(options.shift, point);
+      const PronySeries series = even_series(data, here, basis.times, basis.beyond).series;
+      Eigen::Index row = 0;
+      for (const MeasuredModulus& measured : data) {
+        const auto value =
+            complex_modulus(series, measured.angular_frequency * shift_factor(here, measured.temperature));
+        prediction.values[row++] = value.real();
+        prediction.values[row++] = value.imag();
+      }
+    } catch (const std::invalid_argument& error) {
+      prediction.reason = error.what();
+    }
+    return prediction;
+  };
+  problem.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
+    constexpr double step = 1e-2, rounding = 1e-12;
+    return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
+  };
+  const Descent found = descend(problem, start, {.tolerance = 1e-4, .stop = options.options.stop});
+  return shift_at(options.shift, found.found() ? found.end : start);
+}
 
 MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
   const bool free = options.times ? *options.times == SeriesTimes::free

@@ -8,6 +8,10 @@
 
 namespace rollres {
 
+/// The shift, among those of its law, at which the Prony series of least squares has the least misfit; without a law,
+/// or where no series tells, that of the options.
+TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options);
+
 /// @throws as fit_material
 MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options);
 

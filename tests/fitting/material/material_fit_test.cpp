@@ -132,3 +132,37 @@ TEST_CASE("a Zener solid's moduli at two temperatures give it back with Arrheniu
   CHECK(found.zener.creep_time == Approx(0.1).epsilon(1e-4));
   CHECK(found.shift.activation_energy == Approx(9e4).epsilon(1e-4));
 }
+
+TEST_CASE("a Zener solid is found from moduli at several temperatures whatever its time and its shift",
+          "[fitting][material_fit]") {
+  const TemperatureShift wlf{ShiftLaw::wlf, 293.15, 12, 80, 0};
+  const TemperatureShift vft{.law = ShiftLaw::vft, .reference = 293.15, .vft_b = 900, .vft_temperature = 230};
+  TemperatureShift table{.law = ShiftLaw::table, .reference = 293.15};
+  for (const double temperature : {263.15, 278.15, 293.15}) {
+    table.table.temperatures.push_back(temperature);
+    table.table.factors.push_back(shift_factor(wlf, temperature));
+  }
+  for (const TemperatureShift& shift : {wlf, vft, table})
+    for (const double time : {1e-6, 1e-2, 10.0}) {
+      CAPTURE(static_cast<int>(shift.law), time);
+      const auto data = measured_moduli(FractionalZener{1e6, 20, time, 1}, 0, {263.15, 278.15, 293.15}, shift);
+      MaterialFitOptions options{.form = MaterialForm::zener};
+      options.shift = shift.law == ShiftLaw::table ? table : TemperatureShift{.law = shift.law};
+      options.options.profiles = false;
+      const MaterialFit found = fit_material(data, options);
+      CHECK(found.zener.static_modulus == Approx(1e6).epsilon(1e-4));
+      CHECK(found.zener.stiffening == Approx(20).epsilon(1e-4));
+      CHECK(found.zener.creep_time == Approx(time).epsilon(1e-4));
+    }
+  // Colder than the constants that are usual allow.
+  const TemperatureShift cold{ShiftLaw::wlf, 293.15, 5, 200, 0};
+  const auto data = measured_moduli(FractionalZener{1e6, 20, 0.1, 1}, 0, {153.15, 223.15, 293.15}, cold);
+  for (const ShiftLaw law : {ShiftLaw::wlf, ShiftLaw::vft}) {
+    MaterialFitOptions options{.form = MaterialForm::zener};
+    options.shift.law = law;
+    const MaterialFit found = fit_material(data, options);
+    const double error = found.report.parameters[2].standard_error;  // of which a descent may leave a tenth
+    CHECK(error < 0.02);
+    CHECK(std::abs(found.zener.creep_time - 0.1) < 0.1 * error);
+  }
+}
