@@ -1,7 +1,11 @@
 #include "fitting/fit/scene_model.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/derivatives/gradient.hpp"
@@ -18,6 +22,19 @@ bool is_far(const FitPoint& point, const FitPoint& other) {
   for (std::size_t j = 0; j < point.size(); ++j)
     if (std::abs(point[j] - other[j]) > third * std::max(std::abs(point[j]), std::abs(other[j]))) return true;
   return false;
+}
+
+/// For a constant of a law of shift how far its layer is from the reference temperature [K], where it has no effect; 0
+/// for other inputs.
+double shift_reach(const SceneRow& row, std::size_t column) {
+  constexpr std::array<std::string_view, 5> constants{"wlf_c1", "wlf_c2", "activation_energy", "vft_b",
+                                                      "vft_temperature"};
+  const std::string key(row.variable(column).quantity.key);
+  const std::size_t dot = key.rfind('.');
+  const std::string owner = dot == std::string::npos ? "" : key.substr(0, dot + 1);
+  if (find_name(constants, std::string_view(key).substr(owner.size())) < 0) return 0;
+  const RollingScene& scene = row.objective.base;
+  return std::abs(real_input(scene, owner + "temperature") - real_input(scene, owner + "reference_temperature"));
 }
 
 }  // namespace
@@ -138,6 +155,13 @@ std::vector<std::size_t> SceneModel::examples(std::size_t column) const {
   std::vector<std::size_t> found{concerned[concerned.size() / 2]};
   for (const std::size_t row : {concerned.front(), concerned.back()})
     if (std::find(found.begin(), found.end(), row) == found.end()) found.push_back(row);
+  const auto farthest = std::max_element(concerned.begin(), concerned.end(), [&](std::size_t a, std::size_t b) {
+    return shift_reach(rows_[a], column) < shift_reach(rows_[b], column);
+  });
+  if (shift_reach(rows_[*farthest], column) > 0) {  // there its effect, and so the curvature, is largest
+    std::erase(found, *farthest);
+    found.insert(found.begin(), *farthest);
+  }
   return found;
 }
 

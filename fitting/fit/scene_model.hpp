@@ -90,8 +90,8 @@ class SceneModel {
 
   Slopes differentiate(const FitPoint& point, const Prediction& prediction);
 
-  /// Measures noise and curvature where that is not done yet, or was far from here: on a middle row, and where that is
-  /// not smooth, on the slowest and the fastest as well.
+  /// Measures noise and curvature where that is not done yet, or was far from here: on a middle row, of constants of a
+  /// shift on the one farthest from the reference temperature, and where that is not smooth, on others as well.
   void calibrate_at(const FitPoint& point);
 
   Eigen::VectorXd noise_of(const Prediction& prediction) const;

@@ -282,3 +282,40 @@ TEST_CASE("too few measurements, and a start outside its bounds, are refused", "
              }),
              Catch::Contains("creep_time = 0.1") && Catch::Contains("inside its bounds"));
 }
+
+TEST_CASE(
+    "the errors of a shift's constants are those of its slopes, though most rows are at the reference temperature",
+    "[fitting][resistance_fit]") {
+  std::vector<MeasuredScene> rows;
+  for (const double temperature : {263.15, 293.15, 293.15, 313.15})
+    for (const double speed : {0.02, 0.2, 2.0}) {
+      RollingScene scene = half_space_scene(speed, 1e4);
+      scene.temperature = temperature;
+      scene.reference_temperature = 293.15;
+      scene.wlf_c1 = 8.86;
+      scene.wlf_c2 = 101.6;
+      const double exact = quick_resistance(scene).rolling_resistance;
+      rows.push_back({scene, {exact, 0.02 * exact, "row"}});
+    }
+  const FitProblem problem =
+      known(resistance_problem(rows, {{{"wlf_c1"}, 9.0}, {{"wlf_c2"}, 100.0}}, quick_resistance));
+  const FitReport report = fit(problem, {.profiles = false});
+  CHECK(report.parameters[0].value == Approx(8.86).epsilon(1e-3));
+  CHECK(report.parameters[1].value == Approx(101.6).epsilon(1e-3));
+  // Slopes by central differences of a step that suits them, and what they say of the errors.
+  Eigen::MatrixXd slopes(std::ssize(rows), 2);
+  constexpr double step = 1e-4;
+  for (Eigen::Index i = 0; i < slopes.rows(); ++i)
+    for (Eigen::Index j = 0; j < 2; ++j) {
+      const auto at = [&](double part) {
+        RollingScene scene = rows[static_cast<std::size_t>(i)].scene;
+        (j == 0 ? *scene.wlf_c1 : *scene.wlf_c2) *= 1 + part;
+        return quick_resistance(scene).rolling_resistance / rows[static_cast<std::size_t>(i)].measured.deviation;
+      };
+      slopes(i, j) = (at(step) - at(-step)) / (2 * step);
+    }
+  const Eigen::MatrixXd covariance = (slopes.transpose() * slopes).inverse();
+  for (const std::size_t j : {0U, 1U})
+    CHECK(report.parameters[j].relative_error ==
+          Approx(std::sqrt(covariance(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(j)))).epsilon(0.03));
+}
