@@ -50,7 +50,7 @@ std::vector<MeasuredScene> known_by_closed_forms(const std::vector<MeasuredScene
   std::vector<MeasuredScene> known;
   for (const MeasuredScene& row : scenes) {
     const std::string_view own = row.output.empty() ? output : std::string_view(row.output);
-    if (is_modulus(own) || (own == "rolling_resistance" && row.scene.load)) known.push_back(row);
+    if (is_of_material(own) || (own == "rolling_resistance" && row.scene.load)) known.push_back(row);
   }
   return known;
 }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/material/material.hpp"
+#include "core/material/material_functions.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/scene_input.hpp"
 #include "core/surface/scene_rules.hpp"
@@ -52,19 +53,26 @@ Answer unless_interrupted(const Work& work) {
   }
 }
 
-/// What a measurement is of: an output by `evaluate`, or a modulus of the material, which costs nothing.
+/// What a material does, as a measurement says.
+double material_value(const RollingScene& scene, const MeasuredScene& measured, const std::string& output) {
+  if (output == relaxation_modulus_key)
+    return relaxation_modulus(relaxation_spectrum(creep_spectrum(scene)), measured.time);
+  if (output == creep_compliance_key) return creep_compliance(creep_spectrum(scene), measured.time);
+  const std::complex<double> found = complex_modulus(scene, measured.angular_frequency);
+  return output == storage_modulus_key ? found.real() : found.imag();
+}
+
+/// What a measurement is of: an output by `evaluate`, or of the material, which costs nothing.
 Objective objective_of(const MeasuredScene& measured, const std::string& usual, Evaluate evaluate) {
   const std::string& output = measured.output.empty() ? usual : measured.output;
-  if (!is_modulus(output)) return {measured.scene, {}, real_output(output), std::move(evaluate)};
-  const bool storage = output == storage_modulus_key;
-  const Evaluate modulus = [omega = measured.angular_frequency, storage](const RollingScene& scene) {
-    const std::complex<double> found = complex_modulus(scene, omega);
+  if (!is_of_material(output)) return {measured.scene, {}, real_output(output), std::move(evaluate)};
+  const Evaluate material = [measured, output](const RollingScene& scene) {
     RollingSolution solution;
-    solution.rolling_resistance = storage ? found.real() : found.imag();  // under the name of the output below
+    solution.rolling_resistance = material_value(scene, measured, output);  // under the name of the output below
     solution.status = Status::converged;
     return solution;
   };
-  return {measured.scene, {}, real_output("rolling_resistance"), modulus};
+  return {measured.scene, {}, real_output("rolling_resistance"), material};
 }
 
 /// An offset or a scale as a parameter. A tenth of a middle measured value is a large offset.
@@ -136,8 +144,9 @@ void add_usual_values(FitParameter& parameter) {
 }  // namespace
 
 Quantity measured_quantity(std::string_view output) {
-  if (is_modulus(output))
-    return {output == storage_modulus_key ? storage_modulus_key : loss_modulus_key, "", "Pa", "modulus in shear"};
+  if (output == creep_compliance_key) return {creep_compliance_key, "", "1/Pa", "strain over the stress of a step"};
+  for (const std::string_view modulus : {storage_modulus_key, loss_modulus_key, relaxation_modulus_key})
+    if (output == modulus) return {modulus, "", "Pa", "modulus in shear"};
   return real_output(output);
 }
 
@@ -187,7 +196,9 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     problem.data.back().set = static_cast<int>(set - sets.begin());
     problem.data.back().unit =
         measured_quantity(measured.output.empty() ? options.output : measured.output).unit_for(measured.scene.indenter);
-    problem.data.back().along = is_modulus(measured.output) ? measured.angular_frequency : measured.scene.speed;
+    problem.data.back().along = is_curve(measured.output)         ? measured.time
+                                : is_of_material(measured.output) ? measured.angular_frequency
+                                                                  : measured.scene.speed;
     if (set == sets.end()) sets.push_back(measured.set);
   }
   const auto model = std::make_shared<SceneModel>(std::move(rows), inputs.size(), grid_seen, options.jobs);

@@ -17,14 +17,23 @@ struct MeasuredScene {
   RollingScene scene;
   MeasuredValue measured;
   std::string set = {};  ///< data set
-  /// Output that is measured; empty: that of the fit. Or a modulus of the scene's material, `storage_modulus_key` or
-  /// `loss_modulus_key`, at an angular frequency [rad/s].
+  /// Output that is measured; empty: that of the fit. Or what the scene's material does: `storage_modulus_key` or
+  /// `loss_modulus_key`, at an angular frequency [rad/s], `relaxation_modulus_key` or `creep_compliance_key` at a time
+  /// [s] after the step.
   std::string output = {};
-  double angular_frequency = RollingSolution::absent;
+  double angular_frequency = RollingSolution::absent, time = RollingSolution::absent;
 };
 
 inline constexpr std::string_view storage_modulus_key = "storage_modulus", loss_modulus_key = "loss_modulus";
-inline bool is_modulus(std::string_view output) { return output == storage_modulus_key || output == loss_modulus_key; }
+inline constexpr std::string_view relaxation_modulus_key = "relaxation_modulus",
+                                  creep_compliance_key = "creep_compliance";
+/// A curve over time.
+inline bool is_curve(std::string_view output) {
+  return output == relaxation_modulus_key || output == creep_compliance_key;
+}
+inline bool is_of_material(std::string_view output) {
+  return output == storage_modulus_key || output == loss_modulus_key || is_curve(output);
+}
 
 /// What is measured, as a quantity. @throws std::invalid_argument if there is no such output that is a real number
 Quantity measured_quantity(std::string_view output);

@@ -16,7 +16,7 @@ namespace {
 DesignRange range_of_data(const FitFile& file, const std::string& key) {
   DesignRange range{key, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const MeasuredScene& row : file.scenes) {
-    if (is_modulus(row.output)) continue;
+    if (is_of_material(row.output)) continue;
     const double value = real_input(row.scene, key);
     if (!std::isfinite(value)) continue;
     range.lowest = std::min(range.lowest, value);
@@ -65,7 +65,7 @@ std::vector<MeasuredScene> examples_of(const FitFile& file,
   std::set<std::string> seen;
   std::vector<MeasuredScene> groups;
   for (const MeasuredScene& row : file.scenes)
-    if (!is_modulus(row.output) && seen.insert(group_of(row)).second) groups.push_back(row);
+    if (!is_of_material(row.output) && seen.insert(group_of(row)).second) groups.push_back(row);
   return groups;
 }
 

@@ -26,8 +26,9 @@ constexpr std::string_view moduli_name = "moduli";
 
 /// The output that is measured, or "moduli".
 std::string output_name(const Json& object, const std::string& place) {
-  const std::string name = needed_text(object, "output", place, "must be the key of an output, or moduli");
-  if (name != moduli_name) refusing_at(place + ": output", [&] { return real_output(name); });
+  const std::string name = needed_text(object, "output", place,
+                                       "must be the key of an output, moduli, relaxation_modulus or creep_compliance");
+  if (name != moduli_name && !is_curve(name)) refusing_at(place + ": output", [&] { return real_output(name); });
   return name;
 }
 
@@ -116,13 +117,15 @@ SceneEntry entry_of(const MeasuredTable& table, const MeasuredColumn& column, st
 }
 
 /// @param others  outputs that other data sets read from the same table
-void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::string>& others, bool moduli) {
+void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::string>& others, bool moduli,
+                            bool timed) {
   for (const MeasuredColumn& column : table.columns) {
     std::vector<std::string_view> known = keys_like(column.name);
     std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
     known.insert(known.end(), others.begin(), others.end());
     known.insert(known.end(), {"sigma", "note"});
     if (moduli) known.insert(known.end(), {"frequency", "angular_frequency", storage_modulus_key, loss_modulus_key});
+    if (timed) known.insert(known.end(), "time");
     if (find_name(known, column.name) < 0)
       throw std::invalid_argument(
           table.file + ": " + column.name + ": " +
@@ -220,8 +223,8 @@ void replace_loss_tangent(MeasuredTable& table) {
 void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>& base, bool keep_spacing,
                const MeasuredTable& table, const std::vector<std::string>& others) {
   const std::string output = set.output.empty() ? fit.output : set.output;
-  const bool moduli = output == moduli_name, first = fit.scenes.empty();
-  refuse_unknown_columns(table, others, moduli);
+  const bool moduli = output == moduli_name, timed = is_curve(output), first = fit.scenes.empty();
+  refuse_unknown_columns(table, others, moduli, timed);
   if (table.find("sigma") && set.sigma) refuse(set.place, "sigma", *set.sigma, "the table has a column sigma too");
   std::vector<const MeasuredColumn*> columns;
   if (moduli) {
@@ -237,6 +240,8 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
                                 ": sigma: must have its unit in the heading, as \"sigma [%]\", where storage and loss "
                                 "modulus do not have the same one");
   const std::vector<double> frequencies = moduli ? measured_frequencies(table) : std::vector<double>();
+  const std::vector<double> times =
+      timed ? measured_numbers(table, table.needed("time"), "s", positive) : std::vector<double>();
   const std::vector<SceneEntry> common = overridden(base, set.set);
   const auto is_other = [&](const MeasuredColumn& column) {
     return std::find(others.begin(), others.end(), column.name) != others.end();
@@ -257,7 +262,8 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
                  .measured = {},
                  .set = set.name,
                  .output = moduli ? column->name : output,
-                 .angular_frequency = moduli ? 2 * std::numbers::pi * frequencies[row] : RollingSolution::absent});
+                 .angular_frequency = moduli ? 2 * std::numbers::pi * frequencies[row] : RollingSolution::absent,
+                 .time = timed ? times[row] : RollingSolution::absent});
   }
   const bool known = table.find("sigma") || set.sigma;
   if (!first && known != fit.deviations_known)
@@ -292,7 +298,8 @@ void warn_of_repeated_rows(FitFile& fit) {
   std::map<std::string, const MeasuredScene*> seen;
   for (const MeasuredScene& row : fit.scenes) {
     const auto [place, fresh] = seen.try_emplace(
-        evaluation_key(row.scene) + row.set + row.output + message_text<17>(row.angular_frequency), &row);
+        evaluation_key(row.scene) + row.set + row.output + message_text<17>(row.angular_frequency, " ", row.time),
+        &row);
     if (fresh) continue;
     const bool same = place->second->measured.value == row.measured.value;
     if (same)

@@ -17,12 +17,15 @@ std::vector<FitInputRecord> measured_inputs(const FitFile& file) {
     const MeasuredScene& row = file.scenes[i];
     for (const std::string& key : file.varying) {
       const InputKind& kind = *find_input(key);
-      const bool acts = !is_modulus(row.output) || key == "temperature";  // on a modulus nothing of the scene does
+      const bool acts = !is_of_material(row.output) || key == "temperature";  // on a modulus nothing of the scene does
       if (kind.real() && acts)
         inputs.push_back(
             {datum, key, std::string(kind.quantity.unit_for(file.indenter())), real_input(row.scene, key)});
     }
-    if (is_modulus(row.output)) inputs.push_back({datum, angular_frequency, "rad/s", row.angular_frequency});
+    if (is_curve(row.output))
+      inputs.push_back({datum, "time", "s", row.time});
+    else if (is_of_material(row.output))
+      inputs.push_back({datum, angular_frequency, "rad/s", row.angular_frequency});
   }
   return inputs;
 }

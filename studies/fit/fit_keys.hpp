@@ -61,7 +61,9 @@ inline constexpr std::array data_set_keys{
     FileKey{"file", "name of a CSV file, relative to this file", a_name, is_needed},
     FileKey{"name", "of the data set; default: the file's", a_name},
     FileKey{"set", "inputs that replace those of the scene for these data"},
-    FileKey{"output", "what is measured here: an output, or moduli; default: that of the fit"},
+    FileKey{
+        "output",
+        "what is measured here: an output, moduli, relaxation_modulus or creep_compliance; default: that of the fit"},
     FileKey{"sigma",
             "standard deviation of all these data: \"2 %\", or with a unit; of moduli one for storage_modulus and one "
             "for loss_modulus"},

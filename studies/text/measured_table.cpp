@@ -152,7 +152,8 @@ double measured_number(const MeasuredTable& table, const MeasuredColumn& column,
     return *plain;
   }
   try {
-    const std::string with_unit = cell + " " + column.unit;
+    const bool inverse = unit == "1/Pa" && column.unit.starts_with("1/");  // behind a number this reads as another one
+    const std::string with_unit = cell + " " + (inverse ? "(" + column.unit.substr(2) + ")^-1" : column.unit);
     return unit == "K" ? kelvin(with_unit) : si_value(with_unit, unit);
   } catch (const std::invalid_argument& error) {
     fail(place, heading(column) + ": " + error.what());

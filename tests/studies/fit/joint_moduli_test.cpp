@@ -197,6 +197,45 @@ TEST_CASE("in a joint fit the information of moduli and of resistances adds up",
         Approx(1 / (alone.second * alone.second) + 1 / (beside.second * beside.second)).epsilon(0.01));
 }
 
+TEST_CASE("a relaxation curve and a creep curve give the material back, with the error of their mean",
+          "[studies][fit]") {
+  // Of the Zener solid: G(t) = G0 (1 + f exp(-(1 + f) t/tau)), J(t) = (1 - f/(1 + f) exp(-t/tau))/G0.
+  const Fits fits;
+  std::ostringstream relaxation, creep;
+  relaxation << "time [ms],relaxation_modulus [MPa],sigma [%]\n";
+  creep << "time [ms],creep_compliance [1/MPa],sigma [%]\n";
+  relaxation.precision(15);
+  creep.precision(15);
+  for (int i = 0; i < 10; ++i) {
+    const double time = 1e-3 * std::pow(10, 3 * i / 9.0), f = true_stiffening;
+    relaxation << 1e3 * time << ',' << true_modulus * (1 + f * std::exp(-(1 + f) * time / true_time)) / 1e6 << ",2\n";
+    creep << 1e3 * time << ',' << (1 - f / (1 + f) * std::exp(-time / true_time)) / true_modulus * 1e6 << ",2\n";
+  }
+  const json all{{"static_shear_modulus", "1.5 MPa"}, {"stiffening", 1}, {"creep_time", 0.03}};
+  for (const auto& [output, table] :
+       {std::pair("relaxation_modulus", relaxation.str()), std::pair("creep_compliance", creep.str())}) {
+    CAPTURE(output);
+    const json set{{"output", output}};
+    const auto [value, error] = fits.modulus(table, set);
+    CHECK(value == Approx(true_modulus).epsilon(1e-6));
+    CHECK(error == Approx(0.02 / std::sqrt(10)).epsilon(1e-3));
+    const json answer = json::parse(fits.run(table, "", all, set).out);
+    CHECK(answer["parameters"][1]["value"].get<double>() == Approx(true_modulus).epsilon(1e-3));
+    CHECK(answer["parameters"][2]["value"].get<double>() == Approx(true_stiffening).epsilon(1e-3));
+    CHECK(answer["parameters"][0]["value"].get<double>() == Approx(true_time).epsilon(1e-3));
+    const auto [beside, less] = fits.modulus(table, set, resistances());
+    CHECK(beside == Approx(true_modulus).epsilon(1e-5));
+    CHECK(less < error);
+  }
+  CHECK_THAT(
+      fits.run("frequency [Hz],relaxation_modulus [MPa]\n1,1\n2,1\n", "", all, {{"output", "relaxation_modulus"}}).err,
+      Catch::Contains("frequency: unknown column"));
+  CHECK_THAT(fits.run("relaxation_modulus [MPa]\n1\n2\n", "", all, {{"output", "relaxation_modulus"}}).err,
+             Catch::Contains("has no column time"));
+  CHECK_THAT(fits.run("time [s],relaxation_modulus [MPa]\n0,1\n2,1\n", "", all, {{"output", "relaxation_modulus"}}).err,
+             Catch::Contains("time [s] = 0: must be > 0"));
+}
+
 TEST_CASE("intervals of a joint fit to loss tangents and resistances hold the truth as often as they say",
           "[studies][fit]") {
   const Fits fits;
