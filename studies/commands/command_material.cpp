@@ -101,8 +101,8 @@ std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, co
   relaxing.x = creeping.x;
   std::vector<MaterialCurve> moduli{storage, loss};
   if (layer.material == MaterialModel::master_curve) {
-    // The table holds at the reference temperature: a row acts at the frequency over the shift of times, its moduli over
-    // that of moduli.
+    // The table holds at the reference temperature: a row acts at the frequency over the shift of times, its moduli
+    // over that of moduli.
     const double shift = time_shift(layer), unit = mega * modulus_shift(layer);
     moduli.push_back({"table", true, {}, {}});
     moduli.push_back({"table", true, {}, {}});

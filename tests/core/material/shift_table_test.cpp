@@ -60,7 +60,7 @@ TEST_CASE("b_T of an entropic rubber, T0/T, is met between the rows the closer t
       layer.temperature = temperature;
       worst = std::max(worst, std::abs(modulus_shift(layer) / (at_reference / temperature) - 1));
     }
-    CHECK(worst < 2e-5);  // beside the ends h^3 (ln T)"'/60 at most, with rows h = 20 K apart
+    CHECK(worst < 2e-5);                        // beside the ends h^3 (ln T)"'/60 at most, with rows h = 20 K apart
     if (coarse > 0) CHECK(worst < coarse / 7);  // at least third order: 8
     coarse = worst;
   }
