@@ -11,6 +11,13 @@
 
 namespace rollres {
 
+/// What a power balance may miss of R_r whatever the error stated; beyond, an estimate is at least that.
+constexpr double trusted_balance = 0.01;
+
+/// Resistance over the moment of the load's halves below which the layer is as good as elastic: then it is rounding and
+/// the grid's.
+constexpr double negligible_resistance = 1e-3;
+
 /// Powers over V [N] (per metre for a cylinder).
 struct ContactPowers {
   double layer = 0;       ///< what the layers take: p w' - tau . (u', v'), slopes by central differences

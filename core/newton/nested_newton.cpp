@@ -137,7 +137,11 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
 }
 
 double NestedOutcome::error_estimate() const {
-  return error_estimate(finest.error, finest.powers.resistance()) / finest.powers.scale();
+  const ContactPowers& powers = finest.powers;
+  const double estimate = error_estimate(finest.error, powers.resistance()) / powers.scale();
+  const double missing = (1 - finest.error.slow_share) * powers.missing() / powers.scale();
+  const bool resists = std::abs(powers.resistance()) >= negligible_resistance * powers.halves;
+  return resists && missing > trusted_balance ? std::max(estimate, missing) : estimate;
 }
 
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,

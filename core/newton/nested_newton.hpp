@@ -17,7 +17,7 @@ struct NestedOutcome {
   double coarser_resistance = RollingSolution::absent, change_before = RollingSolution::absent;
   /// Estimated error of a rolling resistance [N] (core/newton/README.md, (N22)).
   double error_estimate(const GridError& error, double resistance) const;
-  /// The same of what the finest grid itself says, relative.
+  /// The same of what the finest grid itself says, relative; at least what the power balance misses, if that is much.
   double error_estimate() const;
   Status status = Status::not_converged;
   std::string reason;

@@ -274,12 +274,14 @@ double lever_of_load(const RollingScene& scene, const RollingSolution& solution)
 
 /// What an elastic layer resists with is rounding and the grid's, of the lever of the load.
 bool resists(const RollingScene& scene, const RollingSolution& solution) {
-  constexpr double negligible = 1e-3;
-  return std::abs(solution.rolling_resistance) >= negligible * lever_of_load(scene, solution);
+  return std::abs(solution.rolling_resistance) >= negligible_resistance * lever_of_load(scene, solution);
 }
 
-/// What a power balance may miss whatever the error stated.
-constexpr double trusted_balance = 0.01;
+/// Whether the error stated is more than a tolerance asks for; an elastic layer resists with nothing.
+bool misses_tolerance(const RollingScene& scene, const RollingSolution& solution) {
+  const double scale = std::max(std::abs(solution.rolling_resistance), 1e-6 * lever_of_load(scene, solution));
+  return scene.tolerance && solution.rolling_resistance_error > *scene.tolerance * scale;
+}
 
 /// Why an answer that its method calls converged is none; empty if it is one.
 std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
@@ -345,6 +347,7 @@ RollingSolution solve_in_flow(const RollingScene& given) {
     solution.reason = why;
   }
   if (solution.status == Status::converged) {
+    bool missed_said = misses_tolerance(choice.scene, solution);  // by the method
     if (solution.energy_residual > trusted_balance && resists(model, solution)) {
       const double missed = solution.energy_residual * std::abs(solution.rolling_resistance);
       solution.error_estimate = std::max(solution.error_estimate, solution.energy_residual);
@@ -358,12 +361,17 @@ RollingSolution solve_in_flow(const RollingScene& given) {
     if (const double error = spectrum_error(choice.scene, half_width); error > 0) {
       add_error(error, solution);
       solution.model += message_text("; what the master curve leaves open changes R_r by ", error, " (estimate)");
-      if (error > std::min(0.05, given.tolerance.value_or(1)))
+      if (error > std::min(0.05, given.tolerance.value_or(1))) {
+        missed_said = true;
         solution.warnings.push_back(
             message_text("master curve: leaves the rolling resistance open by ", 100 * error,
                          " % (estimate): rows scatter, are too few or end near the frequencies of the contact, about ",
                          choice.scene.speed / (2 * std::numbers::pi * half_width), " Hz"));
+      }
     }
+    if (!missed_said && misses_tolerance(given, solution))
+      solution.warnings.push_back(message_text("the tolerance ", *given.tolerance, " was not reached: estimated error ",
+                                               solution.error_estimate));
     const auto missed = linearity_error(choice.scene, solution);
     if (missed) solution.model_error = missed->value;
     for (std::string& warning : warnings_for(choice.scene, solution, missed))

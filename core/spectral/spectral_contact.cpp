@@ -37,18 +37,22 @@ constexpr double sketch_residual = 1e-7;
 constexpr double least_graded_accuracy = 2e-5;
 constexpr int most_to_sketch = 30;
 constexpr int largest_first_order = 80;
-constexpr double fewest_unsketched = 31;  // coefficients, where zones are too short for these
-constexpr int most_mended = 4;            // patterns that follow from one another
-constexpr int most_stays = 3;             // checks of all laws that find no smaller violation
-constexpr double slowest_fall = 0.9;      // of the last coefficients, from one order to the next
+constexpr double fewest_unsketched = 31;   // coefficients, where zones are too short for these
+constexpr int most_mended = 4;             // patterns that follow from one another
+constexpr int most_stays = 3;              // checks of all laws that find no smaller violation
+constexpr double finer_than_grids = 1e-7;  // expected change of R_r [1]
+constexpr double slowest_fall = 0.9;       // of the last coefficients, from one order to the next
 
-/// The error estimate (core/spectral/README.md, (S27)). The change from one order to the next, times how fast
-/// coefficients fall, is often too hopeful; the laws between the points are taken into account too. A
-/// rotation that is given hands what the edges lack on to the traction.
+/// A rotation that is given hands what the edges lack on to the traction.
+double handed_on(Drive drive) { return drive == Drive::rotation ? 2.5 : 1; }
+
+/// The change from one order to the next, times how fast coefficients fall, is often too hopeful: the estimate over it.
+double estimate_over_change(Drive drive) { return 3.25 * handed_on(drive); }
+
+/// The error estimate (core/spectral/README.md, (S27)). The laws between the points are taken into account too.
 double cautious(double error, double violation, Drive drive) {
   constexpr double rounding = 1e-12;
-  const double factor = drive == Drive::rotation ? 2.5 : 1;
-  return factor * (3.25 * error + 0.65 * std::sqrt(error * violation) + rounding);
+  return estimate_over_change(drive) * error + handed_on(drive) * (0.65 * std::sqrt(error * violation) + rounding);
 }
 
 /// Work that is spent before the scene is left to the grids, in evaluations of a system of 100 unknowns with slip in
@@ -123,8 +127,7 @@ class SpectralContact {
     best_->solution.method = Method::spectral;
     best_->solution.status = Status::converged;
     best_->solution.iterations = evaluations_;
-    constexpr double cautious_factor = 5;  // of an estimate, over the change that a tolerance asks for
-    if (scene_.tolerance && best_->solution.rolling_resistance_error > cautious_factor * *scene_.tolerance * scale_)
+    if (scene_.tolerance && best_->solution.rolling_resistance_error > *scene_.tolerance * scale_)
       best_->solution.warnings.push_back(message_text("the tolerance ", *scene_.tolerance, " was not reached with ",
                                                       best_->solution.contact_nodes, " coefficients: estimated error ",
                                                       best_->solution.error_estimate));
@@ -207,6 +210,7 @@ class SpectralContact {
     double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
     double residual = std::min(1e-9, 0.01 * tolerance_);
     double coming = 0;  // change to be expected
+    Told told;
     int stays = 0;
     bool only_sketched = true, done = false, checked = !costly && !graded;
     if (graded) {
@@ -222,7 +226,7 @@ class SpectralContact {
       require_time();
       const auto order = static_cast<int>(coefficients);
       const double work = work_of(problem_, pattern, order);
-      if (work_ + 3 * work > most) return false;
+      if (work_ + 3 * work > most) break;
       const int used = search.evaluations();
       std::optional<SpectralState> state =
           search.find(edges, {order, order}, residual, static_cast<int>((most - work_) / work));
@@ -236,7 +240,6 @@ class SpectralContact {
       const double change = std::abs(resistance - before) / scale;
       // Of graded points the changes may pass through zero: then what the one before let expect counts.
       const double expected = graded ? std::max(change, coming) : change;
-      const double reachable = std::max(tolerance_, smallest_tolerance * lever / scale);
       double error = expected * std::min(1.0, tail / tail_before) +
                      (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
       // With all coefficients there, repeated changes tell better what residuals at the limit of rounding do.
@@ -245,7 +248,11 @@ class SpectralContact {
       const bool falling = tail < slowest_fall * tail_before;
       if (std::isfinite(change)) coming = change * std::min(1.0, tail / tail_before);
       // Edges from few graded points tell the first change only roughly.
-      const bool enough = graded ? !only_sketched && graded_caution() * error <= reachable : error <= reachable;
+      const auto next = static_cast<int>(next_order(coefficients, graded));
+      const bool last_order = next > most_coefficients || work_ + 4 * work_of(problem_, pattern, next) > most;
+      const double wanted = last_order ? largest_change(graded) : wanted_change(graded);
+      const bool enough = !(graded && only_sketched) && error <= std::max(wanted, smallest_tolerance * lever / scale);
+      told = {.order = order, .error = only_sketched ? INFINITY : error, .resistance = resistance, .scale = scale};
       only_sketched = false;
       before = resistance;
       change_before = change;
@@ -255,21 +262,11 @@ class SpectralContact {
         checked = true;
         work_ += work_of_check(problem_, pattern, order, edges.contact.half_length());
         AssessedSpectral assessed = assess(problem_, *last_);
-        const double violation = assessed.violation;
-        const double between = (last_->graded ? graded_field_error(order) : 0);
-        const bool lawful = assessed.wrong_zone < std::max(wrong_pattern, between);
+        const bool lawful = in_its_zones(assessed, order);
         if (!lawful) take_over_wrongs(assessed);
         if (!lawful && (last_->graded || assessed.wrong_zone > plainly_wrong)) return false;
-        // Of graded points the laws hold where they are imposed, and in between to what their number allows.
-        const double imposed = last_->graded ? assessed.solution.law_violation : violation;
-        if (enough && lawful && imposed < largest_violation && violation < std::max(largest_violation, between)) {
-          const double relative = cautious(error, last_->graded ? 0 : violation, scene_.drive);
-          assessed.solution.rolling_resistance_error = relative * scale + problem_.left_out * std::abs(resistance);
-          assessed.solution.error_estimate = assessed.solution.rolling_resistance_error / std::abs(resistance);
-          scale_ = scale;
-          best_ = std::move(assessed);
-          return true;
-        }
+        const double imposed = imposed_violation(assessed);
+        if (enough && accept(assessed, told)) return true;
         if (enough && error <= tolerance_) {
           if (done && !lawful) return false;
           done = true;
@@ -285,7 +282,42 @@ class SpectralContact {
       }
       coefficients = next_order(coefficients, graded);
     }
-    return false;
+    // A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
+    if (!last_ || !(told.error <= finer_than_grids)) return false;
+    AssessedSpectral assessed = assess(problem_, *last_);
+    return accept(assessed, told);
+  }
+
+  /// What an order told of the resistance.
+  struct Told {
+    int order = 0;
+    double error = INFINITY;  // expected change, of the scale
+    double resistance = 0, scale = 1;
+  };
+
+  /// Whether the inequalities hold, of graded points to what their number allows.
+  bool in_its_zones(const AssessedSpectral& assessed, int order) const {
+    return assessed.wrong_zone < std::max(wrong_pattern, between_points(order));
+  }
+  double between_points(int order) const { return last_->graded ? graded_field_error(order) : 0; }
+  /// Of graded points the laws hold where they are imposed, and in between to what their number allows.
+  double imposed_violation(const AssessedSpectral& assessed) const {
+    return last_->graded ? assessed.solution.law_violation : assessed.violation;
+  }
+
+  /// Takes the last state for the answer if all laws hold.
+  bool accept(AssessedSpectral& assessed, const Told& told) {
+    const double largest = std::max(largest_violation, between_points(told.order));
+    if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) ||
+        !(imposed_violation(assessed) < largest_violation))
+      return false;
+    const double relative = cautious(told.error, last_->graded ? 0 : assessed.violation, scene_.drive);
+    RollingSolution& solution = assessed.solution;
+    solution.rolling_resistance_error = relative * told.scale + problem_.left_out * std::abs(told.resistance);
+    solution.error_estimate = solution.rolling_resistance_error / std::abs(told.resistance);
+    scale_ = told.scale;
+    best_ = std::move(assessed);
+    return true;
   }
 
   /// What few graded points tell of a pattern for little work.
@@ -309,7 +341,7 @@ class SpectralContact {
       sketch.resistance = resistance_of(*state);
       sketch.tail = graded_tail(order);
       const double part = std::min(scale_of(*state) / lever_of(*state), 1.0);
-      const double accuracy = std::max(tolerance_ * part / graded_caution(), smallest_tolerance);
+      const double accuracy = std::max(wanted_change(true) * part, smallest_tolerance);
       sketch.coefficients =
           std::clamp(graded_order(problem_, sketch.edges.contact, accuracy), order, largest_first_order);
       last_ = std::move(state);
@@ -339,8 +371,13 @@ class SpectralContact {
     return state;
   }
 
-  /// Of a tolerance that is asked for, over what the last change lets expect of graded points.
-  double graded_caution() const { return scene_.tolerance ? 2 : 1; }
+  /// What the last change may let expect, if no higher order can be had: a missed tolerance is then warned of [1].
+  double largest_change(bool graded) const { return tolerance_ / (graded && scene_.tolerance ? 2 : 1); }
+  /// The same else: a tolerance that is asked for is one of the estimate [1].
+  double wanted_change(bool graded) const {
+    if (!scene_.tolerance) return largest_change(graded);
+    return std::min(largest_change(graded), *scene_.tolerance / estimate_over_change(scene_.drive));
+  }
 
   void take_over_wrongs(const AssessedSpectral& assessed) {
     reversed_ = assessed.reversed;

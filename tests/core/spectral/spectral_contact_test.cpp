@@ -3,7 +3,10 @@
 
 #include "core/spectral/spectral_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "core/estimate/contact_estimate.hpp"
 #include "core/reference/reference_hunter.hpp"
@@ -30,6 +33,12 @@ RollingSolution spectral(const RollingScene& scene) {
   REQUIRE(solution.status == Status::converged);
   CHECK(solution.law_violation < 1e-8);
   return solution;
+}
+
+bool says_missed(const RollingSolution& solution) {
+  const std::vector<std::string>& warnings = solution.warnings;
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [](const std::string& warning) { return warning.find("was not reached") != std::string::npos; });
 }
 
 /// A cylinder on a half-space with the rubbery half-width 1e-5 R, so that its lower surface is a parabola.
@@ -96,6 +105,35 @@ TEST_CASE("a short slip at the trailing edge turns round over speeds without a l
                            6;
     CHECK(resistance(speed) == Approx(between).epsilon(2e-6));
   }
+}
+
+TEST_CASE("the estimate itself meets a tolerance, also with a given rotation and compressible layers",
+          "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0.2);
+  scene.drive = Drive::rotation;
+  scene.poisson_ratio = 0.3;
+  for (const double rotation : {1.002, 1.05})
+    for (const double tolerance : {1e-5, 1e-6, 1e-9}) {
+      scene.rotation_ratio = rotation;
+      scene.tolerance = tolerance;
+      const RollingSolution solution = spectral(scene);
+      CHECK(solution.error_estimate <= tolerance);
+      CHECK(!says_missed(solution));
+    }
+}
+
+TEST_CASE("a tolerance beyond what rounding allows is answered with the best, and warned of", "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0.2);
+  scene.drive = Drive::rotation;
+  scene.rotation_ratio = 0.99;
+  scene.poisson_ratio = 0.3;
+  scene.tolerance = 1e-9;
+  const RollingSolution reached = spectral(scene);
+  scene.tolerance = 1e-12;
+  const RollingSolution best = spectral(scene);
+  CHECK(best.error_estimate < 1e-9);
+  CHECK(best.rolling_resistance == Approx(reached.rolling_resistance).epsilon(1e-9));
+  CHECK(says_missed(best));
 }
 
 TEST_CASE("a wanted error is kept, and the estimate is not below the error", "[core][spectral]") {
