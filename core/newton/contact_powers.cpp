@@ -25,6 +25,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
   const SurfaceGrid& grid = problem.grid;
   ContactPowers powers;
   const double turning = problem.turning_ratio(unknowns.rotation_ratio);
+  powers.load_found = !problem.scene.load;
   double load = 0, nodes = 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {

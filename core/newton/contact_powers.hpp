@@ -20,14 +20,15 @@ constexpr double negligible_resistance = 1e-3;
 
 /// Powers over V [N] (per metre for a cylinder).
 struct ContactPowers {
-  double layer = 0;       ///< what the layers take: p w' - tau . (u', v'), slopes by central differences
-  double friction = 0;    ///< what friction takes: tau . slip, with the same slopes
-  double unbalanced = 0;  ///< of the kinematics, (N23): 0 where they are consistent
-  double resultants = 0;  ///< Q + T Omega/V
-  double halves = 0;      ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are
-  double share = 0;       ///< of the losses in `resistance`, 0 to 1, smooth in all inputs
-  double sticking = 0;    ///< part of the load that sticking nodes bear [1]
-  double cells = 0;       ///< on the radius of a circle of as many cells as a sphere's contact has [1]
+  double layer = 0;         ///< what the layers take: p w' - tau . (u', v'), slopes by central differences
+  double friction = 0;      ///< what friction takes: tau . slip, with the same slopes
+  double unbalanced = 0;    ///< of the kinematics, (N23): 0 where they are consistent
+  double resultants = 0;    ///< Q + T Omega/V
+  double halves = 0;        ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are
+  double share = 0;         ///< of the losses in `resistance`, 0 to 1, smooth in all inputs
+  double sticking = 0;      ///< part of the load that sticking nodes bear [1]
+  bool load_found = false;  ///< the approach is given
+  double cells = 0;         ///< on the radius of a circle of as many cells as a sphere's contact has [1]
 
   double losses() const { return layer + friction + unbalanced; }
   /// By which the balance misses: Delta of (N15).

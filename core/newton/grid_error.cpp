@@ -127,8 +127,12 @@ double sphere_change(double last, const ContactPowers& powers) {
   const double edge = of_edge * lever * std::pow(usual_cells / powers.cells, edge_order);
   const double friction =
       of_friction * std::sqrt(powers.sticking) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order);
+  // Under a given approach the load, and R_r with it, is found to this share.
+  constexpr double of_load = 0.05, load_order = 1.5;
+  const double load =
+      powers.load_found ? of_load * std::abs(powers.resistance()) * std::pow(powers.cells, -load_order) : 0;
   const double beyond = std::max(0.0, last - 2.5 * (edge + friction));
-  return std::hypot(edge, friction, (0.36 + 0.64 * powers.share) * beyond);
+  return std::hypot(std::hypot(edge, friction, (0.36 + 0.64 * powers.share) * beyond), load);
 }
 
 }  // namespace
