@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 #include <numbers>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -236,11 +237,13 @@ void require_valid(const RollingScene& scene) {
 constexpr double tolerance_for_spectral = 3e-4;
 constexpr int most_nodes_for_spectral = 2000;
 
-RollingSolution solve_by_method(const RollingScene& scene) {
+/// @param zones  of much the same scene, where they are known; those of this one afterwards
+RollingSolution solve_by_method(const RollingScene& scene, std::optional<FoundZones>& zones) {
   const Method method = resolved_method(scene);
   std::string note;
   if (method == Method::spectral) {
-    SpectralOutcome found = solve_spectral(scene);
+    SpectralOutcome found = solve_spectral(scene, zones);
+    zones = found.zones;
     if (found.solution) return std::move(*found.solution);
     note = "; solved on a grid, not with continuous edges: " + found.reason;
   }
@@ -323,7 +326,7 @@ double expansion_share(const RollingScene& scene, const RollingSolution& solutio
 }
 
 /// Adds to a method's answer what does not depend on the method.
-RollingSolution solve_in_flow(const RollingScene& given) {
+RollingSolution solve_in_flow(const RollingScene& given, std::optional<FoundZones>& zones) {
   const ModelChoice choice = choose_model(given);
   RollingScene model = choice.scene;
   model.tolerance = given.tolerance;
@@ -331,7 +334,7 @@ RollingSolution solve_in_flow(const RollingScene& given) {
   std::string refused = unanswered_inertia(model);
   if (refused.empty()) refused = unbearable_torque(model);
   if (refused.empty()) {
-    solution = solve_by_method(choice.scene);
+    solution = solve_by_method(choice.scene, zones);
     if (solution.status == Status::converged) refused = unanswered_inertia(model, solution);
   }
   if (!refused.empty()) {
@@ -392,7 +395,8 @@ bool flow_is_unknown(const RollingScene& scene) {
 RollingSolution solve_freely(RollingScene scene) {
   const bool searched = flow_is_unknown(scene);
   if (searched && !scene.coating_flow) scene.coating_flow = 1;
-  RollingSolution solution = solve_in_flow(scene);
+  std::optional<FoundZones> zones;
+  RollingSolution solution = solve_in_flow(scene, zones);
   if (!searched) return solution;
   constexpr int most_solutions = 8;
   constexpr double share_of_error = 0.01;
@@ -417,7 +421,7 @@ RollingSolution solve_freely(RollingScene scene) {
           "\"rotation\"";
       break;
     }
-    solution = solve_in_flow(scene);
+    solution = solve_in_flow(scene, zones);
     response = std::clamp((solution.rotation_ratio - before.rotation_ratio) / step, -2.0, 0.8);
     sensitivity = std::abs((solution.rolling_resistance - before.rolling_resistance) / step);
   }

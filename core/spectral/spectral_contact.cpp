@@ -89,11 +89,15 @@ class SpectralContact {
     if (problem_.graded(scene.friction_coefficient > 0)) tolerance_ = std::min(tolerance_, least_graded_accuracy);
   }
 
-  SpectralOutcome run() {
+  SpectralOutcome run(const std::optional<FoundZones>& near) {
     if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
     if (problem_.inertia && !problem_.creep_length.empty() &&
         problem_.creep_length.front() < shortest_with_inertia * problem_.half_width)
       return {{}, "inertia, and memories much shorter than the contact"};
+    if (near && scene_.friction_coefficient > 0) {
+      if (refine(near->pattern, near->edges, (near->coefficients - 2) / order_growth)) return finished();
+      work_ = 0;
+    }
     const std::optional<SpectralState> smooth = frictionless_start(problem_);
     if (!smooth) return {{}, "no contact found without friction"};
     if (scene_.friction_coefficient == 0) {
@@ -131,7 +135,9 @@ class SpectralContact {
       best_->solution.warnings.push_back(message_text("the tolerance ", *scene_.tolerance, " was not reached with ",
                                                       best_->solution.contact_nodes, " coefficients: estimated error ",
                                                       best_->solution.error_estimate));
-    return {std::move(best_->solution), {}};
+    SpectralOutcome found{std::move(best_->solution), {}};
+    if (last_ && scene_.friction_coefficient > 0) found.zones = {last_->pattern, last_->edges, coefficients_};
+    return found;
   }
 
   bool try_quick_patterns(const SpectralState& smooth) {
@@ -199,7 +205,8 @@ class SpectralContact {
 
   /// Solves with rising orders until the tolerance is met; true if the answer obeys all laws. Gives up where higher
   /// orders will not help: the pattern is wrong, a violation stays, coefficients do not fall, or work is used up.
-  bool refine(const SlipPattern& pattern, SpectralEdges edges) {
+  /// @param least_coefficients  to begin with
+  bool refine(const SlipPattern& pattern, SpectralEdges edges, double least_coefficients = 0) {
     last_.reset();
     overloaded_ = reversed_ = RollingSolution::absent;
     EdgeSearch search(problem_, pattern);
@@ -207,6 +214,7 @@ class SpectralContact {
     const double most = (graded ? graded_share : 1) * most_work;
     // The laws are held to 5e-9 whatever the tolerance: fewer coefficients only cost another round.
     double coefficients = first_order(problem_, edges, graded ? tolerance_ : std::min(tolerance_, 1e-8), pattern.shear);
+    coefficients = std::max(coefficients, least_coefficients);
     double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
     double residual = std::min(1e-9, 0.01 * tolerance_);
     double coming = 0;  // change to be expected
@@ -317,6 +325,7 @@ class SpectralContact {
     solution.error_estimate = solution.rolling_resistance_error / std::abs(told.resistance);
     scale_ = told.scale;
     best_ = std::move(assessed);
+    coefficients_ = told.order;
     return true;
   }
 
@@ -385,6 +394,7 @@ class SpectralContact {
     overload_direction_ = assessed.overload_direction;
   }
 
+  static constexpr double order_growth = 1.4;
   static double next_order(double coefficients, bool graded) { return (graded ? 1.25 : 1.4) * coefficients + 2; }
   /// Violation of an inequality at an order of few graded points that refutes the pattern.
   double refuted_at(int order) const {
@@ -420,21 +430,33 @@ class SpectralContact {
   int overload_direction_ = 0;
   int evaluations_ = 0;
   double work_ = 0;
-  double scale_ = 0;  // by which errors of the best answer are measured [N/m]
+  double coefficients_ = 0;  // of the best answer
+  double scale_ = 0;         // by which errors of the best answer are measured [N/m]
 };
 
 }  // namespace
 
-SpectralOutcome solve_spectral(const RollingScene& scene) { return solve_spectral(scene, near_spectrum(scene)); }
+namespace {
 
-SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
+SpectralOutcome solve_with(const RollingScene& scene, const CreepSpectrum& creep,
+                           const std::optional<FoundZones>& near) {
   std::optional<SpectralContact> contact;
   try {
     contact.emplace(scene, creep);
   } catch (const std::domain_error& error) {
     return {{}, error.what()};
   }
-  return contact->run();
+  return contact->run(near);
+}
+
+}  // namespace
+
+SpectralOutcome solve_spectral(const RollingScene& scene, const std::optional<FoundZones>& near) {
+  return solve_with(scene, near_spectrum(scene), near);
+}
+
+SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
+  return solve_with(scene, creep, {});
 }
 
 }  // namespace rollres

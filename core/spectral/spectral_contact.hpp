@@ -12,21 +12,31 @@
 
 #include "core/material/material.hpp"
 #include "core/scene/solution.hpp"
+#include "core/spectral/spectral_system.hpp"
 
 namespace rollres {
 
 /// The wanted relative error of a scene without a tolerance.
 constexpr double default_spectral_tolerance = 1e-8;
 
+/// The zones of an answer, where the search for those of much the same scene may begin.
+struct FoundZones {
+  SlipPattern pattern;
+  SpectralEdges edges;
+  double coefficients;  ///< that the answer took
+};
+
 struct SpectralOutcome {
   /// Absent if no pattern of zones that this method knows obeys all laws.
   std::optional<RollingSolution> solution;
-  std::string reason;  ///< why there is none
+  std::string reason;                    ///< why there is none
+  std::optional<FoundZones> zones = {};  ///< of a solution with friction
 };
 
 /// @param scene of a cylinder that obeys `check`, without period
 /// The solution's status is converged or no_steady_state; model, seconds and warnings are left to the caller.
-SpectralOutcome solve_spectral(const RollingScene& scene);
+/// @param near  zones of much the same scene, which are tried before all others
+SpectralOutcome solve_spectral(const RollingScene& scene, const std::optional<FoundZones>& near = {});
 /// The same for any discrete spectrum in place of the scene's material; the start is guessed from the scene's.
 SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep);
 

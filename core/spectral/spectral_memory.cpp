@@ -16,7 +16,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr int terms_at_a_distance = 100;
-constexpr double furthest = 40;  // memory lengths after which nothing is remembered
+constexpr double furthest = 40;              // memory lengths after which nothing is remembered
+constexpr double least_coefficient = 1e-17;  // of an exponential that is 1 at the leading end
 
 }  // namespace
 
@@ -44,7 +45,7 @@ IntervalMemory::IntervalMemory(const SpectralProblem& problem, const Interval& i
     const VectorXd bessel = scaled_bessel_i(rate, order + 1);
     series.col(j) = 2 * bessel;
     series(0, j) = bessel(0);
-    has_tail.push_back(bessel(order) > 1e-17);
+    has_tail.push_back(bessel(order) > least_coefficient);
     if (!has_tail.back()) continue;
     // (S23): U_{n-1} lifts it by -1/2 1/(n^2 - 1); sum_{n>1} I_n 2/(n^2 - 1) = I_0 + I_1/2 - (e^x - I_0)/x.
     tail_lift(j) = -(bessel(0) + 0.5 * bessel(1) - (1 - bessel(0)) / rate);
@@ -62,6 +63,12 @@ IntervalMemory::IntervalMemory(const SpectralProblem& problem, const Interval& i
 }
 
 bool IntervalMemory::any_tail() const { return std::find(has_tail.begin(), has_tail.end(), true) != has_tail.end(); }
+
+int IntervalMemory::tail_terms() const {
+  Index terms = beyond.rows();
+  while (terms > 0 && beyond.row(terms - 1).maxCoeff() < least_coefficient) --terms;
+  return static_cast<int>(terms);
+}
 
 double IntervalMemory::tail_field(std::size_t j, const Interval& interval, double x) const {
   const double t = std::abs(place_in(interval, x));

@@ -25,6 +25,8 @@ struct IntervalMemory {
   /// Field of the tail j per amplitude, at x outside the interval [1].
   double tail_field(std::size_t j, const Interval& interval, double x) const;
   bool any_tail() const;
+  /// So many of `beyond` are more than rounding.
+  int tail_terms() const;
 };
 
 /// What a slope f of the surface, prescribed on an interval, asks of the elastic slope there (S7).

@@ -13,6 +13,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int most_steps = 40;
+constexpr double lost = 1e3;  // residual over the least so far at which nothing good is to come
 constexpr double nearly_done = 1e-10, nearly_done_fresh = 1e-9;  // where a step fails by rounding; with fresh slopes
 
 /// Centre and logarithm of the half-length; roots of the parts of the contact that each zone takes but for the stick
@@ -110,10 +111,12 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
   VectorXd place = place_of(pattern_, start, unit_);
   SpectralState state = evaluate(place, orders);
   double residual = largest(state);
+  double least = residual;
   bool fresh = false;
   for (int step = 0; step < most_steps && evaluations_ < last_evaluation && residual > tolerance; ++step) {
     require_time();
-    if (!std::isfinite(residual) || vanished(place)) return {};
+    least = std::min(least, residual);
+    if (!std::isfinite(residual) || residual > lost * least || vanished(place)) return {};
     if (inverse_.size() == 0) {
       if (!differentiate(place, state, orders)) return {};
       fresh = true;

@@ -21,9 +21,6 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// Coefficients of the pressure's tails that a base of several directions mixes into other places.
-constexpr int mixed_tail_terms = 120;
-
 class System : private ZonedSystem {
  public:
   System(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
@@ -41,7 +38,8 @@ class System : private ZonedSystem {
       memories_.emplace_back(problem, stick.interval, orders.stick);
     }
     if (pattern_.shear) {
-      const int tail = !pattern_.one_direction() && memory_.any_tail() ? mixed_tail_terms : 0;
+      // A base of several directions mixes the pressure's tails into other places.
+      const int tail = pattern_.one_direction() ? 0 : memory_.tail_terms();
       base_.emplace(pattern_, edges_, orders.contact + tail, orders.stick);
     }
     sources_ = traction_sources(pattern_, edges_, orders, base_ ? &*base_ : nullptr, friction_, places, size_);
