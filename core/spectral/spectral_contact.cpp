@@ -38,6 +38,7 @@ constexpr double least_graded_accuracy = 2e-5;
 constexpr int most_to_sketch = 30;
 constexpr int largest_first_order = 80;
 constexpr double fewest_unsketched = 31;   // coefficients, where zones are too short for these
+constexpr double nearly_right = 0.01;      // the same, where the place of what is wrong starts a search nearby
 constexpr int most_mended = 4;             // patterns that follow from one another
 constexpr int most_stays = 3;              // checks of all laws that find no smaller violation
 constexpr double finer_than_grids = 1e-7;  // expected change of R_r [1]
@@ -95,7 +96,7 @@ class SpectralContact {
         problem_.creep_length.front() < shortest_with_inertia * problem_.half_width)
       return {{}, "inertia, and memories much shorter than the contact"};
     if (near && scene_.friction_coefficient > 0) {
-      if (refine(near->pattern, near->edges, (near->coefficients - 2) / order_growth)) return finished();
+      if (refine(near->pattern, near->edges, &*near)) return finished();
       work_ = 0;
     }
     const std::optional<SpectralState> smooth = frictionless_start(problem_);
@@ -136,7 +137,7 @@ class SpectralContact {
                                                       best_->solution.contact_nodes, " coefficients: estimated error ",
                                                       best_->solution.error_estimate));
     SpectralOutcome found{std::move(best_->solution), {}};
-    if (last_ && scene_.friction_coefficient > 0) found.zones = {last_->pattern, last_->edges, coefficients_};
+    if (scene_.friction_coefficient > 0) found.zones = std::move(zones_);
     return found;
   }
 
@@ -146,13 +147,16 @@ class SpectralContact {
       if (refine({.shear = true, .slips = {direction}}, smooth.edges)) return true;
     }
     const std::optional<PatternStart> start = one_border_start(problem_, smooth.edges.contact);
-    if (!start) return false;
-    PatternStart next = *start;
+    return start && (try_mended(*start) || (!last_ && try_turned(*start)));
+  }
+
+  /// A pattern, and those that follow from what is wrong with it.
+  bool try_mended(PatternStart next) {
     for (int mended = 0; mended < most_mended; ++mended) {
       if (refine(next.pattern, next.edges)) return true;
-      if (!last_ || !mend(next)) break;
+      if (!last_ || !mend(next)) return false;
     }
-    return !last_ && try_turned(*start);
+    return false;
   }
 
   /// Where a short slip at the trailing edge is about to turn round, the contact without friction tells its direction
@@ -178,7 +182,8 @@ class SpectralContact {
       start.edges.sticks.back().to = overload_start(start.edges.sticks.back());
       return true;
     }
-    if (!last_->graded || !std::isfinite(reversed_) || pattern.slips.front() == 0) return false;
+    if ((!last_->graded && !(wrong_ < nearly_right)) || !std::isfinite(reversed_) || pattern.slips.front() == 0)
+      return false;
     const double behind = start.edges.contact.from, turn = 0.3 * (reversed_ - behind);
     if (reversed_ + turn > start.edges.sticks.front().from) return false;  // all of it is, which a grid tells better
     pattern.slips.insert(pattern.slips.begin(), -pattern.slips.front());
@@ -205,8 +210,8 @@ class SpectralContact {
 
   /// Solves with rising orders until the tolerance is met; true if the answer obeys all laws. Gives up where higher
   /// orders will not help: the pattern is wrong, a violation stays, coefficients do not fall, or work is used up.
-  /// @param least_coefficients  to begin with
-  bool refine(const SlipPattern& pattern, SpectralEdges edges, double least_coefficients = 0) {
+  /// @param near  where the edges are from, if they are from another scene
+  bool refine(const SlipPattern& pattern, SpectralEdges edges, const FoundZones* near = nullptr) {
     last_.reset();
     overloaded_ = reversed_ = RollingSolution::absent;
     EdgeSearch search(problem_, pattern);
@@ -214,7 +219,10 @@ class SpectralContact {
     const double most = (graded ? graded_share : 1) * most_work;
     // The laws are held to 5e-9 whatever the tolerance: fewer coefficients only cost another round.
     double coefficients = first_order(problem_, edges, graded ? tolerance_ : std::min(tolerance_, 1e-8), pattern.shear);
-    coefficients = std::max(coefficients, least_coefficients);
+    if (near) {
+      search.take_over(near->search);
+      coefficients = std::max(coefficients, (near->coefficients - 2) / order_growth);
+    }
     double before = RollingSolution::absent, change_before = 1, tail_before = 1, least_violation = INFINITY;
     double residual = std::min(1e-9, 0.01 * tolerance_);
     double coming = 0;  // change to be expected
@@ -274,7 +282,7 @@ class SpectralContact {
         if (!lawful) take_over_wrongs(assessed);
         if (!lawful && (last_->graded || assessed.wrong_zone > plainly_wrong)) return false;
         const double imposed = imposed_violation(assessed);
-        if (enough && accept(assessed, told)) return true;
+        if (enough && accept(assessed, told, search)) return true;
         if (enough && error <= tolerance_) {
           if (done && !lawful) return false;
           done = true;
@@ -293,7 +301,7 @@ class SpectralContact {
     // A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
     if (!last_ || !(told.error <= finer_than_grids)) return false;
     AssessedSpectral assessed = assess(problem_, *last_);
-    return accept(assessed, told);
+    return accept(assessed, told, search);
   }
 
   /// What an order told of the resistance.
@@ -314,7 +322,7 @@ class SpectralContact {
   }
 
   /// Takes the last state for the answer if all laws hold.
-  bool accept(AssessedSpectral& assessed, const Told& told) {
+  bool accept(AssessedSpectral& assessed, const Told& told, const EdgeSearch& search) {
     const double largest = std::max(largest_violation, between_points(told.order));
     if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) ||
         !(imposed_violation(assessed) < largest_violation))
@@ -325,7 +333,7 @@ class SpectralContact {
     solution.error_estimate = solution.rolling_resistance_error / std::abs(told.resistance);
     scale_ = told.scale;
     best_ = std::move(assessed);
-    coefficients_ = told.order;
+    zones_ = {last_->pattern, last_->edges, static_cast<double>(told.order), search.slopes()};
     return true;
   }
 
@@ -389,6 +397,7 @@ class SpectralContact {
   }
 
   void take_over_wrongs(const AssessedSpectral& assessed) {
+    wrong_ = assessed.wrong_zone;
     reversed_ = assessed.reversed;
     overloaded_ = assessed.overloaded;
     overload_direction_ = assessed.overload_direction;
@@ -427,11 +436,12 @@ class SpectralContact {
   std::optional<SpectralState> last_;
   std::optional<AssessedSpectral> best_;
   double overloaded_ = RollingSolution::absent, reversed_ = RollingSolution::absent;
+  double wrong_ = RollingSolution::absent;
   int overload_direction_ = 0;
   int evaluations_ = 0;
   double work_ = 0;
-  double coefficients_ = 0;  // of the best answer
-  double scale_ = 0;         // by which errors of the best answer are measured [N/m]
+  std::optional<FoundZones> zones_;  // of the best answer
+  double scale_ = 0;                 // by which errors of the best answer are measured [N/m]
 };
 
 }  // namespace

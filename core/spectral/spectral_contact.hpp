@@ -12,7 +12,7 @@
 
 #include "core/material/material.hpp"
 #include "core/scene/solution.hpp"
-#include "core/spectral/spectral_system.hpp"
+#include "core/spectral/spectral_search.hpp"
 
 namespace rollres {
 
@@ -24,6 +24,7 @@ struct FoundZones {
   SlipPattern pattern;
   SpectralEdges edges;
   double coefficients;  ///< that the answer took
+  EdgeSearch::Slopes search;
 };
 
 struct SpectralOutcome {

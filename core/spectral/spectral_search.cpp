@@ -85,7 +85,7 @@ SpectralState EdgeSearch::evaluate(const VectorXd& place, const SpectralOrders& 
     nowhere.residuals.setConstant(place.size(), NAN);
     return nowhere;
   }
-  return solve_inside(problem_, pattern_, edges_at(pattern_, place, unit_), orders);
+  return solve_inside(problem_, pattern_, edges_at(pattern_, place, slopes_.unit), orders);
 }
 
 bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state, const SpectralOrders& orders) {
@@ -96,19 +96,19 @@ bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state
     beside(k) += difference;
     slopes.col(k) = (evaluate(beside, orders).residuals - state.residuals) / difference;
   }
-  inverse_ = SquareSystem(slopes).inverse();
-  return inverse_.allFinite();
+  slopes_.inverse = SquareSystem(slopes).inverse();
+  return slopes_.inverse.allFinite();
 }
 
 void EdgeSearch::sharpen(const SpectralState& state, const SpectralOrders& orders) {
-  if (!differentiate(place_of(pattern_, state.edges, unit_), state, orders)) inverse_.resize(0, 0);
+  if (!differentiate(place_of(pattern_, state.edges, slopes_.unit), state, orders)) slopes_.inverse.resize(0, 0);
 }
 
 std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const SpectralOrders& orders,
                                               double tolerance, int most_evaluations) {
   const int last_evaluation = evaluations_ + most_evaluations;
-  if (inverse_.size() == 0) unit_ = start.contact.half_length();
-  VectorXd place = place_of(pattern_, start, unit_);
+  if (slopes_.inverse.size() == 0) slopes_.unit = start.contact.half_length();
+  VectorXd place = place_of(pattern_, start, slopes_.unit);
   SpectralState state = evaluate(place, orders);
   double residual = largest(state);
   double least = residual;
@@ -117,11 +117,11 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
     require_time();
     least = std::min(least, residual);
     if (!std::isfinite(residual) || residual > lost * least || vanished(place)) return {};
-    if (inverse_.size() == 0) {
+    if (slopes_.inverse.size() == 0) {
       if (!differentiate(place, state, orders)) return {};
       fresh = true;
     }
-    const VectorXd full = -inverse_ * state.residuals;
+    const VectorXd full = -slopes_.inverse * state.residuals;
     const VectorXd move = allowed_part(pattern_, place, full) * full;
     SpectralState next = evaluate(place + move, orders);
     const double next_residual = largest(next);
@@ -132,7 +132,7 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
       }
       // Broyden's slopes have led astray.
       if (!fresh) {
-        inverse_.resize(0, 0);
+        slopes_.inverse.resize(0, 0);
         if (next_residual < residual) {
           place += move;
           state = std::move(next);
@@ -140,12 +140,12 @@ std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const 
         }
         continue;
       }
-      inverse_.resize(0, 0);
+      slopes_.inverse.resize(0, 0);
       if (!std::isfinite(next_residual)) return {};
     } else {
-      const VectorXd change = inverse_ * (next.residuals - state.residuals);
+      const VectorXd change = slopes_.inverse * (next.residuals - state.residuals);
       const double length = move.dot(change);
-      if (length != 0) inverse_ += (move - change) * (move.transpose() * inverse_) / length;
+      if (length != 0) slopes_.inverse += (move - change) * (move.transpose() * slopes_.inverse) / length;
     }
     fresh = false;
     place += move;

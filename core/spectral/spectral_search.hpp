@@ -23,6 +23,14 @@ class EdgeSearch {
   /// Slopes anew where the search ended: at a low order they cost little, and at higher ones they are nearly the same.
   void sharpen(const SpectralState& state, const SpectralOrders& orders);
 
+  /// What the search knows of the derivatives, for the same pattern in much the same scene.
+  struct Slopes {
+    Eigen::MatrixXd inverse;  ///< of the residuals' derivatives; empty: not known
+    double unit = 1;          ///< length by which places are measured [m]
+  };
+  const Slopes& slopes() const { return slopes_; }
+  void take_over(const Slopes& slopes) { slopes_ = slopes; }
+
   int evaluations() const { return evaluations_; }
 
  private:
@@ -31,8 +39,7 @@ class EdgeSearch {
 
   const SpectralProblem& problem_;
   SlipPattern pattern_;
-  double unit_ = 1;          // length by which places are measured [m]
-  Eigen::MatrixXd inverse_;  // of the residuals' derivatives; empty: not known
+  Slopes slopes_;
   int evaluations_ = 0;
 };
 

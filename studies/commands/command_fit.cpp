@@ -103,8 +103,19 @@ struct MadeFit {
   FitContext context;
 };
 
-MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredEvaluations& stored, Session& session) {
+/// Answers through the store until the user wants an end.
+Evaluate until(const StopSignal& signal, StoredEvaluations& stored) {
+  return [&](const RollingScene& scene) {
+    if (signal.requested()) throw Interrupted();
+    const Interruptible interruptible([&] { return signal.requested(); });
+    return stored(scene);
+  };
+}
+
+MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredEvaluations& stored,
+                            const StopSignal& signal, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
+  file.options.stop = &signal.requested();
   file.options.profiles = !arguments.no_profiles;
   const FitProblem problem = problem_of(
       file, [&](const RollingScene& scene) { return stored(scene); }, arguments.jobs);
@@ -119,16 +130,10 @@ MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredE
   made.context.scene = fitted_scene(report, file);
   save(report, made.context, begin, arguments, session);
   if (report.slopes.found() && !report.interrupted) {  // the fit is stored whatever becomes of its curves
-    const std::atomic<bool>* const stop = file.options.stop;
-    const Evaluate until_stopped = [&](const RollingScene& scene) {
-      if (stop && *stop) throw Interrupted();
-      const Interruptible interruptible([stop] { return stop && *stop; });
-      return stored(scene);
-    };
-    made.context.curves =
-        fit_curves(file, report, until_stopped, arguments.jobs, arguments.out.empty() ? for_the_store : CurveDetail{});
+    made.context.curves = fit_curves(file, report, until(signal, stored), arguments.jobs,
+                                     arguments.out.empty() ? for_the_store : CurveDetail{});
     save_fit(open_database(arguments.database, Access::write), fit_record(report, made.context));
-    if (stop && *stop) session.err << "interrupted: the fit is stored, its curves are not complete\n";
+    if (signal.requested()) session.err << "interrupted: the fit is stored, its curves are not complete\n";
   }
   made.candidate.resistance = std::move(file);
   return made;
@@ -207,21 +212,12 @@ void fit_shift_factors(const FitArguments& arguments, Session& session) {
   if (!arguments.out.empty() && report.slopes.found()) draw(report, made.context, arguments, session);
 }
 
-/// Answers through the store until the user wants an end.
-Evaluate until(const StopSignal& signal, StoredEvaluations& stored) {
-  return [&](const RollingScene& scene) {
-    if (signal.requested()) throw Interrupted();
-    return stored(scene);
-  };
-}
-
 void fit_resistance(const FitArguments& arguments, Session& session) {
   FitFile file = read_fit(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
-  file.options.stop = &signal.requested();
   StoredEvaluations stored(session.evaluate, arguments.database);
-  const MadeFit made = make_resistance_fit(arguments, std::move(file), stored, session);
+  const MadeFit made = make_resistance_fit(arguments, std::move(file), stored, signal, session);
   const FitReport& report = made.candidate.report;
   const FitFile& given = *made.candidate.resistance;
 
@@ -230,10 +226,14 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
   if (!arguments.json) session.out << fit_summary(report, made.context) << std::flush;
   if (arguments.design && known) {
     const FitDesign next = design_of(given, report, until(signal, stored), arguments.jobs);
-    object["design"] = json_of(next);
-    if (!arguments.json) session.out << design_summary(next, given) << std::flush;
+    if (signal.requested()) {
+      session.err << "interrupted: the fit is stored, what to measure next is not known\n";
+    } else {
+      object["design"] = json_of(next);
+      if (!arguments.json) session.out << design_summary(next, given) << std::flush;
+    }
   }
-  if (arguments.coverage > 0 && known) {
+  if (arguments.coverage > 0 && known && !signal.requested()) {
     const Coverage counted = coverage_of(given, report, arguments, session);
     object["coverage"] = json_of(counted);
     if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
@@ -280,9 +280,7 @@ void compare_fits(const FitArguments& given, Session& session) {
       file.options.options.stop = &signal.requested();
       fits.push_back(make_material_fit(arguments, std::move(file), session).candidate);
     } else {
-      FitFile file = read_fit(fit);
-      file.options.stop = &signal.requested();
-      fits.push_back(make_resistance_fit(arguments, std::move(file), stored, session).candidate);
+      fits.push_back(make_resistance_fit(arguments, read_fit(fit), stored, signal, session).candidate);
     }
     session.err << fit << ": " << name_of(fits.back().report.status) << '\n';
   }
