@@ -107,7 +107,7 @@ struct MadeFit {
 Evaluate until(const StopSignal& signal, StoredEvaluations& stored) {
   return [&](const RollingScene& scene) {
     if (signal.requested()) throw Interrupted();
-    const Interruptible interruptible([&] { return signal.requested(); });
+    const Interruptible interruptible([&] { return signal.requested().load(); });
     return stored(scene);
   };
 }
