@@ -48,6 +48,8 @@ class FitEnding {
   }
 
   void count_solution() { ++solutions_; }
+  /// Since the fit began.
+  std::size_t solutions() const { return solutions_; }
 
   /// For descents and threads that only look.
   const std::atomic<bool>& over() const { return over_; }

@@ -151,9 +151,10 @@ std::optional<QuickEnd> quick_end(const ProfileSide& side, double limit, const s
 /// One side of a profile.
 class Side : ProfileSide {
  public:
-  Side(const ProfileSide& side, const std::atomic<bool>* stop)
+  Side(const ProfileSide& side, const std::atomic<bool>* stop, std::size_t most_solutions)
       : ProfileSide(side),
         stop_(stop),
+        most_solutions_(most_solutions),
         quick_(with_secants(problem, {.known = KnownSlopes{fit.end, fit.prediction, slopes}})),
         origin_(scaled_point(problem, fit.end)) {}
 
@@ -164,6 +165,8 @@ class Side : ProfileSide {
 
   /// Finds the end; the points on the way are in `points`.
   End find(const std::optional<Bend>& other_side) {
+    complete = problem.ending->solutions() < most_solutions_;
+    if (!complete) return {fit.end[parameter], IntervalEnd::open};
     const Variable& variable = problem.parameters[parameter].variable;
     const double bound = direction < 0 ? variable.lowest : variable.highest;
     constexpr double farthest = 6.9;  // a factor of 1000
@@ -186,6 +189,10 @@ class Side : ProfileSide {
     double next = std::isfinite(deviation) ? std::min(target * deviation, 1.0) : 0.5;
     constexpr int most = 14;
     for (int attempt = 0; attempt < most && !(stop_ && stop_->load()); ++attempt) {
+      if (problem.ending->solutions() >= most_solutions_) {
+        complete = false;
+        break;
+      }
       next = std::min(next, limit);
       const double root = root_of_rise(next);
       if (std::isnan(root)) {
@@ -222,6 +229,7 @@ class Side : ProfileSide {
   std::vector<ProfilePoint> points;
   FitPoint better;
   std::optional<Bend> bend;
+  bool complete = true;
 
  private:
   Eigen::Index index() const { return static_cast<Eigen::Index>(parameter); }
@@ -310,6 +318,7 @@ class Side : ProfileSide {
   }
 
   const std::atomic<bool>* stop_;
+  std::size_t most_solutions_;
   FitProblem quick_;
   Eigen::VectorXd origin_;
   std::vector<Eigen::VectorXd> trail_;
@@ -318,18 +327,20 @@ class Side : ProfileSide {
 }  // namespace
 
 Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
-                std::size_t parameter, double threshold, const std::atomic<bool>* stop) {
+                std::size_t parameter, double threshold, const std::atomic<bool>* stop, std::size_t most_solutions) {
   Profile answer;
   answer.points.push_back({fit.end[parameter], 0});
   std::optional<Bend> bend;
   for (const double direction : {-1.0, 1.0}) {
-    Side side({problem, fit, slopes, errors, parameter, direction, threshold}, stop);
+    Side side({problem, fit, slopes, errors, parameter, direction, threshold}, stop, most_solutions);
     const Side::End end = side.find(bend);
     bend = side.bend;
     (direction < 0 ? answer.interval.lowest : answer.interval.highest) = end.value;
     (direction < 0 ? answer.interval.low : answer.interval.high) = end.kind;
     answer.points.insert(answer.points.end(), side.points.begin(), side.points.end());
     if (answer.better.empty()) answer.better = side.better;
+    answer.complete = side.complete;
+    if (!answer.complete) break;
   }
   std::sort(answer.points.begin(), answer.points.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   return answer;

@@ -3,6 +3,7 @@
 /// Profile likelihood: how far one parameter can go, all others following, before the misfit rises too much.
 /// @see Venzon and Moolgavkar (1988), J. R. Stat. Soc. C 37, 87
 
+#include <limits>
 #include <vector>
 
 #include "fitting/descent/descent.hpp"
@@ -38,13 +39,16 @@ struct Profile {
   ConfidenceInterval interval;
   /// A point with a smaller misfit than the fit's, if one was met: then the fit was not at the least misfit.
   FitPoint better = {};
+  bool complete = true;  ///< else it was given up for its cost
 };
 
 /// @param fit        a least misfit   @param slopes, errors there
 /// @param threshold  the rise at the ends of the interval: 3.84 for 95 % where deviations are known
+/// @param most_solutions  of the whole fit, with which the profile is given up
 /// The slopes of the fit are carried on by secants (secant_slopes.hpp): a point of the profile costs one or two
 /// predictions.
 Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
-                std::size_t parameter, double threshold, const std::atomic<bool>* stop = nullptr);
+                std::size_t parameter, double threshold, const std::atomic<bool>* stop = nullptr,
+                std::size_t most_solutions = std::numeric_limits<std::size_t>::max());
 
 }  // namespace rollres

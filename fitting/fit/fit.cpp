@@ -59,7 +59,7 @@ bool misses_by_far(const FitReport& report) {
 bool arrived(const FitReport& report) {
   constexpr double near = 0.002, exactly = 1e-7, next_to_nothing = 1;
   if (leaves_free(report) && report.errors.fall < next_to_nothing * report.errors.scale) return true;
-  constexpr double little = 0.01, smooth = 1e-5;
+  constexpr double little = 0.02, smooth = 1e-5;
   const bool on_edge = std::any_of(report.parameters.begin(), report.parameters.end(), [](const auto& fitted) {
     return fitted.at_bound == AtBound::lowest && std::isfinite(fitted.parameter.least);
   });
@@ -160,10 +160,26 @@ FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const Fit
 void add_profiles(FitReport& report, const FitProblem& problem, const Descent& best, const FitOptions& options,
                   FitPoint& better) {
   const double threshold = interval_threshold(problem);
+  // At a bound, and beside scenes without an answer, errors by slopes mean nothing.
+  const bool unanswered = problem.log->failures() > 0;
+  const bool needed =
+      options.known || std::any_of(report.parameters.begin(), report.parameters.end(), [&](const auto& fitted) {
+        return fitted.at_bound != AtBound::no || (fitted.parameter.has_least && unanswered);
+      });
+  const std::size_t usual =
+      needed ? std::numeric_limits<std::size_t>::max() / 2 : usual_solutions(problem, options.limits);
+  const std::size_t most = usual + usual / 6;
   for (std::size_t j = 0; j < problem.size() && better.empty(); ++j) {
     if (options.stop && options.stop->load()) return;
-    report.parameters[j].profile = profile(problem, best, report.slopes, report.errors, j, threshold, options.stop);
-    better = report.parameters[j].profile.better;
+    Profile& here = report.parameters[j].profile;
+    if (problem.ending->solutions() < usual)
+      here = profile(problem, best, report.slopes, report.errors, j, threshold, options.stop, most);
+    else
+      here.complete = false;
+    better = here.better;
+    if (here.complete) continue;
+    here = {};
+    report.enough = usual;
   }
 }
 
@@ -240,6 +256,12 @@ void doubt_misfit(FitProblem& problem, std::vector<Descent>& descents, FitReport
 
 }  // namespace
 
+std::size_t usual_solutions(const FitProblem& problem, const FitLimits& limits) {
+  constexpr std::size_t usual = 3000, for_each_datum = 60;
+  if (limits.solutions < std::numeric_limits<std::size_t>::max()) return limits.solutions;
+  return std::max(usual, for_each_datum * problem.data.size());
+}
+
 FitReport fit(const FitProblem& given, const FitOptions& wanted) {
   for (const FitParameter& parameter : given.parameters)
     if (!(parameter.start >= parameter.variable.lowest && parameter.start <= parameter.variable.highest))
@@ -258,7 +280,7 @@ FitReport fit(const FitProblem& given, const FitOptions& wanted) {
   for (int returns = 0; options.profiles && report.slopes.found() && worth_profiles(report, problem); ++returns) {
     FitPoint better;
     add_profiles(report, problem, best_of(descents), options, better);
-    if (better.empty() || returns == most_returns) break;
+    if (better.empty() || returns == most_returns || report.enough > 0) break;
     descents.push_back(rough_descent(problem, better, options));
     report = settled(problem, descents, options);
   }

@@ -15,11 +15,15 @@ namespace rollres {
 
 inline constexpr double confidence = 0.95;  ///< of all intervals
 
+/// Solutions that a fit is usually worth: 3,000, or 60 for each datum, or what its limits say. It is no limit, but with
+/// so many no profile begins, and none is worth more than a sixth of them more.
+std::size_t usual_solutions(const FitProblem& problem, const FitLimits& limits);
+
 struct FitOptions {
   int starts = 1;          ///< 1: the given one; else so many of those that promise most (fit_starts.hpp)
   double reach = 5;        ///< largest factor between the given start and the others
   std::uint64_t seed = 1;  ///< of the hypercube
-  bool profiles = true;    ///< intervals by profile likelihood
+  bool profiles = true;    ///< intervals by profile likelihood, as long as solutions are left for them
   /// Slopes at or near the start that are known already: for many fits to much the same data.
   std::optional<KnownSlopes> known = {};
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: return what is known so far

@@ -88,6 +88,7 @@ struct FitReport {
   std::string stopped;            ///< Ceres's words on it
   bool interrupted = false;       ///< by a wish from outside or a limit: the best so far
   std::string ended;              ///< which of them
+  std::size_t enough = 0;         ///< solutions with which profiles were left out; 0: none was
   std::string misfit_cause;       ///< what most likely makes a MISFIT, in words; empty: nothing stands out
   std::size_t evaluations = 0, failures = 0;
   std::vector<EvaluationLog::Failure> failure_reasons;

@@ -10,6 +10,7 @@
 #include "fitting/descent/latin_hypercube.hpp"
 #include "fitting/descent/secant_slopes.hpp"
 #include "fitting/errors/fit_errors.hpp"
+#include "fitting/errors/statistics.hpp"
 
 namespace rollres {
 
@@ -192,7 +193,7 @@ Way way_down(const FitProblem& problem, const FitPoint& start, const FitOptions&
   return way;
 }
 
-constexpr DescentOptions by_few_rows{.tolerance = 1e-2}, by_all_rows{.most_iterations = 20, .tolerance = 1e-3};
+constexpr DescentOptions by_few_rows{.tolerance = 3e-2}, by_all_rows{.most_iterations = 20, .tolerance = 1e-3};
 
 /// By all rows from where a descent by a few of them ended.
 Descent further(const FitProblem& problem, const Descent& few, const FitOptions& options, double rival) {
@@ -206,8 +207,9 @@ Descent further(const FitProblem& problem, const Descent& few, const FitOptions&
 }
 
 bool explains(const FitProblem& problem, const Descent& descent) {
-  constexpr double explained = 2, small = 0.1;
-  if (problem.deviations_known) return descent.misfit < explained * degrees_of_freedom(problem);
+  constexpr double least_p = 1e-3, small = 0.1;
+  const int degrees = degrees_of_freedom(problem);
+  if (problem.deviations_known) return degrees > 0 && chi_squared_tail(descent.misfit, degrees) > least_p;
   double squares = 0;
   for (std::size_t i = 0; i < problem.data.size(); ++i)
     squares += std::pow(descent.prediction.values[static_cast<Eigen::Index>(i)] / problem.data[i].value - 1, 2);

@@ -173,6 +173,13 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
       warn(problem.parameters[pair.first].name, " and ", problem.parameters[pair.second].name,
            " are hard to separate: correlation ", correlation);
   }
+  if (report.enough > 0) {
+    std::string names;
+    for (const FittedParameter& fitted : report.parameters)
+      if (fitted.profile.points.empty()) names += (names.empty() ? "" : ", ") + fitted.parameter.name;
+    warn("with ", report.enough, " solutions no more profiles are walked: the interval of ", names,
+         " is linear; a larger solutions_limit walks them");
+  }
   if (!report.second_best.empty()) warn("other parameters fit nearly as well: " + report.second_best);
   const double scatter = std::sqrt(report.errors.scale);
   if (const std::string noise = noise_in_words(report, problem); !noise.empty()) warn(noise);

@@ -11,6 +11,8 @@
 #include "core/estimate/contact_estimate.hpp"
 #include "core/reference/reference_hunter.hpp"
 #include "core/solve/rolling_contact.hpp"
+#include "core/spectral/spectral_search.hpp"
+#include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
@@ -403,4 +405,75 @@ TEST_CASE("on an elastic layer a driven cylinder has the edges and the borders o
     const RollingSolution grid = solve(gridded);
     CHECK(driven.rotation_ratio - 1 == Approx(grid.rotation_ratio - 1).epsilon(5e-3).margin(1e-5));
   }
+}
+
+namespace {
+
+/// A coated cylinder on the paper's layer.
+RollingScene coated_cylinder(double friction, double speed, double load) {
+  RollingScene scene = gridless_cylinder(friction);
+  scene.kinematics = Kinematics::consistent;
+  scene.speed = speed;
+  scene.load = load;
+  BondedLayer coating;
+  coating.layer_thickness = 6e-3;
+  coating.static_shear_modulus = 2e6;
+  coating.stiffening = 1.5;
+  coating.creep_time = 0.02;
+  scene.coating_layers = {coating};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("zones of much the same scene lead to the same answer for a fraction of the work", "[core][spectral]") {
+  RollingScene scene = coated_cylinder(0.02, 2, 4e3);
+  scene.coating_flow = 1;
+  const SpectralOutcome first = solve_spectral(scene);
+  REQUIRE(first.solution);
+  REQUIRE(first.zones);
+  scene.coating_flow = 1.004;
+  const SpectralOutcome fresh = solve_spectral(scene), near = solve_spectral(scene, first.zones);
+  REQUIRE(fresh.solution);
+  REQUIRE(near.solution);
+  CHECK(near.solution->rolling_resistance == Approx(fresh.solution->rolling_resistance).epsilon(1e-8));
+  CHECK(near.solution->rolling_resistance != Approx(first.solution->rolling_resistance).epsilon(1e-8));
+  CHECK(near.solution->rotation_ratio == Approx(fresh.solution->rotation_ratio).epsilon(1e-9));
+  CHECK(4 * near.solution->iterations < fresh.solution->iterations);
+}
+
+TEST_CASE("zones of another scene that do not fit are left for those that do", "[core][spectral]") {
+  const SpectralOutcome much = solve_spectral(coated_cylinder(0.5, 0.5, 1.2e4));
+  const RollingScene scene = coated_cylinder(0.02, 2, 4e3);
+  const SpectralOutcome fresh = solve_spectral(scene), near = solve_spectral(scene, much.zones);
+  REQUIRE(fresh.solution);
+  REQUIRE(near.solution);
+  REQUIRE(fresh.zones->pattern.slips != much.zones->pattern.slips);
+  CHECK(near.solution->rolling_resistance == Approx(fresh.solution->rolling_resistance).epsilon(1e-8));
+}
+
+TEST_CASE("a search for zones that leads away ends soon", "[core][spectral]") {
+  const RollingScene scene = coated_cylinder(0.05, 0.03, 1.2e4);
+  const SpectralProblem problem(scene, near_spectrum(scene), 5e-3);
+  EdgeSearch search(problem, {.shear = true, .slips = {1, -1}});
+  CHECK_FALSE(search.find({{-0.0049396, 0.0054536}, {{-0.0048812, -0.0046745}}}, {8, 8}, 1e-9));
+  CHECK(search.evaluations() < 80);
+}
+
+TEST_CASE("slip that turns round at the trailing edge is found without a grid", "[core][spectral]") {
+  RollingScene scene;
+  scene.indenter = Indenter::cylinder;
+  scene.radius = 0.02937;
+  scene.layer_thickness = INFINITY;
+  scene.static_shear_modulus = 1.109e6;
+  scene.stiffening = 0.6353;
+  scene.creep_time = 0.1096;
+  scene.speed = 0.7387;
+  scene.friction_coefficient = 0.05921;
+  scene.load = 13630;
+  const RollingSolution found = spectral(scene);
+  CHECK(found.energy_residual < 1e-8);
+  scene.method = Method::newton;
+  const RollingSolution gridded = solve(scene);
+  CHECK(found.rolling_resistance == Approx(gridded.rolling_resistance).epsilon(gridded.error_estimate));
 }

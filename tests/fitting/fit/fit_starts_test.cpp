@@ -165,3 +165,23 @@ TEST_CASE("a fit that its limit or a wish ends says so and has the best so far",
   CHECK_THAT(fit(posed(noisy_data(), zener_inputs()), {.starts = 4, .stop = &stop}).reason,
              Catch::Contains("interrupted"));
 }
+
+TEST_CASE("profiles are left out, and named, once a fit has taken the solutions that it is worth",
+          "[fitting][fit_starts]") {
+  const FitProblem problem = posed(noisy_data(), zener_inputs());
+  CHECK(usual_solutions(problem, {}) == 3000);
+  CHECK(usual_solutions(problem, {.solutions = 700}) == 700);
+  FitReport report = fit(problem, {.starts = 4});
+  CHECK(report.enough == 0);
+  REQUIRE_FALSE(report.parameters[1].profile.points.empty());
+  Descent descent;
+  descent.end = report.point();
+  descent.prediction = problem.predict(descent.end);
+  const Profile none = profile(problem, descent, report.slopes, report.errors, 1, 3.84, nullptr, 0);
+  CHECK_FALSE(none.complete);
+  report.enough = 3000;
+  report.parameters[1].profile = {};
+  judge(report, problem);
+  CHECK(report.status == FitStatus::usable_with_warnings);
+  CHECK_THAT(report.warnings.back() + report.warnings.front(), Catch::Contains("the interval of stiffening is linear"));
+}
