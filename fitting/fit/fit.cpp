@@ -120,6 +120,13 @@ void mind_least_values(FitProblem& problem, const Descent& end) {
   }
 }
 
+/// Whether a fit that has taken most of the solutions that it is worth has little before it but the noise of its model.
+bool crawls_over_noise(const FitReport& report, const FitProblem& problem, const FitOptions& options) {
+  constexpr double smooth = 1e-5, little = 0.05;
+  return report.noise > smooth && report.errors.fall < little * report.errors.scale &&
+         problem.ending->solutions() > usual_solutions(problem, options.limits) / 3 * 2;
+}
+
 /// The report on the best descent, which goes on from where it stopped for its rough tolerance: by secants from the
 /// slopes of the report, which stay good enough for the errors if this leads less than a third of a standard error
 /// away.
@@ -132,11 +139,12 @@ FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const Fit
   for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
     if (options.stop && options.stop->load()) break;
     if ((leaves_free(report) && round > 0) || misses_by_far(report)) break;
+    if (crawls_over_noise(report, problem, options)) break;
     const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
     const KnownSlopes known{best.end, best.prediction, report.slopes};
     const Descent further =
         descend(last ? problem : with_secants(problem, {.known = known}), best.end,
-                {.most_iterations = last ? 60 : 8,
+                {.most_iterations = last && report.noise < smooth ? 60 : 8,
                  .radius = last || report.noise > smooth ? DescentOptions{}.radius : radius_near_the_end,
                  .held = pressed_on_bounds(report),
                  .stop = options.stop});
@@ -153,7 +161,7 @@ FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const Fit
     mind_least_values(problem, best);
     report = near && !last ? report_on(problem, best, descents, report.slopes) : report_on(problem, best, descents);
   }
-  step_over_noise(problem, best, descents, report);
+  if (!crawls_over_noise(report, problem, options)) step_over_noise(problem, best, descents, report);
   return report;
 }
 
