@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 
 #include "core/finite_strain/mesh_level.hpp"
 #include "core/messages/message_text.hpp"
@@ -176,13 +177,21 @@ class FiniteStrainSolution {
     unbalanced_ = std::abs(s.rolling_resistance - (s.viscous_loss + s.frictional_loss) / scene_.speed);
     s.energy_residual = unbalanced_ / std::max(std::abs(s.rolling_resistance), 1e-6 * lever());
     s.law_violation = contact.law_violation();
-    s.model = message_text(
-        "; finite strain: neo-Hookean, viscous overstresses linear in the second Piola-Kirchhoff "
-        "stress (Simo, Holzapfel); deformed positions against the ",
-        covered ? "plane, the layers under the body taken as rigid; mesh of " : "circle; mesh of ",
-        level_->layer().mesh().cells_along(), " x ", level_->layer().mesh().cells_down(), " cells, ", level_->cells(),
-        " in the contact");
+    s.model = message_text("; finite strain: ", hyperelastic_law(),
+                           ", viscous overstresses linear in the second Piola-Kirchhoff "
+                           "stress (Simo, Holzapfel); deformed positions against the ",
+                           covered ? "plane, the layers under the body taken as rigid; mesh of " : "circle; mesh of ",
+                           level_->layer().mesh().cells_along(), " x ", level_->layer().mesh().cells_down(), " cells, ",
+                           level_->cells(), " in the contact");
     take_fields(edges);
+  }
+
+  /// Of the layers that flow.
+  std::string_view hyperelastic_law() const {
+    const auto stiffens = [](const FlowingMaterial& solid) { return solid.yeoh.second != 0 || solid.yeoh.third != 0; };
+    const auto count = std::count_if(problem_.materials.begin(), problem_.materials.end(), stiffens);
+    if (count == 0) return "neo-Hookean";
+    return count == std::ssize(problem_.materials) ? "Yeoh's solid" : "neo-Hookean and Yeoh's solids";
   }
 
   /// Peaks, and fields at places of the undeformed surface, 30 to the half-width of the contact there.

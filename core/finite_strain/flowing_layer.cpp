@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/finite_strain/neo_hooke.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -135,7 +134,7 @@ bool FlowingLayer::evaluate_row(int r, const Vector& displacements, const Eigen:
     const double area = at.length * at.height;
     for (std::size_t k = 0; k < 3; ++k)
       at.shortening[k] = mesh_.shortening(mesh_.z[static_cast<std::size_t>(r)] - gauss_places[k] * at.height);
-    std::array<NeoHookean, 9> solid_at;
+    std::array<Hyperelastic, 9> solid_at;
     Eigen::Matrix<double, 4, 9> own;  // stress and pressure by unit modulus
     std::array<Nodes, 9> slope_x, slope_z;
     at.lack = -area * pressure_masses.cwiseProduct(pressure) / solid.bulk_ratio;
@@ -145,7 +144,7 @@ bool FlowingLayer::evaluate_row(int r, const Vector& displacements, const Eigen:
       slope_z[g] = -shapes.down[g] / at.height;
       const double place = mesh_.x[static_cast<std::size_t>(e)] - gauss_places[g / 3] * at.length;
       at.gradient[g] = mesh_.frame(place) + gradient_of(moved, slope_x[g], slope_z[g]);
-      solid_at[g] = neo_hookean(at.gradient[g]);
+      solid_at[g] = hyperelastic(at.gradient[g], solid.yeoh);
       whole = whole && solid_at[g].volume > 0;
       at.strain.middleRows<3>(3 * i) = strain_rows(at.gradient[g], slope_x[g], slope_z[g]);
       at.own_stress.middleRows<3>(3 * i).noalias() = solid_at[g].tangent * at.strain.middleRows<3>(3 * i);

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "core/finite_strain/hyperelastic.hpp"
 #include "core/finite_strain/layer_mesh.hpp"
 #include "core/finite_strain/line_memory.hpp"
 #include "core/numerics/block_tridiagonal.hpp"
@@ -23,6 +24,7 @@ struct FlowingMaterial {
   std::vector<Term> terms;    // none: elastic
   double bulk_ratio = 1;      // [1]
   bool bulk_relaxes = false;  // nu < 1/2: the bulk modulus is proportional to G*
+  YeohRatios yeoh = {};       // of the elastic stress and of what is remembered of it
 };
 
 /// Places of unknowns: for each column of nodes from the leading end, the displacements (x, z) of its nodes from the

@@ -27,6 +27,7 @@ FlowingMaterial flowing(const MaterialInputs& layer, double speed, double length
       material.modulus -= term.modulus / modulus;
   }
   const double nu = layer.poisson_ratio;
+  material.yeoh = {layer.yeoh_second, layer.yeoh_third};
   material.bulk_relaxes = nu < 0.5;
   material.bulk_ratio =
       nu < 0.5 ? std::min(2 * (1 + nu) / (3 * (1 - 2 * nu)), nearly_incompressible) : nearly_incompressible;

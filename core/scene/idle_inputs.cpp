@@ -17,6 +17,7 @@ bool is_idle(const MaterialInputs& layer, std::string_view key) {
     return layer.material != MaterialModel::prony && layer.material != MaterialModel::master_curve;
   if (key.starts_with("payne_")) return layer.payne_drop == 0 && layer.payne_loss_peak == 1;
   if (key.starts_with("sweep_")) return layer.sweep_strains.empty();
+  if (key.starts_with("yeoh_")) return layer.yeoh_second == 0 && layer.yeoh_third == 0;
   return false;
 }
 

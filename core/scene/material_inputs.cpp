@@ -153,6 +153,16 @@ void check_softening(const MaterialInputs& layer, Lines& lines) {
                              "must be above the one before: a sweep is listed from small strains to large"));
 }
 
+/// In shear g the stress of Yeoh's solid rises as 1 + 6 c_2 g^2 + 15 c_3 g^4.
+void check_yeoh(const MaterialInputs& layer, Lines& lines) {
+  const double second = layer.yeoh_second, least = 0.6 * second * second;
+  if (second >= 0 || layer.yeoh_third > least) return;
+  std::ostringstream rule;
+  rule << "the stress would fall with the shear; yeoh_third = " << layer.yeoh_third
+       << " must be above 0.6 yeoh_second^2 = " << least;
+  lines.push_back(broken("yeoh_second", second, rule.str()));
+}
+
 }  // namespace
 
 std::vector<std::string_view> needed_inputs(MaterialModel material) {
@@ -180,6 +190,7 @@ std::vector<std::string> check_material(const MaterialInputs& layer) {
   check_frequencies(layer, lines);
   check_temperature(layer, lines);
   check_softening(layer, lines);
+  check_yeoh(layer, lines);
   return lines;
 }
 

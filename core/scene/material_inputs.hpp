@@ -78,6 +78,7 @@ struct MaterialInputs {
   std::vector<double> sweep_loss_moduli;         // [Pa], as many
   SweepDeformation sweep_deformation = SweepDeformation::shear;
   SweepAmplitude sweep_amplitude = SweepAmplitude::peak;
+  double yeoh_second = 0, yeoh_third = 0;  // C20/C10 and C30/C10 of Yeoh's energy, C10 = G0/2 [1]
   double rest_factor = 1;        // no inputs: of the modulus at rest and of the moduli of relaxation, at the strain
   double relaxation_factor = 1;  // amplitude that `solve` tries (material/strain_softening.hpp) [1]
 
@@ -156,6 +157,12 @@ void visit_material_inputs(Inputs& layer, Visitor&& visitor) {
   visitor(Q{"sweep_deformation", "", "", "how the strains of the sweep were applied"}, layer.sweep_deformation);
   visitor(Q{"sweep_amplitude", "", "", "what the strains of the sweep are: peak, or peak to peak"},
           layer.sweep_amplitude);
+  visitor(Q{"yeoh_second", "c_2", "1",
+            "finite_strain: C20/C10 of Yeoh's energy C10 (I - 3) + C20 (I - 3)² + C30 (I - 3)³, C10 = G/2"},
+          layer.yeoh_second);
+  visitor(
+      Q{"yeoh_third", "c_3", "1", "C30/C10 of the same; above 0.6 yeoh_second² where that is negative", not_negative},
+      layer.yeoh_third);
 }
 
 /// The inputs that a material cannot do without, beside the modulus at rest.

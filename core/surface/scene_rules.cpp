@@ -205,6 +205,22 @@ void check_drive(const RollingScene& scene, BrokenRules& broken) {
     broken.add("rotation_ratio", *scene.rotation_ratio, "only with drive \"rotation\"");
 }
 
+/// Only finite strains feel Yeoh's terms.
+void check_yeoh(const RollingScene& scene, BrokenRules& broken) {
+  if (scene.method == Method::finite_strain) return;
+  const auto check_layer = [&](const std::string& owner, const MaterialInputs& layer) {
+    constexpr const char* rule =
+        "only with method \"finite_strain\": the others take strains as small, where it has no effect";
+    if (layer.yeoh_second != 0) return broken.add(owner + "yeoh_second", layer.yeoh_second, rule);
+    if (layer.yeoh_third != 0) broken.add(owner + "yeoh_third", layer.yeoh_third, rule);
+  };
+  check_layer("", scene);
+  for (std::size_t i = 0; i < scene.lower_layers.size(); ++i)
+    check_layer(message_text("lower_layers[", i, "]."), scene.lower_layers[i]);
+  for (std::size_t i = 0; i < scene.coating_layers.size(); ++i)
+    check_layer(message_text("coating_layers[", i, "]."), scene.coating_layers[i]);
+}
+
 void check_interior(const RollingScene& scene, BrokenRules& broken) {
   std::vector<std::string> asking{softening_key("", scene)};
   if (scene.interior == Interior::on) asking.push_back("interior = on");
@@ -230,6 +246,7 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
   if (scene.method == Method::finite_strain && in_range)
     if (std::string rule = broken_for_finite_strain(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
   check_interior(scene, broken);
+  check_yeoh(scene, broken);
   if (scene.period && half_space) broken.add("period", *scene.period, "needs a layer of finite thickness");
   if (scene.inertia != Inertia::on || !in_range) return;
   if (const double number = rayleigh_number(scene); number >= 1)

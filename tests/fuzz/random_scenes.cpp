@@ -193,6 +193,17 @@ void mend(RollingScene& scene, const std::string& line, Dice& dice) {
   mend(scene, ordinary(), line, dice, [](auto& inputs, auto&& visitor) { visit_inputs(inputs, visitor); });
 }
 
+/// Asks for the method that alone feels some of the inputs, and seldom finds all of its rules kept.
+void strain_finitely(RollingScene& scene) {
+  scene.method = Method::finite_strain;
+  scene.indenter = Indenter::cylinder;
+  scene.inertia = Inertia::off;
+  scene.interior = Interior::off;
+  scene.period.reset();
+  scene.adhesion_threshold = 0;
+  if (!scene.coating_layers.empty() && scene.static_shear_modulus) scene.static_shear_modulus = 1e17;
+}
+
 }  // namespace
 
 RollingScene random_scene(std::uint64_t seed) {
@@ -201,6 +212,7 @@ RollingScene random_scene(std::uint64_t seed) {
     RollingScene scene = ordinary();
     const double every = dice.one_in(2) ? 2 : 6, decades = dice.one_in(3) ? 1.5 : 12;
     visit_inputs(scene, Change(dice, every, decades));
+    if (dice.one_in(10)) strain_finitely(scene);
     scene.time_limit.reset();
     scene.memory_limit.reset();
     for (int tries = 0; tries < 60; ++tries) {

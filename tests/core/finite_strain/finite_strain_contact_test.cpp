@@ -148,6 +148,66 @@ TEST_CASE("an elastic layer at finite strain resists with nothing, whatever its 
   }
 }
 
+TEST_CASE("Yeoh's layer is stiffer or softer than a neo-Hookean one, and the same at small loads", "[core][finite]") {
+  const auto with_yeoh = [](double load, double friction, double second, double third) {
+    RollingScene scene = finite_cylinder(load, friction);
+    scene.yeoh_second = second;
+    scene.yeoh_third = third;
+    return answered(scene);
+  };
+  const RollingSolution plain = answered(finite_cylinder(60e3, 0));
+  const RollingSolution stiffer = with_yeoh(60e3, 0, 0.5, 0.2), softer = with_yeoh(60e3, 0, -0.2, 0.03);
+  CHECK(stiffer.approach < 0.99 * plain.approach);
+  CHECK(softer.approach > 1.01 * plain.approach);
+  CHECK(stiffer.contact_area < plain.contact_area);
+  CHECK(softer.contact_area > plain.contact_area);
+  CHECK_THAT(stiffer.model, Contains("Yeoh"));
+  CHECK_THAT(plain.model, Contains("neo-Hookean"));
+  with_yeoh(60e3, 0.3, 0.5, 0.2);  // `answered` balances its power
+  // d/H = 1e-3: its terms are of second order in the strain.
+  const RollingSolution small = with_yeoh(60, 0, 0.5, 0.2), linear = answered(finite_cylinder(60, 0));
+  CHECK(relative(small.rolling_resistance, linear.rolling_resistance) < 1e-4);
+  CHECK(relative(small.approach, linear.approach) < 1e-4);
+}
+
+TEST_CASE("Yeoh's viscoelastic layer is elastic where it flows slowly or quickly", "[core][finite]") {
+  // What it remembers is the same function of the strain: elastic with the modulus at rest, and with the one at once.
+  RollingScene scene = finite_cylinder(60e3, 0);
+  scene.yeoh_second = 0.5;
+  scene.yeoh_third = 0.2;
+  RollingScene elastic = scene;
+  elastic.material = MaterialModel::elastic;
+  for (const double speed : {1e-7, 1e5}) {
+    RollingScene flowing = scene;
+    flowing.speed = speed;
+    RollingScene limit = elastic;
+    if (speed > 1) *limit.static_shear_modulus *= 1 + scene.stiffening;
+    CHECK(relative(solve(flowing).approach, solve(limit).approach) < 1e-4);
+  }
+}
+
+TEST_CASE("Yeoh's terms are refused where strains are small, and where the stress would fall", "[core][finite]") {
+  const auto only_rule = [](const RollingScene& scene) {
+    const std::vector<std::string> broken = check(scene);
+    CAPTURE(broken);
+    REQUIRE(broken.size() == 1);
+    return broken.front();
+  };
+  RollingScene scene = paper_cylinder();
+  scene.yeoh_third = 0.1;
+  CHECK_THAT(only_rule(scene), Contains("yeoh_third = 0.1: only with method \"finite_strain\""));
+  scene = finite_cylinder(20e3, 0);
+  scene.lower_layers.resize(1);
+  scene.lower_layers[0].layer_thickness = 1e-3;
+  scene.lower_layers[0].static_shear_modulus = 1e6;
+  scene.lower_layers[0].yeoh_second = -0.5;
+  CHECK_THAT(only_rule(scene), Contains("lower_layers[0].yeoh_second = -0.5: ") && Contains("0.15"));
+  scene.lower_layers[0].yeoh_third = 0.16;
+  CHECK(check(scene).empty());
+  scene.method = Method::automatic;
+  CHECK_THAT(only_rule(scene), Contains("lower_layers[0].yeoh_second = -0.5: only with"));
+}
+
 TEST_CASE("a rubber-covered roller at finite strain has the nip that others have computed", "[core][finite]") {
   // Two finite element programs in plane strain, neo-Hookean, 70 mm over a core of 35 mm, 28 mm wide, E = 0.275 MPa,
   // nu = 0.475, 380 N: 49 mm and 0.43 MPa, 50.15 mm and 0.433 MPa. The linear theory of flat layers has 48.2 mm, 0.377

@@ -14,6 +14,7 @@ FlowingLayer some_layer(bool bulk_relaxes, double curvature = 0) {
   FlowingMaterial rubber{.modulus = 2.5, .terms = {{0.7, 0.3}, {0.6, 20}}};
   rubber.bulk_ratio = bulk_relaxes ? 9 : 1e3;
   rubber.bulk_relaxes = bulk_relaxes;
+  rubber.yeoh = {-0.3, 0.2};
   FlowingMaterial stiff{.modulus = 4, .terms = {{1.5, 2}}};
   stiff.bulk_ratio = 50;
   return {layer_mesh({.trailing = -1, .leading = 1.2, .cells = 4, .thicknesses = {0.6, 0.4}, .curvature = curvature}),

@@ -12,7 +12,7 @@ using namespace rollres;
 TEST_CASE("inputs of other materials, of no softening and of other methods are idle", "[core][scene_input]") {
   RollingScene scene = paper_cylinder();
   for (const char* const key : {"fractional_order", "listed_moduli", "payne_drop", "payne_exponent", "sweep_amplitude",
-                                "series_terms", "slip_stencil", "slip_rule", "resticking"})
+                                "yeoh_third", "series_terms", "slip_stencil", "slip_rule", "resticking"})
     CHECK(is_idle(scene, key));
   for (const char* const key : {"radius", "static_shear_modulus", "stiffening", "creep_time", "poisson_ratio", "load",
                                 "interior", "friction_coefficient"})
@@ -21,10 +21,11 @@ TEST_CASE("inputs of other materials, of no softening and of other methods are i
   CHECK(is_idle(scene, "creep_time"));
   scene.material = MaterialModel::fractional_zener;
   scene.payne_drop = 0.5;
+  scene.yeoh_second = 0.1;
   scene.period = 0.1;
   scene.method = Method::active_set;
   for (const char* const key :
-       {"fractional_order", "payne_exponent", "payne_drop", "series_terms", "slip_stencil", "resticking"})
+       {"fractional_order", "payne_exponent", "payne_drop", "yeoh_third", "series_terms", "slip_stencil", "resticking"})
     CHECK_FALSE(is_idle(scene, key));
   scene.coating_layers.resize(1);
   scene.coating_layers[0].material = MaterialModel::elastic;

@@ -1,4 +1,4 @@
-#include "core/finite_strain/neo_hooke.hpp"
+#include "core/finite_strain/hyperelastic.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -22,18 +22,24 @@ Matrix3d inverse_change(const Vector3d& c) {
 
 }  // namespace
 
-NeoHookean neo_hookean(const Eigen::Matrix2d& gradient) {
-  NeoHookean at;
+Hyperelastic hyperelastic(const Eigen::Matrix2d& gradient, const YeohRatios& yeoh) {
+  Hyperelastic at;
   const double j = at.volume = gradient.determinant();
   const Eigen::Matrix2d c = gradient.transpose() * gradient;
   const Vector3d inverse = Vector3d(c(1, 1), c(0, 0), -c(0, 1)) / (j * j), one(1, 1, 0);
   const double trace = c(0, 0) + c(1, 1) + 1, scale = j > 0 ? 1 / std::cbrt(j * j) : NAN;
   const Matrix3d change = inverse_change(inverse);
   const Vector3d deviator = one - trace / 3 * inverse;
-  at.stress = scale * deviator;
   // dJ^(-2/3) = -2/3 J^(-2/3) C^-1 . dE, dt = 2 (1 . dE).
-  at.tangent =
+  const Vector3d neo_hookean = scale * deviator;
+  const Matrix3d its_tangent =
       scale * (-2.0 / 3 * deviator * inverse.transpose() - 2.0 / 3 * inverse * one.transpose() + trace / 3 * change);
+  // dI = 2 neo_hookean . dE
+  const double beyond = scale * trace - 3;
+  const double slope = 1 + beyond * (2 * yeoh.second + 3 * yeoh.third * beyond);
+  const double bend = 2 * yeoh.second + 6 * yeoh.third * beyond;
+  at.stress = slope * neo_hookean;
+  at.tangent = slope * its_tangent + 2 * bend * neo_hookean * neo_hookean.transpose();
   at.dilatation = j * inverse;
   at.of_pressure = j * (inverse * inverse.transpose() - change);
   return at;
