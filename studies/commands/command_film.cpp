@@ -40,8 +40,8 @@ void require_one_line(const ShownStudy& shown, const QuantityColumn& axis) {
     if (&other == &axis || values.size() < 2) continue;
     if (shown.rows.size() == shown.rows.values(axis).size()) continue;  // varies along
     throw std::invalid_argument(shown.study.name + ": " + key + " has " + std::to_string(values.size()) +
-                                " values; a film shows one, choose it with --where '" + key + "=" +
-                                value_in_words(*values.begin(), unit_in(shown.rows, other)) + "'");
+                                " values; a film shows one, choose it with --where " +
+                                shell_word(key + "=" + value_in_words(*values.begin(), unit_in(shown.rows, other))));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/text/files.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -46,8 +47,8 @@ void slurm(const SlurmArguments& arguments, Session& session) {
 
   const StudyStatus status = study_status(study, {}, 1);
   session.out << study.name << ": " << status.points << " points, about " << duration_in_words(status.seconds_left)
-              << " on one core, in " << job.tasks << " shards\nnext: sh " << (job.folder / "submit.sh").string()
-              << '\n';
+              << " on one core, in " << job.tasks << " shards\nnext: sh "
+              << shell_word((job.folder / "submit.sh").string()) << '\n';
 }
 
 }  // namespace

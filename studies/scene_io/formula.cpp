@@ -86,8 +86,9 @@ void refuse_assignment(const std::string& text) {
 std::size_t sign_in(const std::string& text) {
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string::npos || text.find_first_of("<>", sign + 1) != std::string::npos ||
-      text.find_first_of("=!") < sign)
-    throw std::invalid_argument(shortened(text) + ": must be two formulas with one of <= < >= > between them");
+      text.find_first_of("=!") < sign || sign == 0 || text.find_first_not_of(" =", sign + 1) == std::string::npos)
+    throw std::invalid_argument((text.empty() ? "\"\"" : shortened(text)) +
+                                ": must be two formulas with one of <= < >= > between them");
   return sign;
 }
 

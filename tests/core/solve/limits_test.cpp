@@ -151,6 +151,26 @@ TEST_CASE("a contact on one node is no answer", "[core][limits]") {
   CHECK_THAT(solution.reason, Contains("nodes") || Contains("power"));
 }
 
+TEST_CASE("no method calls an answer converged that violates a law of contact", "[core][limits]") {
+  int converged = 0;
+  for (const Method method : {Method::active_set, Method::newton, Method::newton_dense})
+    for (const Kinematics kinematics : {Kinematics::printed, Kinematics::consistent})
+      for (const double friction : {0.003, 0.02, 0.1, 2.0})
+        for (RollingScene scene : {paper_cylinder(), paper_sphere()}) {
+          scene.method = method;
+          scene.kinematics = kinematics;
+          scene.friction_coefficient = friction;
+          scene.spacing = scene.indenter == Indenter::sphere ? 1e-3 : 0.5e-3;
+          const RollingSolution solution = solve(scene);
+          INFO(name_of(method) << ", " << name_of(kinematics) << ", friction " << friction << ": " << solution.reason);
+          if (solution.status == Status::converged)
+            CHECK((++converged && solution.law_violation <= 1e-8));
+          else
+            CHECK(!solution.reason.empty());
+        }
+  CHECK(converged >= 20);
+}
+
 TEST_CASE("a limit of time is one of processor time, of all threads that a solution takes", "[core][limits]") {
   const auto work = [](double seconds) {  // of this thread
     timespec time{};

@@ -119,6 +119,74 @@ TEST_CASE("forty hostile names pass every command, and no control character is p
   }
 }
 
+TEST_CASE("forty hostile names are variants of one study, and its comment", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  nlohmann::json study = nlohmann::json::parse(R"({"study": "s", "comment": "", "scene": {"indenter": "cylinder",
+    "radius": 0.1, "layer_thickness": 0.01, "static_shear_modulus": 1e6, "stiffening": 2, "creep_time": 0.1,
+    "friction_coefficient": 0.3, "speed": 1, "load": 1e4}, "axes": {"speed": [1, 2, 3], "variant": {}}})");
+  double load = 1e4;
+  for (const std::string& name : hostile_names) {
+    study["axes"]["variant"][name] = {{"load", load += 100}};
+    study["comment"] = study["comment"].get<std::string>() + " " + name;
+  }
+  const std::string file = folder.write("study.json", study.dump()).string(), database = (folder / "a.db").string();
+  const auto runs = [&](std::vector<std::string> words) {
+    const ProgramRun run = run_rollres(words, closed_form);
+    INFO(words.front() << ": " << run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK((is_printable(run.out) && is_printable(run.err)));
+    return run.out;
+  };
+  runs({"sweep", file, "--db", database});
+  for (const std::string& name : hostile_names) {
+    INFO(name);
+    const std::string rows = runs({"query", "--db", database, "--format", "csv", "variant=" + name});
+    CHECK(std::count(rows.begin(), rows.end(), '\n') == 4);  // the names of the columns, three speeds
+  }
+  runs({"show", "--db", database, "s"});
+  std::vector<std::string> chart{"chart", "--db", database, "--x", "speed", "--out", (folder / "chart").string()};
+  CHECK_THAT(run_rollres(chart, closed_form).err, Contains("would need 40 curves"));
+  chart.insert(chart.end(), {"--where", "load<=12 kN"});  // the first twenty
+  runs(chart);
+  CHECK(is_escaped(file_text(folder / "chart.svg")));
+  runs({"report", "--db", database, "--out", (folder / "report.html").string()});
+  CHECK(file_text(folder / "report.html").find("<script>alert") == std::string::npos);
+  runs({"export", "--db", database, "--study=s", "--out", (folder / "exported").string()});
+  runs({"slurm", file, "--tasks", "2", "--db", database, "--out", (folder / "slurm").string()});
+  CHECK(!std::filesystem::exists("hacked"));
+}
+
+TEST_CASE("files and folders of hostile names are read and written, and named so that a shell takes them",
+          "[studies][hostile]") {
+  for (const std::string& name : hostile_names) {
+    if (name.find('/') != std::string::npos || name.size() > 200) continue;  // no name of a file
+    INFO(name);
+    const TemporaryDirectory folder;
+    std::filesystem::create_directory(folder / name);
+    const auto inside = [&](const std::string& ending) { return (folder / name / (name + ending)).string(); };
+    folder.write("scene.json", R"({"indenter": "cylinder", "radius": 0.1, "layer_thickness": 0.01,
+      "static_shear_modulus": 1e6, "stiffening": 2, "creep_time": 0.1, "friction_coefficient": 0.3, "speed": 1,
+      "load": 1e4})");
+    std::filesystem::rename(folder / "scene.json", inside(".scene"));
+    const nlohmann::json study{{"study", "s"}, {"scene", name + ".scene"}, {"axes", {{"speed", {1, 2}}}}};
+    std::filesystem::rename(folder.write("study.json", study.dump()), inside(".json"));
+    const auto runs = [&](std::vector<std::string> words) {
+      const ProgramRun run = run_rollres(words, closed_form);
+      INFO(words.front() << ": " << run.out << run.err);
+      CHECK(run.status == 0);
+      return run.out;
+    };
+    runs({"solve", inside(".scene")});
+    runs({"sweep", inside(".json"), "--db", inside(".db")});
+    runs({"query", "--db", inside(".db"), "--format", "csv"});
+    const std::string said =
+        runs({"slurm", inside(".json"), "--tasks", "2", "--db", inside(".db"), "--out", inside("")});
+    const std::string next = said.substr(said.find("next: ") + 6);
+    CHECK(run_shell("set -- " + next.substr(0, next.size() - 1) + "; sh -n \"$2\"").status == 0);
+    CHECK(!std::filesystem::exists("hacked"));
+  }
+}
+
 TEST_CASE("names with control characters are refused, and shown escaped", "[studies][hostile]") {
   const TemporaryDirectory folder;
   for (const std::string& name : refused_names) {
@@ -159,6 +227,15 @@ TEST_CASE("a program that gets too little memory says so", "[studies][hostile]")
     INFO(megabytes << " MB: " << run.out);
     CHECK((run.status == 0 || run.status == 1 || run.status == 3 || run.status == 127));  // 127: not even loaded
   }
+}
+
+TEST_CASE("an optimisation needs no more stack than 256 kB", "[studies][hostile]") {
+  if (address_sanitizer()) return;  // whose frames are several times as large
+  const TemporaryDirectory folder;
+  const ShellRun run = run_shell("ulimit -s 256; exec '" + rollres_program() + "' optimise '" +
+                                 example("optimise_layer.json") + "' --db '" + (folder / "a.db").string() + "' 2>&1");
+  INFO(run.out);
+  CHECK(run.status == 0);
 }
 
 TEST_CASE("a fit by a program that was copied without its library says what is missing", "[studies][hostile]") {
