@@ -39,6 +39,8 @@ double usual(std::string_view unit) {
 
 double random_number(Dice& dice, const Quantity& quantity, double now, double decades) {
   const double middle = now != 0 && std::isfinite(now) ? now : usual(quantity.unit);
+  // Shift laws allow few temperatures beyond those of rubbers.
+  if (quantity.unit == "K" && !dice.one_in(4)) decades = std::min(decades, 0.5);
   double value = middle * std::pow(10.0, decades * (dice.unit() - 0.5));
   if (dice.one_in(20)) value = quantity.range.lowest;
   if (dice.one_in(40) && quantity.range.infinity_allowed) return INFINITY;

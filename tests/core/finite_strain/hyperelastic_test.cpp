@@ -86,12 +86,12 @@ TEST_CASE("Yeoh's solid has its closed forms in simple shear and in plane-strain
   }
 }
 
-TEST_CASE("Yeoh's solid without its two terms is the neo-Hookean one, to the last digit", "[core][finite]") {
+TEST_CASE("Yeoh's solid without its two terms is the neo-Hookean one", "[core][finite]") {
   // S = J^(-2/3) (1 - t/3 C^-1), written out.
   const double j = some_gradient.determinant(), scale = 1 / std::cbrt(j * j);
   const Eigen::Matrix2d c = some_gradient.transpose() * some_gradient;
   const Eigen::Vector3d inverse = Eigen::Vector3d(c(1, 1), c(0, 0), -c(0, 1)) / (j * j);
   const double trace = c(0, 0) + c(1, 1) + 1;
   const Eigen::Vector3d expected = scale * (Eigen::Vector3d(1, 1, 0) - trace / 3 * inverse);
-  CHECK(hyperelastic(some_gradient, {0, 0}).stress == expected);
+  CHECK((hyperelastic(some_gradient, {0, 0}).stress - expected).norm() < 1e-14 * expected.norm());
 }

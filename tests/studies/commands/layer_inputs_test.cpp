@@ -201,7 +201,7 @@ TEST_CASE("what a query reads of stored layers are the inputs of the scenes", "[
     CHECK(found.rows[1][0] == Cell());
     ++compared;
   });
-  CHECK(compared == 58);
+  CHECK(compared == 72);
 }
 
 TEST_CASE("queries filter, sort and group by further layers' inputs", "[studies][layers]") {
@@ -332,7 +332,7 @@ TEST_CASE("the list of quantities tells how further layers' inputs are named", "
   CHECK_THAT(shop.run({"quantities"}).out, Contains("LIST[N].KEY"));
   const Json layers = Json::parse(shop.run({"quantities", "--json"}).out)["further_layers"];
   CHECK(layers["lists"] == Json{"lower_layers", "coating_layers"});
-  CHECK(layers["keys"].size() == 29);
+  CHECK(layers["keys"].size() == 36);
   CHECK(in_words(thickness) == "layer thickness of coating [0]");
   CHECK(in_words("rolling_resistance") == "rolling resistance");
 }
