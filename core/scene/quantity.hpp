@@ -67,8 +67,8 @@ std::string_view name_of(Choice choice) {
 /// Position of `name` in `names`, or -1.
 int find_name(std::span<const std::string_view> names, std::string_view name);
 
-/// The known name closest to a misspelt one (Damerau-Levenshtein distance); if none is near, the shortest that has it as a
-/// part, as "rolling_resistance" has "resistance"; else empty.
+/// The known name closest to a misspelt one (Damerau-Levenshtein distance); if none is near, the shortest that has it
+/// as a part, as "rolling_resistance" has "resistance"; else empty.
 std::string nearest_name(std::span<const std::string_view> names, std::string_view misspelt);
 
 }  // namespace rollres

@@ -40,8 +40,8 @@ struct TableRow {
   bool marked = false;
 };
 
-/// A table that scrolls inside the page where it is wider than that; a click on a head sorts it. Columns in which no row
-/// says anything, each cell empty or "-", are left out.
+/// A table that scrolls inside the page where it is wider than that; a click on a head sorts it. Columns in which no
+/// row says anything, each cell empty or "-", are left out.
 std::string table(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows);
 
 /// A picture inside the file. @param svg  text of an SVG file   @param meaning  caption, and alternative text
