@@ -25,6 +25,7 @@ class ModelsBeside {
       : scene_(scene), solution_(solution), evaluate_(evaluate) {}
 
   std::vector<SimplerModel> run() {
+    small_strains();
     without_friction();
     without_layers();
     inertia();
@@ -33,14 +34,23 @@ class ModelsBeside {
   }
 
  private:
-  RollingSolution solve(const std::string& name, const std::function<void(RollingScene&)>& change) {
+  /// A model that the scene's method does not have is left out.
+  void solve(const std::string& name, const std::function<void(RollingScene&)>& change) {
     RollingScene simpler = scene_;
     change(simpler);
+    if (!check(simpler).empty()) return;
     const RollingSolution answer = evaluate_(simpler);
     const bool converged = answer.status == Status::converged;
     models_.push_back(
         {name, converged ? answer.rolling_resistance : RollingSolution::absent, answer.error_estimate, answer.seconds});
-    return answer;
+  }
+
+  static void linear(RollingScene& scene) {
+    if (scene.method == Method::finite_strain) scene.method = Method::automatic;
+  }
+
+  void small_strains() {
+    if (scene_.method == Method::finite_strain) solve("small strains", linear);
   }
 
   static void smooth(RollingScene& scene) {
@@ -82,7 +92,7 @@ class ModelsBeside {
     if (!included && (scene_.method == Method::spectral || number < unseen_inertia || number >= 1)) return;
     RollingScene other = scene_;
     other.inertia = included ? Inertia::off : Inertia::on;
-    if (check(other).empty()) solve(included ? "without inertia" : "with inertia", [&](RollingScene& s) { s = other; });
+    solve(included ? "without inertia" : "with inertia", [&](RollingScene& s) { s = other; });
   }
 
   void closed_forms() {
@@ -109,6 +119,8 @@ class ModelsBeside {
     glassy.temperature.reset();
     glassy.stiffening = 0;
     glassy.material = MaterialModel::elastic;
+    linear(glassy);
+    if (!check(glassy).empty()) return;
     const RollingSolution elastic = evaluate_(glassy);
     if (elastic.status != Status::converged) return;
     const SurfaceGrid& grid = elastic.fields.grid;

@@ -13,9 +13,9 @@ struct SimplerModel {
   double seconds;             ///< of its solution; 0 for a closed form
 };
 
-/// Those that make sense for the scene: without friction, without inertia or with it, a half-space of the first layer,
-/// the first layer on a rigid base, without coating; the limits of slow and fast rolling and Hunter's half-space
-/// (reference_solutions.hpp, reference_hunter.hpp), which are without friction.
+/// Those that make sense for the scene: small strains beside finite ones, without friction, without inertia or with it,
+/// a half-space of the first layer, the first layer on a rigid base, without coating; the limits of slow and fast
+/// rolling and Hunter's half-space (reference_solutions.hpp, reference_hunter.hpp), which are without friction.
 /// @param solution the scene's own, converged   @param evaluate solves a scene
 std::vector<SimplerModel> simpler_models(const RollingScene& scene, const RollingSolution& solution,
                                          const Evaluate& evaluate);

@@ -71,3 +71,18 @@ TEST_CASE("each part of a model has the model without it beside it", "[studies][
   CHECK(text.find("within the tolerance") != std::string::npos);
   CHECK(text.find("a half-space of the first layer") != std::string::npos);
 }
+
+TEST_CASE("beside finite strain stands the theory of small strains, and no model that the method has not",
+          "[studies][simpler_models]") {
+  RollingScene scene = plain_scene(1, 100);
+  scene.method = Method::finite_strain;
+  RollingSolution solution;
+  auto models = models_beside(scene, solution);
+  CHECK(answer_of(models, "small strains") == Approx(solution.rolling_resistance).epsilon(2e-3));
+  CHECK(answer_of(models, "the limit of fast rolling") > 0);
+  const auto is_half_space = [](const auto& model) { return model.name == "a half-space of the first layer"; };
+  CHECK(std::none_of(models.begin(), models.end(), is_half_space));
+  scene.yeoh_second = 0.1;  // which small strains do not feel
+  models = models_beside(scene, solution);
+  CHECK(std::none_of(models.begin(), models.end(), [](const auto& model) { return model.name == "small strains"; }));
+}
