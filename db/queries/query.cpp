@@ -122,7 +122,7 @@ std::string sql_of(SQLite::Database& connection, const Query& query, std::vector
                    const char* prefix = "") {
   const bool with_study = needs_study(query);
   const std::string view = with_study ? "result" : "evaluation";
-  Columns known = columns_of(connection, view);
+  Columns known = known_columns(connection, view);
   add_computed(connection, query.computed, known);
 
   std::string columns;
@@ -219,7 +219,7 @@ Table run_group_query(const Database& database, const GroupQuery& query) {
                             std::any_of(query.aggregates.begin(), query.aggregates.end(),
                                         [](const Aggregate& aggregate) { return of_study(aggregate.column); });
     const std::string view = with_study ? "result" : "evaluation";
-    Columns known = columns_of(connection, view);
+    Columns known = known_columns(connection, view);
     add_computed(connection, query.computed, known);
 
     std::string select, group, order;

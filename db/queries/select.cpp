@@ -232,6 +232,13 @@ Table rows_of(SQLite::Database& connection, const std::string& sql, const std::v
   return rows_of(statement);
 }
 
+Columns known_columns(SQLite::Database& connection, const std::string& view) {
+  Columns known = columns_of(connection, view);
+  for (const QuantityColumn& column : quantity_columns())
+    if (!has_column(known, column.name)) known.push_back({column.name, column.type, "NULL"});
+  return known;
+}
+
 void add_functions(SQLite::Database& connection) {
   connection.createFunction("stddev", 1, true, nullptr, nullptr, add_to_spread, finish_spread);
   connection.createFunction("median", 1, true, nullptr, nullptr, add_to_numbers, finish_median);

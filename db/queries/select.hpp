@@ -14,6 +14,10 @@ namespace rollres {
 
 using Columns = std::vector<Column>;
 
+/// The columns of a view, with those of quantities that an older file, read as it is, does not have: nothing stands
+/// there.
+Columns known_columns(SQLite::Database& connection, const std::string& view);
+
 /// A column of `columns`, or an input of the further layers that one of them holds.
 /// @throws std::invalid_argument naming the unknown column and the nearest known one
 const Column& column_named(const Columns& columns, const std::string& name);

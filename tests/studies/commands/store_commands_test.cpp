@@ -1,3 +1,4 @@
+#include <SQLiteCpp/SQLiteCpp.h>
 
 #include "db/rows/result_store.hpp"
 #include "studies/text/strict_json.hpp"
@@ -180,6 +181,32 @@ TEST_CASE("CSV quotes what would break it, JSON replaces what is no text", "[stu
   CHECK(studied.run("query", {"--columns", "reason,warnings", "--format", "csv"}).out ==
         "reason,warnings\n\"a \"\"quoted\"\", reason\",\"one\ntwo\"\n");
   CHECK(Json::parse(studied.run("query", {"--columns", "model", "--format", "json"}).out)[0]["model"] == "\uFFFD");
+}
+
+TEST_CASE("a file from before some inputs and outputs were known is read as it is", "[studies][commands]") {
+  const Studied studied;
+  studied.sweep();
+  const auto answers = [&](const std::string& command, std::vector<std::string> words) {
+    CAPTURE(command);
+    const ProgramRun run = studied.run(command, std::move(words));
+    CHECK_THAT(run.err, !Catch::Matchers::Contains("rollres:"));
+    CHECK(run.status == 0);
+    return run.out;
+  };
+  const std::string picture = (studied.folder() / "old").string(), page = (studied.folder() / "old.html").string();
+  const std::string shown = answers("show", {"speed and load"}), found = answers("query", {"speed<0.9"});
+  {
+    SQLite::Database file(studied.database(), SQLite::OPEN_READWRITE);
+    for (const char* const key : {"vft_b", "yeoh_second", "shift_factors", "interior_loss", "softening"})
+      file.exec(std::string("ALTER TABLE evaluation DROP COLUMN ") + key);
+  }
+  CHECK(answers("show", {"speed and load"}) == shown);
+  CHECK(answers("query", {"speed<0.9"}) == found);
+  CHECK(answers("query", {"--columns", "speed,vft_b", "speed=0.1", "--limit", "1", "--format", "csv"}) ==
+        "speed,vft_b\n0.1,\n");
+  answers("chart", {"--out", picture});
+  answers("report", {"--out", page});
+  answers("export", {"--study", "speed and load", "--out", (studied.folder() / "exported").string()});
 }
 
 TEST_CASE("the commands of the store refuse in one line what they cannot do", "[studies][commands]") {
