@@ -143,7 +143,8 @@ std::string model_in_words(const MaterialFitOptions& options, const MaterialFit&
   std::string words(name_of(options.form));
   if (options.form == MaterialForm::prony) words += ", " + std::to_string(found.prony.terms.size()) + " terms";
   if (options.shift.law == ShiftLaw::none) return words;
-  return words + ", " + std::string(shift_names[static_cast<std::size_t>(options.shift.law)]);
+  const auto law = static_cast<std::size_t>(options.shift.law);
+  return words + ", " + (law < shift_names.size() ? std::string(shift_names[law]) : "table of shifts");
 }
 
 /// Of a fit of no scenes.
