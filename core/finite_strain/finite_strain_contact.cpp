@@ -194,7 +194,8 @@ class FiniteStrainSolution {
     return count == std::ssize(problem_.materials) ? "Yeoh's solid" : "neo-Hookean and Yeoh's solids";
   }
 
-  /// Peaks, and fields at places of the undeformed surface, 30 to the half-width of the contact there.
+  /// Peaks, and fields at places of the undeformed surface, 30 to the half-width of the contact there, as far as the
+  /// mesh goes.
   void take_fields(const ContactEdges& edges) {
     RollingSolution& s = solution_;
     const std::vector<SurfaceNode>& nodes = level_->contact().surface();
@@ -224,16 +225,18 @@ class FiniteStrainSolution {
     grid.spacing_x = problem_.length * step;
     grid.spacing_y = 1;
     grid.rows = 1;
-    grid.first_column = checked_count(std::ceil((edges.trailing - margin * half) / step), "nodes of the fields");
-    grid.columns = checked_count(std::floor((edges.leading + margin * half) / step), "nodes of the fields") -
-                   grid.first_column + 1;
+    const double behind = std::max(edges.trailing - margin * half, nodes.back().place);
+    const double ahead = std::min(edges.leading + margin * half, nodes.front().place);
+    grid.first_column = checked_count(std::ceil(behind / step), "nodes of the fields");
+    grid.columns = checked_count(std::floor(ahead / step), "nodes of the fields") - grid.first_column + 1;
     for (int column = 0; column < grid.columns; ++column) {
       const double place = step * (grid.first_column + column);
       const Eigen::Vector2d moved = level_->moved(place) - level_->layer().mesh().rest(place, 0);
       fields.u.push_back(problem_.length * upon_layer * moved.x());
       fields.w.push_back(problem_.length * moved.y());
-      const auto after =
-          std::find_if(nodes.begin(), nodes.end(), [&](const SurfaceNode& node) { return node.place <= place; });
+      // Rounding may put a place beyond the first or the last node.
+      const auto after = std::find_if(nodes.begin() + 1, nodes.end() - 1,
+                                      [&](const SurfaceNode& node) { return node.place <= place; });
       const auto next = static_cast<std::size_t>(after - nodes.begin());
       const std::size_t nearest = place - nodes[next].place < nodes[next - 1].place - place ? next : next - 1;
       const bool contact = place > edges.trailing && place < edges.leading;

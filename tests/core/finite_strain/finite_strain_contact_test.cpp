@@ -319,6 +319,26 @@ TEST_CASE("finite strain has fields that add up to the load", "[core][finite]") 
   CHECK(relative(largest, solution.peak_pressure) < 0.01);
 }
 
+TEST_CASE("fields at finite strain end where the mesh of a thin layer ends", "[core][finite]") {
+  RollingScene thin = finite_cylinder(0, 0.2);
+  thin.radius = 100;
+  thin.layer_thickness = 5e-3;
+  thin.load.reset();
+  thin.approach = 40e-6;
+  const RollingSolution solution = answered(thin);
+  const SurfaceFields& fields = solution.fields;
+  // The mesh goes ten thicknesses and half a contact beyond the edges; two half-widths are more.
+  const double half = 0.5 * solution.contact_area, beyond = 10 * thin.layer_thickness + half;
+  REQUIRE(2 * half > beyond);
+  const double first = fields.grid.first_column * fields.grid.spacing_x,
+               last = first + (fields.grid.columns - 1) * fields.grid.spacing_x;
+  CHECK(first == Approx(solution.trailing_edge - beyond).margin(fields.grid.spacing_x));
+  CHECK(last == Approx(solution.leading_edge + beyond).margin(fields.grid.spacing_x));
+  double load = 0;
+  for (const double pressure : fields.pressure) load += pressure * fields.grid.spacing_x;
+  CHECK(load == Approx(solution.load).epsilon(1e-2));
+}
+
 TEST_CASE("what finite strain does not model is refused in one line", "[core][finite]") {
   const auto refused = [](auto change) {
     RollingScene scene = finite_cylinder(20e3, 0);
