@@ -182,6 +182,7 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
     corrections.push_back({std::move(within), beyond, tail});
   }
   const auto value = [=, corrections = std::move(corrections)](double x, double y) {
+    require_time();
     const double r = std::sqrt(x * x + y * y) / length;
     Eigen::VectorXd values(6 * static_cast<Index>(corrections.size()));
     for (std::size_t m = 0; m < corrections.size(); ++m) {
@@ -244,9 +245,12 @@ InfluenceTable SpherePassage::table(double speed, double cell_x, double cell_y, 
   for (int row = 0; row <= reach_y; ++row) {
     const RowResponse response(*this, row * cell_y, cell_x, cell_y);
     for (auto& of_term : values) of_term.clear();
-    for (const double x : rules.distances(row))
+    for (const double x : rules.distances(row)) {
+      require_time();
       response(x, [&](std::size_t m, const Coefficients& value) { values[m].push_back(value); });
+    }
     for (std::size_t m = 0; m < terms_.size(); ++m) {
+      require_time();
       PassageQuadrature::under_load(values[m]);
       if (terms_[m].time > 0)
         rules.add(table, row, 1, weights[m], values[m]);

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "db/rows/layer_list.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {
@@ -15,10 +16,27 @@ template <class Value>
 Json json_of(const Value& value) {
   if constexpr (std::is_enum_v<Value>)
     return std::string(name_of(value));
+  else if constexpr (std::is_same_v<Value, std::optional<double>>)
+    return value ? Json(*value) : Json();
   else if constexpr (std::is_floating_point_v<Value>)
     return std::isfinite(value) ? Json(value) : Json(nullptr);
   else
     return value;
+}
+
+/// What differs from a plain layer, and what a layer in a file must have.
+Json layers_json(const BondedLayers& layers) {
+  Json list = Json::parse(text_of_layers(layers));
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    auto kind = layer_kinds().begin();
+    visit_layer_inputs(layers[i], [&](const Quantity& quantity, const auto& value) {
+      const std::string key(quantity.key);
+      const bool needed = kind->needed_by_all() || kind->needed_by(layers[i].material);
+      if (const Json own = json_of(value); needed && !own.is_null() && !list[i].contains(key)) list[i][key] = own;
+      ++kind;
+    });
+  }
+  return list;
 }
 
 Json inputs_json(const RollingScene& scene) {
@@ -30,7 +48,7 @@ Json inputs_json(const RollingScene& scene) {
     } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
       if (!value.empty()) object[key] = value;
     } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>) {
-      if (!value.empty()) object[key] = Json::parse(text_of_layers(value));
+      if (!value.empty()) object[key] = layers_json(value);
     } else if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
       object[key] = std::isinf(value) ? Json("infinite") : json_of(value);
     } else {
