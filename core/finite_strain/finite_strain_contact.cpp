@@ -8,6 +8,7 @@
 #include "core/finite_strain/mesh_level.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/surface/edge_peak.hpp"
 
 namespace rollres {
 
@@ -34,6 +35,7 @@ class FiniteStrainSolution {
     solution_.method = Method::finite_strain;
     if (!find_contact()) return refuse();
     refine();
+    if (solution_.status == Status::converged) warn_of_peaks();
     return std::move(solution_);
   }
 
@@ -259,6 +261,18 @@ class FiniteStrainSolution {
                  down = ((most + 1)->pressure - most->pressure) / behind;
     const double bend = (up - down) / (ahead - behind), slope = up - bend * ahead;
     return most->pressure - slope * slope / (4 * bend);
+  }
+
+  void warn_of_peaks() {
+    const auto warn = [&](std::string_view output, double peak, auto MeshLevel::Traction::*traction) {
+      std::vector<double> sizes;
+      for (const MeshLevel::Traction& at : level_->tractions())
+        sizes.push_back(problem_.modulus * std::abs(at.*traction));
+      std::string line = unresolved_peak(output, peak, sizes, 3, "mesh", "tolerance");
+      if (!line.empty()) solution_.warnings.push_back(std::move(line));
+    };
+    warn("peak_pressure", solution_.peak_pressure, &MeshLevel::Traction::pressure);
+    if (solution_.peak_shear_x > 0) warn("peak_shear_x", solution_.peak_shear_x, &MeshLevel::Traction::shear);
   }
 
   /// On straight lines between the places where tractions are known, and to 0 at the edges.

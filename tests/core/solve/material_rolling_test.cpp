@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "core/material/material_functions.hpp"
@@ -132,50 +131,4 @@ TEST_CASE("terms of a memory far shorter than the contact leave no trace in the 
   }
   // The longest of them holds V τ/l = 1e-10, and 5 % of the modulus.
   CHECK(solve(scene).rolling_resistance == Approx(few).epsilon(1e-8));
-}
-
-TEST_CASE("a peak at the contact's edge that a grid does not resolve is said, and one that it does is not",
-          "[core][material]") {
-  RollingScene scene = paper_cylinder();
-  scene.spacing.reset();
-  scene.kinematics = Kinematics::consistent;
-  scene.radius = 0.01;
-  scene.layer_thickness = 2e-3;
-  scene.static_shear_modulus = 1e6;
-  scene.stiffening = 36;
-  scene.creep_time = 0.014;
-  scene.speed = 3e-3;
-  scene.load.reset();
-  scene.approach = 5e-6;
-  scene.friction_coefficient = 0;
-  const auto warned = [](const RollingSolution& solution, const char* output) {
-    return std::any_of(solution.warnings.begin(), solution.warnings.end(), [&](const std::string& warning) {
-      return warning.starts_with(std::string(output) + " lies within");
-    });
-  };
-  const double peak = solve(with_method(scene, Method::spectral)).peak_pressure;
-  scene.method = Method::newton;
-  const RollingSolution coarse = solve(scene);
-  CHECK(std::abs(coarse.peak_pressure / peak - 1) > 0.05);
-  CHECK(warned(coarse, "peak_pressure"));
-  scene.spacing = 4e-7;
-  const RollingSolution fine = solve(scene);
-  CHECK(fine.peak_pressure == Approx(peak).epsilon(5e-3));
-  CHECK(!warned(fine, "peak_pressure"));
-
-  scene.radius = 0.24;
-  scene.layer_thickness = 0.0286;
-  scene.stiffening = 4;
-  scene.creep_time = 1.1e-3;
-  scene.speed = 1.1;
-  scene.approach = 3.1e-4;
-  scene.friction_coefficient = 0.3;
-  scene.drive = Drive::free;
-  scene.inertia = Inertia::off;
-  scene.spacing.reset();
-  const RollingSolution sheared = solve(scene);
-  CHECK(sheared.peak_shear_x < 0.5 * solve(with_method(scene, Method::spectral)).peak_shear_x);
-  CHECK(warned(sheared, "peak_shear_x"));
-  CHECK(!warned(sheared, "peak_pressure"));
-  CHECK(solve(with_method(paper_cylinder(), Method::newton)).warnings.empty());
 }
