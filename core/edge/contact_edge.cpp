@@ -251,7 +251,11 @@ class EdgeAssembly {
       const double xx = here.xx - next.xx, xy = here.xy - next.xy, yy = here.yy - next.yy;
       // As the traction over sqrt(F) of this cell and of the next one behind says.
       const EdgeCell* const behind = loaded(cell.column - 1, cell.row) ? cell_at(cell.column - 1, cell.row) : nullptr;
-      const double of_behind = behind ? behind->borne : 0, squares = cell.borne * cell.borne + of_behind * of_behind;
+      const double of_behind = behind ? behind->borne : 0;
+      // In a row that the contact just touches there is none behind, and what little lies in this one tells nothing.
+      constexpr double told = 0.05;  // of sqrt(F) a cell inside of the edge
+      const double inside = std::abs(row.along(x + grid_.spacing_x)) * grid_.spacing_x;
+      const double squares = std::max(cell.borne * cell.borne + of_behind * of_behind, told * told * inside);
       const Eigen::Index node = grid_.index(cell.column, cell.row);
       const auto from = [&](Eigen::Index source, double mean) {
         const double per = mean / (squares * grid_.spacing_x);

@@ -18,6 +18,25 @@ double share_of_losses(double resistance, double halves) {
   return t * t * (3 - 2 * t);
 }
 
+/// What friction takes over V [N] where nodes slip, with the slip of its law.
+double friction_by_law(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
+                       const std::vector<Zone>& zone) {
+  const SurfaceGrid& grid = problem.grid;
+  const Eigen::Index size = grid.size();
+  Vector slip_x = Vector::Zero(size), slip_y = Vector::Zero(size);
+  if (problem.lateral) problem.edge.add(unknowns.shear_x, unknowns.shear_y, slip_x, slip_y);
+  double sum = 0;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (zone[static_cast<std::size_t>(i)] != Zone::slip) continue;
+    const Eigen::Index at = i / grid.columns * (grid.columns + 1) + i % grid.columns;
+    const auto slope = [&](const Vector& values) { return (values(at + 1) - values(at)) / grid.spacing_x; };
+    const double weight = grid.cell_area() * problem.images(i);
+    sum += weight * unknowns.shear_x(i) * (slip_x(i) + problem.slip_x(i, slope(moved.u), unknowns.rotation_ratio));
+    if (problem.lateral) sum += weight * unknowns.shear_y(i) * (slip_y(i) + slope(moved.v));
+  }
+  return sum;
+}
+
 }  // namespace
 
 ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
@@ -51,6 +70,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       powers.layer -= force_u * along + force_v * across;
       powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) + force_v * across;
     }
+  if (problem.friction) powers.by_law = friction_by_law(problem, moved, unknowns, zone);
   if (load > 0) powers.sticking /= load;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
   powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio);

@@ -22,6 +22,7 @@ constexpr double negligible_resistance = 1e-3;
 struct ContactPowers {
   double layer = 0;         ///< what the layers take: p w' - tau . (u', v'), slopes by central differences
   double friction = 0;      ///< what friction takes: tau . slip, with the same slopes
+  double by_law = 0;        ///< the same with the slip of the law, by forward differences: 0 at nodes that stick
   double unbalanced = 0;    ///< of the kinematics, (N23): 0 where they are consistent
   double resultants = 0;    ///< Q + T Omega/V
   double halves = 0;        ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are
@@ -33,6 +34,9 @@ struct ContactPowers {
   double losses() const { return layer + friction + unbalanced; }
   /// By which the balance misses: Delta of (N15).
   double missing() const { return std::abs(resultants - losses()); }
+  /// What half a cell is to friction's power: slip on one side of the nodes against slip at them. Falls like the
+  /// spacing.
+  double half_cell() const { return std::abs(friction - by_law); }
   /// R_r: by the resultants, or by the losses where the resultants cancel.
   double resistance() const { return resultants + share * (losses() - resultants); }
   /// What errors of a rolling resistance are measured by: an elastic layer resists with nothing.

@@ -119,14 +119,23 @@ double expected_change(int dimension, double last, double before) {
 
 namespace {
 
+/// What half a cell is to friction's power (N22b): all of it where R_r is taken from the losses. Of resultants it tells
+/// where nodes stick; where all slide, tractions are known.
+double open_half_cell(const ContactPowers& powers) {
+  return (powers.share + (1 - powers.share) * std::sqrt(powers.sticking)) * powers.half_cell();
+}
+
 /// Of a sphere (N22a): what cells at the edge and friction's one-sided differences are known to do on such a grid, and
 /// what the last change is beyond that.
 double sphere_change(double last, const ContactPowers& powers) {
-  constexpr double of_edge = 2e-4, edge_order = 2.5, usual_cells = 18, of_friction = 0.8, friction_order = 1.2;
+  constexpr double of_edge = 2e-4, edge_order = 2.5, usual_cells = 18, of_friction = 0.8, friction_order = 1.2,
+                   of_half_cell = 0.3;
   const double lever = (1 - powers.share) * powers.halves + powers.share * 10 * std::abs(powers.resistance());
   const double edge = of_edge * lever * std::pow(usual_cells / powers.cells, edge_order);
-  const double friction =
-      of_friction * std::sqrt(powers.sticking) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order);
+  // Slip zones narrower than a few cells are told by the half cell alone.
+  const double friction = std::hypot(
+      of_friction * std::sqrt(powers.sticking) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order),
+      of_half_cell * open_half_cell(powers));
   // Under a given approach the load, and R_r with it, is found to this share.
   constexpr double of_load = 0.05, load_order = 1.5;
   const double load =
@@ -142,15 +151,17 @@ double expected_change(int dimension, double last, double before, const ContactP
   if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers) : 0.0);
   if (dimension == 3) return sphere_change(last, powers);
   if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
-  const double expected = expected_change(dimension, last, before);
-  const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
-  return 0.6 * (1 + 2 * std::sqrt(friction)) * std::hypot(expected, 0.75 * missing);
+  constexpr double all = 0.42, of_before = 0.3, of_missing = 0.75;  // calibrated, as (N22) says
+  return all * std::hypot(std::hypot(last, of_before * before), of_missing * missing, open_half_cell(powers));
 }
 
-double expected_change_of_tied_line(double last, double before, const ContactPowers& powers, double cells) {
+double expected_change_of_tied_line(double last, double before, const ContactPowers& powers) {
   if (std::isnan(last) || std::isnan(before)) return expected_change(2, last, before, powers);
-  const double friction = std::min(1.0, std::abs(powers.friction) / powers.scale());
-  return 0.7 * std::hypot(expected_change(2, last, before), 0.2 * std::sqrt(friction) * powers.scale() / cells);
+  // Where changes fall quickly, what is still to come is less than the last one; luck may lessen one.
+  constexpr double all = 0.75, quickest = 0.4, slowest = 0.7, of_missing = 0.12, of_half_cell = 1.06;
+  const double falling = before > 0 ? std::clamp(last / before, quickest, slowest) : slowest;
+  return all * std::hypot(std::sqrt(falling) * expected_change(2, last, before), of_missing * powers.missing(),
+                          of_half_cell * open_half_cell(powers));
 }
 
 double GridError::estimate(double resistance, double change) const {

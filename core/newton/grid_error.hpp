@@ -33,9 +33,9 @@ double expected_change(int dimension, double last, double before);
 /// error is the chance by which cells meet the edge.
 double expected_change(int dimension, double last, double before, const ContactPowers& powers);
 
-/// The same of a cylinder on tied grids (grid_series.hpp), where changes are regular and what friction takes has an
-/// error in proportion to the spacing. @param cells on the contact's half-length
-double expected_change_of_tied_line(double last, double before, const ContactPowers& powers, double cells);
+/// The same of a cylinder on tied grids (grid_series.hpp), where changes are regular, and how quickly they fall tells
+/// what is to come; where nodes stick, friction's power is open by what half a cell is to it (N22b).
+double expected_change_of_tied_line(double last, double before, const ContactPowers& powers);
 
 /// @param pressure on the problem's (half) grid [Pa]
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone);

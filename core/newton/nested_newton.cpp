@@ -127,11 +127,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
-  const std::vector<Zone>& zone = finest.outcome.zone;
-  const auto cells = [&] {
-    return 0.5 * static_cast<double>(zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free));
-  };
-  const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers, cells())
+  const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
                               : expected_change(dimensions(finest.problem->scene), last, change_before, finest.powers);
   return error.estimate(resistance, to_come) + rounding * finest.powers.halves;
 }
@@ -144,6 +140,12 @@ double NestedOutcome::error_estimate() const {
   return resists && missing > trusted_balance ? std::max(estimate, missing) : estimate;
 }
 
+NestedOutcome better_of(NestedOutcome answer, NestedOutcome other) {
+  if (other.status != Status::converged || !(other.error_estimate() < answer.error_estimate())) return answer;
+  other.reason = answer.reason;
+  return other;
+}
+
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer) {
   NestedOutcome nested;
@@ -152,6 +154,7 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
   const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
   bool sliding_checked = !drive_may_fail;
   bool answered = false;
+  NestedOutcome best;  // of the grids before, where a finer one does not always tell more
   const auto effort = [&] {
     if (coarsening > last || !grids.last_resort) return Effort::start;
     return answered ? Effort::refinement : Effort::all;
@@ -180,7 +183,7 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
       if (!solved) break;
       nested.status = Status::converged;
       answered = true;
-      if (!finer || !finer(nested)) return nested;
+      if (!finer || !finer(nested)) return better_of(std::move(nested), std::move(best));
       --last;
     }
     --coarsening;
@@ -192,14 +195,20 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     } catch (const BeyondLimits& limit) {
       if (nested.status != Status::converged) throw;
       nested.reason = limit.what();
-      return nested;
+      return better_of(std::move(nested), std::move(best));
     }
     // A finer grid for a tolerance's sake that has no solution leaves the one that was found.
-    if (nested.status == Status::converged && !next.outcome.converged) return nested;
-    nested.status = Status::not_converged;
+    if (nested.status == Status::converged && !next.outcome.converged)
+      return better_of(std::move(nested), std::move(best));
     const double resistance = solved ? level.powers.resistance() : RollingSolution::absent;
-    nested.change_before =
+    const double change =
         expected_change(dimensions(scene), std::abs(nested.coarser_resistance - resistance), nested.change_before);
+    if (answered) {
+      best = better_of(std::move(nested), std::move(best));
+      nested = {};
+      nested.tied = grids.tied;
+    }
+    nested.change_before = change;
     nested.coarser_resistance = resistance;
     nested.finest = std::move(next);
   }

@@ -25,8 +25,12 @@ struct NestedOutcome {
   double friction_borne = RollingSolution::absent;   // or so much that the body digs itself in
 };
 
+/// Of two answers to a scene the one with the smaller estimate of its error, with the reason of the first why no more
+/// was found. @param other may be none
+NestedOutcome better_of(NestedOutcome answer, NestedOutcome other);
+
 /// @param finer asked after the finest grid of the series has converged: true to halve the spacing once more, which
-/// leaves what was found where it has no solution
+/// leaves what was found where it has no solution or a larger estimate of its error
 NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
 

@@ -87,6 +87,7 @@ NestedOutcome solve_sphere_to_tolerance(const RollingScene& scene, int most_node
     step = 0;
     found = solve_nested(scene, tied_grids(scene, tied_cells(step)));
   }
+  NestedOutcome best;  // of the grids before, where a finer one does not always tell more
   while (found.status == Status::converged) {
     const double room = room_for_nodes(found, most_nodes), missed = found.error_estimate() / *scene.tolerance;
     if (missed <= 1 || room < 2) break;
@@ -96,13 +97,14 @@ NestedOutcome solve_sphere_to_tolerance(const RollingScene& scene, int most_node
     try {
       NestedOutcome finer = solve_nested(scene, tied_grids(scene, tied_cells(step)));
       if (finer.status != Status::converged) break;
+      best = better_of(std::move(found), std::move(best));
       found = std::move(finer);
     } catch (const BeyondLimits& limit) {
       found.reason = limit.what();
       break;
     }
   }
-  return found;
+  return better_of(std::move(found), std::move(best));
 }
 
 /// @param most_nodes in contact; beyond, a tolerance is given up

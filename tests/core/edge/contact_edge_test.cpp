@@ -156,6 +156,31 @@ TEST_CASE("with its edge an elliptical shear on a half-space moves the surface a
   }
 }
 
+TEST_CASE("a row that the contact just touches has no slip without bound", "[core][contact_edge]") {
+  Circle circle(1e-4);
+  RollingScene scene;
+  scene.layer_thickness = INFINITY;
+  scene.static_shear_modulus = 1e6;
+  scene.poisson_ratio = 0.5;
+  double usual = 0;
+  for (const double touched : {0.8, 0.1, 1e-2, 1e-4, 1e-6}) {
+    circle.radius = 12.5 + touched;  // into the cells of row 13
+    std::vector<char> in_contact(static_cast<std::size_t>(circle.half.size()), 0);
+    Vector shear = Vector::Zero(circle.half.size()), none = shear, slip_x = none, slip_y = none;
+    for (int row = 0; row <= 13; ++row)
+      for (int column = 0; column < circle.half.columns; ++column) {
+        const Eigen::Index i = circle.half.index(column, row);
+        if (circle.level(circle.half.first_column + column, row) < (row == 13 ? -13 : 0)) continue;
+        in_contact[static_cast<std::size_t>(i)] = 1;
+        shear(i) = 1;
+      }
+    EdgeSlip(scene, circle.half, circle.curve(), in_contact).add(shear, none, slip_x, slip_y);
+    INFO(touched << ": " << slip_x.cwiseAbs().maxCoeff());
+    if (usual == 0) usual = slip_x.cwiseAbs().maxCoeff();
+    CHECK(slip_x.cwiseAbs().maxCoeff() < 10 * usual);
+  }
+}
+
 TEST_CASE("the shear of a sphere does not alternate from row to row", "[core][contact_edge]") {
   RollingScene scene = paper_sphere();
   const RollingSolution printed = solve(scene);
