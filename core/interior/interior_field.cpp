@@ -55,6 +55,11 @@ double half_length_of(const SurfaceFields& fields) {
   return a_length(0.5 * static_cast<double>(nodes) * fields.grid.spacing_x);
 }
 
+bool creeps(const CreepSpectrum& material) {
+  return std::any_of(material.terms.begin(), material.terms.end(),
+                     [](const CreepSpectrum::Term& term) { return term.compliance > 0; });
+}
+
 }  // namespace
 
 double InteriorField::highest_wavenumber(double half_length, Detail detail) const {
@@ -153,7 +158,8 @@ class InteriorField::Sum {
       const double lost =
           (std::conj(stress.x) * strain.x + std::conj(stress.z) * strain.z + std::conj(stress.xz) * strain.xz).imag();
       const auto column = static_cast<Index>(line);
-      f_.line_loss(column) += wave.weight / M_PI * field_.speed_ * k * lost;
+      if (creeps(field_.medium_[layer].material))  // what does not loses nothing, no rounding either
+        f_.line_loss(column) += wave.weight / M_PI * field_.speed_ * k * lost;
       if (x_.size() == 0) continue;
       const double weight = wave.weight / M_PI * fade(line, k);
       add_memories(line, wave, stress, weight);

@@ -24,8 +24,30 @@ SurfaceFields mirrored_shear(SurfaceFields fields) {
 struct Extent {
   double middle, half;
 };
+
+/// On a grid its edges lie between nodes, so that they move smoothly with the pressures and do not jump with the nodes
+/// in contact: near an edge p^2 grows as the distance s from it, the share s/h of a cell is r/(1 - r) with r the ratio
+/// of p^2 to that of the neighbour inside.
+Extent extent_on_grid(const SurfaceFields& fields) {
+  const SurfaceGrid& grid = fields.grid;
+  const auto squared = [&](int column) {
+    const double p = column < 0 || column >= grid.columns ? 0 : fields.pressure[static_cast<std::size_t>(column)];
+    return p * p;
+  };
+  double cells = 0, moment = 0;
+  for (int i = 0; i < grid.columns; ++i) {
+    const double here = squared(i), inside = std::max(squared(i - 1), squared(i + 1));
+    if (!(here > 0)) continue;
+    const double share = 2 * here < inside ? here / (inside - here) : 1;
+    cells += share;
+    moment += share * grid.x(i);
+  }
+  return {moment / cells, 0.5 * grid.spacing_x * (1 + cells)};
+}
+
 Extent extent_of(const SurfaceFields& fields) {
-  const SurfaceTractions tractions(fields, 0);
+  const SurfaceTractions tractions(fields, 0);  // refuses fields without a contact
+  if (fields.panels.empty()) return extent_on_grid(fields);
   return {0.5 * (tractions.from() + tractions.to()), 0.5 * (tractions.to() - tractions.from())};
 }
 
@@ -211,6 +233,7 @@ class Summary {
     s_.strain_amplitude = weights > 0 ? s_.strain_amplitude / weights : by_thickness / thickness;
     if (detail_ == InteriorField::Detail::surface && peak_part_) sharpen_peak();
     s_.peak_shear_strain = peak_.value;
+    s_.half_length = extent_.half;
     s_.peak_x = peak_.place;
     s_.peak_z = peak_part_ ? peak_part_->height_of(peak_line_) + 0.0 : 0;  // no negative zero
   }

@@ -58,6 +58,7 @@ struct InteriorSummary {
   std::vector<LineOfFlow> lines;
   std::vector<LayerLoss> layers;
   std::vector<Bond> bonds;
+  double half_length = 0;                                  ///< of the contact, on a grid with edges between nodes [m]
   double loss = 0;                                         ///< [W/m]
   double strain_amplitude = 0, peak_strain_amplitude = 0;  ///< as of a layer, of all [1]
   double peak_shear_strain = 0, peak_x = 0, peak_z = 0;    ///< with Detail::surface; [1], [m], [m]

@@ -185,8 +185,7 @@ class StrainIteration {
     for (std::size_t i = 0; i < soft_.size(); ++i)
       answer.logarithms(static_cast<Index>(i)) =
           std::log(std::max(summary_.layers[soft_[i].place].strain_amplitude, 1e-300));
-    const double half_length = 0.5 * answer.solution.contact_area;
-    answer.logarithms(answer.logarithms.size() - 1) = std::log(scene_.speed / half_length);
+    answer.logarithms(answer.logarithms.size() - 1) = std::log(scene_.speed / summary_.half_length);
     return answer;
   }
 

@@ -6,6 +6,7 @@
 #endif
 
 #include "studies/program/commands.hpp"
+#include "studies/run/stop_signal.hpp"
 
 int main(int count, char** words) {
 #ifdef __GLIBC__
@@ -14,5 +15,6 @@ int main(int count, char** words) {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
 #endif
+  rollres::end_in_words_at_signals();
   return rollres::run_program({words + std::min(count, 1), words + count}, {std::cout, std::cerr, rollres::solve});
 }

@@ -6,6 +6,10 @@
 
 namespace rollres {
 
+/// From now on a signal that no StopSignal takes ends the program with the line "rollres: interrupted" (or
+/// "terminated") on standard error, and with the status that signals give: 130, 143. One that is ignored stays so.
+void end_in_words_at_signals();
+
 /// While it lives, the first of these signals sets `requested`; the second ends the program at once, as usual.
 /// Afterwards they are as they were.
 class StopSignal {

@@ -5,6 +5,7 @@
 #include "core/interior/interior_summary.hpp"
 #include "core/material/strain_softening.hpp"
 #include "tests/core/converged.hpp"
+#include "tests/core/paper_scenes.hpp"
 #include "tests/plain_scene.hpp"
 
 using namespace rollres;
@@ -103,6 +104,34 @@ TEST_CASE("each layer has the moduli of its own strains, and other methods meet 
   const RollingSolution grid = converged(scene);
   CHECK(grid.rolling_resistance == Approx(s.rolling_resistance).epsilon(0.01));
   CHECK(grid.softening == Approx(s.softening).epsilon(2e-3));
+}
+
+TEST_CASE("layers that lose nothing settle at their strains", "[core][strain]") {
+  RollingScene elastic = soft_scene();
+  elastic.material = MaterialModel::elastic;
+  elastic.stiffening = 0;
+  elastic.payne_loss_peak = 1;
+  for (const double strain : {0.001, 0.01, 0.1})
+    for (const double load : {1e3, 1e4, 1e5}) {
+      elastic.payne_strain = strain;
+      elastic.load = load;
+      INFO("payne_strain " << strain << ", load " << load);
+      CHECK(solutions_of(converged(elastic)) <= 8);
+    }
+}
+
+TEST_CASE("on a grid the strains settle where its nodes in contact jump", "[core][strain]") {
+  RollingScene scene = paper_cylinder();  // its contact of 1 kN/m is a dozen nodes long
+  scene.payne_drop = 0.5;
+  for (const double strain : {0.009, 0.01, 0.011})
+    for (const double load : {900.0, 1000.0, 1100.0}) {
+      scene.payne_strain = strain;
+      scene.load = load;
+      INFO("payne_strain " << strain << ", load " << load);
+      const RollingSolution s = converged(scene);
+      CHECK(solutions_of(s) <= 12);
+      CHECK(s.softening < 0.7);
+    }
 }
 
 TEST_CASE("a drop that no linear material follows is refused with its numbers", "[core][strain]") {
