@@ -121,7 +121,8 @@ void migrate(SQLite::Database& connection, const std::string& name, std::span<co
 }  // namespace
 
 Database::Database(const std::filesystem::path& file, Access access, const Schema& schema) : name_(file.string()) {
-  if (file.empty()) throw std::invalid_argument("db = : must name a file");
+  if (file.empty() || file.native().find('\0') != std::string::npos)
+    throw std::invalid_argument("db = \"" + std::string(file.c_str()) + "\": must name a file");
   const int newest = static_cast<int>(schema.migrations.size());
   const std::filesystem::path place = std::filesystem::absolute(file);  // never a special name such as ":memory:"
   std::error_code none;

@@ -254,6 +254,7 @@ Table run_sql(const Database& database, const std::string& sql) {
     add_functions(connection);
     const ReadingOnly guard(connection.getHandle());
     const First first = first_statement(connection.getHandle(), sql.c_str());
+    if (sql.find('\0') != std::string::npos) refuse("must have no NUL character");
     if (!first.found) refuse("must be a statement, as in SELECT * FROM resistance");
     if (!first.reads) refuse("must only read");
     if (first_statement(connection.getHandle(), first.rest).found) refuse("must be one statement");

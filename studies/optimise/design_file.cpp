@@ -210,10 +210,11 @@ Goal goal_of(const Json& object, const GoalContext& context, const std::string& 
 }
 
 /// One condition. A number of scenes or points is one of its left side.
-DesignConstraint constraint_of(const Json& item, Indenter indenter, const GoalContext& context,
+DesignConstraint constraint_of(const Json& item, std::size_t number, Indenter indenter, const GoalContext& context,
                                const std::string& place) {
+  const std::string name = "constraint " + std::to_string(number);
   const GivenText given =
-      given_text(item, place, "constraints", "condition", constraint_keys,
+      given_text(item, place, name.c_str(), "condition", constraint_keys,
                  "must be a list of conditions of inputs and outputs, or of objects with condition");
   DesignConstraint constraint = refusing_at(given.place, [&] {
     return DesignConstraint(given.text, FormulaNames::inputs_and_outputs, indenter, context.formulas);
@@ -236,7 +237,8 @@ std::vector<DesignConstraint> constraints_of(const Json& file, Indenter indenter
   const auto found = file.find("constraints");
   if (found == file.end()) return conditions;
   if (!found->is_array()) refuse(place, "constraints", *found, "must be a list of conditions of inputs and outputs");
-  for (const Json& item : *found) conditions.push_back(constraint_of(item, indenter, context, place));
+  for (const Json& item : *found)
+    conditions.push_back(constraint_of(item, conditions.size() + 1, indenter, context, place));
   return conditions;
 }
 
@@ -344,10 +346,9 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
   for (const DutyScene& duty : problem.scenes) {
     refuse_absent(problem.goal.formula, duty.scene, place);
     if (problem.pareto) refuse_absent(problem.pareto->goal.formula, duty.scene, place + ": pareto");
-    for (const Condition& condition : problem.constraints) {
-      refuse_absent(condition.left(), duty.scene, place + ": constraints");
-      refuse_absent(condition.right(), duty.scene, place + ": constraints");
-    }
+    for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+      for (const Formula& side : {problem.constraints[i].left(), problem.constraints[i].right()})
+        refuse_absent(side, duty.scene, place + ": constraint " + std::to_string(i + 1));
   }
   return problem;
 }

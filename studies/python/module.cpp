@@ -43,24 +43,65 @@ const RollingSolution no_solution;
 
 // Values of Python and of ours.
 
-Json json_of(const py::handle& value) {
+[[noreturn]] void refuse_value(const py::handle& value) {
+  throw py::type_error("a value of type " + py::str(py::type::of(value).attr("__name__")).cast<std::string>() +
+                       " is no input: give a number, a text, a list or a dict");
+}
+
+Json whole_number(const py::handle& value) {
+  int beyond = 0;
+  const long long number = PyLong_AsLongLongAndOverflow(value.ptr(), &beyond);
+  if (beyond == 0) return static_cast<std::int64_t>(number);
+  const double rounded = PyLong_AsDouble(value.ptr());
+  if (!PyErr_Occurred()) return rounded;
+  PyErr_Clear();
+  throw std::invalid_argument("a whole number beyond 1e308 is no input");
+}
+
+/// As in scene files, where infinity is a text; what is no number is refused there with its key.
+Json real_number(double number) {
+  if (std::isnan(number)) return "nan";
+  if (std::isinf(number)) return number > 0 ? "infinite" : "-infinite";
+  return number;
+}
+
+/// @throws UnicodeEncodeError, a ValueError, for a text that is no Unicode
+std::string unicode_of(const py::handle& value) {
+  py::ssize_t size = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (!text) throw py::error_already_set();
+  return {text, static_cast<std::size_t>(size)};
+}
+
+/// @param depth  of value among lists and dicts, which may hold themselves
+Json json_of(const py::handle& value, int depth = 0) {
+  constexpr int deepest = 100;
+  constexpr std::size_t longest = 10'000'000;
+  if (depth > deepest)
+    throw std::invalid_argument("inputs are nested more than " + std::to_string(deepest) + " levels deep");
   if (value.is_none()) return nullptr;
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
-  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  if (py::isinstance<py::int_>(value)) return value.cast<std::int64_t>();
+  if (py::isinstance<py::str>(value)) return unicode_of(value);
+  if (py::isinstance<py::int_>(value)) return whole_number(value);
   if (py::isinstance<py::dict>(value)) {
     Json object = Json::object();
-    for (const auto& [key, item] : value.cast<py::dict>()) object[py::str(key).cast<std::string>()] = json_of(item);
+    for (const auto& [key, item] : value.cast<py::dict>()) object[unicode_of(py::str(key))] = json_of(item, depth + 1);
     return object;
   }
-  if (PyFloat_Check(value.ptr()) ||
-      (PyNumber_Check(value.ptr()) && !py::isinstance<py::sequence>(value) && !py::hasattr(value, "__len__"))) {
-    const double number = py::float_(py::reinterpret_borrow<py::object>(value));
-    return std::isinf(number) && number > 0 ? Json("infinite") : Json(number);
-  }
+  if (PyFloat_Check(value.ptr())) return real_number(value.cast<double>());
+  if (py::hasattr(value, "item") && py::hasattr(value, "ndim") && py::object(value.attr("ndim")).equal(py::int_(0)))
+    return json_of(value.attr("item")(), depth + 1);  // of numpy
+  if (PyNumber_Check(value.ptr()) && !py::isinstance<py::sequence>(value) && !py::hasattr(value, "__len__"))
+    return real_number(py::float_(py::reinterpret_borrow<py::object>(value)));
   if (py::hasattr(value, "__fspath__")) return py::str(value).cast<std::string>();
+  const bool ordered = !PyAnySet_Check(value.ptr()) && !PyBytes_Check(value.ptr());
+  if (!ordered || !py::hasattr(value, "__iter__")) refuse_value(value);
   Json list = Json::array();
-  for (const py::handle item : py::iter(value)) list.push_back(json_of(item));
+  for (const py::handle item : py::iter(value)) {
+    if (list.size() == longest)
+      throw std::invalid_argument("a list of more than " + std::to_string(longest) + " values is no input");
+    list.push_back(json_of(item, depth + 1));
+  }
   return list;
 }
 
@@ -85,6 +126,10 @@ py::object to_python(const Value& value) {
 
 struct CellToPython {
   py::object operator()(std::monostate) const { return py::none(); }
+  py::object operator()(const std::string& text) const {  // SQL can make what is no Unicode
+    return py::reinterpret_steal<py::object>(
+        PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "backslashreplace"));
+  }
   template <class Value>
   py::object operator()(const Value& value) const {
     return py::cast(value);

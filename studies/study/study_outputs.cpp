@@ -109,7 +109,7 @@ std::vector<Condition> study_constraints(const Json& study, std::span<const Inde
                                          const FormulaDefinitions& formulas, const std::string& place) {
   std::vector<Condition> conditions;
   for (const std::string& text : texts(study, "constraints", place, "must be a list of conditions between inputs"))
-    refusing_at(place + ": constraints", [&] {
+    refusing_at(place + ": constraint " + std::to_string(conditions.size() + 1), [&] {
       for (const Indenter indenter : indenters) Condition(text, FormulaNames::inputs, indenter, formulas);
       conditions.emplace_back(text, FormulaNames::inputs, indenters.front(), formulas);
     });

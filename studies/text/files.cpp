@@ -12,6 +12,14 @@ namespace rollres {
 
 namespace {
 
+/// What the system would take for another name, up to the NUL.
+void require_name(const std::filesystem::path& path) {
+  if (path.empty()) throw std::invalid_argument("the file name is empty");
+  const std::string& name = path.native();
+  if (const std::size_t nul = name.find('\0'); nul != std::string::npos)
+    throw std::invalid_argument(name.substr(0, nul) + "...: the file name has a NUL character");
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, const std::string& why) {
   throw std::runtime_error(path.string() + ": " + what + ": " + why);
 }
@@ -21,6 +29,7 @@ std::string last_error() { return std::generic_category().message(errno != 0 ? e
 }  // namespace
 
 std::string whole_file(const std::filesystem::path& file, std::size_t largest) {
+  require_name(file);
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   constexpr std::size_t part = 1 << 16;
@@ -38,6 +47,7 @@ std::string whole_file(const std::filesystem::path& file, std::size_t largest) {
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
+  require_name(file);
   std::filesystem::path part = file;
   part += "." + std::to_string(::getpid()) + ".part";
   errno = 0;
@@ -60,6 +70,7 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
 }
 
 void make_directory(const std::filesystem::path& directory) {
+  require_name(directory);
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (!error && !std::filesystem::is_directory(directory)) error = std::make_error_code(std::errc::not_a_directory);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Files and folders as a whole.
+/// Files and folders as a whole. A name that is empty or has a NUL is wrong input (std::invalid_argument).
 
 #include <cstddef>
 #include <filesystem>

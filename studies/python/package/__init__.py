@@ -130,12 +130,17 @@ def _report(value):
     return [_report(item) for item in value] if isinstance(value, list) else value
 
 
+def _names(given):
+    """A list of names, of which one may stand alone."""
+    return [given] if isinstance(given, str) else list(given)
+
+
 def gradient(base, inputs, output="rolling_resistance", *, order=4, threads=0, **replaced):
     """Derivatives of an output by some inputs, with noise, errors and elasticities: the object of `rollres gradient --json`.
 
     inputs  names of inputs: ["load", "speed"]
     """
-    return _report(_rollres.gradient(_scene(base, replaced), list(inputs), output, order, threads))
+    return _report(_rollres.gradient(_scene(base, replaced), _names(inputs), output, order, threads))
 
 
 class Objective:
@@ -243,6 +248,13 @@ class _File:
         if self._data is not None:
             content["data"] = _os.path.join(self.folder.name, "data.csv")
             columns = {str(name): list(self._data[name]) for name in self._data}
+            lengths = {len(values) for values in columns.values()}
+            if len(lengths) > 1:
+                raise ValueError("data: columns of different lengths: " +
+                                 ", ".join(f"{name} has {len(values)}" for name, values in columns.items()))
+            for text in (*columns, *(str(value) for values in columns.values() for value in values)):
+                if any(letter in text for letter in ",;\t\"\r\n\0"):
+                    raise ValueError(f"data: {text!r}: must have no comma, semicolon, quote, tab, line end or NUL")
             with _open(content["data"], "w", encoding="utf-8") as file:
                 for row in (columns, *zip(*columns.values())):
                     file.write(",".join(str(value) for value in row) + "\n")
@@ -260,7 +272,11 @@ _open = open
 
 def _plain(value):
     """A Scene, or a number or an array of numpy, for JSON."""
-    return value.to_dict() if isinstance(value, Scene) else value.tolist()
+    if isinstance(value, Scene):
+        return value.to_dict()
+    if not hasattr(value, "tolist"):
+        raise TypeError(f"a value of type {type(value).__name__} is no input: give a number, a text, a list or a dict")
+    return value.tolist()
 
 
 def sweep(study, db, *, threads=0, progress=None, fields=False, retry="nothing"):
@@ -307,7 +323,7 @@ class Database:
 
     def query(self, *filters, columns=(), sort=(), limit=None):
         """Rows that meet filters as `rollres query` takes them: query("speed>0.1", "load=20 kN/m", sort=["-speed"])."""
-        return _table(_rollres.query(self.file, list(filters), list(columns), list(sort), limit))
+        return _table(_rollres.query(self.file, list(filters), _names(columns), _names(sort), limit))
 
     def study(self, name, *filters, **options):
         """The rows of a study, in its order."""

@@ -45,10 +45,10 @@ TEST_CASE("the half-length on a grid follows the contact smoothly, and is that o
   scene.spacing = a / 20.3;
   double before = half_length(20e3);
   CHECK(before == Approx(a).epsilon(0.01));
-  for (int step = 1; step <= 10; ++step) {  // over which two nodes come into contact
+  for (int step = 1; step <= 10; ++step) {  // a node more or less would be 0.05; over a thin layer a grows as P^(1/3)
     const double now = half_length(20e3 * (1 + 0.02 * step));
-    CHECK(now / before - 1 > 0.002);
-    CHECK(now / before - 1 < 0.02);
+    CHECK(now / before - 1 > 0.001);
+    CHECK(now / before - 1 < 0.015);
     before = now;
   }
 }

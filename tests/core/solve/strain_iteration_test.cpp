@@ -112,7 +112,7 @@ TEST_CASE("layers that lose nothing settle at their strains", "[core][strain]") 
   elastic.stiffening = 0;
   elastic.payne_loss_peak = 1;
   for (const double strain : {0.001, 0.01, 0.1})
-    for (const double load : {1e3, 1e4, 1e5}) {
+    for (const double load : {1e3, 1e5}) {
       elastic.payne_strain = strain;
       elastic.load = load;
       INFO("payne_strain " << strain << ", load " << load);

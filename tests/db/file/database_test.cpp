@@ -68,7 +68,8 @@ TEST_CASE("a file that is no database of this program is refused and left as it 
   CHECK(opening(folder.path / "no/folder.db", Access::write) ==
         (folder.path / "no/folder.db").string() + ": there is no folder " + (folder.path / "no").string());
   CHECK(opening(folder.path / "", Access::write) == (folder.path / "").string() + ": not a regular file");
-  CHECK(opening("", Access::write) == "db = : must name a file");
+  CHECK(opening("", Access::write) == "db = \"\": must name a file");
+  CHECK(opening(std::string("a.db\0b", 6), Access::write) == "db = \"a.db\": must name a file");
   folder.write("empty.db", "");
   CHECK(opening(folder.path / "empty.db", Access::read) ==
         (folder.path / "empty.db").string() + ": an empty file, no database of rollres");

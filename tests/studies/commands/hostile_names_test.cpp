@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "db/rows/result_store.hpp"
@@ -184,6 +185,51 @@ TEST_CASE("files and folders of hostile names are read and written, and named so
     const std::string next = said.substr(said.find("next: ") + 6);
     CHECK(run_shell("set -- " + next.substr(0, next.size() - 1) + "; sh -n \"$2\"").status == 0);
     CHECK(!std::filesystem::exists("hacked"));
+  }
+}
+
+TEST_CASE("hostile names of a fit reach the store, its pictures, pages and folders, and are only names",
+          "[studies][hostile]") {
+  for (const std::string name : {"a'b''c", "$(touch hacked)", "\"; touch hacked", "<script>alert(1)</script>]]>",
+                                 "--help", "@x ^y %s%n {w} \\", "é漢字🛞", "a\u202eb"}) {
+    INFO(name);
+    const TemporaryDirectory folder;
+    nlohmann::json fit = nlohmann::json::parse(file_text(example("fit_shift.json")));
+    fit["fit"] = name;
+    fit["data"] = example("fit_shift.csv");
+    const std::string file = folder.write("fit.json", fit.dump()).string(), database = (folder / "a.db").string();
+    const auto runs = [&](std::vector<std::string> words) {
+      const ProgramRun run = run_rollres(words, closed_form);
+      INFO(words.front() << ": " << run.out << run.err);
+      CHECK(run.status == 0);
+      CHECK((is_printable(run.out) && is_printable(run.err)));
+      return run.out;
+    };
+    runs({"fit", file, "--db", database});
+    runs({"list", "--db", database});
+    runs({"show", "--db", database, "--", name});
+    CHECK_THAT(runs({"query", "--db", database, "--fits", "--format", "json", "name=" + name}), Contains("wlf_c1"));
+    runs({"compare", "--db", database, "--", name, name});
+    runs({"complete", "rollres", "show", "--db", database, ""});
+    runs({"chart", "--db", database, "--fit=" + name, "--chart", "data", "--out", (folder / "chart").string()});
+    CHECK(is_escaped(file_text(folder / "chart.svg")));
+    runs({"report", "--db", database, "--study=" + name, "--out", (folder / "report.html").string()});
+    CHECK(file_text(folder / "report.html").find("<script>alert") == std::string::npos);
+    runs({"export", "--db", database, "--study=" + name, "--out", (folder / "exported").string()});
+    CHECK(!std::filesystem::exists("hacked"));
+  }
+}
+
+TEST_CASE("a signal ends a command that has nothing to bring home with a line and the status of signals",
+          "[studies][hostile]") {
+  const std::string after = address_sanitizer() ? "3" : "0.4";
+  for (const auto& [signal, status, said] :
+       {std::tuple{"INT", 130, "rollres: interrupted\n"}, {"TERM", 143, "rollres: terminated\n"}}) {
+    const ShellRun run =
+        run_shell("timeout --preserve-status -s " + std::string(signal) + " " + after + " '" + rollres_program() +
+                  "' solve '" + example("paper_sphere.json") + "' --set spacing=0.02e-3 --set time_limit=60");
+    CHECK(run.status == status);
+    CHECK(run.out == said);
   }
 }
 

@@ -224,7 +224,7 @@ TEST_CASE("the commands of the store refuse in one line what they cannot do", "[
       {{"show", "1", "--db", missing}, 3, missing + ": no such file"},
       {{"query", "--db", text}, 3, text + ": file is not a database"},
       {{"sweep", studied.study(), "--db", text}, 3, text + ": file is not a database"},
-      {{"sweep", studied.study(), "--db", ""}, 2, "db = : must name a file"},
+      {{"sweep", studied.study(), "--db", ""}, 2, "db = \"\": must name a file"},
       {{"query", "--db", studied.database(), "sped>1"}, 2, "sped: unknown column; did you mean speed?"},
       {{"query", "--db", studied.database(), "speed>1 kg"}, 2, "speed = 1 kg: must have a unit of speed (m/s)"},
       {{"query", "--db", studied.database(), "speed=fast"}, 2, "speed = fast: "},

@@ -73,6 +73,7 @@ TEST_CASE("in Python inputs are those of scene files, answers have the keys of t
   run_part("values");
 }
 TEST_CASE("Python refuses in the words of the command line", "[studies][python]") { run_part("refusals"); }
+TEST_CASE("Python refuses in words what is no input", "[studies][python]") { run_part("hostile"); }
 TEST_CASE("fields are arrays of numpy that share the answer's memory", "[studies][python]") { run_part("fields"); }
 TEST_CASE("Python solves many scenes by threads, from tables and through a database", "[studies][python]") {
   run_part("many");

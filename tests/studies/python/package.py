@@ -79,6 +79,57 @@ def refusals():
         assert "missing.db" in refusal(lambda: rollres.open(folder + "/missing.db"), OSError)
 
 
+def hostile():
+    """What is no input is refused in words, whatever it is."""
+    import numpy as np
+    assert refusal(lambda: rollres.solve(CYLINDER, load=float("nan"))).startswith('--set: load = "nan": must be')
+    assert refusal(lambda: rollres.solve(CYLINDER, load=-np.inf)).startswith('--set: load = "-infinite": must be')
+    assert "load = true: must be" in refusal(lambda: rollres.solve(CYLINDER, load=np.bool_(True)))
+    assert rollres.Scene(CYLINDER, load=np.array(1e4)).load == rollres.Scene(CYLINDER, load=np.float32(1e4)).load == 1e4
+    assert rollres.Scene(CYLINDER, load=10**20).load == 1e20
+    assert "beyond 1e308" in refusal(lambda: rollres.solve(CYLINDER, load=10**400))
+    for strange in (object(), {1, 2}, b"1 kN", lambda: 1):
+        assert "is no input" in refusal(lambda: rollres.solve(CYLINDER, load=strange), TypeError)
+    itself, listed = {}, []
+    itself["scene"], deep = itself, []
+    listed.append(listed)
+    for _ in range(100000):
+        deep = [deep]
+    for nested in (lambda: rollres.solve(itself), lambda: rollres.solve(CYLINDER, lower_layers=listed),
+                   lambda: rollres.solve(CYLINDER, lower_layers=deep), lambda: rollres.sweep(itself, "no.db")):
+        refusal(nested)
+    while deep:  # Python would call itself for each level
+        deep = deep[0]
+    assert "NUL" in refusal(lambda: rollres.solve("a\0b"))
+    assert "surrogates" in refusal(lambda: rollres.solve(CYLINDER, load="\ud800"))
+    refusal(lambda: rollres.sweep({"study": {1}}, "no.db"), TypeError)
+    with tempfile.TemporaryDirectory() as folder:
+        rollres.solve_many([CYLINDER], db=folder + "/a.db")
+        stored = rollres.open(folder + "/a.db")
+        assert "\\xff" in str(stored.sql("SELECT CAST(x'ff' AS TEXT) AS a"))
+        assert "NUL" in refusal(lambda: stored.sql("SELECT 1\0; DROP"))
+        assert len(stored.query(columns="load", sort="load")) == 1
+    assert rollres.gradient(CYLINDER, "load").inputs[0].key == "load"
+    fitted = {"fit": "f", "scene": str(CYLINDER), "parameters": {"static_shear_modulus": {}}}
+    uneven = {"speed [m/s]": [1, 2, 3], "rolling_resistance [N/m]": [1, 2]}
+    assert "different lengths" in refusal(lambda: rollres.fit(fitted, data=uneven))
+    assert "must have no comma" in refusal(lambda: rollres.fit(fitted, data={"a,b": [1], "speed [m/s]": [1]}))
+    failures = []
+
+    def solves():
+        try:
+            rollres.solve(CYLINDER)
+            refusal(lambda: rollres.solve(CYLINDER, speed=-1))
+        except BaseException as error:
+            failures.append(error)
+    threads = [threading.Thread(target=solves) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures, failures
+
+
 def fields():
     """Arrays that share the answer's memory and keep it."""
     import numpy as np

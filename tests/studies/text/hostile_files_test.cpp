@@ -57,6 +57,16 @@ TEST_CASE("a NUL, which would end a text before its end, is refused in every tex
   CHECK_THROWS_WITH(read_measured_table(table), Contains("t.csv, line 3: has a NUL character"));
 }
 
+TEST_CASE("names of files that are empty or have a NUL are refused, not cut off", "[studies][hostile]") {
+  const std::filesystem::path nul = std::string("a\0b", 3);
+  CHECK_THROWS_WITH(whole_file("", 1), "the file name is empty");
+  CHECK_THROWS_WITH(write_file("", "x"), "the file name is empty");
+  CHECK_THROWS_WITH(make_directory(""), "the file name is empty");
+  CHECK_THROWS_WITH(whole_file(nul, 1), Contains("a...: the file name has a NUL character"));
+  CHECK_THROWS_WITH(write_file(nul, "x"), Contains("NUL"));
+  CHECK_THROWS_WITH(make_directory(nul), Contains("NUL"));
+}
+
 TEST_CASE("a folder for scratch files that is missing is named", "[studies][hostile]") {
   const char* const before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";
