@@ -190,8 +190,7 @@ TEST_CASE("files and folders of hostile names are read and written, and named so
 
 TEST_CASE("hostile names of a fit reach the store, its pictures, pages and folders, and are only names",
           "[studies][hostile]") {
-  for (const std::string name : {"a'b''c", "$(touch hacked)", "\"; touch hacked", "<script>alert(1)</script>]]>",
-                                 "--help", "@x ^y %s%n {w} \\", "é漢字🛞", "a\u202eb"}) {
+  for (const std::string name : {"a'b''c; $(touch hacked)", "<script>alert(1)</script>]]>", "@x ^y %s%n {w} \\"}) {
     INFO(name);
     const TemporaryDirectory folder;
     nlohmann::json fit = nlohmann::json::parse(file_text(example("fit_shift.json")));
