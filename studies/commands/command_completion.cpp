@@ -37,7 +37,8 @@ std::vector<ManualSection> keys_of_files() {
                                               {"pareto.", pareto_keys}}),
           keys_in("KEYS OF A FIT OF SCENES",
                   {{"", fit_keys}, {"data.", data_set_keys}, {"parameters.KEY.", fit_parameter_keys}}),
-          keys_in("KEYS OF A FIT OF A MATERIAL", {{"", material_fit_keys}})};
+          keys_in("KEYS OF A FIT OF A MATERIAL", {{"", material_fit_keys}}),
+          keys_in("KEYS OF A FIT OF A STRAIN SWEEP", {{"", strain_fit_keys}})};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/numerics/solution_limits.hpp"
 #include "db/rows/schema.hpp"
@@ -17,6 +18,7 @@
 #include "studies/fit/material_curves.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/fit/shift_file.hpp"
+#include "studies/fit/strain_file.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/run/stop_signal.hpp"
@@ -197,14 +199,38 @@ MadeFit make_shift_fit(const FitArguments& arguments, const ShiftFile& file, Ses
           context};
 }
 
-void fit_shift_factors(const FitArguments& arguments, Session& session) {
+MadeFit make_strain_fit(const FitArguments& arguments, const StrainFile& file, Session& session) {
+  const auto begin = std::chrono::steady_clock::now();
+  FitOptions options = file.options;
+  options.profiles = !arguments.no_profiles;
+  const StrainFit found =
+      refusing_at(arguments.fit, [&] { return fit_strain_sweep(file.data, file.deviations_known, options); });
+  FitContext context = context_of(file, "strain", "Pa");
+  context.scene = fitted_scene(found, file);
+  if (found.report.slopes.found()) context.curves = strain_curves(file, found);
+  save(found.report, context, begin, arguments, session);
+  return {{.source = arguments.fit, .name = file.name, .model = std::string(kraus_alone), .report = found.report},
+          context};
+}
+
+template <class File>
+FitOptions& options_of(File& file) {
+  if constexpr (std::is_same_v<File, MaterialFile>)
+    return file.options.options;
+  else
+    return file.options;
+}
+
+/// A fit of no scenes: read, made, told and drawn.
+template <class Read, class Make>
+void fit_alone(const FitArguments& arguments, Session& session, const Read& read, const Make& make) {
   if (arguments.design || arguments.coverage > 0)
     throw std::invalid_argument(arguments.fit + ": --design and --coverage are for fits of scenes");
-  ShiftFile file = read_shift_fit(arguments.fit);
+  auto file = read(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
-  file.options.stop = &signal.requested();
-  const MadeFit made = make_shift_fit(arguments, file, session);
+  options_of(file).stop = &signal.requested();
+  const MadeFit made = make(arguments, std::move(file), session);
   const FitReport& report = made.candidate.report;
   if (arguments.json)
     session.out << text_of(json_of(report, made.context), 2) << '\n';
@@ -244,22 +270,6 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
   if (arguments.json) session.out << text_of(object, 2) << '\n';
 }
 
-void fit_moduli(const FitArguments& arguments, Session& session) {
-  if (arguments.design || arguments.coverage > 0)
-    throw std::invalid_argument(arguments.fit + ": --design and --coverage are for fits of scenes");
-  MaterialFile file = read_material_fit(arguments.fit);
-  if (!arguments.out.empty()) make_directory(arguments.out);
-  const StopSignal signal;
-  file.options.options.stop = &signal.requested();
-  const MadeFit made = make_material_fit(arguments, std::move(file), session);
-  const FitReport& report = made.candidate.report;
-  if (arguments.json)
-    session.out << text_of(json_of(report, made.context), 2) << '\n';
-  else
-    session.out << fit_summary(report, made.context) << std::flush;
-  if (!arguments.out.empty() && report.slopes.found()) draw(report, made.context, arguments, session);
-}
-
 /// Fits all of the files, and says which model the data are most likely on.
 void compare_fits(const FitArguments& given, Session& session) {
   if (given.design || given.coverage > 0 || !given.out.empty() || !given.scene.empty())
@@ -276,6 +286,10 @@ void compare_fits(const FitArguments& given, Session& session) {
       ShiftFile file = read_shift_fit(fit);
       file.options.stop = &signal.requested();
       fits.push_back(make_shift_fit(arguments, file, session).candidate);
+    } else if (is_strain_fit(fit)) {
+      StrainFile file = read_strain_fit(fit);
+      file.options.stop = &signal.requested();
+      fits.push_back(make_strain_fit(arguments, file, session).candidate);
     } else if (is_material_fit(fit)) {
       MaterialFile file = read_material_fit(fit);
       file.options.options.stop = &signal.requested();
@@ -300,8 +314,10 @@ void run_fit(const FitArguments& given, Session& session) {
   if (given.fits.size() != 1) throw std::invalid_argument("several fits: need --compare");
   FitArguments arguments = given;
   arguments.fit = given.fits.front();
-  if (is_shift_fit(arguments.fit)) return fit_shift_factors(arguments, session);
-  is_material_fit(arguments.fit) ? fit_moduli(arguments, session) : fit_resistance(arguments, session);
+  if (is_shift_fit(arguments.fit)) return fit_alone(arguments, session, read_shift_fit, make_shift_fit);
+  if (is_strain_fit(arguments.fit)) return fit_alone(arguments, session, read_strain_fit, make_strain_fit);
+  if (is_material_fit(arguments.fit)) return fit_alone(arguments, session, read_material_fit, make_material_fit);
+  fit_resistance(arguments, session);
 }
 
 }  // namespace

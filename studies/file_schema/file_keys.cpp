@@ -78,7 +78,8 @@ std::vector<KeySection> key_sections() {
           {"Fit of a scene: `prior` of a parameter", table_of(prior_keys)},
           {"Fit of a scene: `design`", table_of(design_wish_keys)},
           {"Fit of a scene: a range under `design`", table_of(design_range_keys)},
-          {"Fit of a material", table_of(material_fit_keys)}};
+          {"Fit of a material", table_of(material_fit_keys)},
+          {"Fit of Kraus's model to a strain sweep", table_of(strain_fit_keys)}};
 }
 
 }  // namespace rollres

@@ -187,17 +187,25 @@ Json scene_fit() {
                               {"step", {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 0.1}}}});
 }
 
+Json percentage_of_moduli() {
+  return {{"anyOf",
+           {percentage(),
+            object_of(modulus_sigma_keys, {{"storage_modulus", percentage()}, {"loss_modulus", percentage()}})}}};
+}
+
 Json material_fit() {
   const Json positive{{"type", "number"}, {"exclusiveMinimum", 0}};
-  return object_of(material_fit_keys,
-                   {{"terms", {{"anyOf", {whole(1, 100), {{"const", "auto"}}}}}},
-                    {"reference_temperature", {{"anyOf", {positive, reference(with_unit)}}}},
-                    {"ignore_columns", list_of(name())},
-                    {"scene", scene_or_file()},
-                    {"sigma",
-                     {{"anyOf",
-                       {percentage(), object_of(modulus_sigma_keys, {{"storage_modulus", percentage()},
-                                                                     {"loss_modulus", percentage()}})}}}}});
+  return object_of(material_fit_keys, {{"terms", {{"anyOf", {whole(1, 100), {{"const", "auto"}}}}}},
+                                       {"reference_temperature", {{"anyOf", {positive, reference(with_unit)}}}},
+                                       {"ignore_columns", list_of(name())},
+                                       {"scene", scene_or_file()},
+                                       {"sigma", percentage_of_moduli()}});
+}
+
+Json strain_fit() {
+  return object_of(
+      strain_fit_keys,
+      {{"ignore_columns", list_of(name())}, {"scene", scene_or_file()}, {"sigma", percentage_of_moduli()}});
 }
 
 Json text_or(const Json& object) { return {{"anyOf", {name(), object}}}; }
@@ -252,7 +260,9 @@ using namespace json_schema;
 std::string fit_schema() {
   Json schema{{"$schema", draft}, {"title", "fit of rollres"}, {"type", "object"}};
   schema["if"] = {{"required", {"material"}}};
-  schema["then"] = material_fit();
+  schema["then"] = {{"if", {{"properties", {{"material", {{"const", kraus_alone}}}}}}},
+                    {"then", strain_fit()},
+                    {"else", material_fit()}};
   schema["else"] = scene_fit();
   Json& definitions = schema["definitions"] = input_definitions();
   definitions[design_range_name] = object_of(design_range_keys);

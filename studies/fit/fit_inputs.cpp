@@ -48,4 +48,12 @@ std::vector<FitInputRecord> measured_inputs(const ShiftFile& file) {
   return inputs;
 }
 
+std::vector<FitInputRecord> measured_inputs(const StrainFile& file) {
+  std::vector<FitInputRecord> inputs;
+  for (const MeasuredStrain& row : file.data)
+    for (int modulus = 0; modulus < 2; ++modulus)
+      inputs.push_back({std::ssize(inputs) + 1, "strain_amplitude", "1", row.amplitude});
+  return inputs;
+}
+
 }  // namespace rollres

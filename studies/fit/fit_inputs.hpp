@@ -8,6 +8,7 @@
 #include "studies/fit/fit_file.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/fit/shift_file.hpp"
+#include "studies/fit/strain_file.hpp"
 
 namespace rollres {
 
@@ -16,5 +17,7 @@ std::vector<FitInputRecord> measured_inputs(const FitFile& file);
 /// Frequency and temperature; each row has a storage and a loss modulus.
 std::vector<FitInputRecord> measured_inputs(const MaterialFile& file);
 std::vector<FitInputRecord> measured_inputs(const ShiftFile& file);
+/// The amplitude of the shear strain; each row has a storage and a loss modulus.
+std::vector<FitInputRecord> measured_inputs(const StrainFile& file);
 
 }  // namespace rollres

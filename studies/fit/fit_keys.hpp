@@ -14,7 +14,9 @@ inline constexpr std::array<std::string_view, 2> weight_names{"uniform", "relati
 inline constexpr std::array<std::string_view, 4> shift_names{"none", "wlf", "arrhenius", "vft"};
 inline constexpr std::array<std::string_view, 3> law_names{"wlf", "arrhenius", "vft"};
 inline constexpr std::string_view shift_alone = "shift";  ///< in place of a material: a shift law from a table of a_T
-inline constexpr std::array<std::string_view, 4> material_names{"zener", "fractional_zener", "prony", shift_alone};
+inline constexpr std::string_view kraus_alone = "kraus";  ///< in place of a material: Kraus's model from a strain sweep
+inline constexpr std::array<std::string_view, 5> material_names{"zener", "fractional_zener", "prony", shift_alone,
+                                                                kraus_alone};
 inline constexpr KeyForm fit_starts = whole_from(1, 1000), fit_seed = whole_from(0, 2'000'000'000);
 
 /// Of a fit of a scene.
@@ -93,8 +95,11 @@ inline constexpr std::array material_fit_keys{
     FileKey{"$schema", "schema of this file, for editors", a_text},
     FileKey{"fit", "name of the fit in the database", a_name, is_needed},
     FileKey{"comment", "a text that the program ignores", a_text},
-    FileKey{"material", "what is fitted to storage and loss moduli; shift: a law of shift to a table of shift factors",
-            one_of(material_names), is_needed},
+    FileKey{
+        "material",
+        "what is fitted to storage and loss moduli; shift: a law of shift to a table of shift factors; kraus: Kraus's "
+        "model to a strain sweep",
+        one_of(material_names), is_needed},
     FileKey{"data", "name of a CSV file, relative to this file", a_name, is_needed},
     FileKey{"terms", "of a Prony series; auto: as many as the data ask for"},
     FileKey{
@@ -133,6 +138,29 @@ inline constexpr std::array shift_fit_keys{
     FileKey{"sigma", "relative standard deviation of the factors: \"5 %\""},
     FileKey{"ignore_columns", "columns of the table that are left out"},
     FileKey{"scene", "name of a scene file, relative to this file, or a scene, in which the shift is written"},
+    FileKey{"starts", "number of descents; default 1", fit_starts},
+    FileKey{"seed", "of the other starts; default 1", fit_seed},
+};
+
+/// Of a fit of Kraus's model to a strain sweep.
+inline constexpr std::array<std::string_view, 1> kraus_names{kraus_alone};
+inline constexpr std::array strain_fit_keys{
+    FileKey{"$schema", "schema of this file, for editors", a_text},
+    FileKey{"fit", "name of the fit in the database", a_name, is_needed},
+    FileKey{"comment", "a text that the program ignores", a_text},
+    FileKey{"material", "kraus", one_of(kraus_names), is_needed},
+    FileKey{"data", "name of a CSV file, relative to this file: strain, storage_modulus, loss_modulus", a_name,
+            is_needed},
+    FileKey{"sweep_deformation", "whether the strains are of shear (default) or tension",
+            one_of(ChoiceNames<SweepDeformation>::names)},
+    FileKey{"sweep_amplitude", "whether the strains are peak (default) or peak_to_peak",
+            one_of(ChoiceNames<SweepAmplitude>::names)},
+    FileKey{"sigma",
+            "relative standard deviation of all moduli: \"2 %\", or one of the storage and one of the loss moduli"},
+    FileKey{"ignore_columns", "columns of the table that are left out"},
+    FileKey{"scene",
+            "name of a scene file, relative to this file, or a scene, in which the parameters are written; its "
+            "poisson_ratio turns strains of tension into shear"},
     FileKey{"starts", "number of descents; default 1", fit_starts},
     FileKey{"seed", "of the other starts; default 1", fit_seed},
 };

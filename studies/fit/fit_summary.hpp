@@ -16,7 +16,7 @@ namespace rollres {
 
 /// What a report does not know of itself.
 struct FitContext {
-  std::string name, kind;               ///< kind: "resistance" or "material"
+  std::string name, kind;               ///< kind: "resistance", "material", "shift" or "strain"
   std::string definition, data_digest;  ///< of the file, of the tables
   Indenter indenter = Indenter::cylinder;
   std::string_view output_unit = {};

@@ -92,6 +92,18 @@ std::string fitted_scene(const ShiftFit& fit, const ShiftFile& file) {
   return text_of(scene, 2);
 }
 
+std::string fitted_scene(const StrainFit& fit, const StrainFile& file) {
+  Json scene = Json::object();
+  const Json given = file.scene.empty() ? Json::object() : Json::parse(file.scene);
+  for (const auto& [key, value] : given.items())
+    if (!key.starts_with("sweep_")) scene[key] = value;
+  scene["payne_drop"] = fit.layer.payne_drop;
+  scene["payne_strain"] = fit.layer.payne_strain.value();
+  scene["payne_exponent"] = fit.layer.payne_exponent;
+  scene["payne_loss_peak"] = fit.layer.payne_loss_peak;
+  return text_of(scene, 2);
+}
+
 std::string fitted_scene(const FitReport& report, const FitFile& file) {
   RollingScene scene = file.scenes.front().scene;
   for (std::size_t j = 0; j < file.inputs.size(); ++j)

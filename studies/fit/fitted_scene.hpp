@@ -7,6 +7,7 @@
 #include "studies/fit/fit_file.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/fit/shift_file.hpp"
+#include "studies/fit/strain_file.hpp"
 
 namespace rollres {
 
@@ -17,6 +18,9 @@ std::string fitted_scene(const MaterialFit& fit, const MaterialFile& file);
 
 /// The reference temperature and the constants of a shift, in the fit file's `scene` where it has one.
 std::string fitted_scene(const ShiftFit& fit, const ShiftFile& file);
+
+/// Kraus's parameters, in the fit file's `scene` where it has one, in place of a strain sweep there.
+std::string fitted_scene(const StrainFit& fit, const StrainFile& file);
 
 /// The scene of the first measurement with the fitted values.
 std::string fitted_scene(const FitReport& report, const FitFile& file);

@@ -59,4 +59,34 @@ FitCurves shift_curves(const ShiftFile& file, const TemperatureShift& shift) {
   return curves;
 }
 
+FitCurves strain_curves(const StrainFile& file, const StrainFit& found) {
+  FitCurves curves{{.name = "shear strain amplitude", .symbol = "γ", .unit = "1", .logarithmic = true},
+                   {.name = "modulus", .unit = "Pa", .logarithmic = true},
+                   {{.label = "storage"}, {.label = "loss"}}};
+  auto &storage = curves.curves[0], &loss = curves.curves[1];
+  double lowest = file.data.front().amplitude, highest = lowest;
+  for (std::size_t i = 0; i < file.data.size(); ++i) {
+    lowest = std::min(lowest, file.data[i].amplitude);
+    highest = std::max(highest, file.data[i].amplitude);
+    storage.data_x.push_back(file.data[i].amplitude);
+    storage.data.push_back(2 * i);
+    loss.data.push_back(2 * i + 1);
+  }
+  loss.data_x = storage.data_x;
+  constexpr int pieces = 60;
+  const double quantile = two_sided_quantile(confidence, found.report.deviations_known ? 0 : found.report.degrees);
+  const auto add = [&](FitCurve& curve, double strain, double modulus, double error) {
+    curve.x.push_back(strain);
+    curve.value.push_back(modulus);
+    curve.band.push_back(std::isfinite(error) ? quantile * error : 0);
+  };
+  for (int i = 0; i <= pieces; ++i) {
+    const double strain = lowest * std::pow(highest / lowest, static_cast<double>(i) / pieces);
+    const SweepModuli moduli = found.moduli(strain);
+    add(storage, strain, moduli.storage, moduli.storage_error);
+    add(loss, strain, moduli.loss, moduli.loss_error);
+  }
+  return curves;
+}
+
 }  // namespace rollres

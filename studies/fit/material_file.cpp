@@ -25,12 +25,16 @@ double relative_sigma(const Json& value, const std::string& key, const std::stri
   refuse(place, key, value, rule);
 }
 
-/// Relative deviations of storage and loss moduli, 1 if none are given.
-struct Sigmas {
-  bool known = false;
-  double storage = 1, loss = 1;
-};
-Sigmas given_sigmas(const Json& object, const std::string& place) {
+SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, const std::string& place) {
+  const auto times = choice_or_first<SeriesTimes>(object, "times", place);
+  if (times == SeriesTimes::free && (options.terms == 0 || options.terms > most_free_terms))
+    refuse(place, "times", object.at("times"), "needs a number of terms from 1 to " + std::to_string(most_free_terms));
+  return times;
+}
+
+}  // namespace
+
+ModulusSigmas given_modulus_sigmas(const Json& object, const std::string& place) {
   const auto found = object.find("sigma");
   if (found == object.end()) return {};
   if (!found->is_object()) {
@@ -47,15 +51,6 @@ Sigmas given_sigmas(const Json& object, const std::string& place) {
   };
   return {true, of("storage_modulus"), of("loss_modulus")};
 }
-
-SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, const std::string& place) {
-  const auto times = choice_or_first<SeriesTimes>(object, "times", place);
-  if (times == SeriesTimes::free && (options.terms == 0 || options.terms > most_free_terms))
-    refuse(place, "times", object.at("times"), "needs a number of terms from 1 to " + std::to_string(most_free_terms));
-  return times;
-}
-
-}  // namespace
 
 double given_reference_temperature(const Json& object, const std::string& place) {
   const auto found = object.find("reference_temperature");
@@ -133,7 +128,7 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
   const double share = name_or_first(object, "modulus", modulus_names, place) == "young" ? 1.0 / 3 : 1;
-  const Sigmas sigma = given_sigmas(object, place);
+  const ModulusSigmas sigma = given_modulus_sigmas(object, place);
   fit.options.deviations_known = sigma.known;
 
   fit.scene = given_scene(object, file, place);

@@ -36,6 +36,14 @@ double given_reference_temperature(const nlohmann::ordered_json& object, const s
 std::string given_scene(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                         const std::string& place);
 
+/// Relative deviations of storage and loss moduli, 1 if none are given; what stands under "sigma".
+struct ModulusSigmas {
+  bool known = false;
+  double storage = 1, loss = 1;
+};
+/// @throws std::invalid_argument naming place, key, value and rule
+ModulusSigmas given_modulus_sigmas(const nlohmann::ordered_json& object, const std::string& place);
+
 /// Whether a fit's file is one of these: it has a key "material".
 bool is_material_fit(const std::filesystem::path& file);
 

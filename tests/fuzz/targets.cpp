@@ -13,6 +13,7 @@
 #include "studies/fit/fit_file.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/fit/shift_file.hpp"
+#include "studies/fit/strain_file.hpp"
 #include "studies/optimise/design_file.hpp"
 #include "studies/scene_io/formula.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
@@ -74,7 +75,8 @@ void read_study_bytes(std::string_view bytes) {
 
 void read_fit_bytes(std::string_view bytes) {
   const auto file = written("fit.json", bytes);
-  each([&] { read_fit(file); }, [&] { read_material_fit(file); }, [&] { read_shift_fit(file); });
+  each([&] { read_fit(file); }, [&] { read_material_fit(file); }, [&] { read_shift_fit(file); },
+       [&] { read_strain_fit(file); });
 }
 
 /// A line of `rollres serve`.

@@ -440,6 +440,42 @@ TEST_CASE("columns of a table of moduli are known, left out with a note, or refu
   CHECK_THAT(run(known + "note", rows, {{"sigma", 2}}).err, Catch::Contains("must be a percentage > 0"));
 }
 
+TEST_CASE("Kraus's model is fitted to a strain sweep, drawn, stored and solved with", "[studies][fit]") {
+  const TemporaryDirectory directory;
+  const auto run = [&](const std::string& fit, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"fit", fit, "--db", (directory / "m.db").string()});
+    return run_rollres(more, quick_resistance);
+  };
+  const std::string file = (source_directory() / "studies/examples/fit_kraus.json").string(),
+                    scene = (directory / "scene.json").string();
+  const ProgramRun made = run(file, {"--json", "--out", (directory / "pictures").string(), "--scene", scene});
+  CHECK(made.status == 0);
+  CHECK(json::parse(made.out)["kind"] == "strain");
+  CHECK(std::filesystem::file_size(directory / "pictures/fit_kraus_data.svg") > 1000);
+  CHECK(run_rollres({"solve", scene}, quick_resistance).status == 0);
+  CHECK_THAT(run_rollres({"show", "fit_kraus", "--db", (directory / "m.db").string()}, quick_resistance).out,
+             Catch::Contains("payne_strain"));
+
+  const auto told = [&](const std::string& table, const std::string& more = "") {
+    directory.write("t.csv", table);
+    const auto fit = directory.write("t.json", R"({"fit": "t", "material": "kraus", "data": "t.csv")" + more + "}");
+    return run(fit.string()).err;
+  };
+  const std::string head = "strain [%],storage_modulus [MPa],loss_modulus [MPa]\n";
+  CHECK_THAT(told(head + "0.1,5,0.5\n1,4,0.6\n10,3,0.5\n"),
+             Catch::Contains("t.json: Kraus's model needs moduli at four strains at least; the sweep has 3"));
+  CHECK_THAT(told(head + "0.1,5,0.5\n0,4,0.6\n"), Catch::Contains("t.csv, line 3: strain [%] = 0: must be > 0"));
+  CHECK_THAT(told(head + "0.1,5,0.5\n1,-4,0.6\n"), Catch::Contains("line 3: storage_modulus [MPa] = -4: must be > 0"));
+  CHECK_THAT(told("frequency [Hz]," + head + "1,0.1,5,0.5\n10,1,4,0.6\n"),
+             Catch::Contains("line 3: frequency [Hz] = 10: must be that of the first row: a strain sweep is made at "
+                             "one frequency and temperature"));
+  CHECK_THAT(told("storage_modulus [MPa],loss_modulus [MPa]\n5,0.5\n"), Catch::Contains("strain"));
+  CHECK_THAT(told(head + "0.1,5,0.5\n", R"(, "sweep_deformation": "torsion")"),
+             Catch::Contains("sweep_deformation = \"torsion\": must be one of shear, tension"));
+  CHECK_THAT(told(head + "0.1,5,0.5\n", R"(, "shift": "wlf")"), Catch::Contains("shift"));
+  CHECK_THAT(run(file, {"--design"}).err, Catch::Contains("--design and --coverage are for fits of scenes"));
+}
+
 TEST_CASE("a law of shift is fitted to a table of shift factors, and written into a scene", "[studies][fit]") {
   const TemporaryDirectory directory;
   const std::string file = (source_directory() / "studies/examples/fit_shift.json").string();

@@ -96,7 +96,7 @@ TEST_CASE("every key of fits of scenes has an example, and each of these is fitt
 
 TEST_CASE("every key of fits of materials has an example, and each of these gives back what its data were drawn from",
           "[studies][examples][fit]") {
-  std::set<std::string> of_materials, of_shifts;
+  std::set<std::string> of_materials, of_shifts, of_strains;
   const TemporaryDirectory folder;
   const auto fitted = [&](const std::string& name, std::set<std::string>& used) {
     CAPTURE(name);
@@ -124,6 +124,17 @@ TEST_CASE("every key of fits of materials has an example, and each of these give
   check(vft, "vft_b", 8.86 * 101.6 * std::log(10.0));
   check(vft, "vft_temperature", 293.15 - 101.6);
   CHECK(of_materials.contains("shift_table_file"));
+  const Json kraus = fitted("fit_kraus", of_strains);
+  check(kraus, "storage_modulus", 3 * 5.1e6);
+  check(kraus, "loss_modulus", 3 * 0.48e6);
+  check(kraus, "payne_drop", 0.62);
+  check(kraus, "payne_strain", 0.012);
+  check(kraus, "payne_exponent", 0.55);
+  check(kraus, "payne_loss_peak", 1.45);
+  CHECK(kraus["scene"]["payne_drop"].is_number());
+  CHECK_FALSE(kraus["scene"].contains("sweep_strains"));
+  CHECK(of_strains.contains("sweep_deformation"));
+  CHECK(of_strains.contains("sweep_amplitude"));
 }
 
 TEST_CASE("every example of a study and of an optimisation is planned, run and drawn", "[studies][examples]") {

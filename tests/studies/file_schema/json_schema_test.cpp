@@ -51,7 +51,9 @@ TEST_CASE("the schemas have every key that the readers accept", "[studies][schem
   CHECK(study["properties"].size() == study_keys.size());
   const Json fit = Json::parse(fit_schema()), optimisation = Json::parse(optimisation_schema());
   for (const FileKey& key : fit_keys) CHECK(fit["else"]["properties"].contains(std::string(key.key)));
-  for (const FileKey& key : material_fit_keys) CHECK(fit["then"]["properties"].contains(std::string(key.key)));
+  const Json &material = fit["then"]["else"], &sweep = fit["then"]["then"];
+  for (const FileKey& key : material_fit_keys) CHECK(material["properties"].contains(std::string(key.key)));
+  for (const FileKey& key : strain_fit_keys) CHECK(sweep["properties"].contains(std::string(key.key)));
   for (const FileKey& key : design_keys) CHECK(optimisation["properties"].contains(std::string(key.key)));
   CHECK(scene["required"] == Json{"radius", "layer_thickness", "speed"});
 }
@@ -112,6 +114,11 @@ for fit in fits:
         refused('fit', fit, lambda f: f.update(material='prony series'))
         refused('fit', fit, lambda f: f.update(parameters={'speed': 1}))
         refused('fit', fit, lambda f: f.update(sigma='2 Pa'))
+        if fit['material'] == 'kraus':
+            assert valid['fit']({**fit, 'sweep_amplitude': 'peak_to_peak', 'sigma': '2 %'})
+            refused('fit', fit, lambda f: f.update(terms=3))
+            continue
+        refused('fit', fit, lambda f: f.update(sweep_amplitude='peak'))
         assert valid['fit']({**fit, 'terms': 'auto', 'shift': 'wlf', 'reference_temperature': '20 degC', 'sigma': '2 %'})
     else:
         refused('fit', fit, lambda f: f.update(loss='hubber'))

@@ -118,6 +118,12 @@ TEST_CASE("a cylinder's load given for a sphere is refused by its unit", "[studi
   CHECK(read_scene(cylinder, {"indenter=sphere", "load=150 N"}).load == 150);
 }
 
+TEST_CASE("kinematics of deformed nodes are refused with the reason and the alternative", "[studies][scene_file]") {
+  CHECK_THROWS_WITH(read_scene(cylinder, {"kinematics=deformed"}),
+                    Catch::Contains("kinematics = \"deformed\": must be one of consistent, printed; nodes that move") &&
+                        Catch::Contains("method = \"finite_strain\" has exact positions"));
+}
+
 TEST_CASE("what cannot be read is the outside world's failure, not wrong input", "[studies][scene_file]") {
   CHECK_THROWS_AS(read_scene("/nowhere/scene.json"), std::runtime_error);
   CHECK_THROWS_WITH(read_scene("/nowhere/scene.json"),

@@ -1,0 +1,91 @@
+#include "studies/fit/strain_file.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include "core/material/strain_softening.hpp"
+#include "db/file/digest.hpp"
+#include "studies/fit/fit_keys.hpp"
+#include "studies/fit/material_file.hpp"
+#include "studies/scene_io/master_curve_file.hpp"
+#include "studies/text/file_kind.hpp"
+#include "studies/text/measured_table.hpp"
+#include "studies/text/strict_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// The shear strain of one listed strain [1].
+double shear_per_listed(const Json& object, const std::string& scene, const std::string& place) {
+  MaterialInputs layer;
+  layer.sweep_deformation = choice_or_first<SweepDeformation>(object, "sweep_deformation", place);
+  layer.sweep_amplitude = choice_or_first<SweepAmplitude>(object, "sweep_amplitude", place);
+  layer.poisson_ratio = 0.5;
+  if (!scene.empty())
+    if (const Json inputs = Json::parse(scene); inputs.contains("poisson_ratio") && inputs["poisson_ratio"].is_number())
+      layer.poisson_ratio = inputs["poisson_ratio"].get<double>();
+  layer.sweep_strains = {1};
+  return largest_measured_strain(layer).value();
+}
+
+/// @throws std::invalid_argument if the column has more than one value
+void require_one_value(const MeasuredTable& table, std::string_view name, std::string_view unit) {
+  const MeasuredColumn* const column = table.find(name);
+  for (std::size_t row = 1; column && row < table.rows(); ++row)
+    if (measured_number(table, *column, row, unit) != measured_number(table, *column, 0, unit))
+      throw std::invalid_argument(table.place(row) + ": " + heading(*column) + " = " + column->cells[row] +
+                                  ": must be that of the first row: a strain sweep is made at one frequency and "
+                                  "temperature");
+}
+
+}  // namespace
+
+bool is_strain_fit(const std::filesystem::path& file) {
+  const Json object = read_object(file.string());
+  const auto material = object.find("material");
+  return material != object.end() && *material == kraus_alone;
+}
+
+StrainFile read_strain_fit(const std::filesystem::path& file) {
+  const std::string place = file.string();
+  const Json object = read_object(place);
+  require_kind(FileKind::fit, object, place);
+  refuse_unknown_keys(object, strain_fit_keys, place);
+  StrainFile fit;
+  fit.name = needed_name(object, "fit", place, "must be the name of the fit");
+  fit.definition = object.dump(2);
+  fit.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
+  fit.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
+  fit.scene = given_scene(object, file, place);
+  const double shear = shear_per_listed(object, fit.scene, place);
+  const ModulusSigmas sigma = given_modulus_sigmas(object, place);
+  fit.deviations_known = sigma.known;
+
+  const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
+  MeasuredTable table = read_measured_table(file.parent_path() / name);
+  fit.data_digest = digest(table.text);
+  table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
+  std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
+  known.insert(known.end(), {"strain", "temperature"});
+  if (const std::vector<std::string> others = table.leave_out_others(known); !others.empty())
+    fit.notes.push_back("columns of " + name + " left out: " + joined(others));
+  require_one_value(table, "frequency", "Hz");
+  require_one_value(table, "angular_frequency", "rad/s");
+  require_one_value(table, "temperature", "K");
+  const std::vector<double> strains = measured_numbers(table, table.needed("strain"), "1", positive);
+  const auto [storage, loss] = measured_moduli(table, positive);
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    fit.data.push_back({.amplitude = shear * strains[row],
+                        .storage = storage[row],
+                        .loss = loss[row],
+                        .storage_deviation = sigma.storage * storage[row],
+                        .loss_deviation = sigma.loss * loss[row],
+                        .place = table.place(row)});
+  fit.notes.emplace_back(
+      "storage_modulus and loss_modulus are those of the table at small strains; payne_strain is a "
+      "shear strain amplitude");
+  return fit;
+}
+
+}  // namespace rollres
