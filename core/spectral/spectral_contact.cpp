@@ -124,6 +124,7 @@ class SpectralContact {
       if (refine(start->pattern, start->edges)) return finished();
       if (last_) tried = start->pattern.slips;
     }
+    if (answered()) return finished();
     return {{}, "no pattern of zones fits"};
   }
 
@@ -268,7 +269,11 @@ class SpectralContact {
       const bool last_order = next > most_coefficients || work_ + 4 * work_of(problem_, pattern, next) > most;
       const double wanted = last_order ? largest_change(graded) : wanted_change(graded);
       const bool enough = !(graded && only_sketched) && error <= std::max(wanted, smallest_tolerance * lever / scale);
-      told = {.order = order, .error = only_sketched ? INFINITY : error, .resistance = resistance, .scale = scale};
+      told = {.order = order,
+              .error = only_sketched ? INFINITY : error,
+              .resistance = resistance,
+              .lever = lever,
+              .scale = scale};
       only_sketched = false;
       before = resistance;
       change_before = change;
@@ -282,6 +287,11 @@ class SpectralContact {
         if (!lawful) take_over_wrongs(assessed);
         if (!lawful && (last_->graded || assessed.wrong_zone > plainly_wrong)) return false;
         const double imposed = imposed_violation(assessed);
+        if (enough && lawful && !last_order && misses_tolerance(assessed, told)) {
+          keep_best(assessed, told, search);
+          coefficients = next_order(coefficients, graded);
+          continue;
+        }
         if (enough && accept(assessed, told, search)) return true;
         if (enough && error <= tolerance_) {
           if (done && !lawful) return false;
@@ -301,15 +311,26 @@ class SpectralContact {
     // A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
     if (!last_ || !(told.error <= finer_than_grids)) return false;
     AssessedSpectral assessed = assess(problem_, *last_);
-    return accept(assessed, told, search);
+    return keep_best(assessed, told, search);
   }
 
   /// What an order told of the resistance.
   struct Told {
     int order = 0;
     double error = INFINITY;  // expected change, of the scale
-    double resistance = 0, scale = 1;
+    double resistance = 0, lever = 0, scale = 1;
   };
+
+  /// The error of R_r that an answer states, of the scale. Between graded points an inequality may be violated a
+  /// little; if that is since the pattern is wrong, all orders of it share what it costs.
+  double estimate_of(const AssessedSpectral& assessed, const Told& told) const {
+    constexpr double per_violation = 0.01;
+    const double relative = cautious(told.error, last_->graded ? 0 : assessed.violation, scene_.drive);
+    return last_->graded ? relative + per_violation * assessed.wrong_zone * told.lever / told.scale : relative;
+  }
+  bool misses_tolerance(const AssessedSpectral& assessed, const Told& told) const {
+    return last_->graded && scene_.tolerance && estimate_of(assessed, told) > *scene_.tolerance;
+  }
 
   /// Whether the inequalities hold, of graded points to what their number allows.
   bool in_its_zones(const AssessedSpectral& assessed, int order) const {
@@ -321,13 +342,25 @@ class SpectralContact {
     return last_->graded ? assessed.solution.law_violation : assessed.violation;
   }
 
+  /// Takes the last state for the answer if all laws hold and none before was surer of itself. @return whether one is
+  /// there that no grid reaches
+  bool keep_best(AssessedSpectral& assessed, const Told& told, const EdgeSearch& search) {
+    const bool better = !best_ || estimate_of(assessed, told) * told.scale < best_->solution.rolling_resistance_error;
+    if (better) accept(assessed, told, search);
+    return answered();
+  }
+  bool answered() const {
+    const double finer = 1.25 * estimate_over_change(scene_.drive) * finer_than_grids + problem_.left_out;
+    return best_ && best_->solution.rolling_resistance_error <= finer * scale_;
+  }
+
   /// Takes the last state for the answer if all laws hold.
   bool accept(AssessedSpectral& assessed, const Told& told, const EdgeSearch& search) {
     const double largest = std::max(largest_violation, between_points(told.order));
     if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) ||
         !(imposed_violation(assessed) < largest_violation))
       return false;
-    const double relative = cautious(told.error, last_->graded ? 0 : assessed.violation, scene_.drive);
+    const double relative = estimate_of(assessed, told);
     RollingSolution& solution = assessed.solution;
     solution.rolling_resistance_error = relative * told.scale + problem_.left_out * std::abs(told.resistance);
     solution.error_estimate = solution.rolling_resistance_error / std::abs(told.resistance);
