@@ -321,12 +321,21 @@ class SpectralContact {
     double resistance = 0, lever = 0, scale = 1;
   };
 
-  /// The error of R_r that an answer states, of the scale. Between graded points an inequality may be violated a
-  /// little; if that is since the pattern is wrong, all orders of it share what it costs.
+  /// The error of R_r that an answer states, of the scale. Of graded points changes may be small by chance, and tell
+  /// nothing of an inequality that is violated a little between points: if that is since the pattern is wrong, all
+  /// orders of it share what it costs.
   double estimate_of(const AssessedSpectral& assessed, const Told& told) const {
-    constexpr double per_violation = 0.01;
-    const double relative = cautious(told.error, last_->graded ? 0 : assessed.violation, scene_.drive);
-    return last_->graded ? relative + per_violation * assessed.wrong_zone * told.lever / told.scale : relative;
+    if (!last_->graded) return cautious(told.error, assessed.violation, scene_.drive);
+    constexpr double per_violation = 0.03, usual_share = 0.05;  // of what so many points allow
+    const double lever = told.lever / told.scale, field_error = graded_field_error(told.order);
+    const double wrong = assessed.wrong_zone > usual_share * field_error ? assessed.wrong_zone : 0;
+    return cautious(told.error, 0, scene_.drive) + usual_error(told.order, lever) +
+           handed_on(scene_.drive) * per_violation * wrong * std::sqrt(lever);
+  }
+  /// What so many graded points leave, of random scenes and by their order alone. @param lever  over the scale
+  double usual_error(int order, double lever) const {
+    constexpr double per_tail = 2;
+    return per_tail * handed_on(scene_.drive) * graded_tail(order) * std::sqrt(lever);
   }
   bool misses_tolerance(const AssessedSpectral& assessed, const Told& told) const {
     return last_->graded && scene_.tolerance && estimate_of(assessed, told) > *scene_.tolerance;
@@ -394,6 +403,12 @@ class SpectralContact {
       const double accuracy = std::max(wanted_change(true) * part, smallest_tolerance);
       sketch.coefficients =
           std::clamp(graded_order(problem_, sketch.edges.contact, accuracy), order, largest_first_order);
+      const double lever = lever_of(*state) / scale_of(*state);
+      const auto final_error = [&] {
+        return usual_error(static_cast<int>(next_order(sketch.coefficients, true)), lever);
+      };
+      while (scene_.tolerance && sketch.coefficients < largest_first_order && final_error() > 0.5 * *scene_.tolerance)
+        ++sketch.coefficients;
       last_ = std::move(state);
       const AssessedSpectral assessed = assess(problem_, *last_);
       const auto final_order = static_cast<int>(next_order(sketch.coefficients, true));
