@@ -99,7 +99,10 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
                                     " is not small: displacements are taken as small"));
   const double mach = inertia(scene, solution);
-  if (mach > 0.01 && !inertia_included(scene))
+  constexpr double noticeable_inertia = 0.01;
+  if (!inertia_included(scene) && mach > (scene.tolerance && scene.inertia == Inertia::automatic
+                                              ? std::min(noticeable_inertia, negligible_inertia(scene))
+                                              : noticeable_inertia))
     warnings.push_back(message_text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
   if (is_composite(scene) && !scene.period && on_grid(solution.method))
     if (const double error = expansion_error(scene); error > 1e-4)
@@ -148,6 +151,9 @@ std::string model_of(const RollingScene& scene, const RollingSolution& solution)
       surface_in_words(scene) + "; " +
       message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
                    inertia(scene, solution));
+  if (!inertia_included(scene) && scene.inertia == Inertia::automatic && scene.tolerance &&
+      inertia(scene, solution) > *scene.tolerance)
+    model += ", which may change R_r by about as much (inertia = on takes it along)";
   const bool sphere = dimensions(scene) == 3, spectral = solution.method == Method::spectral;
   const bool gridded = on_grid(solution.method);
   if (is_composite(scene) && !scene.period && gridded)

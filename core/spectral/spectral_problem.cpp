@@ -17,8 +17,9 @@ namespace {
 constexpr double shortest_memory = 1e-9;
 /// What memories that count as elastic may lose, relative to all; where a tolerance allows it, a part of that.
 constexpr double negligible_loss = 1e-7, part_of_tolerance = 0.1;
-/// Losses by short memories in full solutions, over their estimate, at most.
-constexpr double caution = 6;
+/// Losses by short memories in full solutions, over their estimate, at most: layers that differ press them into waves
+/// shorter than the contact.
+constexpr double caution_on_one_layer = 6, caution_on_several = 30;
 
 struct TidySpectrum {
   CreepSpectrum creep;
@@ -27,7 +28,7 @@ struct TidySpectrum {
 
 /// Ascending, with terms of nearly the same time joined and those too short to matter made elastic: beside a glassy
 /// modulus many times the rubbery one they leave boundary layers that no number of coefficients resolves.
-TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible) {
+TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible, double caution) {
   std::sort(creep.terms.begin(), creep.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   // To first order in a short time a term loses compliance * time; a long one loses as little.
   double all = 0, short_loss = 0;
@@ -75,7 +76,8 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const TidySpectrum tidy =
-      tidied(lumped_for(material, scene.speed, 1e-3 * half_width, 1e2 * largest), half_width / scene.speed, negligible);
+      tidied(lumped_for(material, scene.speed, 1e-3 * half_width, 1e2 * largest), half_width / scene.speed, negligible,
+             is_composite(scene) ? caution_on_several : caution_on_one_layer);
   const CreepSpectrum& creep = tidy.creep;
   left_out = tidy.left_out;
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);

@@ -169,6 +169,28 @@ TEST_CASE("inertia comes by itself where the tolerance asks for it", "[core][lay
   CHECK(inertia_included(scene));
 }
 
+TEST_CASE("inertia that a tolerance asks for and the method named has not is warned of", "[core][layered_scenes]") {
+  RollingScene scene = on_one_layer(Indenter::cylinder);
+  BondedLayer coating;
+  coating.layer_thickness = 0.3 * scene.layer_thickness;
+  coating.static_shear_modulus = 3e6;
+  scene.coating_layers = {coating};
+  scene.friction_coefficient = 0;
+  scene.spacing.reset();
+  scene.tolerance = 1e-6;
+  scene.method = Method::spectral;  // which has no inertia with a coating
+  const auto warned = [&] {
+    const RollingSolution solution = converged(scene);
+    CHECK(solution.model.find("which may change R_r by about as much") != std::string::npos);
+    return std::any_of(solution.warnings.begin(), solution.warnings.end(),
+                       [](const std::string& line) { return line.find("is not negligible, and is left out") != std::string::npos; });
+  };
+  scene.speed = 5;  // rho V^2/|G| = 0.004
+  CHECK(warned());
+  scene.speed = 0.5;
+  CHECK_FALSE(warned());
+}
+
 TEST_CASE("a grid that stands in for continuous edges leaves inertia out as the scene does", "[core][layered_scenes]") {
   RollingScene scene = on_one_layer(Indenter::cylinder);
   scene.speed = 10;
