@@ -477,3 +477,35 @@ TEST_CASE("slip that turns round at the trailing edge is found without a grid", 
   const RollingSolution gridded = solve(scene);
   CHECK(found.rolling_resistance == Approx(gridded.rolling_resistance).epsilon(gridded.error_estimate));
 }
+
+TEST_CASE("memories that a tolerance lets count as elastic cost what is said under layers that differ", "[core][spectral]") {
+  RollingScene scene;
+  scene.radius = 0.116;
+  scene.layer_thickness = 4.5e-3;
+  scene.material = MaterialModel::fractional_zener;
+  scene.static_shear_modulus = 17e6;
+  scene.stiffening = 0.35;
+  scene.creep_time = 0.25e-3;
+  scene.fractional_order = 0.33;
+  BondedLayer below;
+  below.layer_thickness = 4.5e-3;
+  below.static_shear_modulus = 77e6;
+  below.stiffening = 0.2;
+  below.creep_time = 0.5;
+  scene.lower_layers = {below};
+  scene.speed = 0.13;
+  scene.load = 4.3e6;
+  scene.drive = Drive::free;
+  scene.method = Method::spectral;
+  scene.tolerance = 1e-7;  // for which hardly any memory is left out
+  const double whole = solve(scene).rolling_resistance;
+  for (const double tolerance : {3e-3, 1e-3}) {
+    scene.tolerance = tolerance;
+    const RollingSolution solution = solve(scene);
+    REQUIRE(solution.status == Status::converged);
+    CAPTURE(tolerance, solution.error_estimate);
+    const double off = std::abs(solution.rolling_resistance / whole - 1);
+    CHECK(off > 1e-6);  // some memory was left out
+    CHECK(off < solution.error_estimate);
+  }
+}
