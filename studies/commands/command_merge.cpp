@@ -137,6 +137,7 @@ void export_one(const ExportArguments& arguments, Session& session) {
 }
 
 void import_one(const ExportArguments& arguments, Session& session) {
+  if (arguments.folder.empty()) throw std::invalid_argument("folder = \"\": must name a folder");
   const Database into = open_database(arguments.database, Access::write);
   MergeOutput output(session, arguments.database, arguments.json);
   output.add(arguments.folder, [&] { return import_study(arguments.folder, into); });

@@ -45,7 +45,6 @@ DesignRange given_range(const FitFile& fit, const std::string& key, const Json& 
 }
 
 MeasuredScene given_target(const FitFile& fit, const Json& value, const std::string& place) {
-  if (!value.is_object() || value.empty()) refuse(place, "targets", value, "must be objects of inputs");
   std::string set = fit.scenes.front().set;
   if (value.contains("data")) set = needed_text(value, "data", place, "must be the name of a data set");
   const auto first = std::find_if(fit.scenes.begin(), fit.scenes.end(), [&](const MeasuredScene& row) {
@@ -84,7 +83,10 @@ DesignWish read_design(const Json& object, const FitFile& fit, const std::string
   }
   if (const auto targets = found->find("targets"); targets != found->end()) {
     if (!targets->is_array() || targets->empty()) refuse(inside, "targets", *targets, "must be a list of objects");
-    for (const Json& value : *targets) wish.targets.push_back(given_target(fit, value, inside + ": targets"));
+    for (const Json& value : *targets) {
+      if (!value.is_object() || value.empty()) refuse(inside, "targets", value, "must be objects of inputs");
+      wish.targets.push_back(given_target(fit, value, inside + ": targets"));
+    }
   }
   return wish;
 }

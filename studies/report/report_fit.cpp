@@ -73,7 +73,9 @@ std::string fit_in_words(const FitRecord& fit) {
             " of their stated deviations on average; so large a misfit or a larger one comes by chance in " +
             percent(fit.p_value, 2) + " of all cases.";
   else if (std::isfinite(fit.rms))
-    text += "It misses the measurements by " + short_number(fit.rms, 3) + " (SI, root mean square).";
+    text += "It misses the measurements by " +
+            (fit.y_unit.empty() ? short_number(fit.rms, 3) + " (SI" : readable(fit.rms, fit.y_unit) + " (") +
+            (fit.y_unit.empty() ? ", " : "") + "root mean square).";
   return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/scene/scene_input.hpp"
 #include "db/merge/readable_source.hpp"
+#include "db/rows/fit_store.hpp"
 #include "db/rows/layer_list.hpp"
 #include "db/rows/point_states.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
@@ -214,7 +215,11 @@ StudySummary stored_study(ResultStore& store, const std::string& name) {
     if (auto study = store.study(name)) return std::move(*study);
   const std::string& file = store.database().name();
   const std::vector<std::string> all = store.study_names();
-  if (all.empty()) throw std::invalid_argument(file + ": holds no study");
+  if (all.empty()) {
+    const std::size_t fits = stored_fits(store.database()).size();
+    throw std::invalid_argument(file + ": holds no study" +
+                                (fits == 0 ? "" : ", only fits, " + std::to_string(fits) + " (rollres list names them)"));
+  }
   if (name.empty() && all.size() == 1) return store.study(all.front()).value();
   const std::vector<std::string_view> names(all.begin(), all.end());
   if (!name.empty())

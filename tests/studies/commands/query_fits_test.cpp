@@ -126,3 +126,14 @@ TEST_CASE("a question to fits that makes no sense is refused with what there is"
   CHECK(none.status == 1);
   CHECK_THAT(none.err, Contains("nothing matches"));
 }
+
+TEST_CASE("a database of fits alone says so to who asks for a study", "[studies][commands][fit]") {
+  const FittedThings fitted;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"rename", "drum", "roll"}, {"delete", "drum"}}) {
+    std::vector<std::string> asked = words;
+    asked.insert(asked.end(), {"--db", fitted.file()});
+    const ProgramRun run = run_rollres(asked, closed_form);
+    CHECK(run.status == 2);
+    CHECK(run.err == "rollres: " + fitted.file() + ": holds no study, only fits, 3 (rollres list names them)\n");
+  }
+}

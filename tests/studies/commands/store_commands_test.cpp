@@ -225,6 +225,7 @@ TEST_CASE("the commands of the store refuse in one line what they cannot do", "[
       {{"query", "--db", text}, 3, text + ": file is not a database"},
       {{"sweep", studied.study(), "--db", text}, 3, text + ": file is not a database"},
       {{"sweep", studied.study(), "--db", ""}, 2, "db = \"\": must name a file"},
+      {{"import", "", "--db", studied.database()}, 2, "folder = \"\": must name a folder"},
       {{"query", "--db", studied.database(), "sped>1"}, 2, "sped: unknown column; did you mean speed?"},
       {{"query", "--db", studied.database(), "speed>1 kg"}, 2, "speed = 1 kg: must have a unit of speed (m/s)"},
       {{"query", "--db", studied.database(), "speed=fast"}, 2, "speed = fast: "},

@@ -110,6 +110,7 @@ TEST_CASE("ranges of a design hold its measurements, and wrong ones are refused"
   CHECK_THAT(refusal({{"ranges", {{"spead", {{"from", 2}, {"to", 1}}}}}}), Contains("speed"));
   CHECK_THAT(refusal({{"ranges", {{"creep_time", {{"from", 1}, {"to", 2}}}}}}), Contains("is fitted"));
   CHECK_THAT(refusal({{"targets", json::array()}}), Contains("must be a list of objects"));
+  CHECK_THAT(refusal({{"targets", {1}}}), Contains("design: targets = 1: must be objects of inputs"));
   CHECK_THAT(refusal({{"targets", {{{"speed", "1 kg"}}}}}), Contains("must have a unit"));
   CHECK_THAT(refusal({{"targets", {{{"data", "other"}}}}}), Contains("must be a data set"));
   CHECK_THAT(refusal({{"points", 0}}), Contains("design: points = 0"));
