@@ -4,7 +4,7 @@
 #include <charconv>
 #include <map>
 #include <mutex>
-#include <tuple>
+#include <utility>
 
 namespace rollres {
 
@@ -16,6 +16,32 @@ struct KeptQuantity {
   Quantity quantity;
 };
 
+/// A place in a list as keys write it: up to three digits, without leading zeros.
+std::optional<std::size_t> place_of(std::string_view digits) {
+  constexpr std::size_t most_digits = 3;
+  std::size_t place = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), place);
+  const bool number = error == std::errc() && end == digits.data() + digits.size() && digits.size() <= most_digits;
+  const bool one_way = digits == "0" || (!digits.empty() && digits.front() != '0');
+  if (!number || !one_way) return {};
+  return place;
+}
+
+/// `own` under another key and symbol, whose texts are kept by the key.
+const Quantity& kept_quantity(const Quantity& own, std::string key, std::string symbol) {
+  static std::mutex mutex;
+  static std::map<std::string, KeptQuantity, std::less<>> kept;
+  const std::lock_guard lock(mutex);
+  if (const auto found = kept.find(key); found != kept.end()) return found->second.quantity;
+  KeptQuantity& one = kept[key];
+  one.key = std::move(key);
+  one.symbol = std::move(symbol);
+  one.quantity = own;
+  one.quantity.key = one.key;
+  one.quantity.symbol = one.symbol;
+  return one.quantity;
+}
+
 }  // namespace
 
 std::string LayerKey::layer_in_words() const {
@@ -25,16 +51,20 @@ std::string LayerKey::layer_in_words() const {
 }
 
 std::optional<LayerKey> layer_key(std::string_view key) {
-  constexpr std::size_t most_digits = 3;
   const std::size_t open = key.find('['), close = key.find("].");
   if (open == 0 || open == std::string_view::npos || close == std::string_view::npos || close <= open + 1) return {};
-  const std::string_view digits = key.substr(open + 1, close - open - 1);
-  LayerKey found{key.substr(0, open), 0, key.substr(close + 2)};
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), found.layer);
-  const bool number = error == std::errc() && end == digits.data() + digits.size() && digits.size() <= most_digits;
-  const bool one_way = digits == "0" || digits.front() != '0';
-  if (!number || !one_way || found.input.empty()) return {};
-  return found;
+  const std::optional<std::size_t> layer = place_of(key.substr(open + 1, close - open - 1));
+  const std::string_view input = key.substr(close + 2);
+  if (!layer || input.empty()) return {};
+  return LayerKey{key.substr(0, open), *layer, input};
+}
+
+std::optional<ElementKey> element_key(std::string_view key) {
+  const std::size_t open = key.rfind('[');
+  if (open == 0 || open == std::string_view::npos || key.back() != ']') return {};
+  const std::optional<std::size_t> place = place_of(key.substr(open + 1, key.size() - open - 2));
+  if (!place) return {};
+  return ElementKey{key.substr(0, open), *place};
 }
 
 std::string_view own_key(std::string_view key) {
@@ -43,25 +73,29 @@ std::string_view own_key(std::string_view key) {
 }
 
 const Quantity& layer_quantity(std::string_view list, std::size_t layer, const Quantity& own) {
-  static std::mutex mutex;
-  static std::map<std::tuple<std::string, std::size_t, std::string>, KeptQuantity, std::less<>> kept;
-  const std::lock_guard lock(mutex);
-  const std::tuple<std::string_view, std::size_t, std::string_view> place{list, layer, own.key};
-  if (const auto found = kept.find(place); found != kept.end()) return found->second.quantity;
-  KeptQuantity& one = kept[std::tuple<std::string, std::size_t, std::string>(place)];
   const LayerKey parts{list, layer, own.key};
-  one.key = std::string(list) + "[" + std::to_string(layer) + "]." + std::string(own.key);
-  if (!own.symbol.empty()) one.symbol = std::string(own.symbol) + " of " + parts.layer_in_words();
-  one.quantity = own;
-  one.quantity.key = one.key;
-  one.quantity.symbol = one.symbol;
-  return one.quantity;
+  return kept_quantity(own, std::string(list) + "[" + std::to_string(layer) + "]." + std::string(own.key),
+                       own.symbol.empty() ? "" : std::string(own.symbol) + " of " + parts.layer_in_words());
+}
+
+const Quantity& element_quantity(const Quantity& list, std::size_t place) {
+  const std::string count = "[" + std::to_string(place) + "]";
+  return kept_quantity(list, std::string(list.key) + count,
+                       list.symbol.empty() ? "" : std::string(list.symbol) + " " + count);
 }
 
 std::string absent_layer(const RollingScene& scene, std::string_view key) {
   std::string why;
+  if (const std::optional<ElementKey> element = element_key(key))
+    visit_input(scene, element->list, [&](const Quantity& list, const auto& value) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>)
+        if (element->place >= value.size())
+          why = value.empty() ? "the scene has no " + std::string(list.key)
+                              : "the scene has " + std::to_string(value.size()) + " " + std::string(list.key) +
+                                    ": [0] to [" + std::to_string(value.size() - 1) + "]";
+    });
   const std::optional<LayerKey> parts = layer_key(key);
-  if (!parts || find_name(keys_like(key), key) < 0) return why;
+  if (!why.empty() || !parts || find_name(keys_like(key), key) < 0) return why;
   visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>) {
       if (quantity.key != parts->list || parts->layer < value.size()) return;

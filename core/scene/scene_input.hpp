@@ -1,7 +1,8 @@
 #pragma once
 
-/// Inputs of a scene by key: its own, "radius", and those of its further layers, counted from 0:
-/// "coating_layers[0].layer_thickness". What reads, varies or shows an input by its key finds it here.
+/// Inputs of a scene by key: its own, "radius", those of its further layers, counted from 0:
+/// "coating_layers[0].layer_thickness", and the numbers of its lists: "relaxation_moduli[2]". What reads, varies or shows
+/// an input by its key finds it here.
 
 #include <cstddef>
 #include <optional>
@@ -27,6 +28,15 @@ struct LayerKey {
 /// Takes a key LIST[N].INPUT apart, whether or not there are such a list and input; nothing for any other key.
 std::optional<LayerKey> layer_key(std::string_view key);
 
+/// The key of a number of a list, taken apart.
+struct ElementKey {
+  std::string_view list;  ///< "relaxation_moduli", of a further layer "coating_layers[0].relaxation_moduli"
+  std::size_t place = 0;
+};
+
+/// Takes a key LIST[N] apart, whether or not there is such a list; nothing for any other key.
+std::optional<ElementKey> element_key(std::string_view key);
+
 /// The key without its layer: "layer_thickness".
 std::string_view own_key(std::string_view key);
 
@@ -34,7 +44,10 @@ std::string_view own_key(std::string_view key);
 /// The texts live as long as the program.
 const Quantity& layer_quantity(std::string_view list, std::size_t layer, const Quantity& own);
 
-/// Why the scene has no input with this key, if it would have one with more layers; else empty.
+/// What a number of a list is: as the list, with its own key and symbol "g_j [2]". The texts live as long as the program.
+const Quantity& element_quantity(const Quantity& list, std::size_t place);
+
+/// Why the scene has no input with this key, if it would have one with more layers or a longer list; else empty.
 std::string absent_layer(const RollingScene& scene, std::string_view key);
 
 /// Keys of inputs among which a misspelt one is looked for: all of the scene's own, and, where it looks like one of a
@@ -63,17 +76,24 @@ template <class Scene, class Visitor>
 bool visit_input(Scene& scene, std::string_view key, Visitor&& visitor) {
   bool found = false;
   const std::optional<LayerKey> layered = layer_key(key);
-  visit_inputs(scene, [&](const Quantity& quantity, auto& value) {
-    if (!layered && quantity.key == key) {
+  const std::optional<ElementKey> element = element_key(key);
+  const auto visit = [&](const Quantity& quantity, auto& value) {
+    if (quantity.key == key) {
       found = true;
       visitor(quantity, value);
     }
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>)
+      if (element && quantity.key == element->list && element->place < value.size()) {
+        found = true;
+        visitor(element_quantity(quantity, element->place), value[element->place]);
+      }
+  };
+  visit_inputs(scene, [&](const Quantity& quantity, auto& value) {
+    if (!layered) return visit(quantity, value);
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>)
-      if (layered && quantity.key == layered->list && layered->layer < value.size())
+      if (quantity.key == layered->list && layered->layer < value.size())
         visit_layer_inputs(value[layered->layer], [&](const Quantity& own, auto& of_layer) {
-          if (own.key != layered->input) return;
-          found = true;
-          visitor(layer_quantity(quantity.key, layered->layer, own), of_layer);
+          if (layered->input.starts_with(own.key)) visit(layer_quantity(quantity.key, layered->layer, own), of_layer);
         });
   });
   return found;

@@ -96,12 +96,16 @@ class RememberedModel {
   std::deque<Known> known_;
 };
 
-/// A prior and the parameter that it is of.
+/// A prior and the parameter that it is of, or whose quotient by another.
 struct PriorDatum {
   std::size_t parameter;
   Prior prior;
+  std::optional<std::size_t> before = {};
 
-  double value(double parameter_value) const { return prior.lognormal ? std::log(parameter_value) : parameter_value; }
+  double value(double number) const { return prior.lognormal ? std::log(number) : number; }
+  double value(const FitPoint& point) const {
+    return value(before ? point[parameter] / point[*before] : point[parameter]);
+  }
 };
 
 }  // namespace
@@ -135,10 +139,13 @@ FitProblem with_terms(const FitProblem& model, std::vector<MeasuredTerm> terms) 
   return problem;
 }
 
-FitProblem with_priors(const FitProblem& problem, const std::vector<std::optional<Prior>>& priors) {
+FitProblem with_priors(const FitProblem& problem, const std::vector<std::optional<Prior>>& priors,
+                       const std::vector<SmoothStep>& steps) {
   std::vector<PriorDatum> known;
   for (std::size_t j = 0; j < priors.size(); ++j)
     if (priors[j]) known.push_back({j, *priors[j]});
+  for (const SmoothStep& step : steps)
+    known.push_back({step.parameter, {.lognormal = true, .mean = 1, .deviation = step.deviation}, step.before});
   if (known.empty()) return problem;
   FitProblem with = problem;
   const std::size_t measured = problem.data.size();
@@ -157,7 +164,7 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<std::optiona
     for (Eigen::Index i = 0, next = 0; i < values.size(); ++i) {
       const std::size_t row = rows[static_cast<std::size_t>(i)];
       values[i] = row < measured ? prediction.values[next++]
-                                 : known[row - measured].value(point[known[row - measured].parameter]);
+                                 : known[row - measured].value(point);
     }
     prediction.values = values;
     return prediction;
@@ -179,9 +186,12 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<std::optiona
     slopes.noise.tail(more).setZero();
     for (Eigen::Index i = 0; i < more; ++i) {
       const PriorDatum& one = known[static_cast<std::size_t>(i)];
-      const double value = point[one.parameter], slope = problem.parameters[one.parameter].variable.slope(value);
-      slopes.derivatives(rows + i, static_cast<Eigen::Index>(one.parameter)) =
-          one.prior.lognormal ? slope / value : slope;
+      const auto slope = [&](std::size_t parameter) {
+        const double by_scaled = problem.parameters[parameter].variable.slope(point[parameter]);
+        return one.prior.lognormal ? by_scaled / point[parameter] : by_scaled;
+      };
+      slopes.derivatives(rows + i, static_cast<Eigen::Index>(one.parameter)) = slope(one.parameter);
+      if (one.before) slopes.derivatives(rows + i, static_cast<Eigen::Index>(*one.before)) = -slope(*one.before);
     }
     return slopes;
   };

@@ -40,7 +40,16 @@ Variable term_variable(std::string_view key, const Quantity& measured, double si
 /// The problem whose predictions pass these terms. The model is not asked again for points that differ in them only.
 FitProblem with_terms(const FitProblem& model, std::vector<MeasuredTerm> terms);
 
-/// The problem with a datum more for each parameter that has a prior. @param priors  one for each parameter
-FitProblem with_priors(const FitProblem& problem, const std::vector<std::optional<Prior>>& priors);
+/// What was known of parameters beside one another: the logarithm of `parameter` differs from that of `before` by zero,
+/// with this standard deviation.
+struct SmoothStep {
+  std::size_t before, parameter;
+  double deviation;  ///< [1]
+};
+
+/// The problem with a datum more for each parameter that has a prior, and for each step.
+/// @param priors  one for each parameter
+FitProblem with_priors(const FitProblem& problem, const std::vector<std::optional<Prior>>& priors,
+                       const std::vector<SmoothStep>& steps = {});
 
 }  // namespace rollres

@@ -45,6 +45,7 @@ struct FittedInput {
   std::optional<double> start = {};  ///< [SI]; default: the value in the first scene, 0 for an offset, 1 for a scale
   std::string set = {};              ///< empty: all
   std::optional<Prior> prior = {};
+  std::optional<double> smooth = {};  ///< standard deviation of its logarithm from that of the input before it [1]
 };
 
 struct ResistanceFitOptions {

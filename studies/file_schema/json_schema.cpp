@@ -164,6 +164,9 @@ Json scene_fit() {
       },
       real_input);
   parameters["minProperties"] = 1;
+  parameters["patternProperties"][R"(^((lower|coating)_layers\[[0-9]+\]\.)?[a-z_]+\[[0-9]+\]$)"] =
+      Json{{"anyOf", {input_number(), reference(parameter_name)}}};
+  parameters["properties"]["relaxation_moduli"] = reference(parameter_name);
   for (const std::string_view term : {offset_key, scale_key}) {  // of the measured values, no inputs
     const Json one = reference(parameter_name);
     parameters["properties"][std::string(term)] = {{"anyOf", {input_number(), one, list_of(one)}}};

@@ -29,21 +29,23 @@ struct GivenParameter {
   std::optional<bool> logarithmic = {};
   bool fixed = false;
   std::optional<Json> prior = {};
+  std::optional<double> smooth = {};  // of its logarithm from that of the parameter before it
 };
 
 constexpr const char* parameter_rule =
-    "must be a start, or an object with start, lowest, highest, scale, fixed, data, prior";
+    "must be a start, or an object with start, lowest, highest, scale, fixed, data, prior, or of a list smooth";
 
 constexpr const char* noise_rule = "must be an empty object, or one with the data set that it is of: it needs no start";
 
 GivenParameter given_parameter(const std::string& key, const Json& value, const std::string& fit_place) {
   const std::string place = fit_place + ": parameters";
-  const InputKind* const kind = find_input(key);
+  const InputKind* const kind = find_number(key);
   const bool term = is_measured_term(key);
   std::vector<std::string_view> known = keys_like(key);
   known.insert(known.end(), {offset_key, scale_key, noise_level_key, relative_noise_key});
   if (!kind && !term && !is_noise_term(key)) refuse(place, key, value, unknown_input(known, key));
-  if (kind && !kind->real()) refuse(place, key, value, "must be an input that is a real number");
+  const bool list = kind && kind->list && !kind->layers;
+  if (kind && !kind->real() && !list) refuse(place, key, value, "must be an input that is a real number");
   GivenParameter given{.key = key, .place = place + ": " + key, .set = ""};
   if (is_noise_term(key) && !value.is_object()) refuse(place, key, value, noise_rule);
   if (value.is_number() || value.is_string()) {
@@ -65,11 +67,45 @@ GivenParameter given_parameter(const std::string& key, const Json& value, const 
   if (value.contains("scale"))
     given.logarithmic = name_or_first(value, "scale", spacing_names, given.place) == "logarithmic";
   given.fixed = is_true(value, "fixed", given.place);
+  if (given.fixed && element_key(key)) refuse(place, key, value, "is fixed where no parameter names it: leave it out");
+  if (value.contains("smooth")) {
+    if (!list) refuse(given.place, "smooth", value["smooth"], "is for a whole list: relaxation_moduli");
+    given.smooth = positive_or(value, "smooth", 1, given.place);
+  }
   if (const auto set = value.find("data"); set != value.end()) {
     if (!set->is_string()) refuse(given.place, "data", *set, "must be the name of a data set");
     given.set = set->get<std::string>();
   }
   return given;
+}
+
+/// A list as the numbers that the scene has, each a parameter; every other parameter as it is.
+std::vector<GivenParameter> each_number(const std::vector<GivenParameter>& given, const std::vector<SceneEntry>& scene) {
+  std::vector<GivenParameter> numbers;
+  for (const GivenParameter& one : given) {
+    const InputKind* const kind = find_number(one.key);
+    if (!kind || !kind->list) {
+      numbers.push_back(one);
+      continue;
+    }
+    if (one.fixed) throw std::invalid_argument(one.place + ": fixed: leave it out");
+    const auto parts = layer_key(one.key);
+    const Json* list = value_given(scene, parts ? parts->list : one.key);
+    if (parts)
+      list = list && list->is_array() && parts->layer < list->size() && (*list)[parts->layer].is_object() &&
+                     (*list)[parts->layer].contains(parts->input)
+                 ? &(*list)[parts->layer][std::string(parts->input)]
+                 : nullptr;
+    if (!list || !list->is_array() || list->empty())
+      throw std::invalid_argument(one.place + ": the scene has no " + one.key + " to start from");
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      GivenParameter& number = numbers.emplace_back(one);
+      number.key += "[" + std::to_string(i) + "]";
+      number.place += "[" + std::to_string(i) + "]";
+      if (i == 0) number.smooth.reset();
+    }
+  }
+  return numbers;
 }
 
 /// A number of a parameter, in its unit; an offset has that of what is measured, a scale none.
@@ -88,7 +124,8 @@ double number_of(const GivenParameter& given, const Json& value, const std::stri
     }
     refuse(given.place, what, value, "must be a number, or have " + unit_in_words(unit));
   }
-  const InputValue found = input_value({given.key, value, given.place + ": " + what}, indenter);
+  const InputValue found =
+      input_value({given.key, value, given.place + ": " + what}, *find_number(given.key), indenter);
   return std::get<double>(found);
 }
 
@@ -141,7 +178,7 @@ void read_limits(FitLimits& limits, const Json& object, const std::string& place
 std::vector<SceneEntry> started(std::vector<SceneEntry> entries, const std::vector<GivenParameter>& parameters) {
   const auto has = [&](const std::string& key) { return value_given(entries, key) != nullptr; };
   for (const GivenParameter& given : parameters) {
-    if (is_measured_term(given.key) || is_noise_term(given.key)) continue;
+    if (is_measured_term(given.key) || is_noise_term(given.key) || element_key(given.key)) continue;
     if (given.start && (given.set.empty() || !has(given.key)))
       entries = overridden(entries, {{given.key, *given.start, given.place}});
     else if (!given.start && !has(given.key) && has_closed_form_start(given.key))
@@ -179,7 +216,9 @@ FitFile read_fit(const std::filesystem::path& file) {
     else
       given.push_back(given_parameter(key, value, place));
   }
-  const auto base = started(overridden(scene_entries_of(object, file, place), set_entries(object, place)), given);
+  const auto scene = overridden(scene_entries_of(object, file, place), set_entries(object, place));
+  given = each_number(given, scene);
+  const auto base = started(scene, given);
   const std::vector<GivenSet> sets = given_sets(object, file, place);
   const bool keep_spacing = value_given(set_entries(object, place), "spacing") != nullptr;
   fit.data_digest = digest(read_data(fit, sets, base, keep_spacing));
@@ -194,6 +233,10 @@ FitFile read_fit(const std::filesystem::path& file) {
   for (const GivenParameter& parameter : given) {
     if (std::find(fit.varying.begin(), fit.varying.end(), parameter.key) != fit.varying.end())
       throw std::invalid_argument(parameter.place + ": is a column of the data too");
+    if (std::any_of(fit.inputs.begin(), fit.inputs.end(), [&](const FittedInput& other) {
+          return other.input.key == parameter.key && other.set == parameter.set;
+        }))
+      throw std::invalid_argument(parameter.place + ": is given twice");
     if (!parameter.set.empty() &&
         std::none_of(sets.begin(), sets.end(), [&](const GivenSet& set) { return set.name == parameter.set; }))
       throw std::invalid_argument(parameter.place + ": data = \"" + parameter.set + "\": no data set of that name");
@@ -204,6 +247,9 @@ FitFile read_fit(const std::filesystem::path& file) {
     input.input.logarithmic = parameter.logarithmic;
     if (parameter.start) input.start = number_of(parameter, *parameter.start, "start", fit);
     if (parameter.prior) input.prior = prior_of(parameter, fit);
+    if (parameter.smooth && !fit.deviations_known && fit.noise.empty())
+      refuse(parameter.place, "smooth", *parameter.smooth, "needs the sigma of the data too, as a prior does");
+    input.smooth = parameter.smooth;
     if (!parameter.fixed) {
       fit.inputs.push_back(input);
       continue;

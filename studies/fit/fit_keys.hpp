@@ -81,6 +81,7 @@ inline constexpr std::array fit_parameter_keys{
     FileKey{"fixed", "whether it keeps its start", yes_or_no},
     FileKey{"data", "the data set that it belongs to; left out: all", a_name},
     FileKey{"prior", "what was known of it: its mean, and sigma"},
+    FileKey{"smooth", "of a list: standard deviation of the logarithms of neighbours' quotients", a_number},
 };
 
 inline constexpr std::array<std::string_view, 2> prior_names{"normal", "lognormal"};

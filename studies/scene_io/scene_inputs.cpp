@@ -77,6 +77,14 @@ const InputKind* find_kind(const std::vector<InputKind>& kinds, std::string_view
   return found == kinds.end() ? nullptr : &*found;
 }
 
+/// Kept by its key as long as the program runs.
+const InputKind& kept_kind(const InputKind& kind) {
+  static std::mutex mutex;
+  static std::map<std::string, InputKind, std::less<>> kept;
+  const std::lock_guard lock(mutex);
+  return kept.try_emplace(std::string(kind.quantity.key), kind).first->second;
+}
+
 }  // namespace
 
 bool InputKind::needed_by_all() const {
@@ -125,13 +133,16 @@ const InputKind* find_input(std::string_view key) {
   const InputKind* const list = find_kind(input_kinds(), layered->list);
   const InputKind* const own = find_kind(layer_kinds(), layered->input);
   if (!list || !list->layers || !own) return nullptr;
-  static std::mutex mutex;
-  static std::map<std::string, InputKind, std::less<>> kept;
-  const std::lock_guard lock(mutex);
-  if (const auto found = kept.find(key); found != kept.end()) return &found->second;
-  InputKind& kind = kept[std::string(key)] = *own;
+  InputKind kind = *own;
   kind.quantity = layer_quantity(layered->list, layered->layer, own->quantity);
-  return &kind;
+  return &kept_kind(kind);
+}
+
+const InputKind* find_number(std::string_view key) {
+  const std::optional<ElementKey> element = element_key(key);
+  const InputKind* const list = element ? find_input(element->list) : nullptr;
+  if (!list || !list->list || list->layers) return find_input(key);
+  return &kept_kind({.quantity = element_quantity(list->quantity, element->place)});
 }
 
 std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value) {

@@ -44,6 +44,9 @@ const std::vector<InputKind>& layer_kinds();
 /// The input with this key, or nullptr. One of a further layer is found whether or not a scene has that layer.
 const InputKind* find_input(std::string_view key);
 
+/// The same, or a number of a list, "relaxation_moduli[2]", whether or not a scene has such a number.
+const InputKind* find_number(std::string_view key);
+
 /// The inputs that giving `key` this value takes the place of: load and approach, spacing and tolerance, and what
 /// belongs to another drive.
 std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value);

@@ -65,6 +65,34 @@ TEST_CASE("every input of a scene and of its layers is found by its key, and by 
   CHECK(absent_layer(scene, "lower_layers[2].load").empty());
 }
 
+TEST_CASE("a number of a list is an input by its place from 0 on", "[core][scene_input]") {
+  CHECK(element_key("relaxation_moduli[2]")->list == "relaxation_moduli");
+  CHECK(element_key("coating_layers[0].relaxation_moduli[12]")->list == "coating_layers[0].relaxation_moduli");
+  CHECK(element_key("coating_layers[0].relaxation_moduli[12]")->place == 12);
+  for (const char* const other : {"a", "a[]", "a[-1]", "a[01]", "a[0]b", "[0]", "a[1000]", "a[0", "a[0].b"})
+    CHECK_FALSE(element_key(other));
+
+  RollingScene scene = layered_scene();
+  scene.relaxation_moduli = {1e6, 2e6};
+  scene.lower_layers[1].relaxation_moduli = {3e6};
+  const Objective f = objective(scene, {{"relaxation_moduli[1]"}, {"lower_layers[1].relaxation_moduli[0]"}},
+                                "rolling_resistance", closed_form);
+  CHECK(f.variables[0].quantity.unit == "Pa");
+  CHECK(f.variables[0].quantity.key == "relaxation_moduli[1]");
+  CHECK(f.variables[0].logarithmic);
+  CHECK(base_point(f) == std::vector<double>{2e6, 3e6});
+  const RollingScene moved = scene_at(f, std::vector<double>{5e6, 7e6});
+  CHECK(moved.relaxation_moduli == std::vector<double>{1e6, 5e6});
+  CHECK(moved.lower_layers[1].relaxation_moduli == std::vector<double>{7e6});
+  CHECK(moved.lower_layers[0].relaxation_moduli.empty());
+
+  const auto refusal = [&](const char* key) { return message_of([&] { variables_of(scene, {{key}}); }); };
+  CHECK(refusal("relaxation_moduli[2]") == "relaxation_moduli[2]: the scene has 2 relaxation_moduli: [0] to [1]");
+  CHECK(refusal("relaxation_times[0]") == "relaxation_times[0]: the scene has no relaxation_times");
+  CHECK(refusal("relaxation_moduli") == "relaxation_moduli: must be an input that is a real number");
+  CHECK(refusal("radius[0]").find("radius[0]: unknown input") == 0);
+}
+
 TEST_CASE("an objective may vary a further layer's inputs", "[core][scene_input][objective]") {
   const RollingScene scene = layered_scene();
   const Objective f =

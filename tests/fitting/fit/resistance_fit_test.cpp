@@ -101,6 +101,39 @@ TEST_CASE("exact data of Hunter's cylinder give back its material", "[fitting][r
   CHECK(error_of(report, 2, 0.1) < 1e-3);
 }
 
+TEST_CASE("moduli of a Prony series are fitted to resistances, as smooth as is asked", "[fitting][resistance_fit]") {
+  RollingScene solid = half_space_scene(1, 1e4);
+  solid.material = MaterialModel::prony;
+  solid.relaxation_times = {0.003, 0.03, 0.3};
+  solid.relaxation_moduli = {1e6, 2.5e6, 1.5e6};
+  std::vector<MeasuredScene> scenes;
+  for (const double speed : spread_speeds(0.005, 20, 14)) {
+    solid.speed = speed;
+    const double exact = quick_resistance(solid).rolling_resistance;
+    scenes.push_back({solid, {exact, 0.01 * exact, "row"}});
+    scenes.back().scene.relaxation_moduli.assign(3, 2e6);  // where the fit starts
+  }
+  std::vector<FittedInput> inputs{{{"static_shear_modulus"}, 2e6}};
+  for (const char* const key : {"relaxation_moduli[0]", "relaxation_moduli[1]", "relaxation_moduli[2]"})
+    inputs.push_back({{key}});
+  const FitReport exact = fit(known(resistance_problem(scenes, inputs, quick_resistance)), {.profiles = false});
+  CHECK(error_of(exact, 0, 1e6) < 1e-3);
+  for (std::size_t j = 0; j < 3; ++j) CHECK(error_of(exact, 1 + j, solid.relaxation_moduli[j]) < 1e-3);
+
+  const auto roughness = [&](double smooth) {
+    inputs[2].smooth = inputs[3].smooth = smooth;
+    const FitReport report = fit(known(resistance_problem(scenes, inputs, quick_resistance)), {.profiles = false});
+    CHECK(report.values.size() == scenes.size() + 2);
+    return std::log(report.parameters[2].value / report.parameters[1].value);
+  };
+  const double drawn = std::log(2.5);
+  CHECK(roughness(100) == Approx(drawn).epsilon(1e-3));  // says nothing
+  const double some = roughness(0.1);
+  CHECK(some < 0.99 * drawn);
+  CHECK(some > 0);
+  CHECK(std::abs(roughness(1e-4)) < 1e-2);  // leaves no room
+}
+
 TEST_CASE("a fit without starts begins at closed forms", "[fitting][resistance_fit]") {
   const auto scenes = measured(hunter_resistance, spread_speeds(0.003, 3, 8), {1e4, 3e4});
   for (const MeasuredScene& row : scenes) {

@@ -68,7 +68,7 @@ TEST_CASE("every key of studies and optimisations has an example", "[studies][ex
 TEST_CASE("every key of fits of scenes has an example, and each of these is fitted", "[studies][examples][fit]") {
   std::set<std::string> used;
   const TemporaryDirectory folder;
-  for (const char* const name : {"fit_rig", "fit_flank", "fit_robust", "fit_design"}) {
+  for (const char* const name : {"fit_rig", "fit_flank", "fit_robust", "fit_design", "fit_moduli"}) {
     CAPTURE(name);
     const std::string file = (source_directory() / "studies/examples" / (std::string(name) + ".json")).string();
     add_keys(read_object(file), used);
