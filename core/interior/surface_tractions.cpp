@@ -1,5 +1,6 @@
 #include "core/interior/surface_tractions.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -136,6 +137,64 @@ SurfaceTractions::Transforms SurfaceTractions::transforms(double k) const {
     }
   }
   return sum;
+}
+
+std::vector<SurfaceTractions::Transforms> SurfaceTractions::transforms(double first, double step, int count) const {
+  // By the finest rules; uniform tractions as a point each, times sin(kw/2)/(kw/2) of their width w.
+  std::vector<Point> points;
+  std::vector<double> widths;
+  for (const Panel& panel : panels_) {
+    if (panel.pressure.size() == 1) {
+      const double width = panel.to - panel.from;
+      points.push_back(
+          {0.5 * (panel.from + panel.to), width * panel.pressure.front(), width * panel.shear.front()});
+      widths.push_back(width);
+    } else {
+      points.insert(points.end(), panel.rules.back().begin(), panel.rules.back().end());
+      widths.resize(points.size());
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(points.size());
+  Eigen::ArrayXd x(size), p(size), q(size);
+  const Eigen::ArrayXd half = 0.5 * Eigen::Map<const Eigen::ArrayXd>(widths.data(), size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Point& point = points[static_cast<std::size_t>(i)];
+    x(i) = point.x;
+    p(i) = point.pressure;
+    q(i) = point.shear;
+  }
+  const bool uniform = half.maxCoeff() > 0, sheared = (q != 0).any();
+  // cos and -sin of kx and of kw/2, which turn by one step from wavenumber to wavenumber.
+  struct Turning {
+    Eigen::ArrayXd cosine, sine, turn_cosine, turn_sine;
+    Turning(const Eigen::ArrayXd& at, double first, double step)
+        : cosine((first * at).cos()),
+          sine(-(first * at).sin()),
+          turn_cosine((step * at).cos()),
+          turn_sine(-(step * at).sin()) {}
+    void turn() {
+      const Eigen::ArrayXd before = cosine;
+      cosine = before * turn_cosine - sine * turn_sine;
+      sine = sine * turn_cosine + before * turn_sine;
+    }
+  };
+  Turning waves(x, first, step), shares(half, first, step);
+  std::vector<Transforms> all;
+  for (int j = 0; j < count; ++j) {
+    if (uniform) {
+      const double k = first + step * j;
+      const Eigen::ArrayXd share = (half > 0).select(-shares.sine / (k * half), 1.0);
+      const Eigen::ArrayXd cosine = waves.cosine * share, sine = waves.sine * share;
+      all.push_back({{(p * cosine).sum(), (p * sine).sum()}, {(q * cosine).sum(), (q * sine).sum()}});
+      shares.turn();
+    } else {
+      Transforms& sum = all.emplace_back();
+      sum.pressure = {(p * waves.cosine).sum(), (p * waves.sine).sum()};
+      if (sheared) sum.shear = {(q * waves.cosine).sum(), (q * waves.sine).sum()};
+    }
+    waves.turn();
+  }
+  return all;
 }
 
 void SurfaceTractions::add_near(const Panel& panel, complex place, double s0, double s1, Potentials& sum) {
