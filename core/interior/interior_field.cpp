@@ -18,8 +18,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Wavenumber times depth beyond which waves have vanished.
-constexpr double vanished = 38;
+constexpr double vanished = DepthResponse::vanished;
 constexpr int nodes_per_panel = 12;
 constexpr double phase_per_panel = 8;
 
