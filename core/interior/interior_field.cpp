@@ -21,6 +21,8 @@ namespace {
 constexpr double vanished = DepthResponse::vanished;
 constexpr int nodes_per_panel = 12;
 constexpr double phase_per_panel = 8;
+/// Panels of long waves over the distance from 0: poles of memories on the imaginary axis cost 3^-24 of them.
+constexpr double growth = 3;
 
 struct PlaneStrain {
   complex x, z, xz;
@@ -91,7 +93,7 @@ void InteriorField::add_waves(double lowest, double widest) {
     waves_.push_back({k, weight, tractions, moduli_at(medium_, -k * speed_)});
   };
   double from = 0, to = lowest;
-  for (; to - from < widest && to < highest_; from = to, to += std::min(to, widest))
+  for (; to - from < widest && to < highest_; from = to, to += std::min(growth * to, widest))
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double k = from + (to - from) * rule.nodes[i];
       put(k, (to - from) * rule.weights[i], tractions_.transforms(k));
@@ -124,10 +126,6 @@ class InteriorField::Sum {
         lines_(lines) {
     const bool density = wanted == Wanted::density;
     const auto points = static_cast<Index>(x.size()), count = static_cast<Index>(lines.size());
-    for (Eigen::ArrayXXd InteriorFields::*const values :
-         {&InteriorFields::u, &InteriorFields::w, &InteriorFields::sigma_x, &InteriorFields::sigma_z,
-          &InteriorFields::tau_xz, &InteriorFields::strain_x, &InteriorFields::strain_z, &InteriorFields::shear_strain})
-      f_.*values = Eigen::ArrayXXd::Zero(points, count);
     f_.line_loss = ArrayXd::Zero(count);
     for (const MediumLayer& layer : field.medium_) creeps_.push_back(creeps(layer.material));
     for (const InteriorLine& line : lines) {
@@ -136,12 +134,8 @@ class InteriorField::Sum {
       memories_.emplace_back(density && points > 1 ? terms : 0, std::array<double, 3>{});
     }
     if (density) f_.loss_density = Eigen::ArrayXXd::Zero(points, count);
-    fields_ = {{&InteriorFields::strain_x, {}}, {&InteriorFields::strain_z, {}}, {&InteriorFields::shear_strain, {}}};
-    if (wanted != Wanted::strains)
-      for (Eigen::ArrayXXd InteriorFields::*const values :
-           {&InteriorFields::sigma_x, &InteriorFields::sigma_z, &InteriorFields::tau_xz, &InteriorFields::u,
-            &InteriorFields::w})
-        fields_.push_back({values, {}});
+    if (wanted == Wanted::strains) summed_ = of_strains;
+    sums_ = Eigen::MatrixXd::Zero(points, summed_ * count);
     find_spacing();
   }
 
@@ -149,17 +143,19 @@ class InteriorField::Sum {
     constexpr std::size_t in_block = 128;
     for (std::size_t first = 0; first < field_.waves_.size(); first += in_block)
       add(std::span(field_.waves_).subspan(first, std::min(in_block, field_.waves_.size() - first)));
+    take_sums();
     add_half_space();
     if (f_.loss_density.size() > 0) measure_density();
     return std::move(f_);
   }
 
  private:
-  /// A field with its amplitudes in a block: (real and imaginary part of each wave, line).
-  struct SummedField {
-    Eigen::ArrayXXd InteriorFields::*values;
-    Eigen::MatrixXd amplitudes;
-  };
+  /// In the order in which they are summed, strains first.
+  static constexpr std::array fields_in_order{&InteriorFields::strain_x, &InteriorFields::strain_z,
+                                              &InteriorFields::shear_strain, &InteriorFields::sigma_x,
+                                              &InteriorFields::sigma_z, &InteriorFields::tau_xz,
+                                              &InteriorFields::u, &InteriorFields::w};
+  static constexpr Index of_strains = 3;
 
   /// Of lines so near to the surface that their waves have not vanished at the shortest.
   bool near_surface(std::size_t line) const { return depth_[line] * field_.highest_ < vanished; }
@@ -213,27 +209,37 @@ class InteriorField::Sum {
     std::size_t reached = 0;  // lines, of which the longest wave of the block counts
     for (std::size_t line = 0; line < lines_.size(); ++line)
       if (waves.front().wavenumber * depth_[line] <= vanished) reached = line + 1;
-    for (SummedField& field : fields_)
-      field.amplitudes.setZero(2 * count, x_.size() > 0 ? static_cast<Index>(reached) : 0);
+    const Index columns = summed_ * static_cast<Index>(reached);
+    amplitudes_.setZero(2 * count, columns);
     for (Index i = 0; i < count; ++i) add(waves[static_cast<std::size_t>(i)], i, count);
-    if (x_.size() == 0 || reached == 0) return;
-    const Eigen::MatrixXd at_points = waves_at_points(waves);
-    for (const SummedField& field : fields_)
-      (f_.*field.values).leftCols(static_cast<Index>(reached)).matrix().noalias() +=
-          at_points.transpose() * field.amplitudes;
+    if (x_.size() > 0 && columns > 0)
+      sums_.leftCols(columns).noalias() += waves_at_points(waves).transpose() * amplitudes_;
+  }
+
+  void take_sums() {
+    const auto count = static_cast<Index>(lines_.size());
+    for (std::size_t field = 0; field < fields_in_order.size(); ++field) {
+      Eigen::ArrayXXd& values = f_.*fields_in_order[field];
+      values = Eigen::ArrayXXd::Zero(x_.size(), count);
+      if (static_cast<Index>(field) < summed_)
+        for (Index line = 0; line < count; ++line)
+          values.col(line) = sums_.col(summed_ * line + static_cast<Index>(field));
+    }
   }
 
   /// @param row of the wave among the block's `count`
   void add(const Wave& wave, Index row, Index count) {
     const double k = wave.wavenumber;
     const DepthResponse response(field_.medium_, wave.moduli, k, field_.speed_, wave.tractions);
+    compliances_.clear();
+    for (const complex modulus : wave.moduli) compliances_.push_back(1.0 / modulus);
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       if (k * depth_[line] > vanished) continue;
       const std::size_t layer = lines_[line].layer;
       const double nu = field_.medium_[layer].poisson_ratio;
       const DepthState state = response.at(layer, lines_[line].depth);
       PlaneStress stress = state.stress;
-      PlaneStrain strain = strain_of(stress, 1.0 / wave.moduli[layer], nu);
+      PlaneStrain strain = strain_of(stress, compliances_[layer], nu);
       const double lost =
           (std::conj(stress.x) * strain.x + std::conj(stress.z) * strain.z + std::conj(stress.xz) * strain.xz).imag();
       const auto column = static_cast<Index>(line);
@@ -257,9 +263,9 @@ class InteriorField::Sum {
                                     stress.xz,
                                     at_rest_far_away ? state.u : complex(0),
                                     at_rest_far_away ? state.w : complex(0)};
-      for (std::size_t field = 0; field < fields_.size(); ++field) {
-        fields_[field].amplitudes(row, column) = weight * amplitudes[field].real();
-        fields_[field].amplitudes(count + row, column) = weight * amplitudes[field].imag();
+      for (Index field = 0; field < summed_; ++field) {
+        amplitudes_(row, summed_ * column + field) = weight * amplitudes[field].real();
+        amplitudes_(count + row, summed_ * column + field) = weight * amplitudes[field].imag();
       }
     }
   }
@@ -335,7 +341,10 @@ class InteriorField::Sum {
   std::vector<double> depth_;
   std::vector<bool> creeps_;  // layers
   std::vector<std::vector<std::array<double, 3>>> memories_;
-  std::vector<SummedField> fields_;
+  Index summed_ = fields_in_order.size();  // fields
+  Eigen::MatrixXd amplitudes_;  // of a block: (real, then imaginary part of each wave; fields of each line)
+  Eigen::MatrixXd sums_;        // (point; fields of each line)
+  std::vector<complex> compliances_;
   double spacing_ = 0;  // of evenly spaced points, 0 of others
   InteriorFields f_;
 };
