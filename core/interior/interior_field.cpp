@@ -151,10 +151,10 @@ class InteriorField::Sum {
 
  private:
   /// In the order in which they are summed, strains first.
-  static constexpr std::array fields_in_order{&InteriorFields::strain_x, &InteriorFields::strain_z,
-                                              &InteriorFields::shear_strain, &InteriorFields::sigma_x,
-                                              &InteriorFields::sigma_z, &InteriorFields::tau_xz,
-                                              &InteriorFields::u, &InteriorFields::w};
+  static constexpr std::array fields_in_order{
+      &InteriorFields::strain_x, &InteriorFields::strain_z, &InteriorFields::shear_strain,
+      &InteriorFields::sigma_x,  &InteriorFields::sigma_z,  &InteriorFields::tau_xz,
+      &InteriorFields::u,        &InteriorFields::w};
   static constexpr Index of_strains = 3;
 
   /// Of lines so near to the surface that their waves have not vanished at the shortest.
@@ -342,8 +342,8 @@ class InteriorField::Sum {
   std::vector<bool> creeps_;  // layers
   std::vector<std::vector<std::array<double, 3>>> memories_;
   Index summed_ = fields_in_order.size();  // fields
-  Eigen::MatrixXd amplitudes_;  // of a block: (real, then imaginary part of each wave; fields of each line)
-  Eigen::MatrixXd sums_;        // (point; fields of each line)
+  Eigen::MatrixXd amplitudes_;             // of a block: (real, then imaginary part of each wave; fields of each line)
+  Eigen::MatrixXd sums_;                   // (point; fields of each line)
   std::vector<complex> compliances_;
   double spacing_ = 0;  // of evenly spaced points, 0 of others
   InteriorFields f_;

@@ -146,8 +146,7 @@ std::vector<SurfaceTractions::Transforms> SurfaceTractions::transforms(double fi
   for (const Panel& panel : panels_) {
     if (panel.pressure.size() == 1) {
       const double width = panel.to - panel.from;
-      points.push_back(
-          {0.5 * (panel.from + panel.to), width * panel.pressure.front(), width * panel.shear.front()});
+      points.push_back({0.5 * (panel.from + panel.to), width * panel.pressure.front(), width * panel.shear.front()});
       widths.push_back(width);
     } else {
       points.insert(points.end(), panel.rules.back().begin(), panel.rules.back().end());

@@ -44,6 +44,7 @@ struct SoftLayer {
 /// Where the amplitudes and the frequency of a linear solution are.
 struct Answered {
   RollingSolution solution;
+  InteriorSummary inside;
   VectorXd logarithms;  ///< of the amplitudes, and of the frequency
 };
 
@@ -62,7 +63,9 @@ class StrainIteration {
     Factors factors(soft_.size());
     Answered answer = answer_with(factors);
     MatrixXd slopes = slopes_of_hertz(answer);
-    if (answer.solution.status == Status::converged && is_dear(answer.solution)) approach_roughly(factors, answer, slopes);
+    if (answer.solution.status == Status::converged && is_dear(answer.solution) &&
+        !agree(factors, answer, wanted_agreement))
+      approach_roughly(factors, answer, slopes);
     if (const std::string why = settle(factors, answer, slopes, wanted_agreement, most_solutions); !why.empty())
       return refused(why);
     if (answer.solution.status != Status::converged) return std::move(answer.solution);
@@ -75,8 +78,7 @@ class StrainIteration {
   std::string settle(Factors& factors, Answered& answer, MatrixXd& slopes, double wanted, int most) {
     for (;;) {
       if (answer.solution.status != Status::converged) return {};
-      const std::optional<Factors> own = factors_at(answer.logarithms);
-      if (own && disagreement(factors, *own) <= wanted) return {};
+      if (agree(factors, answer, wanted)) return {};
       if ((rough_ ? rough_solutions_ : solutions_) >= most)
         return message_text("the strains and the moduli do not settle in ", solutions_, " solutions");
       const std::optional<Factors> next = agreeing_factors(answer.logarithms, factors, slopes);
@@ -118,8 +120,7 @@ class StrainIteration {
       if (next.solution.status != Status::converged) break;
       factors = std::move(found);
       answer = std::move(next);
-      const std::optional<Factors> own = factors_at(answer.logarithms);
-      if (own && disagreement(factors, *own) <= wanted_agreement) break;
+      if (agree(factors, answer, wanted_agreement)) break;
       rough_ = true;
     }
     rough_ = false;
@@ -155,9 +156,7 @@ class StrainIteration {
   /// The factors of amplitudes x that a solution with these factors would have, if it were answer + slopes * change of
   /// the factors' logarithms: Newton's method with differences, which stops where it gets no nearer; nothing where no
   /// factors are found.
-  std::optional<Factors> agreeing_factors(const VectorXd& answer,
-                                                                const Factors& factors,
-                                                                const MatrixXd& slopes) {
+  std::optional<Factors> agreeing_factors(const VectorXd& answer, const Factors& factors, const MatrixXd& slopes) {
     constexpr int most_steps = 40;
     constexpr double difference = 1e-6, settled = 1e-13, rough = 0.05;
     const VectorXd before = in_logarithms(factors);
@@ -207,6 +206,11 @@ class StrainIteration {
     return all;
   }
 
+  bool agree(const Factors& factors, const Answered& answer, double wanted) const {
+    const std::optional<Factors> own = factors_at(answer.logarithms);
+    return own && disagreement(factors, *own) <= wanted;
+  }
+
   static double disagreement(const Factors& one, const Factors& other) {
     double largest = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
@@ -232,13 +236,13 @@ class StrainIteration {
     answer.solution.moduli_factors = std::move(of_layers);
     ++(rough_ ? rough_solutions_ : solutions_);
     if (answer.solution.status != Status::converged) return answer;
-    summary_ =
+    answer.inside =
         interior_summary(solved_scene(scene_, answer.solution), answer.solution.fields, InteriorField::Detail::inside);
     answer.logarithms.resize(static_cast<Index>(soft_.size()) + 1);
     for (std::size_t i = 0; i < soft_.size(); ++i)
       answer.logarithms(static_cast<Index>(i)) =
-          std::log(std::max(summary_.layers[soft_[i].place].strain_amplitude, 1e-300));
-    answer.logarithms(answer.logarithms.size() - 1) = std::log(scene_.speed / summary_.half_length);
+          std::log(std::max(answer.inside.layers[soft_[i].place].strain_amplitude, 1e-300));
+    answer.logarithms(answer.logarithms.size() - 1) = std::log(scene_.speed / answer.inside.half_length);
     if (rough_) answer.logarithms += offset_;
     return answer;
   }
@@ -246,8 +250,8 @@ class StrainIteration {
   RollingSolution finished(Answered answer, const Factors& factors) const {
     RollingSolution& solution = answer.solution;
     const double omega = std::exp(answer.logarithms(answer.logarithms.size() - 1));
-    solution.strain_amplitude = summary_.strain_amplitude;
-    solution.peak_strain_amplitude = summary_.peak_strain_amplitude;
+    solution.strain_amplitude = answer.inside.strain_amplitude;
+    solution.peak_strain_amplitude = answer.inside.peak_strain_amplitude;
     solution.softening = INFINITY;
     for (std::size_t i = 0; i < soft_.size(); ++i) {
       const double amplitude = std::exp(answer.logarithms(static_cast<Index>(i)));
@@ -300,11 +304,10 @@ class StrainIteration {
   const std::function<RollingSolution(const RollingScene&)>& solve_linear_;
   std::size_t layers_ = 0;
   std::vector<SoftLayer> soft_;
-  InteriorSummary summary_;
   int solutions_ = 0, rough_solutions_ = 0;
   bool rough_ = false;  // on the usual grid, whatever the scene asks for
   VectorXd offset_;     // of logarithms found so, to what the scene asks for
-  int stuck_ = 0;  // how often no factors that agree were near
+  int stuck_ = 0;       // how often no factors that agree were near
 };
 
 }  // namespace
