@@ -19,10 +19,10 @@ using Eigen::Index;
 namespace {
 
 constexpr double vanished = DepthResponse::vanished;
-constexpr int nodes_per_panel = 12;
-constexpr double phase_per_panel = 8;
-/// Panels of long waves over the distance from 0: poles of memories on the imaginary axis cost 3^-24 of them.
-constexpr double growth = 3;
+constexpr int nodes_per_panel = 24;
+constexpr double phase_per_panel = 32;
+/// Panels of long waves over their distance from 0: poles of memories on the imaginary axis cost 2^-48 of them.
+constexpr double growth = 7;
 
 struct PlaneStrain {
   complex x, z, xz;
@@ -101,12 +101,12 @@ void InteriorField::add_waves(double lowest, double widest) {
   // The others are of one width.
   const int panels = std::max(1, static_cast<int>(std::ceil((highest_ - from) / widest)));
   const double width = (highest_ - from) / panels;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const double first = from + width * rule.nodes[i];
-    const std::vector<SurfaceTractions::Transforms> tractions = tractions_.transforms(first, width, panels);
+  std::vector<double> firsts;
+  for (const double node : rule.nodes) firsts.push_back(from + width * node);
+  const std::vector<std::vector<SurfaceTractions::Transforms>> tractions = tractions_.transforms(firsts, width, panels);
+  for (std::size_t i = 0; i < firsts.size(); ++i)
     for (int panel = 0; panel < panels; ++panel)
-      put(first + width * panel, width * rule.weights[i], tractions[static_cast<std::size_t>(panel)]);
-  }
+      put(firsts[i] + width * panel, width * rule.weights[i], tractions[i][static_cast<std::size_t>(panel)]);
   std::sort(waves_.begin(), waves_.end(), [](const Wave& a, const Wave& b) { return a.wavenumber < b.wavenumber; });
 }
 

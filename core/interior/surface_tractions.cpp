@@ -139,7 +139,8 @@ SurfaceTractions::Transforms SurfaceTractions::transforms(double k) const {
   return sum;
 }
 
-std::vector<SurfaceTractions::Transforms> SurfaceTractions::transforms(double first, double step, int count) const {
+std::vector<std::vector<SurfaceTractions::Transforms>> SurfaceTractions::transforms(const std::vector<double>& firsts,
+                                                                                    double step, int count) const {
   // By the finest rules; uniform tractions as a point each, times sin(kw/2)/(kw/2) of their width w.
   std::vector<Point> points;
   std::vector<double> widths;
@@ -164,34 +165,35 @@ std::vector<SurfaceTractions::Transforms> SurfaceTractions::transforms(double fi
   }
   const bool uniform = half.maxCoeff() > 0, sheared = (q != 0).any();
   // cos and -sin of kx and of kw/2, which turn by one step from wavenumber to wavenumber.
-  struct Turning {
-    Eigen::ArrayXd cosine, sine, turn_cosine, turn_sine;
-    Turning(const Eigen::ArrayXd& at, double first, double step)
-        : cosine((first * at).cos()),
-          sine(-(first * at).sin()),
-          turn_cosine((step * at).cos()),
-          turn_sine(-(step * at).sin()) {}
-    void turn() {
+  struct Turn {
+    Eigen::ArrayXd cosine, sine;
+    Turn(const Eigen::ArrayXd& at, double k) : cosine((k * at).cos()), sine(-(k * at).sin()) {}
+    void turn(const Turn& by) {
       const Eigen::ArrayXd before = cosine;
-      cosine = before * turn_cosine - sine * turn_sine;
-      sine = sine * turn_cosine + before * turn_sine;
+      cosine = before * by.cosine - sine * by.sine;
+      sine = sine * by.cosine + before * by.sine;
     }
   };
-  Turning waves(x, first, step), shares(half, first, step);
-  std::vector<Transforms> all;
-  for (int j = 0; j < count; ++j) {
-    if (uniform) {
-      const double k = first + step * j;
-      const Eigen::ArrayXd share = (half > 0).select(-shares.sine / (k * half), 1.0);
-      const Eigen::ArrayXd cosine = waves.cosine * share, sine = waves.sine * share;
-      all.push_back({{(p * cosine).sum(), (p * sine).sum()}, {(q * cosine).sum(), (q * sine).sum()}});
-      shares.turn();
-    } else {
-      Transforms& sum = all.emplace_back();
-      sum.pressure = {(p * waves.cosine).sum(), (p * waves.sine).sum()};
-      if (sheared) sum.shear = {(q * waves.cosine).sum(), (q * waves.sine).sum()};
+  const Eigen::ArrayXd halves = uniform ? half : Eigen::ArrayXd();
+  const Turn wave_step(x, step), share_step(halves, step);
+  std::vector<std::vector<Transforms>> all;
+  for (const double first : firsts) {
+    std::vector<Transforms>& sums = all.emplace_back();
+    Turn waves(x, first), shares(halves, first);
+    for (int j = 0; j < count; ++j) {
+      Turn shared = waves;
+      if (uniform) {
+        const double k = first + step * j;
+        const Eigen::ArrayXd share = (half > 0).select(-shares.sine / (k * half), 1.0);
+        shared.cosine *= share;
+        shared.sine *= share;
+        shares.turn(share_step);
+      }
+      Transforms& sum = sums.emplace_back();
+      sum.pressure = {(p * shared.cosine).sum(), (p * shared.sine).sum()};
+      if (sheared) sum.shear = {(q * shared.cosine).sum(), (q * shared.sine).sum()};
+      waves.turn(wave_step);
     }
-    waves.turn();
   }
   return all;
 }
