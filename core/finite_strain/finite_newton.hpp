@@ -58,6 +58,9 @@ class FiniteContact {
   double driving_force() const;   // Q
   double torque() const;          // T
   double friction_power() const;  // over V
+  /// What that may miss as each border between stick and slip is known to a node: slip begins there with 0, so that of
+  /// a zone's power it is the square of the node's share of its length.
+  double friction_power_missed() const;
   /// Whether it is the body's cover that flows.
   bool covered() const { return layer_.mesh().curvature > 0; }
   /// R_r = Q + Omega T/V

@@ -111,7 +111,8 @@ class FiniteStrainSolution {
       }
       const RollingSolution before = solution_;
       take_answer();
-      const double error = std::max(std::abs(solution_.rolling_resistance - before.rolling_resistance), unbalanced_);
+      const double error = std::max({std::abs(solution_.rolling_resistance - before.rolling_resistance), unbalanced_,
+                                     problem_.modulus * problem_.length * level_->contact().friction_power_missed()});
       solution_.rolling_resistance_error = error;
       solution_.error_estimate = error / std::abs(solution_.rolling_resistance);
       changed_ = change_of_contact(before);

@@ -47,7 +47,7 @@ DepthState DepthResponse::at(std::size_t index, double depth) const {
   const LayerState& layer = layers_[index];
   const Waves down = layer.waves.at(depth);
   Vector2 displacement = down.displacements * layer.down, stress = down.stresses * layer.down;
-  if (std::isfinite(layer.thickness)) {
+  if (wavenumber_ * (layer.thickness - depth) < vanished) {
     const Waves up = layer.waves.at(layer.thickness - depth).mirrored();
     const Vector2 amplitude = layer.reflected * layer.down;
     displacement += up.displacements * amplitude;

@@ -23,6 +23,9 @@ struct DepthState {
 
 class DepthResponse {
  public:
+  /// Wavenumber times distance beyond which waves have vanished.
+  static constexpr double vanished = 38;
+
   /// @param moduli G_i of each layer [Pa]   @param wavenumber k > 0 [1/m]   @param speed of the wave, for inertia [m/s]
   /// @param tractions the wave's amplitude, p and q
   DepthResponse(const LayeredMedium& medium, std::span<const std::complex<double>> moduli, double wavenumber,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "core/interior/depth_response.hpp"
@@ -17,10 +18,11 @@ using Eigen::Index;
 
 namespace {
 
-/// Wavenumber times depth beyond which waves have vanished.
-constexpr double vanished = 38;
-constexpr int nodes_per_panel = 12;
-constexpr double phase_per_panel = 8;
+constexpr double vanished = DepthResponse::vanished;
+constexpr int nodes_per_panel = 24;
+constexpr double phase_per_panel = 32;
+/// Panels of long waves over their distance from 0: poles of memories on the imaginary axis cost 2^-48 of them.
+constexpr double growth = 7;
 
 struct PlaneStrain {
   complex x, z, xz;
@@ -87,16 +89,25 @@ InteriorField::InteriorField(LayeredMedium medium, double speed, double flow, co
 void InteriorField::add_waves(double lowest, double widest) {
   const QuadratureRule& rule = gauss_rule(nodes_per_panel);
   require_memory(highest_ / widest * nodes_per_panel * sizeof(Wave), "waves in the layers");
+  const auto put = [&](double k, double weight, const SurfaceTractions::Transforms& tractions) {
+    waves_.push_back({k, weight, tractions, moduli_at(medium_, -k * speed_)});
+  };
   double from = 0, to = lowest;
-  while (from < highest_) {
-    to = std::min(to, highest_);
+  for (; to - from < widest && to < highest_; from = to, to += std::min(growth * to, widest))
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double k = from + (to - from) * rule.nodes[i];
-      waves_.push_back({k, (to - from) * rule.weights[i], tractions_.transforms(k), moduli_at(medium_, -k * speed_)});
+      put(k, (to - from) * rule.weights[i], tractions_.transforms(k));
     }
-    from = to;
-    to += std::min(to, widest);
-  }
+  // The others are of one width.
+  const int panels = std::max(1, static_cast<int>(std::ceil((highest_ - from) / widest)));
+  const double width = (highest_ - from) / panels;
+  std::vector<double> firsts;
+  for (const double node : rule.nodes) firsts.push_back(from + width * node);
+  const std::vector<std::vector<SurfaceTractions::Transforms>> tractions = tractions_.transforms(firsts, width, panels);
+  for (std::size_t i = 0; i < firsts.size(); ++i)
+    for (int panel = 0; panel < panels; ++panel)
+      put(firsts[i] + width * panel, width * rule.weights[i], tractions[i][static_cast<std::size_t>(panel)]);
+  std::sort(waves_.begin(), waves_.end(), [](const Wave& a, const Wave& b) { return a.wavenumber < b.wavenumber; });
 }
 
 double InteriorField::depth_of(const InteriorLine& line) const {
@@ -105,7 +116,7 @@ double InteriorField::depth_of(const InteriorLine& line) const {
   return depth;
 }
 
-/// The waves' sum in the making.
+/// The waves' sum in the making: their amplitudes on all lines, block by block, times e^{ikx} at all points.
 class InteriorField::Sum {
  public:
   Sum(const InteriorField& field, const std::vector<double>& x, const std::vector<InteriorLine>& lines, Wanted wanted)
@@ -115,50 +126,124 @@ class InteriorField::Sum {
         lines_(lines) {
     const bool density = wanted == Wanted::density;
     const auto points = static_cast<Index>(x.size()), count = static_cast<Index>(lines.size());
-    for (Eigen::ArrayXXd* const values :
-         {&f_.u, &f_.w, &f_.sigma_x, &f_.sigma_z, &f_.tau_xz, &f_.strain_x, &f_.strain_z, &f_.shear_strain})
-      *values = Eigen::ArrayXXd::Zero(points, count);
     f_.line_loss = ArrayXd::Zero(count);
+    for (const MediumLayer& layer : field.medium_) creeps_.push_back(creeps(layer.material));
     for (const InteriorLine& line : lines) {
       depth_.push_back(field.depth_of(line));
       const std::size_t terms = field.medium_[line.layer].material.terms.size();
       memories_.emplace_back(density && points > 1 ? terms : 0, std::array<double, 3>{});
     }
     if (density) f_.loss_density = Eigen::ArrayXXd::Zero(points, count);
+    if (wanted == Wanted::strains) summed_ = of_strains;
+    sums_ = Eigen::MatrixXd::Zero(points, summed_ * count);
+    find_spacing();
   }
 
   InteriorFields run() {
-    for (const Wave& wave : field_.waves_) add(wave);
+    constexpr std::size_t in_block = 128;
+    for (std::size_t first = 0; first < field_.waves_.size(); first += in_block)
+      add(std::span(field_.waves_).subspan(first, std::min(in_block, field_.waves_.size() - first)));
+    take_sums();
     add_half_space();
     if (f_.loss_density.size() > 0) measure_density();
     return std::move(f_);
   }
 
  private:
+  /// In the order in which they are summed, strains first.
+  static constexpr std::array fields_in_order{
+      &InteriorFields::strain_x, &InteriorFields::strain_z, &InteriorFields::shear_strain,
+      &InteriorFields::sigma_x,  &InteriorFields::sigma_z,  &InteriorFields::tau_xz,
+      &InteriorFields::u,        &InteriorFields::w};
+  static constexpr Index of_strains = 3;
+
   /// Of lines so near to the surface that their waves have not vanished at the shortest.
   bool near_surface(std::size_t line) const { return depth_[line] * field_.highest_ < vanished; }
   /// 1, and for lines near the surface smoothly 0 at the shortest wave.
   double fade(std::size_t line, double wavenumber) const {
-    if (!near_surface(line)) return 1;
-    return 0.5 * std::erfc(7 * (2 * (wavenumber / field_.highest_ - 0.7) / 0.3 - 1));
+    constexpr double from = 0.7, over = 0.3;
+    if (wavenumber < from * field_.highest_ || !near_surface(line)) return 1;
+    return 0.5 * std::erfc(7 * (2 * (wavenumber / field_.highest_ - from) / over - 1));
   }
 
-  void add(const Wave& wave) {
+  void find_spacing() {
+    constexpr double rounding = 1e-14;
+    if (x_.size() < 3) return;
+    const Index last = x_.size() - 1;
+    const double step = (x_(last) - x_(0)) / static_cast<double>(last);
+    const ArrayXd even = x_(0) + step * ArrayXd::LinSpaced(x_.size(), 0, static_cast<double>(last));
+    if ((x_ - even).abs().maxCoeff() <= rounding * x_.abs().maxCoeff()) spacing_ = step;
+  }
+
+  /// Columns of cos(k x) and -sin(k x) of a block's waves, one a point.
+  Eigen::MatrixXd waves_at_points(std::span<const Wave> waves) const {
+    const auto count = static_cast<Index>(waves.size());
+    ArrayXd k(count);
+    for (Index i = 0; i < count; ++i) k(i) = waves[static_cast<std::size_t>(i)].wavenumber;
+    Eigen::MatrixXd at(2 * count, x_.size());
+    const auto turned = [&](double x) {
+      Eigen::ArrayXXd turn(count, 2);
+      turn << (k * x).cos(), -(k * x).sin();
+      return turn;
+    };
+    const Eigen::ArrayXXd step = spacing_ > 0 ? turned(spacing_) : Eigen::ArrayXXd();
+    constexpr Index afresh = 64;  // against the sum of roundings
+    for (Index i = 0; i < x_.size(); ++i) {
+      auto cosine = at.col(i).head(count).array(), sine = at.col(i).tail(count).array();
+      if (!(spacing_ > 0) || i % afresh == 0) {
+        const Eigen::ArrayXXd turn = turned(x_(i));
+        cosine = turn.col(0);
+        sine = turn.col(1);
+        continue;
+      }
+      const auto cosine_before = at.col(i - 1).head(count).array(), sine_before = at.col(i - 1).tail(count).array();
+      cosine = cosine_before * step.col(0) - sine_before * step.col(1);
+      sine = sine_before * step.col(0) + cosine_before * step.col(1);
+    }
+    return at;
+  }
+
+  void add(std::span<const Wave> waves) {
     require_time();
+    const auto count = static_cast<Index>(waves.size());
+    std::size_t reached = 0;  // lines, of which the longest wave of the block counts
+    for (std::size_t line = 0; line < lines_.size(); ++line)
+      if (waves.front().wavenumber * depth_[line] <= vanished) reached = line + 1;
+    const Index columns = summed_ * static_cast<Index>(reached);
+    amplitudes_.setZero(2 * count, columns);
+    for (Index i = 0; i < count; ++i) add(waves[static_cast<std::size_t>(i)], i, count);
+    if (x_.size() > 0 && columns > 0)
+      sums_.leftCols(columns).noalias() += waves_at_points(waves).transpose() * amplitudes_;
+  }
+
+  void take_sums() {
+    const auto count = static_cast<Index>(lines_.size());
+    for (std::size_t field = 0; field < fields_in_order.size(); ++field) {
+      Eigen::ArrayXXd& values = f_.*fields_in_order[field];
+      values = Eigen::ArrayXXd::Zero(x_.size(), count);
+      if (static_cast<Index>(field) < summed_)
+        for (Index line = 0; line < count; ++line)
+          values.col(line) = sums_.col(summed_ * line + static_cast<Index>(field));
+    }
+  }
+
+  /// @param row of the wave among the block's `count`
+  void add(const Wave& wave, Index row, Index count) {
     const double k = wave.wavenumber;
     const DepthResponse response(field_.medium_, wave.moduli, k, field_.speed_, wave.tractions);
-    const ArrayXd cosine = (k * x_).cos(), sine = (k * x_).sin();
+    compliances_.clear();
+    for (const complex modulus : wave.moduli) compliances_.push_back(1.0 / modulus);
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       if (k * depth_[line] > vanished) continue;
       const std::size_t layer = lines_[line].layer;
       const double nu = field_.medium_[layer].poisson_ratio;
       const DepthState state = response.at(layer, lines_[line].depth);
       PlaneStress stress = state.stress;
-      PlaneStrain strain = strain_of(stress, 1.0 / wave.moduli[layer], nu);
+      PlaneStrain strain = strain_of(stress, compliances_[layer], nu);
       const double lost =
           (std::conj(stress.x) * strain.x + std::conj(stress.z) * strain.z + std::conj(stress.xz) * strain.xz).imag();
       const auto column = static_cast<Index>(line);
-      if (creeps(field_.medium_[layer].material))  // what does not loses nothing, no rounding either
+      if (creeps_[layer])  // what does not loses nothing, no rounding either
         f_.line_loss(column) += wave.weight / M_PI * field_.speed_ * k * lost;
       if (x_.size() == 0) continue;
       const double weight = wave.weight / M_PI * fade(line, k);
@@ -169,19 +254,19 @@ class InteriorField::Sum {
         stress = {stress.x - deep.x, stress.z - deep.z, stress.xz - deep.xz};
         strain = {strain.x - moved.x, strain.z - moved.z, strain.xz - moved.xz};
       }
-      const auto put = [&](Eigen::ArrayXXd& values, complex amplitude) {
-        values.col(column) += weight * (amplitude.real() * cosine - amplitude.imag() * sine);
-      };
-      put(f_.strain_x, strain.x);
-      put(f_.strain_z, strain.z);
-      put(f_.shear_strain, strain.xz);
-      if (wanted_ == Wanted::strains) continue;
-      put(f_.sigma_x, stress.x);
-      put(f_.sigma_z, stress.z);
-      put(f_.tau_xz, stress.xz);
-      if (field_.half_space_) continue;
-      put(f_.u, state.u);
-      put(f_.w, state.w);
+      const bool at_rest_far_away = !field_.half_space_;
+      const complex amplitudes[] = {strain.x,
+                                    strain.z,
+                                    strain.xz,
+                                    stress.x,
+                                    stress.z,
+                                    stress.xz,
+                                    at_rest_far_away ? state.u : complex(0),
+                                    at_rest_far_away ? state.w : complex(0)};
+      for (Index field = 0; field < summed_; ++field) {
+        amplitudes_(row, summed_ * column + field) = weight * amplitudes[field].real();
+        amplitudes_(count + row, summed_ * column + field) = weight * amplitudes[field].imag();
+      }
     }
   }
 
@@ -254,7 +339,13 @@ class InteriorField::Sum {
   ArrayXd x_;
   const std::vector<InteriorLine>& lines_;
   std::vector<double> depth_;
+  std::vector<bool> creeps_;  // layers
   std::vector<std::vector<std::array<double, 3>>> memories_;
+  Index summed_ = fields_in_order.size();  // fields
+  Eigen::MatrixXd amplitudes_;             // of a block: (real, then imaginary part of each wave; fields of each line)
+  Eigen::MatrixXd sums_;                   // (point; fields of each line)
+  std::vector<complex> compliances_;
+  double spacing_ = 0;  // of evenly spaced points, 0 of others
   InteriorFields f_;
 };
 

@@ -1,5 +1,6 @@
 #include "core/interior/surface_tractions.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -136,6 +137,65 @@ SurfaceTractions::Transforms SurfaceTractions::transforms(double k) const {
     }
   }
   return sum;
+}
+
+std::vector<std::vector<SurfaceTractions::Transforms>> SurfaceTractions::transforms(const std::vector<double>& firsts,
+                                                                                    double step, int count) const {
+  // By the finest rules; uniform tractions as a point each, times sin(kw/2)/(kw/2) of their width w.
+  std::vector<Point> points;
+  std::vector<double> widths;
+  for (const Panel& panel : panels_) {
+    if (panel.pressure.size() == 1) {
+      const double width = panel.to - panel.from;
+      points.push_back({0.5 * (panel.from + panel.to), width * panel.pressure.front(), width * panel.shear.front()});
+      widths.push_back(width);
+    } else {
+      points.insert(points.end(), panel.rules.back().begin(), panel.rules.back().end());
+      widths.resize(points.size());
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(points.size());
+  Eigen::ArrayXd x(size), p(size), q(size);
+  const Eigen::ArrayXd half = 0.5 * Eigen::Map<const Eigen::ArrayXd>(widths.data(), size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Point& point = points[static_cast<std::size_t>(i)];
+    x(i) = point.x;
+    p(i) = point.pressure;
+    q(i) = point.shear;
+  }
+  const bool uniform = half.maxCoeff() > 0, sheared = (q != 0).any();
+  // cos and -sin of kx and of kw/2, which turn by one step from wavenumber to wavenumber.
+  struct Turn {
+    Eigen::ArrayXd cosine, sine;
+    Turn(const Eigen::ArrayXd& at, double k) : cosine((k * at).cos()), sine(-(k * at).sin()) {}
+    void turn(const Turn& by) {
+      const Eigen::ArrayXd before = cosine;
+      cosine = before * by.cosine - sine * by.sine;
+      sine = sine * by.cosine + before * by.sine;
+    }
+  };
+  const Eigen::ArrayXd halves = uniform ? half : Eigen::ArrayXd();
+  const Turn wave_step(x, step), share_step(halves, step);
+  std::vector<std::vector<Transforms>> all;
+  for (const double first : firsts) {
+    std::vector<Transforms>& sums = all.emplace_back();
+    Turn waves(x, first), shares(halves, first);
+    for (int j = 0; j < count; ++j) {
+      Turn shared = waves;
+      if (uniform) {
+        const double k = first + step * j;
+        const Eigen::ArrayXd share = (half > 0).select(-shares.sine / (k * half), 1.0);
+        shared.cosine *= share;
+        shared.sine *= share;
+        shares.turn(share_step);
+      }
+      Transforms& sum = sums.emplace_back();
+      sum.pressure = {(p * shared.cosine).sum(), (p * shared.sine).sum()};
+      if (sheared) sum.shear = {(q * shared.cosine).sum(), (q * shared.sine).sum()};
+      waves.turn(wave_step);
+    }
+  }
+  return all;
 }
 
 void SurfaceTractions::add_near(const Panel& panel, complex place, double s0, double s1, Potentials& sum) {

@@ -35,6 +35,8 @@ class SurfaceTractions {
     std::complex<double> pressure, shear;
   };
   Transforms transforms(double wavenumber) const;
+  /// The same from each of some wavenumbers at `count` of them, a step apart, up to the highest.
+  std::vector<std::vector<Transforms>> transforms(const std::vector<double>& firsts, double step, int count) const;
 
   /// Stresses in a half-space [Pa]. @param depth >= 0 [m]; on the surface the limit from inside
   PlaneStress stresses(double x, double depth) const;

@@ -18,6 +18,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using Factors = std::vector<SofteningFactors>;
 
 constexpr double wanted_agreement = 1e-8;  // of the factors
 constexpr int most_solutions = 30;
@@ -43,6 +44,7 @@ struct SoftLayer {
 /// Where the amplitudes and the frequency of a linear solution are.
 struct Answered {
   RollingSolution solution;
+  InteriorSummary inside;
   VectorXd logarithms;  ///< of the amplitudes, and of the frequency
 };
 
@@ -54,32 +56,78 @@ class StrainIteration {
     layers_ = layers.size();
     for (std::size_t i = 0; i < layers.size(); ++i)
       if (softens(*layers[i])) soft_.push_back({i, *layers[i], creep_spectrum(*layers[i])});
+    offset_ = VectorXd::Zero(static_cast<Index>(soft_.size()) + 1);
   }
 
   RollingSolution run() {
-    std::vector<SofteningFactors> factors(soft_.size());
+    Factors factors(soft_.size());
     Answered answer = answer_with(factors);
     MatrixXd slopes = slopes_of_hertz(answer);
+    if (answer.solution.status == Status::converged && is_dear(answer.solution) &&
+        !agree(factors, answer, wanted_agreement))
+      approach_roughly(factors, answer, slopes);
+    if (const std::string why = settle(factors, answer, slopes, wanted_agreement, most_solutions); !why.empty())
+      return refused(why);
+    if (answer.solution.status != Status::converged) return std::move(answer.solution);
+    return finished(std::move(answer), factors);
+  }
+
+ private:
+  /// Goes on to factors that agree with their answer, which are left in place with it; where a solution has not
+  /// converged that is the answer. @return why there are none, or nothing
+  std::string settle(Factors& factors, Answered& answer, MatrixXd& slopes, double wanted, int most) {
     for (;;) {
-      if (answer.solution.status != Status::converged) return std::move(answer.solution);
-      const std::optional<std::vector<SofteningFactors>> own = factors_at(answer.logarithms);
-      if (own && disagreement(factors, *own) <= wanted_agreement) return finished(std::move(answer), factors);
-      if (solutions_ >= most_solutions)
-        return refused(message_text("the strains and the moduli do not settle in ", solutions_, " solutions"));
-      const std::optional<std::vector<SofteningFactors>> next = agreeing_factors(answer.logarithms, factors, slopes);
-      if (!next || stuck_ > most_stuck) return refused(unreachable(answer.logarithms));
+      if (answer.solution.status != Status::converged) return {};
+      if (agree(factors, answer, wanted)) return {};
+      if ((rough_ ? rough_solutions_ : solutions_) >= most)
+        return message_text("the strains and the moduli do not settle in ", solutions_, " solutions");
+      const std::optional<Factors> next = agreeing_factors(answer.logarithms, factors, slopes);
+      if (!next || stuck_ > most_stuck) return unreachable(answer.logarithms);
       Answered tried = answer_with(*next);
-      if (tried.solution.status != Status::converged) return std::move(tried.solution);
-      const VectorXd step = in_logarithms(*next) - in_logarithms(factors);
-      const VectorXd missed = tried.logarithms - answer.logarithms - slopes * step;
-      if (step.squaredNorm() > 0) slopes += missed * step.transpose() / step.squaredNorm();
-      factors = *next;
+      if (tried.solution.status == Status::converged) {
+        const VectorXd step = in_logarithms(*next) - in_logarithms(factors);
+        const VectorXd missed = tried.logarithms - answer.logarithms - slopes * step;
+        if (step.squaredNorm() > 0) slopes += missed * step.transpose() / step.squaredNorm();
+        factors = *next;
+      }
       answer = std::move(tried);
     }
   }
 
- private:
-  static VectorXd in_logarithms(const std::vector<SofteningFactors>& factors) {
+  /// Whether a solution costs many times what one on the usual grid does, without inertia: where a grid stands in for
+  /// continuous edges or is as fine as a tolerance asks.
+  bool is_dear(const RollingSolution& solution) const {
+    return solution.method != Method::spectral && scene_.method != Method::newton_dense &&
+           (scene_.tolerance || resolved_method(scene_) == Method::spectral);
+  }
+
+  /// To factors that agree by solutions on the usual grid, which are taken to miss what they miss of the last answer,
+  /// until the answer there agrees, too. What is found is left in place, with its slopes; the rest is for `settle`.
+  void approach_roughly(Factors& factors, Answered& answer, MatrixXd& slopes) {
+    constexpr double near_enough_at_first = 1e-5;  // about what the grid misses otherwise at other factors
+    constexpr int most_rounds = 4, most_rough = 12;
+    rough_ = true;
+    Answered there = answer_with(factors);
+    for (int round = 0; round < most_rounds && there.solution.status == Status::converged; ++round) {
+      offset_ = offset_ + answer.logarithms - there.logarithms;
+      there.logarithms = answer.logarithms;
+      Factors found = factors;
+      const std::string why = settle(found, there, slopes, round == 0 ? near_enough_at_first : 0.2 * wanted_agreement,
+                                     rough_solutions_ + most_rough);
+      if (!why.empty() || there.solution.status != Status::converged || disagreement(factors, found) == 0) break;
+      rough_ = false;
+      Answered next = answer_with(found);
+      if (next.solution.status != Status::converged) break;
+      factors = std::move(found);
+      answer = std::move(next);
+      if (agree(factors, answer, wanted_agreement)) break;
+      rough_ = true;
+    }
+    rough_ = false;
+    stuck_ = 0;
+  }
+
+  static VectorXd in_logarithms(const Factors& factors) {
     VectorXd all(2 * static_cast<Index>(factors.size()));
     for (std::size_t i = 0; i < factors.size(); ++i) {
       all(2 * static_cast<Index>(i)) = std::log(factors[i].rest);
@@ -108,9 +156,7 @@ class StrainIteration {
   /// The factors of amplitudes x that a solution with these factors would have, if it were answer + slopes * change of
   /// the factors' logarithms: Newton's method with differences, which stops where it gets no nearer; nothing where no
   /// factors are found.
-  std::optional<std::vector<SofteningFactors>> agreeing_factors(const VectorXd& answer,
-                                                                const std::vector<SofteningFactors>& factors,
-                                                                const MatrixXd& slopes) {
+  std::optional<Factors> agreeing_factors(const VectorXd& answer, const Factors& factors, const MatrixXd& slopes) {
     constexpr int most_steps = 40;
     constexpr double difference = 1e-6, settled = 1e-13, rough = 0.05;
     const VectorXd before = in_logarithms(factors);
@@ -148,8 +194,8 @@ class StrainIteration {
     return factors_at(x);
   }
 
-  std::optional<std::vector<SofteningFactors>> factors_at(const VectorXd& x) const {
-    std::vector<SofteningFactors> all;
+  std::optional<Factors> factors_at(const VectorXd& x) const {
+    Factors all;
     for (std::size_t i = 0; i < soft_.size(); ++i) {
       const Softening wanted = softening_at(soft_[i].inputs, std::exp(x(static_cast<Index>(i))));
       const std::optional<SofteningFactors> found =
@@ -160,7 +206,12 @@ class StrainIteration {
     return all;
   }
 
-  static double disagreement(const std::vector<SofteningFactors>& one, const std::vector<SofteningFactors>& other) {
+  bool agree(const Factors& factors, const Answered& answer, double wanted) const {
+    const std::optional<Factors> own = factors_at(answer.logarithms);
+    return own && disagreement(factors, *own) <= wanted;
+  }
+
+  static double disagreement(const Factors& one, const Factors& other) {
     double largest = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
       largest = std::max(
@@ -168,32 +219,39 @@ class StrainIteration {
     return largest;
   }
 
-  Answered answer_with(const std::vector<SofteningFactors>& factors) {
+  Answered answer_with(const Factors& factors) {
     std::vector<std::array<double, 2>> of_layers(layers_, {1, 1});
     for (std::size_t i = 0; i < factors.size(); ++i)
       of_layers[soft_[i].place] = {factors[i].rest, factors[i].relaxation};
     Answered answer;
     answer.solution.moduli_factors = of_layers;
-    const RollingScene tried = solved_scene(scene_, answer.solution);
+    RollingScene tried = solved_scene(scene_, answer.solution);
+    if (rough_) {
+      tried.method = Method::newton;
+      tried.tolerance.reset();
+      tried.spacing.reset();
+      if (tried.inertia == Inertia::automatic) tried.inertia = Inertia::off;
+    }
     answer.solution = solve_linear_(tried);
     answer.solution.moduli_factors = std::move(of_layers);
-    ++solutions_;
+    ++(rough_ ? rough_solutions_ : solutions_);
     if (answer.solution.status != Status::converged) return answer;
-    summary_ =
+    answer.inside =
         interior_summary(solved_scene(scene_, answer.solution), answer.solution.fields, InteriorField::Detail::inside);
     answer.logarithms.resize(static_cast<Index>(soft_.size()) + 1);
     for (std::size_t i = 0; i < soft_.size(); ++i)
       answer.logarithms(static_cast<Index>(i)) =
-          std::log(std::max(summary_.layers[soft_[i].place].strain_amplitude, 1e-300));
-    answer.logarithms(answer.logarithms.size() - 1) = std::log(scene_.speed / summary_.half_length);
+          std::log(std::max(answer.inside.layers[soft_[i].place].strain_amplitude, 1e-300));
+    answer.logarithms(answer.logarithms.size() - 1) = std::log(scene_.speed / answer.inside.half_length);
+    if (rough_) answer.logarithms += offset_;
     return answer;
   }
 
-  RollingSolution finished(Answered answer, const std::vector<SofteningFactors>& factors) const {
+  RollingSolution finished(Answered answer, const Factors& factors) const {
     RollingSolution& solution = answer.solution;
     const double omega = std::exp(answer.logarithms(answer.logarithms.size() - 1));
-    solution.strain_amplitude = summary_.strain_amplitude;
-    solution.peak_strain_amplitude = summary_.peak_strain_amplitude;
+    solution.strain_amplitude = answer.inside.strain_amplitude;
+    solution.peak_strain_amplitude = answer.inside.peak_strain_amplitude;
     solution.softening = INFINITY;
     for (std::size_t i = 0; i < soft_.size(); ++i) {
       const double amplitude = std::exp(answer.logarithms(static_cast<Index>(i)));
@@ -209,6 +267,7 @@ class StrainIteration {
                                                  *largest, ", whose moduli are taken"));
     }
     solution.model += message_text("; found in ", solutions_, " linear solutions");
+    if (rough_solutions_ > 0) solution.model += message_text(" and ", rough_solutions_, " on the usual grid");
     return std::move(answer.solution);
   }
 
@@ -245,9 +304,10 @@ class StrainIteration {
   const std::function<RollingSolution(const RollingScene&)>& solve_linear_;
   std::size_t layers_ = 0;
   std::vector<SoftLayer> soft_;
-  InteriorSummary summary_;
-  int solutions_ = 0;
-  int stuck_ = 0;  // how often no factors that agree were near
+  int solutions_ = 0, rough_solutions_ = 0;
+  bool rough_ = false;  // on the usual grid, whatever the scene asks for
+  VectorXd offset_;     // of logarithms found so, to what the scene asks for
+  int stuck_ = 0;       // how often no factors that agree were near
 };
 
 }  // namespace

@@ -9,6 +9,10 @@
 /// answer. ln gamma_i and ln omega are nearly linear in ln a_i, ln b_i: their slopes, at first those of a Hertz line
 /// under a given load (gamma ~ G'^(-1/2)), are corrected by each further solution (Broyden 1965, Math. Comp. 19, 577),
 /// and the factors that agree by them are tried next.
+///
+/// Where a solution costs many times one on the usual grid (a grid stands in for continuous edges, or is as fine as a
+/// tolerance asks), the factors are found on that grid: its logarithms plus what they missed of the last answer asked
+/// for, until that answer agrees to 1e-8 itself.
 
 #include <functional>
 

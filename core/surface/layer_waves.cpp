@@ -19,22 +19,33 @@ LayerWaves::LayerWaves(double wavenumber, complex modulus, const MediumLayer& la
       epsilon_(layer.density * wave_speed * wave_speed / modulus),
       ratio_((1 - 2 * layer.poisson_ratio) / (2 - 2 * layer.poisson_ratio)),
       alpha_(std::sqrt(1.0 - epsilon_ * ratio_)),
-      beta_(std::sqrt(1.0 - epsilon_)) {}
+      beta_(std::sqrt(1.0 - epsilon_)),
+      per_epsilon_(1.0 / (1.0 + beta_) - ratio_ / (1.0 + alpha_)),
+      across_(1.0 / (1.0 + beta_)),
+      along_(ratio_ / (1.0 + alpha_)) {}
 
 Waves LayerWaves::at(double depth) const {
   const double kz = wavenumber_ * depth;
+  Waves waves;
+  if (epsilon_ == 0.0) {  // both decay alike
+    const double decay = std::exp(-kz), difference = kz * per_epsilon_.real(), ratio = along_.real();
+    waves.displacements << decay, decay * (difference - 0.5),  //
+        decay, decay * (difference + ratio);
+    waves.stresses << -2.0 * decay, decay * (1 - 2 * difference - 2 * ratio),  //
+        -2.0 * decay, -2.0 * decay * difference;
+    return waves;
+  }
   const complex slow = std::exp(-kz * alpha_), fast = std::exp(-kz * beta_);
   // (e^{-k beta z} - e^{-k alpha z}) / epsilon
-  const complex per_epsilon = 1.0 / (1.0 + beta_) - ratio_ / (1.0 + alpha_), exponent = kz * per_epsilon * epsilon_;
+  const complex exponent = kz * per_epsilon_ * epsilon_;
   const complex series =
       1.0 + exponent / 2.0 * (1.0 + exponent / 3.0 * (1.0 + exponent / 4.0 * (1.0 + exponent / 5.0)));
   const complex difference =
-      std::abs(exponent) < 1e-3 ? complex(slow * kz * per_epsilon * series) : complex((fast - slow) / epsilon_);
-  Waves waves;
-  waves.displacements << slow, difference - fast / (1.0 + beta_),  //
-      alpha_ * slow, difference + ratio_ / (1.0 + alpha_) * slow;
-  waves.stresses << -2.0 * alpha_ * slow, fast - 2.0 * difference - 2.0 * ratio_ / (1.0 + alpha_) * slow,  //
-      (epsilon_ - 2.0) * slow, 2.0 / (1.0 + beta_) * fast - 2.0 * difference - slow;
+      std::abs(exponent) < 1e-3 ? complex(slow * kz * per_epsilon_ * series) : complex((fast - slow) / epsilon_);
+  waves.displacements << slow, difference - across_ * fast,  //
+      alpha_ * slow, difference + along_ * slow;
+  waves.stresses << -2.0 * alpha_ * slow, fast - 2.0 * difference - 2.0 * along_ * slow,  //
+      (epsilon_ - 2.0) * slow, 2.0 * across_ * fast - 2.0 * difference - slow;
   return waves;
 }
 

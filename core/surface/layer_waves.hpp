@@ -35,6 +35,7 @@ class LayerWaves {
   std::complex<double> epsilon_;
   double ratio_;
   std::complex<double> alpha_, beta_;
+  std::complex<double> per_epsilon_, across_, along_;  // 1/(1 + beta) - r/(1 + alpha) and its parts
 };
 
 /// The inverse of a matrix of two rows.

@@ -70,7 +70,12 @@ std::string broken_for_finite_strain(const RollingScene& scene) {
   if (scene.period) return message_text("period = ", *scene.period, ": not with method \"finite_strain\"");
   if (scene.adhesion_threshold > 0)
     return message_text("adhesion_threshold = ", scene.adhesion_threshold, ": must be 0 with method \"finite_strain\"");
-  if (inertia_included(scene)) return "inertia = on: not with method \"finite_strain\"";
+  if (scene.inertia == Inertia::on) return "inertia = on: not with method \"finite_strain\"";
+  if (inertia_included(scene))
+    return message_text("method = finite_strain: inertia counts for a tolerance of ", *scene.tolerance, " (V is ",
+                        std::sqrt(rayleigh_number(scene)),
+                        " of the speed of Rayleigh waves on the layer at rest), and this method has none; "
+                        "inertia = off leaves it out");
   return {};
 }
 

@@ -341,6 +341,60 @@ TEST_CASE("fields at finite strain end where the mesh of a thin layer ends", "[c
   CHECK(load == Approx(solution.load).epsilon(1e-2));
 }
 
+TEST_CASE("a body ten thousand contacts wide meets small strains: gaps are no differences of its radius",
+          "[core][finite]") {
+  RollingScene scene = finite_cylinder(0.0139, 0);
+  scene.radius = 1.315e-3;
+  scene.layer_thickness = 8.04e-9;
+  scene.static_shear_modulus = 17.03e6;
+  scene.stiffening = 0.78;
+  scene.creep_time = 1.1e-6;
+  scene.speed = 0.605;
+  BondedLayer lower;
+  lower.material = MaterialModel::elastic;
+  lower.poisson_ratio = 0.48;
+  lower.static_shear_modulus = 3.787e6;
+  lower.layer_thickness = 13.33e-9;
+  scene.lower_layers = {lower};
+  const RollingSolution finite = answered(scene), small = solve(with_method(scene, Method::automatic));
+  REQUIRE(small.status == Status::converged);
+  CHECK(finite.contact_area < 1e-3 * scene.radius);
+  CHECK(relative(finite.rolling_resistance, small.rolling_resistance) < 2e-3);
+  CHECK(relative(finite.approach, small.approach) < 2e-3);
+}
+
+TEST_CASE("a slip zone of few nodes counts in the error of a resistance that is a small difference", "[core][finite]") {
+  RollingScene scene = finite_cylinder(4.41, 0.28);
+  scene.radius = 2.865e-3;
+  scene.layer_thickness = 27.22e-6;
+  scene.static_shear_modulus = 0.8814e6;
+  scene.stiffening = 0.2;
+  scene.creep_time = 0.583e-6;
+  scene.speed = 1.322;
+  scene.drive = Drive::torque;
+  scene.driving_torque = 3.271e-4;
+  scene.inertia = Inertia::off;
+  scene.tolerance = 1e-2;
+  const RollingSolution rough = answered(scene);
+  scene.tolerance = 1e-3;
+  scene.time_limit = patience(60);
+  const RollingSolution fine = solve(scene);
+  REQUIRE(fine.status == Status::converged);
+  CHECK(std::abs(rough.rolling_resistance - fine.rolling_resistance) < 2 * rough.rolling_resistance_error);
+  CHECK(rough.error_estimate < 1e-2);
+}
+
+TEST_CASE("inertia that a tolerance asks for is named by what asks for it", "[core][finite]") {
+  RollingScene scene = finite_cylinder(20e3, 0);
+  scene.speed = 3;
+  scene.tolerance = 1e-3;
+  const std::vector<std::string> broken = check(scene);
+  REQUIRE(broken.size() == 1);
+  CHECK_THAT(broken.front(), Contains("inertia counts for a tolerance of 0.001"));
+  scene.inertia = Inertia::off;
+  CHECK(check(scene).empty());
+}
+
 TEST_CASE("what finite strain does not model is refused in one line", "[core][finite]") {
   const auto refused = [](auto change) {
     RollingScene scene = finite_cylinder(20e3, 0);

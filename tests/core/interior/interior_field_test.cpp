@@ -129,6 +129,25 @@ TEST_CASE("inside two bonded layers forces balance, and strains are those of the
   CHECK(std::abs(f.tau_xz(2, 0) - f.tau_xz(2, 1)) < 1e-12 * 2);
 }
 
+TEST_CASE("transforms of tractions at wavenumbers a step apart are those of each wavenumber", "[core][interior]") {
+  constexpr double highest = 60, step = 0.7;
+  const std::vector<double> firsts{0.01, 1.3};
+  for (const SurfaceFields& fields : {hertz_tractions(2, 0.5), one_cell(2, 0.5, 0.3)}) {
+    const SurfaceTractions tractions(fields, highest);
+    const auto together = tractions.transforms(firsts, step, 80);
+    REQUIRE(together.size() == firsts.size());
+    for (std::size_t i = 0; i < firsts.size(); ++i) {
+      REQUIRE(together[i].size() == 80);
+      for (std::size_t j = 0; j < together[i].size(); ++j) {
+        const auto alone = tractions.transforms(firsts[i] + step * static_cast<double>(j));
+        // 1e-10 of the load is what the rules of few points leave.
+        CHECK(std::abs(together[i][j].pressure - alone.pressure) < 1e-9 * M_PI);
+        CHECK(std::abs(together[i][j].shear - alone.shear) < 1e-9 * M_PI);
+      }
+    }
+  }
+}
+
 TEST_CASE("a layer cut in two of one material is the same layer", "[core][interior]") {
   const InteriorField whole(one_layer(1.5, 0.5, zener), 1.3, 1, hertz_tractions(2, 0.5), 3, Detail::surface);
   const InteriorField cut({{0.6, 0.5, 0, zener}, {0.9, 0.5, 0, zener}}, 1.3, 1, hertz_tractions(2, 0.5), 3,

@@ -106,6 +106,32 @@ TEST_CASE("each layer has the moduli of its own strains, and other methods meet 
   CHECK(grid.softening == Approx(s.softening).epsilon(2e-3));
 }
 
+TEST_CASE("where solutions are dear, the strains are found on the usual grid first, and are those of the answer",
+          "[core][strain]") {
+  for (const double load : {1e4, 1e-6}) {  // at the latter nothing softens, and the first answer is the last
+    RollingScene scene = soft_scene(load);
+    scene.method = Method::newton;
+    scene.tolerance = 1e-3;
+    scene.payne_exponent = 2;
+    const RollingSolution s = converged(scene);
+    CHECK((s.model.find(" on the usual grid") != std::string::npos) == (load == 1e4));
+    CHECK(solutions_of(s) <= 4);
+    RollingScene linear = solved_scene(scene, s);
+    linear.payne_drop = 0;
+    linear.payne_loss_peak = 1;
+    const RollingSolution same = converged(linear);
+    CHECK(same.rolling_resistance == s.rolling_resistance);
+    const InteriorSummary inside = interior_summary(linear, same.fields, InteriorField::Detail::inside);
+    CHECK(inside.strain_amplitude == Approx(s.strain_amplitude).epsilon(1e-12));
+    const double omega = scene.speed / inside.half_length;
+    const Softening wanted = softening_at(scene, inside.strain_amplitude);
+    MaterialInputs original = scene;
+    const std::complex<double> before = complex_modulus(original, omega), after = complex_modulus(linear, omega);
+    CHECK(after.real() == Approx(wanted.storage * before.real()).epsilon(3e-8));
+    CHECK(after.imag() == Approx(wanted.loss * before.imag()).epsilon(3e-8));
+  }
+}
+
 TEST_CASE("layers that lose nothing settle at their strains", "[core][strain]") {
   RollingScene elastic = soft_scene();
   elastic.material = MaterialModel::elastic;
