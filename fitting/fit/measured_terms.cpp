@@ -1,5 +1,6 @@
 #include "fitting/fit/measured_terms.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -96,17 +97,12 @@ class RememberedModel {
   std::deque<Known> known_;
 };
 
-/// A prior and the parameter that it is of, or whose quotient by another.
-struct PriorDatum {
-  std::size_t parameter;
-  Prior prior;
-  std::optional<std::size_t> before = {};
-
-  double value(double number) const { return prior.lognormal ? std::log(number) : number; }
-  double value(const FitPoint& point) const {
-    return value(before ? point[parameter] / point[*before] : point[parameter]);
-  }
-};
+double value_of(const KnownBefore& known, const FitPoint& point) {
+  double sum = 0;
+  for (const KnownBefore::Part& part : known.parts)
+    sum += part.weight * (part.logarithm ? std::log(point[part.parameter]) : point[part.parameter]);
+  return sum;
+}
 
 }  // namespace
 
@@ -139,20 +135,43 @@ FitProblem with_terms(const FitProblem& model, std::vector<MeasuredTerm> terms) 
   return problem;
 }
 
-FitProblem with_priors(const FitProblem& problem, const std::vector<std::optional<Prior>>& priors,
-                       const std::vector<SmoothStep>& steps) {
-  std::vector<PriorDatum> known;
-  for (std::size_t j = 0; j < priors.size(); ++j)
-    if (priors[j]) known.push_back({j, *priors[j]});
-  for (const SmoothStep& step : steps)
-    known.push_back({step.parameter, {.lognormal = true, .mean = 1, .deviation = step.deviation}, step.before});
+KnownBefore known_before(const Prior& prior, std::size_t parameter, const std::string& name) {
+  return {.parts = {{parameter, prior.lognormal}},
+          .mean = prior.lognormal ? std::log(prior.mean) : prior.mean,
+          .deviation = prior.deviation,
+          .of = name};
+}
+
+KnownBefore smooth_step(std::size_t before, std::size_t parameter, double deviation, const std::string& name) {
+  return {.parts = {{parameter, true}, {before, true, -1}}, .deviation = deviation, .of = name};
+}
+
+std::vector<KnownBefore> known_before(const std::vector<FormerParameter>& former, const Eigen::MatrixXd& correlation) {
+  // Of covariance L L^T the parameters' deviations by L^-1 are independent, each of deviation 1.
+  const Eigen::LLT<Eigen::MatrixXd> factor(correlation);
+  if (factor.info() != Eigen::Success) throw std::invalid_argument("the correlations of its parameters contradict one another");
+  const Eigen::MatrixXd whitening =
+      factor.matrixL().solve(Eigen::MatrixXd::Identity(correlation.rows(), correlation.cols()));
+  std::vector<KnownBefore> known(former.size());
+  for (std::size_t i = 0; i < former.size(); ++i)
+    for (std::size_t k = 0; k <= i; ++k) {
+      const FormerParameter& one = former[k];
+      const double weight = whitening(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) / one.deviation;
+      known[i].parts.push_back({one.parameter, one.logarithm, weight});
+      known[i].mean += weight * (one.logarithm ? std::log(one.value) : one.value);
+      known[i].of += (k > 0 ? ", " : "") + one.name;
+    }
+  return known;
+}
+
+FitProblem with_priors(const FitProblem& problem, const std::vector<KnownBefore>& known) {
   if (known.empty()) return problem;
   FitProblem with = problem;
   const std::size_t measured = problem.data.size();
-  for (const PriorDatum& one : known)
-    with.data.push_back({.value = one.value(one.prior.mean),
-                         .deviation = one.prior.deviation,
-                         .place = "prior of " + problem.parameters[one.parameter].name,
+  for (const KnownBefore& one : known)
+    with.data.push_back({.value = one.mean,
+                         .deviation = one.deviation,
+                         .place = "prior of " + one.of,
                          .set = MeasuredValue::of_prior});
   with.predict_rows = [known, measured, problem](const FitPoint& point, const Rows& rows) {
     Rows own;
@@ -164,7 +183,7 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<std::optiona
     for (Eigen::Index i = 0, next = 0; i < values.size(); ++i) {
       const std::size_t row = rows[static_cast<std::size_t>(i)];
       values[i] = row < measured ? prediction.values[next++]
-                                 : known[row - measured].value(point);
+                                 : value_of(known[row - measured], point);
     }
     prediction.values = values;
     return prediction;
@@ -185,13 +204,12 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<std::optiona
     slopes.noise.conservativeResize(rows + more);
     slopes.noise.tail(more).setZero();
     for (Eigen::Index i = 0; i < more; ++i) {
-      const PriorDatum& one = known[static_cast<std::size_t>(i)];
-      const auto slope = [&](std::size_t parameter) {
-        const double by_scaled = problem.parameters[parameter].variable.slope(point[parameter]);
-        return one.prior.lognormal ? by_scaled / point[parameter] : by_scaled;
-      };
-      slopes.derivatives(rows + i, static_cast<Eigen::Index>(one.parameter)) = slope(one.parameter);
-      if (one.before) slopes.derivatives(rows + i, static_cast<Eigen::Index>(*one.before)) = -slope(*one.before);
+      for (const KnownBefore::Part& part : known[static_cast<std::size_t>(i)].parts) {
+        const double value = point[part.parameter];
+        const double slope = problem.parameters[part.parameter].variable.slope(value);
+        slopes.derivatives(rows + i, static_cast<Eigen::Index>(part.parameter)) =
+            part.weight * (part.logarithm ? slope / value : slope);
+      }
     }
     return slopes;
   };

@@ -40,16 +40,34 @@ Variable term_variable(std::string_view key, const Quantity& measured, double si
 /// The problem whose predictions pass these terms. The model is not asked again for points that differ in them only.
 FitProblem with_terms(const FitProblem& model, std::vector<MeasuredTerm> terms);
 
-/// What was known of parameters beside one another: the logarithm of `parameter` differs from that of `before` by zero,
-/// with this standard deviation.
-struct SmoothStep {
-  std::size_t before, parameter;
-  double deviation;  ///< [1]
+/// What was known before the measurement, as another datum: a sum of parameters or of their logarithms.
+struct KnownBefore {
+  struct Part {
+    std::size_t parameter;
+    bool logarithm;
+    double weight = 1;
+  };
+  std::vector<Part> parts;
+  double mean = 0, deviation = 1;
+  std::string of;  ///< for messages: "creep_time"
 };
 
-/// The problem with a datum more for each parameter that has a prior, and for each step.
-/// @param priors  one for each parameter
-FitProblem with_priors(const FitProblem& problem, const std::vector<std::optional<Prior>>& priors,
-                       const std::vector<SmoothStep>& steps = {});
+/// A parameter of a former fit: its value there, and the standard error of the value or of its logarithm.
+struct FormerParameter {
+  std::size_t parameter;
+  bool logarithm;
+  double value, deviation;
+  std::string name;
+};
+
+KnownBefore known_before(const Prior& prior, std::size_t parameter, const std::string& name);
+/// That the logarithm of a parameter differs from that of another by zero, with this standard deviation.
+KnownBefore smooth_step(std::size_t before, std::size_t parameter, double deviation, const std::string& name);
+/// What a former fit said of several parameters together: as many independent sums. @param correlation  symmetric
+/// @throws std::invalid_argument if the correlations contradict one another
+std::vector<KnownBefore> known_before(const std::vector<FormerParameter>& former, const Eigen::MatrixXd& correlation);
+
+/// The problem with a datum more for each.
+FitProblem with_priors(const FitProblem& problem, const std::vector<KnownBefore>& known);
 
 }  // namespace rollres

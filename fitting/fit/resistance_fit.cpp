@@ -223,17 +223,16 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     };
   }
   std::vector<MeasuredTerm> terms;
-  std::vector<std::optional<Prior>> priors;
-  std::vector<SmoothStep> steps;
+  std::vector<KnownBefore> known = options.known;
   for (std::size_t j = 0; j < inputs.size(); ++j) {
-    priors.push_back(inputs[j].prior);
-    if (inputs[j].smooth && j > 0) steps.push_back({j - 1, j, *inputs[j].smooth});
+    if (inputs[j].prior) known.push_back(known_before(*inputs[j].prior, j, parameters[j].name));
+    if (inputs[j].smooth && j > 0) known.push_back(smooth_step(j - 1, j, *inputs[j].smooth, parameters[j].name));
     if (!is_measured_term(inputs[j].input.key)) continue;
     MeasuredTerm term{inputs[j].input.key == offset_key ? offset_key : scale_key, j, {}};
     for (const MeasuredScene& measured : scenes) term.acts.push_back(concerns(inputs[j], measured.set));
     terms.push_back(std::move(term));
   }
-  return with_priors(with_terms(problem, std::move(terms)), priors, steps);
+  return with_priors(with_terms(problem, std::move(terms)), known);
 }
 
 }  // namespace rollres

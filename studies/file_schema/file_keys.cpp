@@ -5,6 +5,7 @@
 #include "studies/fit/fit_keys.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/study/study_keys.hpp"
+#include "studies/study/trusted_fit.hpp"
 #include "studies/study/uncertain_inputs.hpp"
 #include "studies/text/words.hpp"
 
@@ -63,7 +64,7 @@ std::vector<KeySection> key_sections() {
           {"Study: a range under `sample`", table_of(range_keys)},
           {"`uncertain`, beside the inputs that scatter", table_of(uncertain_keys)},
           {"`uncertain`: an input's distribution", table_of(distribution_keys)},
-          {"`uncertain`: `fit`", table_of(uncertain_fit_keys)},
+          {"`uncertain`: `fit`, and `prior` of a fit", table_of(stored_fit_keys)},
           {"Study: `chart`, and each of `charts`", table_of(chart_keys)},
           {"Optimisation", table_of(design_keys)},
           {"Optimisation: a goal as an object", table_of(goal_keys)},

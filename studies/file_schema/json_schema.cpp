@@ -11,6 +11,7 @@
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"
+#include "studies/study/trusted_fit.hpp"
 #include "studies/study/uncertain_inputs.hpp"
 
 namespace rollres {
@@ -119,7 +120,7 @@ Json uncertain() {
   Json schema = inputs_and_layers([](const InputKind&) { return reference(distribution_name); }, real_input);
   const Json number{{"type", "number"}, {"exclusiveMinimum", -1}, {"exclusiveMaximum", 1}};
   const Json pair{{"type", "array"}, {"items", {name(), name(), number}}, {"minItems", 3}, {"maxItems", 3}};
-  const Json options = object_of(uncertain_keys, {{"fit", object_of(uncertain_fit_keys)},
+  const Json options = object_of(uncertain_keys, {{"fit", object_of(stored_fit_keys)},
                                                   {"correlation", {{"type", "array"}, {"items", pair}}},
                                                   {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 1}}},
                                                   {"probability", {{"type", "array"}, {"items", name()}}}});
@@ -182,6 +183,7 @@ Json scene_fit() {
   const Json design = object_of(design_wish_keys, {{"ranges", ranges}, {"targets", list_of(target)}});
   return object_of(fit_keys, {{"scene", scene_or_file()},
                               {"design", design},
+                              {"prior", object_of(stored_fit_keys)},
                               {"set", inputs_and_layers(input_reference, any_input)},
                               {"data", {{"anyOf", {name(), reference(data_set_name), list_of(set)}}}},
                               {"parameters", parameters},

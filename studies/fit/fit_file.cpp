@@ -14,6 +14,7 @@
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/study/study_scene.hpp"
+#include "studies/study/trusted_fit.hpp"
 #include "studies/text/file_kind.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
@@ -129,12 +130,14 @@ double number_of(const GivenParameter& given, const Json& value, const std::stri
   return std::get<double>(found);
 }
 
+constexpr const char* prior_needs_sigma = "needs the sigma of the data too: they say which of both weighs more";
+
 Prior prior_of(const GivenParameter& given, const FitFile& fit) {
   const std::string place = given.place + ": prior";
   if (!given.prior->is_object()) refuse(given.place, "prior", *given.prior, "must be an object with mean and sigma");
   refuse_unknown_keys(*given.prior, prior_keys, place);
   if (!fit.deviations_known && fit.noise.empty())
-    refuse(given.place, "prior", *given.prior, "needs the sigma of the data too: they say which of both weighs more");
+    refuse(given.place, "prior", *given.prior, prior_needs_sigma);
   const Json& sigma = needed(*given.prior, "sigma", place, "must be the standard deviation");
   Prior prior{.lognormal = name_or_first(*given.prior, "kind", prior_names, place) == "lognormal",
               .mean = number_of(given, needed(*given.prior, "mean", place, "must be the mean"), "mean", fit),
@@ -259,16 +262,51 @@ FitFile read_fit(const std::filesystem::path& file) {
       throw std::invalid_argument(parameter.place + ": fixed: needs a start, and no data set");
     fit.fixed.push_back({parameter.key, *input.start});
   }
+  if (const auto former = object.find("prior"); former != object.end()) {
+    if (!former->is_object()) refuse(place, "prior", *former, "must be an object with name and db");
+    if (!fit.deviations_known && fit.noise.empty()) refuse(place, "prior", *former, prior_needs_sigma);
+    fit.former = trusted_fit(*former, file, place + ": prior");
+  }
   if (fit.inputs.empty()) refuse(place, "parameters", parameters, "all are fixed: nothing is left to fit");
   fit.design = read_design(object, fit, place);
   return fit;
 }
 
+namespace {
+
+/// What the former fit says of those of its parameters that this one has.
+std::vector<KnownBefore> known_of(const FitRecord& former, const std::vector<FitParameter>& parameters) {
+  std::vector<FormerParameter> known;
+  for (std::size_t j = 0; j < parameters.size(); ++j)
+    for (const FitParameterRecord& one : former.parameters) {
+      if (one.name != parameters[j].name || one.fixed) continue;
+      if (!(one.standard_error > 0) || !std::isfinite(one.standard_error))
+        throw std::invalid_argument("its parameter " + one.name + " has no standard error" +
+                                    (one.flag.empty() ? "" : ": " + one.flag));
+      const bool logarithm = parameters[j].variable.logarithmic;
+      known.push_back({j, logarithm, one.value, logarithm ? one.standard_error / one.value : one.standard_error, one.name});
+    }
+  if (known.empty()) throw std::invalid_argument("it has none of the parameters");
+  const auto count = std::ssize(known);
+  Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(count, count);
+  for (const FitCorrelationRecord& pair : former.correlations)
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index k = 0; k < count; ++k)
+        if (known[static_cast<std::size_t>(i)].name == pair.first && known[static_cast<std::size_t>(k)].name == pair.second)
+          correlation(i, k) = correlation(k, i) = pair.correlation;
+  return known_before(known, correlation);
+}
+
+}  // namespace
+
 FitProblem problem_of(const FitFile& file, const Evaluate& evaluate, int jobs) {
   FitProblem problem = refusing_at(file.source + ": parameters", [&] {
     const std::vector<FittedInput> started = with_closed_form_starts(file.scenes, file.inputs, file.output);
-    FitProblem posed =
-        resistance_problem(file.scenes, started, evaluate, {.output = file.output, .jobs = jobs, .step = file.step});
+    const std::vector<FitParameter> parameters = fit_parameters(file.scenes, started);
+    ResistanceFitOptions options{.output = file.output, .jobs = jobs, .step = file.step};
+    if (file.former)
+      options.known = refusing_at("prior " + file.former->name, [&] { return known_of(*file.former, parameters); });
+    FitProblem posed = resistance_problem(file.scenes, started, parameters, evaluate, options);
     if (file.options.starts > 1) add_closed_forms(posed, file.scenes, started, file.output);
     return posed;
   });

@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "fitting/fit/fit.hpp"
+#include "db/rows/fit_store.hpp"
 #include "fitting/fit/resistance_fit.hpp"
 
 namespace rollres {
@@ -87,6 +88,7 @@ struct FitFile {
   std::optional<double> step = {};
   FitOptions options;
   DesignWish design = {};
+  std::optional<FitRecord> former = {};    ///< a fit whose result is a prior
   std::vector<std::string> warnings = {};  ///< rows given twice, a negative output
   std::vector<std::string> notes = {};     ///< a spacing of the scene that was left out
 

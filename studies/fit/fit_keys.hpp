@@ -31,6 +31,7 @@ inline constexpr std::array fit_keys{
     FileKey{"data", "name of a CSV file, a data set, or a list of these", KeyForm{}, is_needed},
     FileKey{"parameters", "inputs to be fitted, each a start, an object, or a list of objects for several data sets",
             KeyForm{}, is_needed},
+    FileKey{"prior", "a former fit: what it says of these parameters, with their correlations, is another datum"},
     FileKey{"output", "what is measured; default rolling_resistance"},
     FileKey{"weights", "without sigma: all residuals weigh the same, or the same relative to the measured values",
             one_of(weight_names)},

@@ -6,10 +6,8 @@
 
 #include "core/derivatives/objective.hpp"
 #include "core/scene/scene_input.hpp"
-#include "db/rows/fit_store.hpp"
-#include "db/rows/schema.hpp"
-#include "fitting/fit/fit_report.hpp"
 #include "studies/scene_io/usual_names.hpp"
+#include "studies/study/trusted_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
@@ -239,25 +237,17 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
   Json& uncertain = *found;
   const Json given = uncertain["fit"];
   if (!given.is_object()) refuse(place, "fit", given, "must be an object with name and db");
-  refuse_unknown_keys(given, uncertain_fit_keys, place + ": fit");
-  const std::string name = needed_text(given, "name", place + ": fit", "must be the name of a fit");
-  const std::string file_name = needed_text(given, "db", place + ": fit", "must be the database that holds the fit");
-  const std::filesystem::path database = path.parent_path() / file_name;
-  const std::optional<FitRecord> fit = find_fit(open_database(database, Access::read), name);
-  if (!fit) refuse(place + ": fit", "name", name, database.string() + " holds no fit of this name");
-  const std::string fit_place = place + ": fit " + name;
-  const bool earlier = fit->status == "USABLE";  // as GOOD was called
-  if (!earlier && fit->status != name_of(FitStatus::good) && fit->status != name_of(FitStatus::usable_with_warnings))
-    throw std::invalid_argument(fit_place + ": its status is " + fit->status + ": its errors tell nothing");
+  const FitRecord fit = trusted_fit(given, path, place + ": fit");
+  const std::string fit_place = place + ": fit " + fit.name;
   Json resolved = Json::object();
-  for (const FitParameterRecord& parameter : fit->parameters) {
+  for (const FitParameterRecord& parameter : fit.parameters) {
     if (parameter.fixed) continue;
     if (uncertain.contains(parameter.name))
       refuse(place, parameter.name, uncertain[parameter.name], "scatters by the fit already");
     resolved[parameter.name] = fitted_distribution(parameter, fit_place);
   }
   Json pairs = uncertain.value("correlation", Json::array());
-  for (const FitCorrelationRecord& pair : fit->correlations)
+  for (const FitCorrelationRecord& pair : fit.correlations)
     if (std::isfinite(pair.correlation)) pairs.push_back({pair.first, pair.second, pair.correlation});
   uncertain.erase("fit");
   for (const auto& [key, value] : uncertain.items())

@@ -47,11 +47,6 @@ inline constexpr std::array uncertain_keys{
     FileKey{"probability", "conditions of inputs and outputs whose probability is wanted"},
 };
 
-inline constexpr std::array uncertain_fit_keys{
-    FileKey{"name", "name of the fit in the database", a_name, is_needed},
-    FileKey{"db", "database, relative to this file", a_name, is_needed},
-};
-
 inline constexpr std::array distribution_keys{
     FileKey{"normal", "mean and standard deviation, which may be a share of the mean; or that share alone"},
     FileKey{"lognormal", "median and standard deviation of the logarithm, a number or a share; or that share alone"},

@@ -12,6 +12,8 @@
 #include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
+// Covers trusted_fit, too.
+
 using namespace rollres;
 
 namespace {
