@@ -36,7 +36,7 @@ struct FittedParameter {
   double value;               ///< [SI]
   double standard_error;      ///< [SI] linear; NaN at a bound
   double relative_error;      ///< of the scaled variable: of a positive quantity relative, else over its size
-  ConfidenceInterval linear;  ///< 95 %: symmetric in the scaled variable
+  ConfidenceInterval linear;  ///< 95 %: symmetric in the scaled variable; open where that is not bounded
   Profile profile;            ///< 95 %; without points if profiles were not wanted
   double step;                ///< of the differences, scaled
   double slope_doubt;         ///< estimated error of the slopes over the slopes

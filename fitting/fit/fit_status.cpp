@@ -113,11 +113,13 @@ void flag_parameters(FitReport& report) {
     if (fitted.at_bound == AtBound::highest) add("at its upper bound");
     if (has_no_effect(report, j)) {  // what its profile met is rounding
       add("not bounded: changes no prediction");
-      profile = {};
+      profile = fitted.linear = {};
       continue;
     }
     if (fitted.profile.points.empty()) {
-      if (not_bounded(report, j)) add("not bounded");
+      if (!not_bounded(report, j)) continue;
+      add("not bounded");
+      fitted.linear = {};  // slopes do not tell where so wide an interval ends
       continue;
     }
     if (profile.low == IntervalEnd::open && fitted.at_bound != AtBound::lowest) add("not bounded below");
