@@ -188,6 +188,15 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<KnownBefore>
     prediction.values = values;
     return prediction;
   };
+  if (problem.estimate)
+    with.estimate = [known, measured, estimate = problem.estimate](const FitPoint& point) {
+      Prediction prediction = estimate(point);
+      if (!prediction.found()) return prediction;
+      prediction.values.conservativeResize(static_cast<Eigen::Index>(measured) + std::ssize(known));
+      for (std::size_t i = 0; i < known.size(); ++i)
+        prediction.values[static_cast<Eigen::Index>(measured + i)] = value_of(known[i], point);
+      return prediction;
+    };
   with.predict = [predict = with.predict_rows, all = with.data.size()](const FitPoint& point) {
     Rows rows(all);
     std::iota(rows.begin(), rows.end(), 0);

@@ -223,7 +223,7 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     };
   }
   std::vector<MeasuredTerm> terms;
-  std::vector<KnownBefore> known = options.known;
+  std::vector<KnownBefore> known;
   for (std::size_t j = 0; j < inputs.size(); ++j) {
     if (inputs[j].prior) known.push_back(known_before(*inputs[j].prior, j, parameters[j].name));
     if (inputs[j].smooth && j > 0) known.push_back(smooth_step(j - 1, j, *inputs[j].smooth, parameters[j].name));

@@ -52,7 +52,6 @@ struct ResistanceFitOptions {
   std::string output = "rolling_resistance";
   int jobs = 0;                     ///< threads; 0: one for each core
   std::optional<double> step = {};  ///< scaled; forced in place of those that suit the noise
-  std::vector<KnownBefore> known = {};  ///< beside the inputs' own priors
 };
 
 /// The inputs as parameters, with bounds, scale and start.

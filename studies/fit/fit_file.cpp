@@ -302,13 +302,12 @@ std::vector<KnownBefore> known_of(const FitRecord& former, const std::vector<Fit
 FitProblem problem_of(const FitFile& file, const Evaluate& evaluate, int jobs) {
   FitProblem problem = refusing_at(file.source + ": parameters", [&] {
     const std::vector<FittedInput> started = with_closed_form_starts(file.scenes, file.inputs, file.output);
-    const std::vector<FitParameter> parameters = fit_parameters(file.scenes, started);
-    ResistanceFitOptions options{.output = file.output, .jobs = jobs, .step = file.step};
-    if (file.former)
-      options.known = refusing_at("prior " + file.former->name, [&] { return known_of(*file.former, parameters); });
-    FitProblem posed = resistance_problem(file.scenes, started, parameters, evaluate, options);
+    FitProblem posed =
+        resistance_problem(file.scenes, started, evaluate, {.output = file.output, .jobs = jobs, .step = file.step});
     if (file.options.starts > 1) add_closed_forms(posed, file.scenes, started, file.output);
-    return posed;
+    if (!file.former) return posed;
+    return with_priors(posed, refusing_at("prior " + file.former->name,
+                                          [&] { return known_of(*file.former, posed.parameters); }));
   });
   problem.deviations_known = file.deviations_known;
   problem.loss = file.loss;

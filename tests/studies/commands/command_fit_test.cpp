@@ -541,7 +541,6 @@ TEST_CASE("what a former fit says, with its correlations, is worth its data", "[
   const std::size_t head = files.table.find('\n') + 1, middle = files.table.find('\n', head + (files.table.size() - head) / 2) + 1;
   const std::string all = files.table, one = all.substr(0, middle), other = all.substr(0, head) + all.substr(middle);
   json file = half_space_fit();
-  file["starts"] = 1;
   const auto fitted = [&](const std::string& name, const std::string& table) {
     files.table = table;
     file["fit"] = name;
