@@ -147,12 +147,11 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
 }
 
 std::string model_of(const RollingScene& scene, const RollingSolution& solution) {
-  std::string model =
-      surface_in_words(scene) + "; " +
-      message_text(inertia_included(scene) ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ",
-                   inertia(scene, solution));
-  if (!inertia_included(scene) && scene.inertia == Inertia::automatic && scene.tolerance &&
-      inertia(scene, solution) > *scene.tolerance)
+  const bool included = inertia_included(scene);
+  const double mach = inertia(scene, solution);
+  std::string model = surface_in_words(scene) + "; " +
+                      message_text(included ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ", mach);
+  if (!included && scene.inertia == Inertia::automatic && scene.tolerance && mach > *scene.tolerance)
     model += ", which may change R_r by about as much (inertia = on takes it along)";
   const bool sphere = dimensions(scene) == 3, spectral = solution.method == Method::spectral;
   const bool gridded = on_grid(solution.method);

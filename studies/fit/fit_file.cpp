@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/scene/scene_input.hpp"
 #include "db/file/digest.hpp"
@@ -81,25 +82,21 @@ GivenParameter given_parameter(const std::string& key, const Json& value, const 
 }
 
 /// A list as the numbers that the scene has, each a parameter; every other parameter as it is.
-std::vector<GivenParameter> each_number(const std::vector<GivenParameter>& given, const std::vector<SceneEntry>& scene) {
+std::vector<GivenParameter> each_number(const std::vector<GivenParameter>& given, const RollingScene& scene) {
   std::vector<GivenParameter> numbers;
   for (const GivenParameter& one : given) {
-    const InputKind* const kind = find_number(one.key);
+    const InputKind* const kind = find_input(one.key);
     if (!kind || !kind->list) {
       numbers.push_back(one);
       continue;
     }
     if (one.fixed) throw std::invalid_argument(one.place + ": fixed: leave it out");
-    const auto parts = layer_key(one.key);
-    const Json* list = value_given(scene, parts ? parts->list : one.key);
-    if (parts)
-      list = list && list->is_array() && parts->layer < list->size() && (*list)[parts->layer].is_object() &&
-                     (*list)[parts->layer].contains(parts->input)
-                 ? &(*list)[parts->layer][std::string(parts->input)]
-                 : nullptr;
-    if (!list || !list->is_array() || list->empty())
-      throw std::invalid_argument(one.place + ": the scene has no " + one.key + " to start from");
-    for (std::size_t i = 0; i < list->size(); ++i) {
+    std::size_t count = 0;
+    visit_input(scene, one.key, [&](const Quantity&, const auto& value) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) count = value.size();
+    });
+    if (count == 0) throw std::invalid_argument(one.place + ": the scene has no " + one.key + " to start from");
+    for (std::size_t i = 0; i < count; ++i) {
       GivenParameter& number = numbers.emplace_back(one);
       number.key += "[" + std::to_string(i) + "]";
       number.place += "[" + std::to_string(i) + "]";
@@ -130,14 +127,17 @@ double number_of(const GivenParameter& given, const Json& value, const std::stri
   return std::get<double>(found);
 }
 
-constexpr const char* prior_needs_sigma = "needs the sigma of the data too: they say which of both weighs more";
+/// What was known before needs it.
+void need_sigma(const FitFile& fit, const std::string& place, const char* key, const Json& value) {
+  if (!fit.deviations_known && fit.noise.empty())
+    refuse(place, key, value, "needs the sigma of the data too: they say which of both weighs more");
+}
 
 Prior prior_of(const GivenParameter& given, const FitFile& fit) {
   const std::string place = given.place + ": prior";
   if (!given.prior->is_object()) refuse(given.place, "prior", *given.prior, "must be an object with mean and sigma");
   refuse_unknown_keys(*given.prior, prior_keys, place);
-  if (!fit.deviations_known && fit.noise.empty())
-    refuse(given.place, "prior", *given.prior, prior_needs_sigma);
+  need_sigma(fit, given.place, "prior", *given.prior);
   const Json& sigma = needed(*given.prior, "sigma", place, "must be the standard deviation");
   Prior prior{.lognormal = name_or_first(*given.prior, "kind", prior_names, place) == "lognormal",
               .mean = number_of(given, needed(*given.prior, "mean", place, "must be the mean"), "mean", fit),
@@ -181,7 +181,8 @@ void read_limits(FitLimits& limits, const Json& object, const std::string& place
 std::vector<SceneEntry> started(std::vector<SceneEntry> entries, const std::vector<GivenParameter>& parameters) {
   const auto has = [&](const std::string& key) { return value_given(entries, key) != nullptr; };
   for (const GivenParameter& given : parameters) {
-    if (is_measured_term(given.key) || is_noise_term(given.key) || element_key(given.key)) continue;
+    const InputKind* const kind = find_input(given.key);
+    if (!kind || kind->list) continue;  // numbers of lists start once there are scenes
     if (given.start && (given.set.empty() || !has(given.key)))
       entries = overridden(entries, {{given.key, *given.start, given.place}});
     else if (!given.start && !has(given.key) && has_closed_form_start(given.key))
@@ -219,13 +220,12 @@ FitFile read_fit(const std::filesystem::path& file) {
     else
       given.push_back(given_parameter(key, value, place));
   }
-  const auto scene = overridden(scene_entries_of(object, file, place), set_entries(object, place));
-  given = each_number(given, scene);
-  const auto base = started(scene, given);
+  const auto base = started(overridden(scene_entries_of(object, file, place), set_entries(object, place)), given);
   const std::vector<GivenSet> sets = given_sets(object, file, place);
   const bool keep_spacing = value_given(set_entries(object, place), "spacing") != nullptr;
   fit.data_digest = digest(read_data(fit, sets, base, keep_spacing));
   warn_of_repeated_rows(fit);
+  given = each_number(given, fit.scenes.front().scene);
 
   for (const GivenParameter& parameter : given) {  // before priors, which need some deviation
     if (!is_noise_term(parameter.key)) continue;
@@ -250,8 +250,7 @@ FitFile read_fit(const std::filesystem::path& file) {
     input.input.logarithmic = parameter.logarithmic;
     if (parameter.start) input.start = number_of(parameter, *parameter.start, "start", fit);
     if (parameter.prior) input.prior = prior_of(parameter, fit);
-    if (parameter.smooth && !fit.deviations_known && fit.noise.empty())
-      refuse(parameter.place, "smooth", *parameter.smooth, "needs the sigma of the data too, as a prior does");
+    if (parameter.smooth) need_sigma(fit, parameter.place, "smooth", *parameter.smooth);
     input.smooth = parameter.smooth;
     if (!parameter.fixed) {
       fit.inputs.push_back(input);
@@ -263,9 +262,8 @@ FitFile read_fit(const std::filesystem::path& file) {
     fit.fixed.push_back({parameter.key, *input.start});
   }
   if (const auto former = object.find("prior"); former != object.end()) {
-    if (!former->is_object()) refuse(place, "prior", *former, "must be an object with name and db");
-    if (!fit.deviations_known && fit.noise.empty()) refuse(place, "prior", *former, prior_needs_sigma);
-    fit.former = trusted_fit(*former, file, place + ": prior");
+    need_sigma(fit, place, "prior", *former);
+    fit.former = trusted_fit(*former, file, place, "prior");
   }
   if (fit.inputs.empty()) refuse(place, "parameters", parameters, "all are fixed: nothing is left to fit");
   fit.design = read_design(object, fit, place);
@@ -280,11 +278,9 @@ std::vector<KnownBefore> known_of(const FitRecord& former, const std::vector<Fit
   for (std::size_t j = 0; j < parameters.size(); ++j)
     for (const FitParameterRecord& one : former.parameters) {
       if (one.name != parameters[j].name || one.fixed) continue;
-      if (!(one.standard_error > 0) || !std::isfinite(one.standard_error))
-        throw std::invalid_argument("its parameter " + one.name + " has no standard error" +
-                                    (one.flag.empty() ? "" : ": " + one.flag));
       const bool logarithm = parameters[j].variable.logarithmic;
-      known.push_back({j, logarithm, one.value, logarithm ? one.standard_error / one.value : one.standard_error, one.name});
+      const double error = trusted_error(one);
+      known.push_back({j, logarithm, one.value, logarithm ? error / one.value : error, one.name});
     }
   if (known.empty()) throw std::invalid_argument("it has none of the parameters");
   const auto count = std::ssize(known);

@@ -74,8 +74,8 @@ std::string fit_in_words(const FitRecord& fit) {
             percent(fit.p_value, 2) + " of all cases.";
   else if (std::isfinite(fit.rms))
     text += "It misses the measurements by " +
-            (fit.y_unit.empty() ? short_number(fit.rms, 3) + " (SI" : readable(fit.rms, fit.y_unit) + " (") +
-            (fit.y_unit.empty() ? ", " : "") + "root mean square).";
+            (fit.y_unit.empty() ? short_number(fit.rms, 3) + " (SI, " : readable(fit.rms, fit.y_unit) + " (") +
+            "root mean square).";
   return text;
 }
 

@@ -218,14 +218,12 @@ Json fitted_distribution(const FitParameterRecord& parameter, const std::string&
   const InputKind* const kind = find_input(parameter.name);
   if (!kind || !kind->real())
     throw std::invalid_argument(place + ": its parameter " + parameter.name + " is no input of a scene");
-  if (!std::isfinite(parameter.standard_error) || !(parameter.standard_error > 0))
-    throw std::invalid_argument(place + ": its parameter " + parameter.name + " has no standard error" +
-                                (parameter.flag.empty() ? "" : ": " + parameter.flag));
+  const double error = refusing_at(place, [&] { return trusted_error(parameter); });
   const Range& range = kind->quantity.range;
   const bool positive = range.lowest >= 0 && range.lowest_excluded;
   const bool logarithmic = parameter.value > 0 && (kind->quantity.unit != "1" || positive);
-  if (logarithmic) return {{"lognormal", {parameter.value, parameter.standard_error / parameter.value}}};
-  return {{"normal", {parameter.value, parameter.standard_error}}, {"truncated", true}};
+  if (logarithmic) return {{"lognormal", {parameter.value, error / parameter.value}}};
+  return {{"normal", {parameter.value, error}}, {"truncated", true}};
 }
 
 }  // namespace
@@ -236,8 +234,7 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
   const std::string place = file_place + ": uncertain";
   Json& uncertain = *found;
   const Json given = uncertain["fit"];
-  if (!given.is_object()) refuse(place, "fit", given, "must be an object with name and db");
-  const FitRecord fit = trusted_fit(given, path, place + ": fit");
+  const FitRecord fit = trusted_fit(given, path, place, "fit");
   const std::string fit_place = place + ": fit " + fit.name;
   Json resolved = Json::object();
   for (const FitParameterRecord& parameter : fit.parameters) {

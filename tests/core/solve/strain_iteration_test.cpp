@@ -30,6 +30,32 @@ int solutions_of(const RollingSolution& solution) {
   return std::stoi(solution.model.substr(place + 9));
 }
 
+/// The linear scene of the moduli that an answer found, and what is inside its layers.
+struct LinearTwin {
+  RollingScene scene;
+  InteriorSummary inside;
+};
+
+/// Whose answer and strains are those that were found.
+LinearTwin linear_twin(const RollingScene& scene, const RollingSolution& s) {
+  RollingScene linear = solved_scene(scene, s);
+  linear.payne_drop = 0;
+  linear.payne_loss_peak = 1;
+  const RollingSolution same = converged(linear);
+  CHECK(same.rolling_resistance == s.rolling_resistance);
+  const InteriorSummary inside = interior_summary(linear, same.fields, InteriorField::Detail::inside);
+  CHECK(inside.strain_amplitude == Approx(s.strain_amplitude).epsilon(1e-12));
+  return {linear, inside};
+}
+
+/// Whether the twin's moduli are what Kraus's model makes of the scene's at the twin's strains.
+void check_moduli(const RollingScene& scene, const LinearTwin& twin, double omega) {
+  const Softening wanted = softening_at(scene, twin.inside.strain_amplitude);
+  const std::complex<double> before = complex_modulus(scene, omega), after = complex_modulus(twin.scene, omega);
+  CHECK(after.real() == Approx(wanted.storage * before.real()).epsilon(3e-8));
+  CHECK(after.imag() == Approx(wanted.loss * before.imag()).epsilon(3e-8));
+}
+
 }  // namespace
 
 TEST_CASE("a scene with moduli at its strains is the linear scene of those moduli, whose strains they are",
@@ -40,20 +66,9 @@ TEST_CASE("a scene with moduli at its strains is the linear scene of those modul
   CHECK(s.softening < 0.95);
   CHECK(s.strain_amplitude > 1e-3);
   CHECK(solutions_of(s) <= 12);
-  RollingScene linear = solved_scene(scene, s);
-  linear.payne_drop = 0;
-  linear.payne_loss_peak = 1;
-  const RollingSolution same = converged(linear);
-  CHECK(same.rolling_resistance == s.rolling_resistance);
-  const InteriorSummary inside = interior_summary(linear, same.fields, InteriorField::Detail::inside);
-  CHECK(inside.strain_amplitude == Approx(s.strain_amplitude).epsilon(1e-12));
-  const Softening wanted = softening_at(scene, inside.strain_amplitude);
-  CHECK(wanted.storage == Approx(s.softening).epsilon(1e-12));
-  MaterialInputs original = scene;
-  const double omega = scene.speed / (0.5 * s.contact_area);
-  const std::complex<double> before = complex_modulus(original, omega), after = complex_modulus(linear, omega);
-  CHECK(after.real() == Approx(wanted.storage * before.real()).epsilon(3e-8));
-  CHECK(after.imag() == Approx(wanted.loss * before.imag()).epsilon(3e-8));
+  const LinearTwin twin = linear_twin(scene, s);
+  CHECK(softening_at(scene, twin.inside.strain_amplitude).storage == Approx(s.softening).epsilon(1e-12));
+  check_moduli(scene, twin, scene.speed / (0.5 * s.contact_area));
 }
 
 TEST_CASE("without a drop the answer is the linear one to all digits, and at a small load it comes near it",
@@ -116,19 +131,8 @@ TEST_CASE("where solutions are dear, the strains are found on the usual grid fir
     const RollingSolution s = converged(scene);
     CHECK((s.model.find(" on the usual grid") != std::string::npos) == (load == 1e4));
     CHECK(solutions_of(s) <= 4);
-    RollingScene linear = solved_scene(scene, s);
-    linear.payne_drop = 0;
-    linear.payne_loss_peak = 1;
-    const RollingSolution same = converged(linear);
-    CHECK(same.rolling_resistance == s.rolling_resistance);
-    const InteriorSummary inside = interior_summary(linear, same.fields, InteriorField::Detail::inside);
-    CHECK(inside.strain_amplitude == Approx(s.strain_amplitude).epsilon(1e-12));
-    const double omega = scene.speed / inside.half_length;
-    const Softening wanted = softening_at(scene, inside.strain_amplitude);
-    MaterialInputs original = scene;
-    const std::complex<double> before = complex_modulus(original, omega), after = complex_modulus(linear, omega);
-    CHECK(after.real() == Approx(wanted.storage * before.real()).epsilon(3e-8));
-    CHECK(after.imag() == Approx(wanted.loss * before.imag()).epsilon(3e-8));
+    const LinearTwin twin = linear_twin(scene, s);
+    check_moduli(scene, twin, scene.speed / twin.inside.half_length);
   }
 }
 
