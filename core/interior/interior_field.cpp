@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/interior/depth_response.hpp"
+#include "core/interior/flow_loss.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
 
@@ -14,6 +15,7 @@ namespace rollres {
 
 using complex = std::complex<double>;
 using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
 using Eigen::Index;
 
 namespace {
@@ -55,11 +57,6 @@ double half_length_of(const SurfaceFields& fields) {
   const auto nodes =
       std::count_if(fields.zone.begin(), fields.zone.end(), [](Zone zone) { return zone != Zone::free; });
   return a_length(0.5 * static_cast<double>(nodes) * fields.grid.spacing_x);
-}
-
-bool creeps(const CreepSpectrum& material) {
-  return std::any_of(material.terms.begin(), material.terms.end(),
-                     [](const CreepSpectrum::Term& term) { return term.compliance > 0; });
 }
 
 }  // namespace
@@ -131,7 +128,7 @@ class InteriorField::Sum {
     for (const InteriorLine& line : lines) {
       depth_.push_back(field.depth_of(line));
       const std::size_t terms = field.medium_[line.layer].material.terms.size();
-      memories_.emplace_back(density && points > 1 ? terms : 0, std::array<double, 3>{});
+      memories_.push_back(ArrayXXd::Zero(3, static_cast<Index>(density && points > 1 ? terms : 0)));
     }
     if (density) f_.loss_density = Eigen::ArrayXXd::Zero(points, count);
     if (wanted == Wanted::strains) summed_ = of_strains;
@@ -271,18 +268,17 @@ class InteriorField::Sum {
   }
 
   /// The places of x in the order in which material passes them, from the last to the first.
-  Index place(Index i) const { return field_.speed_ < 0 ? x_.size() - 1 - i : i; }
+  Index place(Index i) const { return field_.speed_ < 0 ? i : x_.size() - 1 - i; }
 
   /// Memory means of the stress at the point farthest ahead.
   void add_memories(std::size_t line, const Wave& wave, const PlaneStress& stress, double weight) {
-    if (memories_[line].empty()) return;
-    const complex turned = weight * std::polar(1.0, wave.wavenumber * x_(place(x_.size() - 1)));
+    if (memories_[line].cols() == 0) return;
+    const complex turned = weight * std::polar(1.0, wave.wavenumber * x_(place(0)));
     const auto& terms = field_.medium_[lines_[line].layer].material.terms;
     for (std::size_t m = 0; m < terms.size(); ++m) {
       const complex mean = turned / complex(1, -wave.wavenumber * field_.speed_ * terms[m].time);
-      memories_[line][m][0] += (mean * stress.x).real();
-      memories_[line][m][1] += (mean * stress.z).real();
-      memories_[line][m][2] += (mean * stress.xz).real();
+      const complex means[] = {mean * stress.x, mean * stress.z, mean * stress.xz};
+      for (Index c = 0; c < 3; ++c) memories_[line](c, static_cast<Index>(m)) += means[c].real();
     }
   }
 
@@ -305,32 +301,20 @@ class InteriorField::Sum {
     }
   }
 
-  /// From ahead to behind, with stresses that are linear between points.
   void measure_density() {
-    if (x_.size() < 2) return;
-    const double step = x_(1) - x_(0), speed = std::abs(field_.speed_);
+    const Index points = x_.size();
+    if (points < 2) return;
+    ArrayXXd along(3, points);
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       const MediumLayer& layer = field_.medium_[lines_[line].layer];
       const auto column = static_cast<Index>(line);
-      const auto stress = [&](Index i) {
-        return Eigen::Array3d(f_.sigma_x(place(i), column), f_.sigma_z(place(i), column), f_.tau_xz(place(i), column));
-      };
-      for (std::size_t m = 0; m < layer.material.terms.size(); ++m) {
-        const auto& [compliance, time] = layer.material.terms[m];
-        if (!(compliance > 0 && time > 0)) continue;
-        const double length = speed * time, kept = std::exp(-step / length);
-        Eigen::Array3d mean(memories_[line][m].data());
-        for (Index i = x_.size() - 1; i >= 0; --i) {
-          const Eigen::Array3d here = stress(i);
-          if (i + 1 < x_.size()) {
-            const Eigen::Array3d slope = (stress(i + 1) - here) / step;
-            mean = kept * (mean - stress(i + 1) - length * slope) + here + length * slope;
-          }
-          const Eigen::Array3d above = here - mean;
-          f_.loss_density(place(i), column) +=
-              compliance / time * distortion(above(0), above(1), above(2), layer.poisson_ratio);
-        }
-      }
+      for (Index i = 0; i < points; ++i)
+        along.col(i) << f_.sigma_x(place(i), column), f_.sigma_z(place(i), column), f_.tau_xz(place(i), column);
+      const ArrayXd density = flow_loss(along, memories_[line], layer.material, x_(1) - x_(0),
+                                        std::abs(field_.speed_), [&](const ArrayXd& stress) {
+                                          return distortion(stress(0), stress(1), stress(2), layer.poisson_ratio);
+                                        });
+      for (Index i = 0; i < points; ++i) f_.loss_density(place(i), column) = density(i);
     }
   }
 
@@ -340,7 +324,7 @@ class InteriorField::Sum {
   const std::vector<InteriorLine>& lines_;
   std::vector<double> depth_;
   std::vector<bool> creeps_;  // layers
-  std::vector<std::vector<std::array<double, 3>>> memories_;
+  std::vector<ArrayXXd> memories_;  // of each line: (stress, term)
   Index summed_ = fields_in_order.size();  // fields
   Eigen::MatrixXd amplitudes_;             // of a block: (real, then imaginary part of each wave; fields of each line)
   Eigen::MatrixXd sums_;                   // (point; fields of each line)
