@@ -1,47 +1,39 @@
 #pragma once
 
 /// What designers ask of the inside of the layers: the largest shear strain, the amplitude of the strain's cycle, what
-/// bonds bear, and where power is lost. Fields and their theory: interior_field.hpp.
+/// bonds bear, and where power is lost. Fields and their theory: interior_field.hpp, volume_field.hpp.
 ///
-/// The shear strain is that of plane strain, gamma = sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2). Material flows along
-/// lines of one depth; the cycle's amplitude is half of the largest distance between two points (epsilon_x - epsilon_z,
-/// gamma_xz) of a line, the unstrained state ahead among them: of a strain that only oscillates, its amplitude.
+/// The largest shear strain is the difference of the outer principal strains, under a cylinder of those in its plane,
+/// sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2). Material flows along lines of one y and one depth; the cycle's amplitude
+/// is half of the largest distance between two states of a line, the unstrained one ahead among them: of a strain that
+/// only oscillates, its amplitude. The distance of two states is sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2) of their
+/// difference under a cylinder, sqrt(2 e : e) of its deviator e under a sphere, the same in plane strain without change
+/// of volume.
 
 #include <vector>
 
-#include "core/interior/interior_field.hpp"
+#include "core/interior/volume_field.hpp"
 #include "core/scene/scene.hpp"
 
 namespace rollres {
 
-/// Layers on one side of the contact: those under the body or those on it, where z and the shear are mirrored.
-struct LayersInside {
-  bool on_body;
-  InteriorField field;
-
-  /// Height over the undeformed surface, negative under the body [m].
-  double height_of(const InteriorLine& line) const { return (on_body ? 1 : -1) * field.depth_of(line); }
-};
-
-/// @param reach up to which |x| fields are wanted [m]
-std::vector<LayersInside> layers_inside(const RollingScene& scene, const SurfaceFields& fields, double reach,
-                                        InteriorField::Detail detail);
-
-/// One line of flow.
+/// Lines of flow at one depth: under a cylinder one, under a sphere those of all y.
 struct LineOfFlow {
   bool on_body;
-  std::size_t layer;        ///< counted from the contact, from 0
-  double z;                 ///< height over the undeformed surface [m]
-  double thickness;         ///< that it stands for [m]
-  double loss;              ///< [W/m2]: of a metre of length, per depth
-  double strain_amplitude;  ///< [1]
+  std::size_t layer;  ///< counted from the contact, from 0
+  double z;           ///< height over the undeformed surface [m]
+  double thickness;   ///< that it stands for [m]
+  double loss;        ///< of a metre of depth: [W/m2], per metre of a cylinder's length; sphere [W/m]
+  double strain_amplitude;       ///< of a sphere's, mean by their loss (of what loses nothing, by strain energy) [1]
+  double peak_strain_amplitude;  ///< [1]
+  double energy;                 ///< amplitude squared, of a sphere's summed over y [1], [m]
 };
 
 struct LayerLoss {
   bool on_body;
   std::size_t layer;
-  double loss;                   ///< [W/m]
-  double strain_amplitude;       ///< mean over its lines by their loss, or by thickness where nothing is lost [1]
+  double loss;                   ///< [W/m]; sphere [W]
+  double strain_amplitude;       ///< mean over its lines by their loss, or by strain energy where nothing is lost [1]
   double peak_strain_amplitude;  ///< [1]
 };
 
@@ -49,35 +41,49 @@ struct LayerLoss {
 struct Bond {
   bool on_body;
   std::size_t layer;
-  double z;                       ///< [m]
-  double shear = 0, shear_x = 0;  ///< largest |tau_xz| and where [Pa], [m]
-  double tension = 0, tension_x = 0;
+  double z;                                      ///< [m]
+  double shear = 0, shear_x = 0, shear_y = 0;    ///< largest shear stress and where [Pa], [m]
+  double tension = 0, tension_x = 0, tension_y = 0;
 };
 
 struct InteriorSummary {
   std::vector<LineOfFlow> lines;
   std::vector<LayerLoss> layers;
   std::vector<Bond> bonds;
-  double half_length = 0;                                  ///< of the contact, on a grid with edges between nodes [m]
-  double loss = 0;                                         ///< [W/m]
+  double half_length = 0;                                  ///< of the contact along x, on a grid between nodes [m]
+  double loss = 0;                                         ///< [W/m]; sphere [W]
   double strain_amplitude = 0, peak_strain_amplitude = 0;  ///< as of a layer, of all [1]
-  double peak_shear_strain = 0, peak_x = 0, peak_z = 0;    ///< with Detail::surface; [1], [m], [m]
+  double peak_shear_strain = 0;                            ///< with Detail::surface [1]
+  double peak_x = 0, peak_y = 0, peak_z = 0;               ///< where; y >= 0 [m]
 };
 
-/// @param scene of a cylinder, a single passage   @param fields of its solution
+/// @param scene a single passage   @param fields of its solution
 InteriorSummary interior_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail);
+
+/// Losses and amplitudes of layers and of all of them, from the lines.
+/// @param shallowest depth of lines whose amplitudes are not those of a grid's cells [m]
+void add_totals(InteriorSummary& summary, double shallowest);
 
 /// The outputs of a solution that come from the inside.
 void add_interior(const RollingScene& scene, RollingSolution& solution);
 
-/// Fields on a section x-z of all layers on one side, down to some half-lengths of the contact.
+/// Fields on a section of all layers on one side, down to some half-lengths of the contact; of a cylinder and, at
+/// y = 0, of a sphere x-z, of a sphere also x-y: its surface and its bonds.
 struct InteriorSection {
   bool on_body;
-  std::vector<double> x, z;        ///< [m]; z ascending in distance from the contact; at a bond twice
+  std::vector<double> x, y, z;     ///< [m]; one y or one z; z ascending in distance from the contact; at a bond twice
   std::vector<std::size_t> layer;  ///< of each z
-  InteriorFields fields;           ///< (x, z), z upwards
+  VolumeFields fields;             ///< (x, place), places of z and y, z upwards; what is 0 by symmetry is empty
+
+  bool is_face() const { return y.size() > 1; }
 };
 std::vector<InteriorSection> interior_sections(const RollingScene& scene, const SurfaceFields& fields);
+
+/// Largest shear strain at (x, place); without strains along y that in the plane.
+Eigen::ArrayXXd largest_shear_strain(const VolumeFields& fields);
+
+/// Fields as outputs count z, upwards also in the layers on the body.
+void turn_upwards(InteriorSection& section);
 
 /// The scene as it was solved: with the moduli at its strains in place of what says how they depend on them, and the
 /// flow of a coating that the drive decided.

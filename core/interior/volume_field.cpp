@@ -38,8 +38,8 @@ double farthest_of(const std::vector<double>& values) {
 
 }  // namespace
 
-VolumeField::VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields)
-    : medium_(std::move(medium)), speed_(flow < 0 ? -speed : speed), grid_(fields.grid) {
+VolumeField::VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, Detail detail)
+    : medium_(std::move(medium)), speed_(flow < 0 ? -speed : speed), detail_(detail), grid_(fields.grid) {
   const auto on_grid = [&](const std::vector<double>& values) {
     return MatrixXd(Eigen::Map<const MatrixXd>(values.data(), grid_.columns, grid_.rows));
   };
@@ -73,7 +73,8 @@ class VolumeField::Sum {
         x_(Eigen::Map<const ArrayXd>(x.data(), static_cast<Index>(x.size()))),
         y_(Eigen::Map<const ArrayXd>(y.data(), static_cast<Index>(y.size()))),
         lines_(lines),
-        half_space_(std::isinf(field.medium_.back().thickness)) {
+        half_space_(std::isinf(field.medium_.back().thickness)),
+        vanished_(field.detail_ == Detail::inside ? 14 : 25) {
     double shallowest = INFINITY;
     for (const InteriorLine& line : lines) {
       depth_.push_back(field.depth_of(line));
@@ -121,7 +122,6 @@ class VolumeField::Sum {
 
  private:
   static constexpr Index in_block = 32;
-  static constexpr double vanished = 25;  // k z of a wave
 
   struct Wavenumbers {
     ArrayXd k, weight;
@@ -162,8 +162,12 @@ class VolumeField::Sum {
         memory = std::max(memory, field_.speed() * term.time);
     const double longest = std::max({reach_x, reach_y, layers, field_.farthest_x_});
     constexpr double phase_per_panel = 24;
+    constexpr double along_contact = 60;  // of waves that count inside, over the contact's farthest place
+    const double highest =
+        field_.detail_ == Detail::inside ? along_contact / std::max(field_.farthest_x_, field_.farthest_y_) : INFINITY;
     const auto along = [&](double spacing, double reach, double end, double first) {
-      return wavenumbers(first, phase_per_panel / (reach + end), std::min(M_PI / spacing, vanished / shallowest));
+      return wavenumbers(first, phase_per_panel / (reach + end),
+                         std::min({M_PI / spacing, vanished_ / shallowest, highest}));
     };
     // Stresses of a half-space are not smooth at its longest waves, those of layers on a base are; memories are poles.
     const double first_y = half_space_ ? 1e-3 / longest : 1 / layers;
@@ -185,20 +189,22 @@ class VolumeField::Sum {
     shear_x_ = transform(field_.shear_x_, py.cos().matrix());
     shear_y_ = complex(0, -1) * transform(field_.shear_y_, py.sin().matrix());
     const ArrayXXd at_places = phases(ky_.k, static_cast<int>(y_.size()), [&](int j) { return y_(j); });
-    cosine_ = at_places.transpose().cos();
-    sine_ = at_places.transpose().sin();
+    cosine_ = at_places.transpose().cos().matrix();
+    sine_ = at_places.transpose().sin().matrix();
   }
 
-  /// All waves of one kx, at places (component; y of each line).
+  /// All waves of one kx, summed over ky at places.
   void add(Index wave, Index row, Index count) {
     require_time();
     const double kx = kx_.k(wave);
     const std::vector<complex> moduli = moduli_at(field_.medium_, -kx * field_.speed_);
-    const Index ys = y_.size();
+    const Index ys = y_.size(), waves = ky_.k.size();
     constexpr Index with_displacements = components + 3;
     const Index kept = wanted_ == Wanted::strains ? Index(components) : with_displacements;
-    Eigen::ArrayXXcd summed = Eigen::ArrayXXcd::Zero(f_.line_loss.size(), kept);
-    for (Index i = 0; i < ky_.k.size(); ++i) {
+    // (ky; real, then imaginary part of each component) of each line, and how many ky have not vanished there.
+    std::vector<MatrixXd> amplitudes(ys > 0 ? lines_.size() : 0, MatrixXd(waves, 2 * kept));
+    std::vector<Index> reached(lines_.size(), 0);
+    for (Index i = 0; i < waves; ++i) {
       const double ky = ky_.k(i), k = std::hypot(kx, ky), cosine = kx / k, sine = ky / k;
       const complex qx = shear_x_(wave, i), qy = shear_y_(wave, i);
       const double speed = field_.speed_ * cosine;
@@ -206,7 +212,8 @@ class VolumeField::Sum {
                                    {.pressure = pressure_(wave, i), .shear = cosine * qx + sine * qy});
       const TransverseResponse across(field_.medium_, moduli, k, speed, cosine * qy - sine * qx);
       for (std::size_t line = 0; line < lines_.size(); ++line) {
-        if (k * depth_[line] > vanished) continue;
+        if (k * depth_[line] > vanished_) continue;
+        reached[line] = i + 1;
         const std::size_t layer = lines_[line].layer;
         const double nu = field_.medium_[layer].poisson_ratio;
         const DepthState p = in_plane.at(layer, lines_[line].depth);
@@ -223,15 +230,27 @@ class VolumeField::Sum {
                                                         sine * p.u + cosine * t.u,
                                                         p.w};
         const double weight = ky_.weight(i) / M_PI;
-        if (creeps_[layer])
-          lost_on_planes_(static_cast<Index>(line), row) += weight * distortion_of(f, nu);
-        auto places = summed.middleRows(static_cast<Index>(line) * ys, ys);
+        if (creeps_[layer]) lost_on_planes_(static_cast<Index>(line), row) += weight * distortion_of(f, nu);
+        if (ys == 0) continue;
+        MatrixXd& of_line = amplitudes[line];
         for (Index c = 0; c < kept; ++c) {
-          const complex amplitude = weight * f[static_cast<std::size_t>(c)];
-          if (is_odd(c))
-            places.col(c) += complex(0, 1) * amplitude * sine_.col(i);
-          else
-            places.col(c) += amplitude * cosine_.col(i);
+          of_line(i, 2 * c) = weight * f[static_cast<std::size_t>(c)].real();
+          of_line(i, 2 * c + 1) = weight * f[static_cast<std::size_t>(c)].imag();
+        }
+      }
+    }
+    Eigen::ArrayXXcd summed = Eigen::ArrayXXcd::Zero(f_.line_loss.size(), kept);
+    for (std::size_t line = 0; line < amplitudes.size(); ++line) {
+      const auto of_line = amplitudes[line].topRows(reached[line]);
+      const MatrixXd even = cosine_.leftCols(reached[line]) * of_line, odd = sine_.leftCols(reached[line]) * of_line;
+      for (Index c = 0; c < kept; ++c) {
+        auto places = summed.col(c).segment(static_cast<Index>(line) * ys, ys);
+        if (is_odd(c)) {
+          places.real() = -odd.col(2 * c + 1).array();
+          places.imag() = odd.col(2 * c).array();
+        } else {
+          places.real() = even.col(2 * c).array();
+          places.imag() = even.col(2 * c + 1).array();
         }
       }
     }
@@ -328,11 +347,12 @@ class VolumeField::Sum {
   ArrayXd x_, y_;
   const std::vector<InteriorLine>& lines_;
   bool half_space_;
+  double vanished_;  // k z of a wave
   std::vector<double> depth_;
   std::vector<bool> creeps_;                              // layers
   Wavenumbers kx_, ky_;
   MatrixXcd pressure_, shear_x_, shear_y_;                // (kx, ky)
-  ArrayXXd cosine_, sine_;                                // of ky y, (y, ky)
+  MatrixXd cosine_, sine_;                                // of ky y, (y, ky)
   Index summed_;                                          // fields
   MatrixXd amplitudes_;                                   // of a block: (real, then imaginary parts; places of each field)
   ArrayXXd lost_on_lines_, lost_on_planes_;               // of a block: (place or line, wave)

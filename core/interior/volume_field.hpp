@@ -45,12 +45,14 @@ struct VolumeFields {
 
 class VolumeField {
  public:
+  using Detail = InteriorField::Detail;
+  using Wanted = InteriorField::Wanted;
+
   /// @param medium from the contact away   @param speed V [m/s]   @param flow direction: -1 where a coating flows
   /// backwards   @param fields of a sphere's solution
   /// @throws std::domain_error if the fields hold no contact
-  VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields);
+  VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, Detail detail);
 
-  using Wanted = InteriorField::Wanted;
 
   /// @param x ascending [m], evenly spaced for the density   @param y [m]
   /// @throws BeyondLimits
@@ -67,6 +69,7 @@ class VolumeField {
 
   LayeredMedium medium_;
   double speed_;
+  Detail detail_;
   SurfaceGrid grid_;
   Eigen::MatrixXd pressure_, shear_x_, shear_y_;  // (column, row) [Pa]
   double farthest_x_ = 0, farthest_y_ = 0;        // of the contact [m]

@@ -33,7 +33,6 @@ bool is_idle(const RollingScene& scene, std::string_view key) {
   if (key == "slip_stencil" || key == "slip_threshold") return !paper;
   if (key == "resticking") return !paper || sphere;
   if (key == "slip_rule") return !paper || !sphere;
-  if (key == "interior") return sphere;
   return is_idle(static_cast<const MaterialInputs&>(scene), key);
 }
 

@@ -87,7 +87,8 @@ struct RollingSolution {
   double error_estimate = absent;
   double rolling_resistance_error = absent;
   double model_error = absent;  // linearity_error.hpp
-  double peak_shear_strain = absent, peak_shear_strain_x = absent, peak_shear_strain_z = absent;
+  double peak_shear_strain = absent;
+  double peak_shear_strain_x = absent, peak_shear_strain_y = absent, peak_shear_strain_z = absent;
   double strain_amplitude = absent, peak_strain_amplitude = absent;
   double bond_shear = absent, bond_tension = absent;
   double interior_loss = absent;
@@ -150,6 +151,7 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
           s.model_error);
   visitor(Q{"peak_shear_strain", "γ_max", "1", "largest shear strain in the layers"}, s.peak_shear_strain);
   visitor(Q{"peak_shear_strain_x", "", "m", "where it is along the motion"}, s.peak_shear_strain_x);
+  visitor(Q{"peak_shear_strain_y", "", "m", "where it is across the motion, at y and -y (sphere)"}, s.peak_shear_strain_y);
   visitor(Q{"peak_shear_strain_z", "", "m", "its height over the surface, negative in the layers under the body"},
           s.peak_shear_strain_z);
   visitor(Q{"strain_amplitude", "γ_a", "1",

@@ -81,7 +81,6 @@ std::string broken_for_finite_strain(const RollingScene& scene) {
 
 /// The same for what asks for the inside of the layers (core/interior); `key` is what asks, with its value.
 std::string broken_for_interior(const RollingScene& scene, const std::string& key) {
-  if (scene.indenter == Indenter::sphere) return key + ": only for a cylinder";
   if (scene.period) return key + ": not with a period";
   if (scene.method == Method::finite_strain) return key + ": not with method \"finite_strain\"";
   return {};

@@ -32,7 +32,8 @@ void run_solve(const SolveArguments& options, Session& session) {
     session.out << explanation(scene, solution);
     if (solution.status == Status::converged && has_interior(scene, solution))
       session.out << interior_text(
-          interior_summary(solved_scene(scene, solution), solution.fields, InteriorField::Detail::surface));
+          interior_summary(solved_scene(scene, solution), solution.fields, InteriorField::Detail::surface),
+          scene.indenter);
     // Simpler models have the moduli of small strains.
     if (solution.status == Status::converged && solution.moduli_factors.empty())
       session.out << simpler_models_text(scene, solution, simpler_models(scene, solution, session.evaluate));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/interior/interior_summary.hpp"
+#include "core/interior/cylinder_inside.hpp"
 #include "core/reference/reference_inside.hpp"
 #include "core/reference/reference_rollers.hpp"
 #include "core/reference/reference_solutions.hpp"

@@ -28,8 +28,8 @@ constexpr std::array<Figure, 15> figures{{
     {13, "v", sphere, false, "Displacement across the motion", contour_map},
     {14, "friction", sphere, true, "Friction on the layer", friction_arrows},
     {15, "velocity", sphere, false, "Velocity of the layer's surface", velocity_arrows},
-    {16, "shear_strain", cylinder, false, "Shear strain inside the layers", section_map},
-    {17, "loss_density", cylinder, false, "Power lost inside the layers, per volume", section_map},
+    {16, "shear_strain", {}, false, "Shear strain inside the layers", section_map},
+    {17, "loss_density", {}, false, "Power lost inside the layers, per volume", section_map},
 }};
 
 /// The paper's last figure; what follows is ours.
@@ -50,8 +50,8 @@ const Figure& figure_named(const std::string& wish) {
 
 /// Why a scene has no such figure; empty if it has.
 std::string hindrance(const Figure& figure, const RollingScene& scene) {
-  if (figure.indenter != scene.indenter)
-    return "a figure of a " + std::string(name_of(figure.indenter)) +
+  if (figure.indenter && figure.indenter != scene.indenter)
+    return "a figure of a " + std::string(name_of(*figure.indenter)) +
            ", and indenter = " + std::string(name_of(scene.indenter));
   if (figure.of_friction && scene.friction_coefficient == 0) return "friction_coefficient = 0 leaves it empty";
   if (figure.number > last_of_paper && scene.period) return "not with a period";
@@ -97,7 +97,7 @@ ChartFiles draw_figure(const Figure& figure, const FigureSource& source, const s
       {std::string(figure.title),
        (figure.number > last_of_paper ? ""
                                       : "figure " + std::to_string(figure.number) + " of Zehil and Gavin (2013), ") +
-           std::string("of a ") + std::string(name_of(figure.indenter)) + " that rolls along x"});
+           std::string("of a ") + std::string(name_of(source.scene.indenter)) + " that rolls along x"});
   return files;
 }
 

@@ -27,7 +27,7 @@ struct FigureSource {
 struct Figure {
   int number;
   std::string_view name;
-  Indenter indenter;
+  std::optional<Indenter> indenter;  // absent: of both
   bool of_friction;  ///< empty without it
   std::string_view title;
   PictureText (*draw)(const Figure&, const FigureSource&, const ChartFiles&);

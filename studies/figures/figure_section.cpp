@@ -21,10 +21,10 @@ SectionField section_field(const FigureSource& source, std::string_view name) {
   const RollingScene solved = solved_scene(source.scene, source.solution);
   SectionField section;
   for (const InteriorSection& part : interior_sections(solved, source.solution.fields)) {
+    if (part.is_face()) continue;
     section.x = part.x;
-    const InteriorFields& f = part.fields;
     const Eigen::ArrayXXd field =
-        name == "loss_density" ? f.loss_density : ((f.strain_x - f.strain_z).square() + f.shear_strain.square()).sqrt();
+        name == "loss_density" ? part.fields.loss_density : largest_shear_strain(part.fields);
     std::vector<double> z = part.z, values(field.data(), field.data() + field.size());
     for (std::size_t row = 1; row < part.layer.size(); ++row)
       if (part.layer[row] != part.layer[row - 1]) section.bonds.push_back(part.z[row]);

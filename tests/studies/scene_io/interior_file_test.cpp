@@ -33,7 +33,7 @@ TEST_CASE("what is inside the layers is written as tables and as a grid for Para
       file_text(folder / "losses.csv").starts_with("layer,z [m],loss [W/m2],share [1],strain_amplitude [1]\nlayer,-"));
   CHECK(file_text(folder / "bonds.csv").starts_with("bond_below,z [m],largest_shear [Pa]"));
   CHECK_FALSE(std::filesystem::exists(folder / "coating.vtr"));
-  CHECK_THAT(interior_text(interior_summary(scene, solution.fields, InteriorField::Detail::inside)),
+  CHECK_THAT(interior_text(interior_summary(scene, solution.fields, InteriorField::Detail::inside), scene.indenter),
              Contains("layer: loss 18.") && Contains("(100 %)"));
   scene.period = 1;
   CHECK_FALSE(has_interior(scene, solution));

@@ -1,0 +1,222 @@
+#include "core/interior/cylinder_inside.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/interior/interior_lines.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+namespace {
+
+SurfaceFields mirrored_shear(SurfaceFields fields) {
+  for (double& shear : fields.shear_x) shear = -shear;
+  for (TractionPanel& panel : fields.panels)
+    for (double& shear : panel.shear) shear = -shear;
+  return fields;
+}
+
+Extent extent_of(const SurfaceFields& fields) {
+  const SurfaceTractions tractions(fields, 0);  // refuses fields without a contact
+  const SurfaceGrid& grid = fields.grid;
+  if (fields.panels.empty())
+    return extent_of_row([&](int i) { return fields.pressure[static_cast<std::size_t>(i)]; }, grid.columns, grid.x(0),
+                         grid.spacing_x);
+  return {0.5 * (tractions.from() + tractions.to()), 0.5 * (tractions.to() - tractions.from())};
+}
+
+/// Half of the largest distance between two states of a line, 0 among them.
+double amplitude(const ArrayXd& stretch, const ArrayXd& shear) {
+  double largest = (stretch.square() + shear.square()).maxCoeff();
+  for (Index i = 0; i + 1 < stretch.size(); ++i) {
+    const Index rest = stretch.size() - i - 1;
+    largest = std::max(
+        largest, ((stretch.tail(rest) - stretch(i)).square() + (shear.tail(rest) - shear(i)).square()).maxCoeff());
+  }
+  return 0.5 * std::sqrt(largest);
+}
+
+ArrayXd shear_strains(const InteriorFields& fields, Index line) {
+  return ((fields.strain_x.col(line) - fields.strain_z.col(line)).square() + fields.shear_strain.col(line).square())
+      .sqrt();
+}
+
+class CylinderSummary {
+ public:
+  CylinderSummary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail)
+      : detail_(detail),
+        extent_(extent_of(fields)),
+        shallowest_(fields.panels.empty() ? 0.5 * fields.grid.spacing_x : 0) {
+    constexpr double margin = 2;  // beyond the contact, in half-lengths
+    constexpr int most = 901;
+    const int fewest = detail == InteriorField::Detail::surface ? 181 : 121;
+    const double half = extent_.half, from = extent_.middle - (1 + margin) * half,
+                 to = extent_.middle + (1 + margin) * half;
+    const double thin = std::min(half, scene.layer_thickness);
+    x_ = evenly_spaced(from, to, std::clamp(static_cast<int>((to - from) / (0.125 * thin)) | 1, fewest, most));
+    // Deep bonds bear tension far beside the contact.
+    const double deep = std::min(finite_thickness(scene), deepest_bond * half), beside = 2 * half + 2 * deep;
+    at_bonds_ = evenly_spaced(extent_.middle - half - beside, extent_.middle + half + beside, bond_points);
+    const double widest = detail == InteriorField::Detail::surface ? half + beside : 0.5 * (to - from);
+    parts_ = layers_inside(scene, fields, std::abs(extent_.middle) + widest, detail);
+  }
+
+  InteriorSummary run() {
+    for (const LayersInside& part : parts_) {
+      add_lines(part);
+      if (detail_ == InteriorField::Detail::surface) add_faces(part);
+    }
+    finish();
+    return std::move(s_);
+  }
+
+ private:
+  void add_lines(const LayersInside& part) {
+    const std::vector<WeightedLine> weighted =
+        lines_across(part.field.medium(), part.field.speed(), extent_.half,
+                     detail_ == InteriorField::Detail::surface ? 6 : 4);
+    std::vector<InteriorLine> lines;
+    for (const WeightedLine& line : weighted) lines.push_back(line.line);
+    const InteriorFields fields = part.field.at(x_, lines, InteriorField::Wanted::strains);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto column = static_cast<Index>(i);
+      const double cycle =
+          amplitude(fields.strain_x.col(column) - fields.strain_z.col(column), fields.shear_strain.col(column));
+      s_.lines.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), weighted[i].weight,
+                          fields.line_loss(column), cycle, cycle, cycle * cycle});
+      take_peak(part, lines[i], largest_of(x_, shear_strains(fields, column)));
+    }
+  }
+
+  /// Both faces of each layer: bonds, and strains that are the largest there.
+  void add_faces(const LayersInside& part) {
+    std::vector<InteriorLine> lines;
+    const LayeredMedium& medium = part.field.medium();
+    for (std::size_t layer = 0; layer < medium.size(); ++layer) {
+      lines.push_back({layer, layer == 0 ? shallowest_ : 0});
+      if (std::isfinite(medium[layer].thickness)) lines.push_back({layer, medium[layer].thickness});
+    }
+    const InteriorFields fields = part.field.at(at_bonds_, lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto column = static_cast<Index>(i);
+      take_peak(part, lines[i], largest_of(at_bonds_, shear_strains(fields, column)));
+      if (lines[i].depth < part.field.medium()[lines[i].layer].thickness) continue;
+      const Largest shear = largest_of(at_bonds_, fields.tau_xz.col(column).abs());
+      const Largest tension = largest_of(at_bonds_, fields.sigma_z.col(column));
+      s_.bonds.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), shear.value, shear.place,
+                          0, std::max(tension.value, 0.0), tension.place, 0});
+    }
+  }
+
+  void take_peak(const LayersInside& part, const InteriorLine& line, const Largest& found) {
+    if (!(found.value > peak_.value) || part.field.depth_of(line) < shallowest_) return;
+    peak_ = found;
+    peak_part_ = &part;
+    peak_line_ = line;
+  }
+
+  /// Around the largest strain on lines and points, on finer ones.
+  void sharpen_peak() {
+    constexpr int passes = 4, points = 9, lines_tried = 9;
+    const LayersInside& part = *peak_part_;
+    const double thickness = part.field.medium()[peak_line_.layer].thickness;
+    double along = 2 * (x_[1] - x_[0]), down = std::min(0.25 * extent_.half, 0.25 * thickness);
+    for (int pass = 0; pass < passes; ++pass, along /= 3, down /= 3) {
+      const std::vector<double> x = evenly_spaced(peak_.place - along, peak_.place + along, points);
+      std::vector<InteriorLine> lines;
+      for (const double depth :
+           evenly_spaced(std::max(peak_line_.depth - down, peak_line_.layer == 0 ? shallowest_ : 0.0),
+                         std::min(peak_line_.depth + down, thickness), lines_tried))
+        lines.push_back({peak_line_.layer, depth});
+      const InteriorFields fields = part.field.at(x, lines, InteriorField::Wanted::strains);
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        take_peak(part, lines[i], largest_of(x, shear_strains(fields, static_cast<Index>(i))));
+    }
+  }
+
+  void finish() {
+    add_totals(s_, shallowest_);
+    if (detail_ == InteriorField::Detail::surface && peak_part_) sharpen_peak();
+    s_.peak_shear_strain = peak_.value;
+    s_.half_length = extent_.half;
+    s_.peak_x = peak_.place;
+    s_.peak_z = peak_part_ ? peak_part_->height_of(peak_line_) + 0.0 : 0;  // no negative zero
+  }
+
+  InteriorField::Detail detail_;
+  Extent extent_;
+  double shallowest_;                         // above which strains are those of the edges of a grid's cells [m]
+  static constexpr double deepest_bond = 10;  // in half-lengths, whose tension is looked for as far as it is deep
+  static constexpr int bond_points = 401;
+  std::vector<double> x_, at_bonds_;
+  std::vector<LayersInside> parts_;
+  InteriorSummary s_;
+  Largest peak_;
+  const LayersInside* peak_part_ = nullptr;
+  InteriorLine peak_line_;
+};
+
+VolumeFields in_plane(InteriorFields&& plane) {
+  VolumeFields f;
+  f.u = std::move(plane.u);
+  f.w = std::move(plane.w);
+  const auto put = [&](Component c, Eigen::ArrayXXd& stress, Eigen::ArrayXXd& strain) {
+    f.stress[static_cast<std::size_t>(c)] = std::move(stress);
+    f.strain[static_cast<std::size_t>(c)] = std::move(strain);
+  };
+  put(Component::x, plane.sigma_x, plane.strain_x);
+  put(Component::z, plane.sigma_z, plane.strain_z);
+  put(Component::xz, plane.tau_xz, plane.shear_strain);
+  f.loss_density = std::move(plane.loss_density);
+  f.line_loss = std::move(plane.line_loss);
+  return f;
+}
+
+}  // namespace
+
+std::vector<LayersInside> layers_inside(const RollingScene& scene, const SurfaceFields& fields, double reach,
+                                        InteriorField::Detail detail) {
+  std::vector<LayersInside> parts;
+  parts.push_back({false, InteriorField(foundation_of(scene), scene.speed, 1, fields, reach, detail)});
+  if (!scene.coating_layers.empty())
+    parts.push_back({true, InteriorField(coating_of(scene), scene.speed, flow_of_coating(scene), mirrored_shear(fields),
+                                         reach, detail)});
+  return parts;
+}
+
+InteriorSummary cylinder_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail) {
+  return CylinderSummary(scene, fields, detail).run();
+}
+
+std::vector<InteriorSection> cylinder_sections(const RollingScene& scene, const SurfaceFields& fields) {
+  constexpr double sideways = 3, down = 4;  // in half-lengths
+  constexpr int columns = 281, rows = 40;
+  const Extent extent = extent_of(fields);
+  const double from = extent.middle - sideways * extent.half, to = extent.middle + sideways * extent.half;
+  std::vector<InteriorSection> sections;
+  for (const LayersInside& part :
+       layers_inside(scene, fields, std::max(std::abs(from), std::abs(to)), InteriorField::Detail::surface)) {
+    InteriorSection section{part.on_body, evenly_spaced(from, to, columns), {0}, {}, {}, {}};
+    std::vector<InteriorLine> lines;
+    double above = 0;
+    for (std::size_t layer = 0; layer < part.field.medium().size() && above < down * extent.half; ++layer) {
+      const double thickness = std::min(part.field.medium()[layer].thickness, down * extent.half - above);
+      for (const double share : evenly_spaced(0, 1, rows)) {
+        lines.push_back({layer, thickness * (layer == 0 ? std::pow(share, 1.5) : share)});
+        section.z.push_back(part.height_of(lines.back()));
+        section.layer.push_back(layer);
+      }
+      above += thickness;
+    }
+    section.fields = in_plane(part.field.at(section.x, lines, InteriorField::Wanted::density));
+    turn_upwards(section);
+    sections.push_back(std::move(section));
+  }
+  return sections;
+}
+
+}  // namespace rollres

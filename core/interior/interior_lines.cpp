@@ -1,0 +1,69 @@
+#include "core/interior/interior_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/quadrature.hpp"
+
+namespace rollres {
+
+using Eigen::Index;
+
+Extent extent_of_row(const std::function<double(int)>& pressure, int count, double first, double spacing) {
+  const auto squared = [&](int node) {
+    const double p = node < 0 || node >= count ? 0 : pressure(node);
+    return p * p;
+  };
+  double cells = 0, moment = 0;
+  for (int i = 0; i < count; ++i) {
+    const double here = squared(i), inside = std::max(squared(i - 1), squared(i + 1));
+    if (!(here > 0)) continue;
+    const double share = 2 * here < inside ? here / (inside - here) : 1;
+    cells += share;
+    moment += share * (first + spacing * i);
+  }
+  return {moment / cells, 0.5 * spacing * (1 + cells)};
+}
+
+std::vector<double> evenly_spaced(double from, double to, int count) {
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i) places.push_back(from + (to - from) * i / (count - 1));
+  return places;
+}
+
+std::vector<WeightedLine> lines_across(const LayeredMedium& medium, double speed, double half, int per_panel) {
+  constexpr double farthest = 1e4;  // of a half-space, in lengths over which it moves
+  const QuadratureRule& rule = gauss_rule(per_panel);
+  std::vector<WeightedLine> lines;
+  double above = 0, longest = half;
+  for (const MediumLayer& layer : medium)
+    for (const CreepSpectrum::Term& term : layer.material.terms) longest = std::max(longest, speed * term.time);
+  for (std::size_t layer = 0; layer < medium.size(); ++layer) {
+    const double thickness = std::min(medium[layer].thickness, farthest * longest);
+    double width = std::max(above, std::min(half, thickness) / 16);
+    for (double from = 0; from < thickness;) {
+      double to = std::min(from + width, thickness);
+      if (thickness - to < 0.3 * width) to = thickness;
+      for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+        lines.push_back({{layer, from + (to - from) * rule.nodes[i]}, (to - from) * rule.weights[i]});
+      from = to;
+      width = std::max(above + from, width);
+    }
+    above += thickness;
+  }
+  return lines;
+}
+
+Largest largest_of(const std::vector<double>& x, const Eigen::ArrayXd& values) {
+  Index top = 0;
+  const double value = values.maxCoeff(&top);
+  const auto place = static_cast<std::size_t>(top);
+  if (top == 0 || top + 1 == values.size()) return {x[place], value};
+  const double slope = 0.5 * (values(top + 1) - values(top - 1));
+  const double curvature = values(top + 1) - 2 * value + values(top - 1);
+  if (!(curvature < 0)) return {x[place], value};
+  const double shift = std::clamp(-slope / curvature, -0.5, 0.5);
+  return {x[place] + shift * (x[1] - x[0]), value + 0.5 * slope * shift};
+}
+
+}  // namespace rollres

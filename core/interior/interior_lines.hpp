@@ -1,0 +1,43 @@
+#pragma once
+
+/// Where the inside of the layers is looked at: the contact's extent, lines of flow with the thickness that each stands
+/// for, and the largest of what is found on them.
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "core/interior/interior_field.hpp"
+
+namespace rollres {
+
+/// The contact's middle and half-length along an axis [m].
+struct Extent {
+  double middle, half;
+};
+
+/// Of a row of nodes. Its edges lie between nodes, so that they move smoothly with the pressures and do not jump with
+/// the nodes in contact: near an edge p^2 grows as the distance s from it, the share s/h of a cell is r/(1 - r) with r
+/// the ratio of p^2 to that of the neighbour inside.
+/// @param pressure at each of `count` nodes   @param first place of the first node   @param spacing h [m]
+Extent extent_of_row(const std::function<double(int)>& pressure, int count, double first, double spacing);
+
+std::vector<double> evenly_spaced(double from, double to, int count);
+
+/// A line with the thickness that it stands for [m].
+struct WeightedLine {
+  InteriorLine line;
+  double weight;
+};
+
+/// Lines of Gauss's rule on panels that widen with the distance from the contact.
+/// @param half of the contact's length   @param speed V [m/s]
+std::vector<WeightedLine> lines_across(const LayeredMedium& medium, double speed, double half, int per_panel);
+
+/// The largest of values at evenly spaced places, by the parabola through its neighbours.
+struct Largest {
+  double place = 0, value = 0;
+};
+Largest largest_of(const std::vector<double>& x, const Eigen::ArrayXd& values);
+
+}  // namespace rollres

@@ -1,0 +1,298 @@
+#include "core/interior/sphere_inside.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/interior/interior_lines.hpp"
+#include "core/numerics/quadrature.hpp"
+#include "core/surface/contact_surface.hpp"
+
+namespace rollres {
+
+using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
+using Eigen::Index;
+using Detail = InteriorField::Detail;
+using Wanted = VolumeField::Wanted;
+
+namespace {
+
+/// Layers on one side of the contact.
+struct SphereSide {
+  bool on_body;
+  VolumeField field;
+
+  double height_of(const InteriorLine& line) const { return (on_body ? 1 : -1) * field.depth_of(line); }
+};
+
+std::vector<SphereSide> sides_of(const RollingScene& scene, const SurfaceFields& fields, Detail detail) {
+  std::vector<SphereSide> sides;
+  sides.push_back({false, VolumeField(foundation_of(scene), scene.speed, 1, fields, detail)});
+  if (scene.coating_layers.empty()) return sides;
+  SurfaceFields mirrored = fields;
+  for (std::vector<double>* const shears : {&mirrored.shear_x, &mirrored.shear_y})
+    for (double& shear : *shears) shear = -shear;
+  sides.push_back({true, VolumeField(coating_of(scene), scene.speed, flow_of_coating(scene), mirrored, detail)});
+  return sides;
+}
+
+/// Of the contact along its longest row and column, those nearest to its middle.
+struct SphereExtent {
+  Extent x, y;
+
+  explicit SphereExtent(const SurfaceFields& fields) {
+    const SurfaceGrid& grid = fields.grid;
+    const auto nearest = [](double place, double first, double spacing, int count) {
+      return std::clamp(static_cast<int>(std::lround((place - first) / spacing)), 0, count - 1);
+    };
+    const int row = nearest(0, grid.y(0), grid.spacing_y, grid.rows);
+    const auto pressure = [&](int i, int j) { return fields.pressure[static_cast<std::size_t>(grid.index(i, j))]; };
+    x = extent_of_row([&](int i) { return pressure(i, row); }, grid.columns, grid.x(0), grid.spacing_x);
+    if (!std::isfinite(x.middle)) throw std::domain_error("the fields hold no contact to look into");
+    const int column = nearest(x.middle, grid.x(0), grid.spacing_x, grid.columns);
+    y = extent_of_row([&](int j) { return pressure(column, j); }, grid.rows, grid.y(0), grid.spacing_y);
+  }
+};
+
+/// States of a line of flow, whose distances are sqrt(2 e : e): (coordinate, point).
+ArrayXXd states_of(const VolumeFields& f, Index place) {
+  const auto strain = [&](Component c) { return f.strain_of(c).col(place); };
+  ArrayXXd states(5, f.strain_of(Component::x).rows());
+  states.row(0) = strain(Component::x) - strain(Component::z);
+  states.row(1) = (2 * strain(Component::y) - strain(Component::x) - strain(Component::z)) / std::sqrt(3.0);
+  states.row(2) = strain(Component::xz);
+  states.row(3) = strain(Component::yz);
+  states.row(4) = strain(Component::xy);
+  return states;
+}
+
+/// Half of the largest distance between two states of a line, 0 among them.
+double amplitude_of(const ArrayXXd& states) {
+  double largest = states.square().colwise().sum().maxCoeff();
+  for (Index i = 0; i + 1 < states.cols(); ++i) {
+    const Index rest = states.cols() - i - 1;
+    ArrayXd distance = ArrayXd::Zero(rest);
+    for (Index c = 0; c < states.rows(); ++c)
+      distance += (states.row(c).tail(rest) - states(c, i)).square().transpose();
+    largest = std::max(largest, distance.maxCoeff());
+  }
+  return 0.5 * std::sqrt(largest);
+}
+
+class SphereSummary {
+ public:
+  SphereSummary(const RollingScene& scene, const SurfaceFields& fields, Detail detail)
+      : detail_(detail), extent_(fields), sides_(sides_of(scene, fields, detail)), shallowest_(0.5 * fields.grid.spacing_x) {
+    constexpr double margin = 2;  // beyond the contact, in half-lengths
+    constexpr int most = 451;
+    const int fewest = detail == Detail::surface ? 181 : 121;
+    const double half = extent_.x.half, reach = (1 + margin) * half, thin = std::min(half, scene.layer_thickness);
+    x_ = evenly_spaced(extent_.x.middle - reach, extent_.x.middle + reach,
+                       std::clamp(static_cast<int>(2 * reach / (0.125 * thin)) | 1, fewest, most));
+    add_ys(0, extent_.y.half, detail == Detail::surface ? 8 : 6);
+    add_ys(extent_.y.half, 2 * extent_.y.half, 4);
+    add_ys(2 * extent_.y.half, 4 * extent_.y.half, 3);
+    // Where strains are the largest; it stands for no width.
+    y_.push_back(0);
+    width_.push_back(0);
+    const double deep = std::min(finite_thickness(scene), deepest_bond * half);
+    beside_ = 2 * half + 2 * deep;
+  }
+
+  InteriorSummary run() {
+    for (const SphereSide& side : sides_) {
+      add_lines(side);
+      if (detail_ == Detail::surface) add_faces(side);
+    }
+    add_totals(s_, shallowest_);
+    if (detail_ == Detail::surface && peak_side_) sharpen_peak();
+    s_.half_length = extent_.x.half;
+    if (peak_side_) {
+      s_.peak_x = peak_x_;
+      s_.peak_y = peak_y_;
+      s_.peak_z = peak_side_->height_of(peak_line_) + 0.0;  // no negative zero
+    }
+    return std::move(s_);
+  }
+
+ private:
+  void add_ys(double from, double to, int count) {
+    const QuadratureRule& rule = gauss_rule(count);
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      y_.push_back(from + (to - from) * rule.nodes[i]);
+      width_.push_back(2 * (to - from) * rule.weights[i]);
+    }
+  }
+
+  void add_lines(const SphereSide& side) {
+    const std::vector<WeightedLine> weighted = lines_across(side.field.medium(), side.field.speed(), extent_.x.half,
+                                                            detail_ == Detail::surface ? 6 : 4);
+    std::vector<InteriorLine> lines;
+    for (const WeightedLine& line : weighted) lines.push_back(line.line);
+    const VolumeFields fields = side.field.at(x_, y_, lines, Wanted::strains);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      LineOfFlow all{side.on_body, lines[i].layer, side.height_of(lines[i]), weighted[i].weight,
+                     fields.plane_loss(static_cast<Index>(i)), 0, 0, 0};
+      double lost = 0, by_loss = 0, by_energy = 0;
+      for (std::size_t y = 0; y < y_.size(); ++y) {
+        const auto place = static_cast<Index>(i * y_.size() + y);
+        const double cycle = amplitude_of(states_of(fields, place)), loss = width_[y] * std::abs(fields.line_loss(place));
+        lost += loss;
+        by_loss += loss * cycle;
+        all.energy += width_[y] * cycle * cycle;
+        by_energy += width_[y] * cycle * cycle * cycle;
+        all.peak_strain_amplitude = std::max(all.peak_strain_amplitude, cycle);
+      }
+      all.strain_amplitude = lost > 0 ? by_loss / lost : all.energy > 0 ? by_energy / all.energy : 0;
+      s_.lines.push_back(all);
+    }
+    if (detail_ == Detail::surface) take_peak(side, lines, x_, y_, fields);
+  }
+
+  /// Both faces of each layer: bonds, and strains that are the largest there.
+  void add_faces(const SphereSide& side) {
+    const LayeredMedium& medium = side.field.medium();
+    for (std::size_t layer = 0; layer < medium.size(); ++layer) {
+      std::vector<InteriorLine> faces;
+      if (layer > 0) faces.push_back({layer, 0});
+      if (std::isfinite(medium[layer].thickness)) faces.push_back({layer, medium[layer].thickness});
+      for (const InteriorLine& face : faces) add_face(side, face);
+    }
+  }
+
+  void add_face(const SphereSide& side, const InteriorLine& face) {
+    constexpr int along = 241, across = 41;
+    const double reach = extent_.x.half + beside_;
+    const std::vector<double> x = evenly_spaced(extent_.x.middle - reach, extent_.x.middle + reach, along);
+    const std::vector<double> y = evenly_spaced(0, extent_.y.half + beside_, across);
+    const VolumeFields fields = side.field.at(x, y, {face}, Wanted::all);
+    take_peak(side, {face}, x, y, fields);
+    if (face.depth < side.field.medium()[face.layer].thickness) return;
+    Bond bond{side.on_body, face.layer, side.height_of(face)};
+    for (Index place = 0; place < static_cast<Index>(y.size()); ++place) {
+      const auto stress = [&](Component c) { return fields.stress_of(c).col(place); };
+      const Largest shear = largest_of(x, (stress(Component::xz).square() + stress(Component::yz).square()).sqrt());
+      const Largest tension = largest_of(x, stress(Component::z));
+      const double at = y[static_cast<std::size_t>(place)];
+      if (shear.value > bond.shear) {
+        bond.shear = shear.value;
+        bond.shear_x = shear.place;
+        bond.shear_y = at;
+      }
+      if (tension.value > bond.tension) {
+        bond.tension = tension.value;
+        bond.tension_x = tension.place;
+        bond.tension_y = at;
+      }
+    }
+    s_.bonds.push_back(bond);
+  }
+
+  void take_peak(const SphereSide& side, const std::vector<InteriorLine>& lines, const std::vector<double>& x,
+                 const std::vector<double>& y, const VolumeFields& fields) {
+    const ArrayXXd strain = largest_shear_strain(fields);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (side.field.depth_of(lines[i]) < shallowest_) continue;
+      for (std::size_t j = 0; j < y.size(); ++j) {
+        const Largest found = largest_of(x, strain.col(static_cast<Index>(i * y.size() + j)));
+        if (!(found.value > s_.peak_shear_strain)) continue;
+        s_.peak_shear_strain = found.value;
+        peak_x_ = found.place;
+        peak_y_ = std::abs(y[j]);
+        peak_side_ = &side;
+        peak_line_ = lines[i];
+      }
+    }
+  }
+
+  /// Around the largest strain on lines and points, on finer ones.
+  void sharpen_peak() {
+    constexpr int passes = 4, points = 9, ys = 7, lines_tried = 9;
+    const SphereSide& side = *peak_side_;
+    const double thickness = side.field.medium()[peak_line_.layer].thickness;
+    double along = 2 * (x_[1] - x_[0]), across = 0.15 * extent_.y.half,
+           down = std::min(0.25 * extent_.x.half, 0.25 * thickness);
+    for (int pass = 0; pass < passes; ++pass, along /= 3, across /= 3, down /= 3) {
+      std::vector<InteriorLine> lines;
+      for (const double depth :
+           evenly_spaced(std::max(peak_line_.depth - down, peak_line_.layer == 0 ? shallowest_ : 0.0),
+                         std::min(peak_line_.depth + down, thickness), lines_tried))
+        lines.push_back({peak_line_.layer, depth});
+      const std::vector<double> x = evenly_spaced(peak_x_ - along, peak_x_ + along, points);
+      const std::vector<double> y = evenly_spaced(std::max(peak_y_ - across, 0.0), peak_y_ + across, ys);
+      take_peak(side, lines, x, y, side.field.at(x, y, lines, Wanted::strains));
+    }
+  }
+
+  static constexpr double deepest_bond = 10;  // in half-lengths, whose tension is looked for as far as it is deep
+
+  Detail detail_;
+  SphereExtent extent_;
+  std::vector<SphereSide> sides_;
+  double shallowest_;              // above which strains are those of the grid [m]
+  double beside_ = 0;              // the contact, up to where bonds are looked at [m]
+  std::vector<double> x_;          // [m]
+  std::vector<double> y_, width_;  // of lines of flow, those at -y included [m]
+  InteriorSummary s_;
+  const SphereSide* peak_side_ = nullptr;
+  InteriorLine peak_line_;
+  double peak_x_ = 0, peak_y_ = 0;
+};
+
+/// x-z at y = 0.
+InteriorSection upright_section(const SphereSide& side, const SphereExtent& extent, const std::vector<double>& x) {
+  constexpr double down = 4;  // in half-lengths
+  constexpr int rows = 40;
+  InteriorSection section{side.on_body, x, {0}, {}, {}, {}};
+  std::vector<InteriorLine> lines;
+  double above = 0;
+  for (std::size_t layer = 0; layer < side.field.medium().size() && above < down * extent.x.half; ++layer) {
+    const double thickness = std::min(side.field.medium()[layer].thickness, down * extent.x.half - above);
+    for (const double share : evenly_spaced(0, 1, rows)) {
+      lines.push_back({layer, thickness * (layer == 0 ? std::pow(share, 1.5) : share)});
+      section.z.push_back(side.height_of(lines.back()));
+      section.layer.push_back(layer);
+    }
+    above += thickness;
+  }
+  section.fields = side.field.at(section.x, section.y, lines, Wanted::density);
+  section.fields.v.resize(0, 0);
+  for (const Component odd : {Component::yz, Component::xy}) {
+    section.fields.stress[static_cast<std::size_t>(odd)].resize(0, 0);
+    section.fields.strain[static_cast<std::size_t>(odd)].resize(0, 0);
+  }
+  return section;
+}
+
+}  // namespace
+
+InteriorSummary sphere_summary(const RollingScene& scene, const SurfaceFields& fields, Detail detail) {
+  return SphereSummary(scene, fields, detail).run();
+}
+
+std::vector<InteriorSection> sphere_sections(const RollingScene& scene, const SurfaceFields& fields) {
+  constexpr double sideways = 3;  // in half-lengths
+  constexpr int columns = 241, face_columns = 121, face_rows = 81;
+  const SphereExtent extent(fields);
+  const auto along = [&](const Extent& e, int count) {
+    return evenly_spaced(e.middle - sideways * e.half, e.middle + sideways * e.half, count);
+  };
+  std::vector<InteriorSection> sections;
+  for (const SphereSide& side : sides_of(scene, fields, Detail::surface)) {
+    sections.push_back(upright_section(side, extent, along(extent.x, columns)));
+    std::vector<InteriorLine> faces{{0, 0}};
+    for (std::size_t layer = 0; layer < side.field.medium().size(); ++layer)
+      if (std::isfinite(side.field.medium()[layer].thickness))
+        faces.push_back({layer, side.field.medium()[layer].thickness});
+    for (const InteriorLine& face : faces) {
+      InteriorSection section{side.on_body, along(extent.x, face_columns), along({0, extent.y.half}, face_rows),
+                              {side.height_of(face) + 0.0}, {face.layer}, {}};
+      section.fields = side.field.at(section.x, section.y, {face}, Wanted::density);
+      sections.push_back(std::move(section));
+    }
+  }
+  for (InteriorSection& section : sections) turn_upwards(section);
+  return sections;
+}
+
+}  // namespace rollres

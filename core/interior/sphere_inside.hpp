@@ -1,0 +1,14 @@
+#pragma once
+
+/// The inside of the layers of a sphere's contact: interior_summary.hpp in three dimensions.
+
+#include <vector>
+
+#include "core/interior/interior_summary.hpp"
+
+namespace rollres {
+
+InteriorSummary sphere_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail);
+std::vector<InteriorSection> sphere_sections(const RollingScene& scene, const SurfaceFields& fields);
+
+}  // namespace rollres
