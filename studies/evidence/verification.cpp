@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/interior/cylinder_inside.hpp"
+#include "core/interior/volume_field.hpp"
 #include "core/reference/reference_inside.hpp"
 #include "core/reference/reference_rollers.hpp"
 #include "core/reference/reference_solutions.hpp"
@@ -363,6 +364,67 @@ void check_speed_limits(Checks& checks) {
               checks.solve(fast).rolling_resistance, 1e-3, "the wanted tolerance"});
 }
 
+/// Stresses under bells of pressure and shear on a half-space, and the inside of a sphere's layers.
+void check_inside_sphere(Checks& checks) {
+  constexpr double bell = 1, cell = 0.25, peak = 1e6, shear = 0.3e6, nu = 0.3;
+  constexpr int across = 49;
+  SurfaceFields fields;
+  fields.grid = {.spacing_x = cell,
+                 .spacing_y = cell,
+                 .first_column = -across / 2,
+                 .first_row = -across / 2,
+                 .columns = across,
+                 .rows = across};
+  const double x = 0.9, y = 0.5, depth = 0.8;
+  VolumeStress expected{};
+  // Point forces a quarter of a cell apart: their sum of a bell is its integral to rounding, this deep.
+  constexpr int finer = 4, points = finer * across;
+  for (int m = 0; m < points; ++m)
+    for (int n = 0; n < points; ++n) {
+      const double step = cell / finer, s = step * (m + 0.5 - 0.5 * points), t = step * (n + 0.5 - 0.5 * points);
+      const double force = std::exp(-(s * s + t * t) / (bell * bell)) * step * step;
+      const VolumeStress part = point_forces_inside(peak * force, shear * force, nu, x - s, y - t, depth);
+      expected.x += part.x;
+      expected.y += part.y;
+      expected.xz += part.xz;
+      expected.xy += part.xy;
+    }
+  for (int row = 0; row < across; ++row)
+    for (int column = 0; column < across; ++column) {
+      const double r = std::hypot(fields.grid.x(column), fields.grid.y(row)) / bell, share = std::exp(-r * r);
+      fields.pressure.push_back(peak * share);
+      fields.shear_x.push_back(shear * share);
+      fields.shear_y.push_back(0);
+      fields.zone.push_back(Zone::stick);
+    }
+  const VolumeField field({{INFINITY, nu, 0, CreepSpectrum{.instantaneous = 1 / shear_modulus, .terms = {}}}}, 1, 1,
+                          fields, InteriorField::Detail::surface);
+  const VolumeFields found = field.at({x}, {y}, {{0, depth}}, VolumeField::Wanted::all);
+  const auto row = [&](const char* name, double wanted, Component c) {
+    checks.add({std::string("bells of pressure and shear on a half-space, ") + name, "Boussinesq and Cerruti", "Pa",
+                wanted, found.stress_of(c)(0, 0), 1e-6, "waves up to two cells, in panels"});
+  };
+  row("σ_x", expected.x, Component::x);
+  row("σ_y", expected.y, Component::y);
+  row("τ_xz", expected.xz, Component::xz);
+  row("τ_xy", expected.xy, Component::xy);
+
+  RollingScene sphere = on_half_space(Indenter::sphere);
+  sphere.tolerance = 1e-3;
+  sphere.interior = Interior::on;
+  const RollingSolution s = checks.solve(sphere);
+  const double hertz = 1.5 * *sphere.load / (M_PI * sphere_width * sphere_width);
+  checks.add({"sphere on a half-space: largest shear strain", "Huber (1904)", "1",
+              hertz_point_largest_shear(sphere.poisson_ratio).difference * hertz / (2 * shear_modulus),
+              s.peak_shear_strain, 2e-3, "the wanted tolerance of 1e-3"});
+  RollingScene paper = paper_scene("paper_sphere");
+  paper.kinematics = Kinematics::consistent;
+  paper.interior = Interior::on;
+  const RollingSolution layer = checks.solve(paper);
+  checks.add({"paper's sphere: power lost, summed inside the layer", "that of its surface", "W", layer.viscous_loss,
+              layer.interior_loss, 5e-3, "its cells, second order"});
+}
+
 /// Stresses and losses inside the layers.
 void check_inside(Checks& checks) {
   const RollingScene line = on_half_space(Indenter::cylinder);
@@ -419,6 +481,7 @@ std::vector<VerificationRow> verify(const Evaluate& evaluate) {
   check_layers(checks);
   check_speed_limits(checks);
   check_inside(checks);
+  check_inside_sphere(checks);
   return std::move(checks).rows();
 }
 

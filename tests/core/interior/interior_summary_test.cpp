@@ -6,6 +6,8 @@
 #include "tests/core/converged.hpp"
 #include "tests/core/paper_scenes.hpp"
 
+// Covers cylinder_inside and interior_lines, too.
+
 using namespace rollres;
 
 namespace {
@@ -131,5 +133,5 @@ TEST_CASE("a section shows bonds from both sides, z upwards", "[core][interior]"
   CHECK(section.fields.loss_density.minCoeff() >= 0);
   // The traction on the surface, between the ends of the contact.
   const auto row = static_cast<Eigen::Index>(section.x.size() / 2);
-  CHECK(section.fields.sigma_z(row, 0) < -0.5 * s.peak_pressure);
+  CHECK(section.fields.stress_of(Component::z)(row, 0) < -0.5 * s.peak_pressure);
 }

@@ -89,6 +89,23 @@ TEST_CASE("without a drop the answer is the linear one to all digits, and at a s
   }
 }
 
+TEST_CASE("under a sphere, too, the moduli are those of the strains, and a small load leaves them", "[core][strain]") {
+  RollingScene scene = soft_scene(20);
+  scene.indenter = Indenter::sphere;
+  scene.friction_coefficient = 0.2;
+  const RollingSolution s = converged(scene);
+  CHECK(s.softening < 0.95);
+  CHECK(solutions_of(s) <= 12);
+  const LinearTwin twin = linear_twin(scene, s);
+  check_moduli(scene, twin, scene.speed / twin.inside.half_length);
+  scene.load = 1e-6;
+  scene.payne_exponent = 1;
+  RollingScene linear = scene;
+  linear.payne_drop = 0;
+  linear.payne_loss_peak = 1;
+  CHECK(converged(scene).rolling_resistance == Approx(converged(linear).rolling_resistance).epsilon(1e-3));
+}
+
 TEST_CASE("softening with the load bends the power law of the resistance", "[core][strain]") {
   const auto exponent = [](RollingScene scene) {
     scene.load = 5e3;
