@@ -76,9 +76,8 @@ class CylinderSummary {
 
  private:
   void add_lines(const LayersInside& part) {
-    const std::vector<WeightedLine> weighted =
-        lines_across(part.field.medium(), part.field.speed(), extent_.half,
-                     detail_ == InteriorField::Detail::surface ? 6 : 4);
+    const std::vector<WeightedLine> weighted = lines_across(part.field.medium(), part.field.speed(), extent_.half,
+                                                            detail_ == InteriorField::Detail::surface ? 6 : 4);
     std::vector<InteriorLine> lines;
     for (const WeightedLine& line : weighted) lines.push_back(line.line);
     const InteriorFields fields = part.field.at(x_, lines, InteriorField::Wanted::strains);
@@ -107,8 +106,8 @@ class CylinderSummary {
       if (lines[i].depth < part.field.medium()[lines[i].layer].thickness) continue;
       const Largest shear = largest_of(at_bonds_, fields.tau_xz.col(column).abs());
       const Largest tension = largest_of(at_bonds_, fields.sigma_z.col(column));
-      s_.bonds.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), shear.value, shear.place,
-                          0, std::max(tension.value, 0.0), tension.place, 0});
+      s_.bonds.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), shear.value, shear.place, 0,
+                          std::max(tension.value, 0.0), tension.place, 0});
     }
   }
 

@@ -310,10 +310,9 @@ class InteriorField::Sum {
       const auto column = static_cast<Index>(line);
       for (Index i = 0; i < points; ++i)
         along.col(i) << f_.sigma_x(place(i), column), f_.sigma_z(place(i), column), f_.tau_xz(place(i), column);
-      const ArrayXd density = flow_loss(along, memories_[line], layer.material, x_(1) - x_(0),
-                                        std::abs(field_.speed_), [&](const ArrayXd& stress) {
-                                          return distortion(stress(0), stress(1), stress(2), layer.poisson_ratio);
-                                        });
+      const ArrayXd density = flow_loss(
+          along, memories_[line], layer.material, x_(1) - x_(0), std::abs(field_.speed_),
+          [&](const ArrayXd& stress) { return distortion(stress(0), stress(1), stress(2), layer.poisson_ratio); });
       for (Index i = 0; i < points; ++i) f_.loss_density(place(i), column) = density(i);
     }
   }
@@ -323,8 +322,8 @@ class InteriorField::Sum {
   ArrayXd x_;
   const std::vector<InteriorLine>& lines_;
   std::vector<double> depth_;
-  std::vector<bool> creeps_;  // layers
-  std::vector<ArrayXXd> memories_;  // of each line: (stress, term)
+  std::vector<bool> creeps_;               // layers
+  std::vector<ArrayXXd> memories_;         // of each line: (stress, term)
   Index summed_ = fields_in_order.size();  // fields
   Eigen::MatrixXd amplitudes_;             // of a block: (real, then imaginary part of each wave; fields of each line)
   Eigen::MatrixXd sums_;                   // (point; fields of each line)

@@ -49,8 +49,8 @@ void add_totals(InteriorSummary& s, double shallowest) {
   s.strain_amplitude = weights > 0 ? s.strain_amplitude / weights : plain / static_cast<double>(s.layers.size());
 }
 
-/// Of the strains' deviator e with J2 = e : e/2 and J3 = det e, whose principal values are 2 sqrt(J2/3) cos(theta + 2 pi
-/// i/3), cos(3 theta) = sqrt(27) J3/(2 J2^1.5): their largest difference is 2 sqrt(J2) sin(theta + pi/3).
+/// Of the strains' deviator e with J2 = e : e/2 and J3 = det e, whose principal values are 2 sqrt(J2/3) cos(theta + 2
+/// pi i/3), cos(3 theta) = sqrt(27) J3/(2 J2^1.5): their largest difference is 2 sqrt(J2) sin(theta + pi/3).
 Eigen::ArrayXXd largest_shear_strain(const VolumeFields& f) {
   const Eigen::ArrayXXd& x = f.strain_of(Component::x);
   if (f.strain_of(Component::y).size() == 0)
@@ -62,12 +62,9 @@ Eigen::ArrayXXd largest_shear_strain(const VolumeFields& f) {
   const Eigen::ArrayXXd &y = f.strain_of(Component::y), &z = f.strain_of(Component::z);
   const Eigen::ArrayXXd yz = 0.5 * of(Component::yz), xz = 0.5 * of(Component::xz), xy = 0.5 * of(Component::xy);
   const Eigen::ArrayXXd mean = (x + y + z) / 3, ex = x - mean, ey = y - mean, ez = z - mean;
-  const Eigen::ArrayXXd j2 =
-      0.5 * (ex.square() + ey.square() + ez.square()) + yz.square() + xz.square() + xy.square();
-  const Eigen::ArrayXXd j3 =
-      ex * (ey * ez - yz.square()) - xy * (xy * ez - yz * xz) + xz * (xy * yz - ey * xz);
-  const Eigen::ArrayXXd cosine =
-      (j2 > 0).select(std::sqrt(6.75) * j3 / (j2 * j2.sqrt()), 0.0).max(-1.0).min(1.0);
+  const Eigen::ArrayXXd j2 = 0.5 * (ex.square() + ey.square() + ez.square()) + yz.square() + xz.square() + xy.square();
+  const Eigen::ArrayXXd j3 = ex * (ey * ez - yz.square()) - xy * (xy * ez - yz * xz) + xz * (xy * yz - ey * xz);
+  const Eigen::ArrayXXd cosine = (j2 > 0).select(std::sqrt(6.75) * j3 / (j2 * j2.sqrt()), 0.0).max(-1.0).min(1.0);
   return 2 * j2.sqrt() * (cosine.acos() / 3 + M_PI / 3).sin();
 }
 

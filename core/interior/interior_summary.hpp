@@ -4,11 +4,11 @@
 /// bonds bear, and where power is lost. Fields and their theory: interior_field.hpp, volume_field.hpp.
 ///
 /// The largest shear strain is the difference of the outer principal strains, under a cylinder of those in its plane,
-/// sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2). Material flows along lines of one y and one depth; the cycle's amplitude
-/// is half of the largest distance between two states of a line, the unstrained one ahead among them: of a strain that
-/// only oscillates, its amplitude. The distance of two states is sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2) of their
-/// difference under a cylinder, sqrt(2 e : e) of its deviator e under a sphere, the same in plane strain without change
-/// of volume.
+/// sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2). Material flows along lines of one y and one depth; the cycle's
+/// amplitude is half of the largest distance between two states of a line, the unstrained one ahead among them: of a
+/// strain that only oscillates, its amplitude. The distance of two states is sqrt((epsilon_x - epsilon_z)^2 +
+/// gamma_xz^2) of their difference under a cylinder, sqrt(2 e : e) of its deviator e under a sphere, the same in plane
+/// strain without change of volume.
 
 #include <vector>
 
@@ -20,10 +20,10 @@ namespace rollres {
 /// Lines of flow at one depth: under a cylinder one, under a sphere those of all y.
 struct LineOfFlow {
   bool on_body;
-  std::size_t layer;  ///< counted from the contact, from 0
-  double z;           ///< height over the undeformed surface [m]
-  double thickness;   ///< that it stands for [m]
-  double loss;        ///< of a metre of depth: [W/m2], per metre of a cylinder's length; sphere [W/m]
+  std::size_t layer;             ///< counted from the contact, from 0
+  double z;                      ///< height over the undeformed surface [m]
+  double thickness;              ///< that it stands for [m]
+  double loss;                   ///< of a metre of depth: [W/m2], per metre of a cylinder's length; sphere [W/m]
   double strain_amplitude;       ///< of a sphere's, mean by their loss (of what loses nothing, by strain energy) [1]
   double peak_strain_amplitude;  ///< [1]
   double energy;                 ///< amplitude squared, of a sphere's summed over y [1], [m]
@@ -41,8 +41,8 @@ struct LayerLoss {
 struct Bond {
   bool on_body;
   std::size_t layer;
-  double z;                                      ///< [m]
-  double shear = 0, shear_x = 0, shear_y = 0;    ///< largest shear stress and where [Pa], [m]
+  double z;                                    ///< [m]
+  double shear = 0, shear_x = 0, shear_y = 0;  ///< largest shear stress and where [Pa], [m]
   double tension = 0, tension_x = 0, tension_y = 0;
 };
 

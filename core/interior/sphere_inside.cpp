@@ -82,7 +82,10 @@ double amplitude_of(const ArrayXXd& states) {
 class SphereSummary {
  public:
   SphereSummary(const RollingScene& scene, const SurfaceFields& fields, Detail detail)
-      : detail_(detail), extent_(fields), sides_(sides_of(scene, fields, detail)), shallowest_(0.5 * fields.grid.spacing_x) {
+      : detail_(detail),
+        extent_(fields),
+        sides_(sides_of(scene, fields, detail)),
+        shallowest_(0.5 * fields.grid.spacing_x) {
     constexpr double margin = 2;  // beyond the contact, in half-lengths
     constexpr int most = 451;
     const int fewest = detail == Detail::surface ? 181 : 121;
@@ -125,18 +128,25 @@ class SphereSummary {
   }
 
   void add_lines(const SphereSide& side) {
-    const std::vector<WeightedLine> weighted = lines_across(side.field.medium(), side.field.speed(), extent_.x.half,
-                                                            detail_ == Detail::surface ? 6 : 4);
+    const std::vector<WeightedLine> weighted =
+        lines_across(side.field.medium(), side.field.speed(), extent_.x.half, detail_ == Detail::surface ? 6 : 4);
     std::vector<InteriorLine> lines;
     for (const WeightedLine& line : weighted) lines.push_back(line.line);
     const VolumeFields fields = side.field.at(x_, y_, lines, Wanted::strains);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      LineOfFlow all{side.on_body, lines[i].layer, side.height_of(lines[i]), weighted[i].weight,
-                     fields.plane_loss(static_cast<Index>(i)), 0, 0, 0};
+      LineOfFlow all{side.on_body,
+                     lines[i].layer,
+                     side.height_of(lines[i]),
+                     weighted[i].weight,
+                     fields.plane_loss(static_cast<Index>(i)),
+                     0,
+                     0,
+                     0};
       double lost = 0, by_loss = 0, by_energy = 0;
       for (std::size_t y = 0; y < y_.size(); ++y) {
         const auto place = static_cast<Index>(i * y_.size() + y);
-        const double cycle = amplitude_of(states_of(fields, place)), loss = width_[y] * std::abs(fields.line_loss(place));
+        const double cycle = amplitude_of(states_of(fields, place)),
+                     loss = width_[y] * std::abs(fields.line_loss(place));
         lost += loss;
         by_loss += loss * cycle;
         all.energy += width_[y] * cycle * cycle;
@@ -285,8 +295,12 @@ std::vector<InteriorSection> sphere_sections(const RollingScene& scene, const Su
       if (std::isfinite(side.field.medium()[layer].thickness))
         faces.push_back({layer, side.field.medium()[layer].thickness});
     for (const InteriorLine& face : faces) {
-      InteriorSection section{side.on_body, along(extent.x, face_columns), along({0, extent.y.half}, face_rows),
-                              {side.height_of(face) + 0.0}, {face.layer}, {}};
+      InteriorSection section{side.on_body,
+                              along(extent.x, face_columns),
+                              along({0, extent.y.half}, face_rows),
+                              {side.height_of(face) + 0.0},
+                              {face.layer},
+                              {}};
       section.fields = side.field.at(section.x, section.y, {face}, Wanted::density);
       sections.push_back(std::move(section));
     }

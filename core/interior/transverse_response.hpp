@@ -1,8 +1,8 @@
 #pragma once
 
-/// One wave e^{ikx} of shear tractions across it on bonded layers, followed downwards: what depth_response.hpp is in the
-/// plane of the wave. The displacement u_t across it is a sum of e^{-k beta z} and its mirror image from each layer's
-/// lower face, with stresses tau_tz = G du_t/dz (z upwards) and tau_lt = i k G u_t along the wave.
+/// One wave e^{ikx} of shear tractions across it on bonded layers, followed downwards: what depth_response.hpp is in
+/// the plane of the wave. The displacement u_t across it is a sum of e^{-k beta z} and its mirror image from each
+/// layer's lower face, with stresses tau_tz = G du_t/dz (z upwards) and tau_lt = i k G u_t along the wave.
 
 #include <complex>
 #include <span>

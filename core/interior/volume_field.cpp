@@ -62,8 +62,8 @@ double VolumeField::depth_of(const InteriorLine& line) const {
   return depth;
 }
 
-/// The waves' sum in the making: those of one kx summed over ky at all places, block by block of kx, times e^{i kx x} at
-/// all points.
+/// The waves' sum in the making: those of one kx summed over ky at all places, block by block of kx, times e^{i kx x}
+/// at all points.
 class VolumeField::Sum {
  public:
   Sum(const VolumeField& field, const std::vector<double>& x, const std::vector<double>& y,
@@ -92,8 +92,7 @@ class VolumeField::Sum {
     f_.plane_loss = ArrayXd::Zero(static_cast<Index>(lines.size()));
     if (wanted == Wanted::density)
       for (const InteriorLine& line : lines)
-        ahead_.emplace_back(static_cast<std::size_t>(y_.size()),
-                            ArrayXXd::Zero(components, terms_of(line.layer)));
+        ahead_.emplace_back(static_cast<std::size_t>(y_.size()), ArrayXXd::Zero(components, terms_of(line.layer)));
   }
 
   VolumeFields run() {
@@ -149,9 +148,7 @@ class VolumeField::Sum {
     return {as_array(k), as_array(weights)};
   }
 
-  Index terms_of(std::size_t layer) const {
-    return static_cast<Index>(field_.medium_[layer].material.terms.size());
-  }
+  Index terms_of(std::size_t layer) const { return static_cast<Index>(field_.medium_[layer].material.terms.size()); }
 
   /// Which waves are summed, and their tractions.
   void choose_waves(double reach_x, double reach_y, double shallowest) {
@@ -171,7 +168,8 @@ class VolumeField::Sum {
     };
     // Stresses of a half-space are not smooth at its longest waves, those of layers on a base are; memories are poles.
     const double first_y = half_space_ ? 1e-3 / longest : 1 / layers;
-    const double first_x = std::min(first_y, half_space_ ? 1e-3 / std::max(longest, memory) : 1 / std::max(layers, memory));
+    const double first_x =
+        std::min(first_y, half_space_ ? 1e-3 / std::max(longest, memory) : 1 / std::max(layers, memory));
     kx_ = along(grid.spacing_x, reach_x, field_.farthest_x_, first_x);
     ky_ = along(grid.spacing_y, reach_y, field_.farthest_y_, first_y);
     const auto phases = [](const ArrayXd& k, int count, auto place) {
@@ -333,8 +331,7 @@ class VolumeField::Sum {
       const auto line = static_cast<std::size_t>(place / ys), y = static_cast<std::size_t>(place % ys);
       const MediumLayer& layer = field_.medium_[lines_[line].layer];
       for (Index i = 0; i < points; ++i)
-        for (std::size_t c = 0; c < components; ++c)
-          along(static_cast<Index>(c), i) = f_.stress[c](passed(i), place);
+        for (std::size_t c = 0; c < components; ++c) along(static_cast<Index>(c), i) = f_.stress[c](passed(i), place);
       const ArrayXd density =
           flow_loss(along, ahead_[line][y], layer.material, x_(1) - x_(0), field_.speed(),
                     [&](const ArrayXd& stress) { return distortion_of(stress, layer.poisson_ratio); });
@@ -349,16 +346,16 @@ class VolumeField::Sum {
   bool half_space_;
   double vanished_;  // k z of a wave
   std::vector<double> depth_;
-  std::vector<bool> creeps_;                              // layers
+  std::vector<bool> creeps_;  // layers
   Wavenumbers kx_, ky_;
-  MatrixXcd pressure_, shear_x_, shear_y_;                // (kx, ky)
-  MatrixXd cosine_, sine_;                                // of ky y, (y, ky)
-  Index summed_;                                          // fields
-  MatrixXd amplitudes_;                                   // of a block: (real, then imaginary parts; places of each field)
-  ArrayXXd lost_on_lines_, lost_on_planes_;               // of a block: (place or line, wave)
+  MatrixXcd pressure_, shear_x_, shear_y_;   // (kx, ky)
+  MatrixXd cosine_, sine_;                   // of ky y, (y, ky)
+  Index summed_;                             // fields
+  MatrixXd amplitudes_;                      // of a block: (real, then imaginary parts; places of each field)
+  ArrayXXd lost_on_lines_, lost_on_planes_;  // of a block: (place or line, wave)
   std::vector<std::vector<std::vector<ArrayXXd>>> means_;  // of a block, of each line and y
-  std::vector<std::vector<ArrayXXd>> ahead_;              // of each line and y: (component, term)
-  MatrixXd sums_;                                         // (point; places of each field)
+  std::vector<std::vector<ArrayXXd>> ahead_;               // of each line and y: (component, term)
+  MatrixXd sums_;                                          // (point; places of each field)
   VolumeFields f_;
 };
 

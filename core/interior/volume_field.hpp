@@ -29,8 +29,8 @@ namespace rollres {
 enum class Component { x, y, z, yz, xz, xy };
 inline constexpr std::size_t components = 6;
 
-/// Fields at points (x, place), places being (line, y) with y running fastest: place = line * ys + y. z is up, seen from
-/// the layers under the body.
+/// Fields at points (x, place), places being (line, y) with y running fastest: place = line * ys + y. z is up, seen
+/// from the layers under the body.
 struct VolumeFields {
   Eigen::ArrayXXd u, v, w;                         ///< [m], if asked for; 0 over a half-space
   std::array<Eigen::ArrayXXd, components> stress;  ///< [Pa], if asked for
@@ -52,7 +52,6 @@ class VolumeField {
   /// backwards   @param fields of a sphere's solution
   /// @throws std::domain_error if the fields hold no contact
   VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, Detail detail);
-
 
   /// @param x ascending [m], evenly spaced for the density   @param y [m]
   /// @throws BeyondLimits

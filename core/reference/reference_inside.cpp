@@ -39,19 +39,19 @@ VolumeStress point_forces_inside(double pressure, double shear, double poisson_r
   };
   const double sum = rho + z;
   // Johnson counts z downwards: shear stresses on z change sign.
-  return {.x = p * under_pressure(x, y) +
-               q * (-3 * x * x * x / rho5 + soft * (x / rho3 - 3 * x / (rho * sum * sum) +
-                                                    x * x * x / (rho3 * sum * sum) +
-                                                    2 * x * x * x / (rho * rho * sum * sum * sum))),
-          .y = p * under_pressure(y, x) +
-               q * (-3 * x * y * y / rho5 + soft * (x / rho3 - x / (rho * sum * sum) + x * y * y / (rho3 * sum * sum) +
-                                                    2 * x * y * y / (rho * rho * sum * sum * sum))),
-          .z = -3 * z * z * (p * z + q * x) / rho5,
-          .yz = 3 * y * z * (p * z + q * x) / rho5,
-          .xz = 3 * x * z * (p * z + q * x) / rho5,
-          .xy = p * (soft * (2 * x * y / (r2 * above) - x * y * z / (r2 * rho3)) - 3 * x * y * z / rho5) +
-                q * (-3 * x * x * y / rho5 + soft * (-y / (rho * sum * sum) + x * x * y / (rho3 * sum * sum) +
-                                                     2 * x * x * y / (rho * rho * sum * sum * sum)))};
+  return {
+      .x = p * under_pressure(x, y) +
+           q * (-3 * x * x * x / rho5 + soft * (x / rho3 - 3 * x / (rho * sum * sum) + x * x * x / (rho3 * sum * sum) +
+                                                2 * x * x * x / (rho * rho * sum * sum * sum))),
+      .y = p * under_pressure(y, x) +
+           q * (-3 * x * y * y / rho5 + soft * (x / rho3 - x / (rho * sum * sum) + x * y * y / (rho3 * sum * sum) +
+                                                2 * x * y * y / (rho * rho * sum * sum * sum))),
+      .z = -3 * z * z * (p * z + q * x) / rho5,
+      .yz = 3 * y * z * (p * z + q * x) / rho5,
+      .xz = 3 * x * z * (p * z + q * x) / rho5,
+      .xy = p * (soft * (2 * x * y / (r2 * above) - x * y * z / (r2 * rho3)) - 3 * x * y * z / rho5) +
+            q * (-3 * x * x * y / rho5 + soft * (-y / (rho * sum * sum) + x * x * y / (rho3 * sum * sum) +
+                                                 2 * x * x * y / (rho * rho * sum * sum * sum)))};
 }
 
 AxisShear hertz_point_largest_shear(double poisson_ratio) {

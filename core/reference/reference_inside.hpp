@@ -1,7 +1,7 @@
 #pragma once
 
-/// Stresses inside an elastic half-space, in closed form. z is upwards, depth = -z. In plane strain they do not depend on
-/// the elastic constants, otherwise on Poisson's ratio.
+/// Stresses inside an elastic half-space, in closed form. z is upwards, depth = -z. In plane strain they do not depend
+/// on the elastic constants, otherwise on Poisson's ratio.
 
 namespace rollres {
 
@@ -30,8 +30,7 @@ struct VolumeStress {
 
 /// Under point forces at the origin: P downwards (Boussinesq 1885) and Q along x (Cerruti 1882) [N]; Johnson 1985, eqs.
 /// 3.19 and 3.75.   @param depth > 0 [m]
-VolumeStress point_forces_inside(double pressure, double shear, double poisson_ratio, double x, double y,
-                                 double depth);
+VolumeStress point_forces_inside(double pressure, double shear, double poisson_ratio, double x, double y, double depth);
 
 /// The largest difference of principal stresses under Hertz's pressure p0 sqrt(1 - r^2/a^2), over p0, on the axis
 /// (Huber 1904; Johnson 1985, eq. 3.45), and its depth over a.

@@ -166,8 +166,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.tolerance);
   visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"},
           scene.method);
-  visitor(Q{"interior", "", "",
-            "whether the outputs from inside the layers are computed: strains, bonds, losses"},
+  visitor(Q{"interior", "", "", "whether the outputs from inside the layers are computed: strains, bonds, losses"},
           scene.interior);
   visitor(Q{"time_limit", "", "s",
             "of processor time, after which a solution ends with its best answer or a reason; absent: 60 s", positive},

@@ -151,7 +151,8 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
           s.model_error);
   visitor(Q{"peak_shear_strain", "γ_max", "1", "largest shear strain in the layers"}, s.peak_shear_strain);
   visitor(Q{"peak_shear_strain_x", "", "m", "where it is along the motion"}, s.peak_shear_strain_x);
-  visitor(Q{"peak_shear_strain_y", "", "m", "where it is across the motion, at y and -y (sphere)"}, s.peak_shear_strain_y);
+  visitor(Q{"peak_shear_strain_y", "", "m", "where it is across the motion, at y and -y (sphere)"},
+          s.peak_shear_strain_y);
   visitor(Q{"peak_shear_strain_z", "", "m", "its height over the surface, negative in the layers under the body"},
           s.peak_shear_strain_z);
   visitor(Q{"strain_amplitude", "γ_a", "1",

@@ -63,8 +63,8 @@ void add_solve(Command& program, Session& session) {
       "Print what was decided, left out and kept, with the number it rests on, and what simpler models answer");
   command->add_option(
       "--fields DIR", arguments.fields,
-      "Write the surface's fields to DIR/fields.csv and .vti, of a cylinder those inside its layers to inside.csv "
-      "and .vtr, losses.csv and bonds.csv");
+      "Write the surface's fields to DIR/fields.csv and .vti, those inside the layers to inside.csv and .vtr, "
+      "losses.csv and bonds.csv, of a sphere's surface and bonds to faces.csv and face_0.vtr, ...");
   command->footer("Example: rollres solve studies/examples/paper_cylinder.json --set speed=\"36 km/h\" --fields out");
 }
 

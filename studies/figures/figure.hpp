@@ -28,7 +28,7 @@ struct Figure {
   int number;
   std::string_view name;
   std::optional<Indenter> indenter;  // absent: of both
-  bool of_friction;  ///< empty without it
+  bool of_friction;                  ///< empty without it
   std::string_view title;
   PictureText (*draw)(const Figure&, const FigureSource&, const ChartFiles&);
 

@@ -23,8 +23,7 @@ SectionField section_field(const FigureSource& source, std::string_view name) {
   for (const InteriorSection& part : interior_sections(solved, source.solution.fields)) {
     if (part.is_face()) continue;
     section.x = part.x;
-    const Eigen::ArrayXXd field =
-        name == "loss_density" ? part.fields.loss_density : largest_shear_strain(part.fields);
+    const Eigen::ArrayXXd field = name == "loss_density" ? part.fields.loss_density : largest_shear_strain(part.fields);
     std::vector<double> z = part.z, values(field.data(), field.data() + field.size());
     for (std::size_t row = 1; row < part.layer.size(); ++row)
       if (part.layer[row] != part.layer[row - 1]) section.bonds.push_back(part.z[row]);
@@ -97,13 +96,14 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
   constexpr double left = 84, right = 424, lower = 88, above = 10, lowest = 190;
   const double to_scale = (right - left) * (z.highest - z.lowest) / (x.highest - x.lowest);
   const double height = std::max(to_scale, lowest);
-  return picture.finished(
-      std::string(figure.title),
-      {.height = std::round(above + height + lower),
-       .left = left,
-       .right = right,
-       .bottom = lower,
-       .subtitle = height > to_scale ? "heights stretched " + short_number(height / to_scale, 2) + " times" : ""});
+  std::string subtitle = source.scene.indenter == Indenter::sphere ? "at y = 0" : "";
+  if (height > to_scale)
+    subtitle += (subtitle.empty() ? "" : ", ") + ("heights stretched " + short_number(height / to_scale, 2) + " times");
+  return picture.finished(std::string(figure.title), {.height = std::round(above + height + lower),
+                                                      .left = left,
+                                                      .right = right,
+                                                      .bottom = lower,
+                                                      .subtitle = subtitle});
 }
 
 }  // namespace rollres

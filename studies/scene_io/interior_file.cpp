@@ -33,7 +33,8 @@ std::vector<Field> fields_of(const VolumeFields& f) {
   constexpr int normal = 3;
   std::vector<Field> all{{"u", "m", &f.u}, {"v", "m", &f.v}, {"w", "m", &f.w}};
   for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
-    all.push_back({(i < normal ? "sigma_" : "tau_") + std::string(kinds[i].axes), "Pa", &f.stress_of(kinds[i].component)});
+    all.push_back(
+        {(i < normal ? "sigma_" : "tau_") + std::string(kinds[i].axes), "Pa", &f.stress_of(kinds[i].component)});
   for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
     all.push_back({(i < normal ? "strain_" : "shear_strain_") + std::string(kinds[i].axes), "1",
                    &f.strain_of(kinds[i].component)});
@@ -53,8 +54,7 @@ std::string file_name(const std::vector<InteriorSection>& sections, std::size_t 
   const auto first = std::find_if(sections.begin(), sections.end(), [&](const InteriorSection& other) {
     return other.is_face() && other.on_body == section.on_body;
   });
-  return std::string(section.on_body ? "coating_" : "") + "face_" +
-         std::to_string(&section - &*first);
+  return std::string(section.on_body ? "coating_" : "") + "face_" + std::to_string(&section - &*first);
 }
 
 }  // namespace
@@ -83,8 +83,8 @@ std::string interior_csv(const std::vector<InteriorSection>& sections) {
 
 std::string interior_vtr(const InteriorSection& section) {
   const std::size_t columns = section.x.size(), across = section.y.size(), rows = section.z.size();
-  const std::string extent = "0 " + std::to_string(columns - 1) + " 0 " + std::to_string(across - 1) + " 0 " +
-                             std::to_string(rows - 1);
+  const std::string extent =
+      "0 " + std::to_string(columns - 1) + " 0 " + std::to_string(across - 1) + " 0 " + std::to_string(rows - 1);
   std::string text = vtk_head("RectilinearGrid") + "<RectilinearGrid WholeExtent=\"" + extent +
                      "\">\n<Piece Extent=\"" + extent + "\">\n<PointData Scalars=\"loss_density [W/m3]\">\n";
   // z rises in the file: under the body the rows come from the bottom.
@@ -94,8 +94,8 @@ std::string interior_vtr(const InteriorSection& section) {
     for (std::size_t row = 0; row < rows; ++row)
       for (std::size_t y = 0; y < across; ++y)
         for (std::size_t column = 0; column < columns; ++column)
-          values.push_back((*field.values)(static_cast<Eigen::Index>(column),
-                                           static_cast<Eigen::Index>(row_at(row) * across + y)));
+          values.push_back(
+              (*field.values)(static_cast<Eigen::Index>(column), static_cast<Eigen::Index>(row_at(row) * across + y)));
     text += vtk_array(heading(field), values);
   }
   std::vector<double> z;
@@ -123,9 +123,7 @@ std::string bonds_csv(const InteriorSummary& summary, Indenter indenter) {
                               "tension_x [m],tension_y [m]\n"
                             : "bond_below,z [m],largest_shear [Pa],shear_x [m],largest_tension [Pa],tension_x [m]\n";
   for (const Bond& bond : summary.bonds) {
-    const auto place = [&](double x, double y) {
-      return ',' + (sphere ? number(x) + ',' + number(y) : number(x));
-    };
+    const auto place = [&](double x, double y) { return ',' + (sphere ? number(x) + ',' + number(y) : number(x)); };
     text += layer_name(bond.on_body, bond.layer) + ',' + number(bond.z) + ',' + number(bond.shear) +
             place(bond.shear_x, bond.shear_y) + ',' + number(bond.tension) +
             (bond.tension > 0 ? place(bond.tension_x, bond.tension_y) : std::string(sphere ? ",," : ",")) + '\n';
@@ -142,8 +140,8 @@ std::string interior_text(const InteriorSummary& summary, Indenter indenter) {
   for (const LayerLoss& layer : summary.layers) {
     constexpr double rounding = 1e-12;
     const bool lossless = std::abs(layer.loss) <= rounding * std::abs(summary.loss);
-    text +=
-        "  " + layer_name(layer.on_body, layer.layer) + ": loss " + (lossless ? "none" : readable(layer.loss, sphere ? "W" : "W/m"));
+    text += "  " + layer_name(layer.on_body, layer.layer) + ": loss " +
+            (lossless ? "none" : readable(layer.loss, sphere ? "W" : "W/m"));
     if (summary.loss != 0 && !lossless) text += " (" + short_number(100 * layer.loss / summary.loss, 4) + " %)";
     text += ", strain amplitude " + short_number(layer.strain_amplitude, 4) + ", largest " +
             short_number(layer.peak_strain_amplitude, 4) + '\n';
@@ -159,8 +157,7 @@ std::string interior_text(const InteriorSummary& summary, Indenter indenter) {
 }
 
 bool has_interior(const RollingScene& scene, const RollingSolution& solution) {
-  return !scene.period && solution.method != Method::finite_strain &&
-         solution.fields.grid.size() > 0;
+  return !scene.period && solution.method != Method::finite_strain && solution.fields.grid.size() > 0;
 }
 
 void write_interior(const std::filesystem::path& directory, const RollingScene& scene,

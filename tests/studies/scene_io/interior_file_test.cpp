@@ -38,3 +38,22 @@ TEST_CASE("what is inside the layers is written as tables and as a grid for Para
   scene.period = 1;
   CHECK_FALSE(has_interior(scene, solution));
 }
+
+TEST_CASE("a sphere's inside is written as a section at y = 0 and as faces", "[studies][fields]") {
+  RollingScene scene = paper_sphere();
+  scene.spacing = 0.5e-3;
+  const RollingSolution solution = solve(scene);
+  REQUIRE(has_interior(scene, solution));
+  const TemporaryDirectory folder;
+  write_interior(folder.path, scene, solution);
+  CHECK(file_text(folder / "inside.csv").starts_with("x [m],z [m],layer,u [m],w [m],sigma_x [Pa],sigma_y [Pa],"));
+  const std::string faces = file_text(folder / "faces.csv");
+  CHECK(faces.starts_with("x [m],y [m],z [m],layer,u [m],v [m],w [m],sigma_x [Pa],"));
+  CHECK(std::count(faces.begin(), faces.end(), '\n') == 1 + 2 * 121 * 81);
+  const std::string surface = file_text(folder / "face_0.vtr"), base = file_text(folder / "face_1.vtr");
+  CHECK(surface.find("WholeExtent=\"0 120 0 80 0 0\"") != std::string::npos);
+  CHECK(vtk_numbers<double>(base, "z [m]") == std::vector<double>{-0.005});
+  CHECK(vtk_numbers<double>(surface, "z [m]") == std::vector<double>{0});
+  CHECK(file_text(folder / "losses.csv").starts_with("layer,z [m],loss [W/m],share [1],strain_amplitude [1]\n"));
+  CHECK(file_text(folder / "bonds.csv").starts_with("bond_below,z [m],largest_shear [Pa],shear_x [m],shear_y [m],"));
+}
