@@ -58,8 +58,9 @@ TEST_CASE("rollres verify ends with status 1 where a solver is wrong or has no a
   const ProgramRun none = run_rollres({"verify", "--json"}, silent);
   CHECK(none.status == 1);
   const Json object = parse_object(none.out, "output");
-  CHECK(object["passed"] == 0);
-  CHECK(object["failed"] == object["rows"].size());
+  constexpr int given_tractions = 4;  // stresses under bells, which need no solver
+  CHECK(object["passed"] == given_tractions);
+  CHECK(object["failed"] == object["rows"].size() - given_tractions);
   CHECK(object["rows"][0]["got"].is_null());
   CHECK_THAT(object["rows"][0]["reason"].get<std::string>(), Contains("no solver today"));
 }
