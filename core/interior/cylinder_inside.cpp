@@ -164,8 +164,8 @@ VolumeFields in_plane(InteriorFields&& plane) {
   f.u = std::move(plane.u);
   f.w = std::move(plane.w);
   const auto put = [&](Component c, Eigen::ArrayXXd& stress, Eigen::ArrayXXd& strain) {
-    f.stress[static_cast<std::size_t>(c)] = std::move(stress);
-    f.strain[static_cast<std::size_t>(c)] = std::move(strain);
+    f.stress_of(c) = std::move(stress);
+    f.strain_of(c) = std::move(strain);
   };
   put(Component::x, plane.sigma_x, plane.strain_x);
   put(Component::z, plane.sigma_z, plane.strain_z);

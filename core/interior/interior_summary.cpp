@@ -10,8 +10,6 @@ namespace rollres {
 
 namespace {
 
-constexpr auto index_of = [](Component c) { return static_cast<std::size_t>(c); };
-
 /// By the loss of its lines; of an elastic layer by their strain energy, about as the amplitude squared.
 double mean_amplitude(const InteriorSummary& summary, const LayerLoss& layer) {
   double lost = 0, by_loss = 0, energy = 0, by_energy = 0;
@@ -73,8 +71,8 @@ void turn_upwards(InteriorSection& section) {
   if (!section.on_body) return;
   f.w = -f.w;
   for (const Component c : {Component::yz, Component::xz}) {
-    f.stress[index_of(c)] = -f.stress[index_of(c)];
-    f.strain[index_of(c)] = -f.strain[index_of(c)];
+    f.stress_of(c) = -f.stress_of(c);
+    f.strain_of(c) = -f.strain_of(c);
   }
 }
 

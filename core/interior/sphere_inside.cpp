@@ -268,8 +268,8 @@ InteriorSection upright_section(const SphereSide& side, const SphereExtent& exte
   section.fields = side.field.at(section.x, section.y, lines, Wanted::density);
   section.fields.v.resize(0, 0);
   for (const Component odd : {Component::yz, Component::xy}) {
-    section.fields.stress[static_cast<std::size_t>(odd)].resize(0, 0);
-    section.fields.strain[static_cast<std::size_t>(odd)].resize(0, 0);
+    section.fields.stress_of(odd).resize(0, 0);
+    section.fields.strain_of(odd).resize(0, 0);
   }
   return section;
 }

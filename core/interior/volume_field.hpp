@@ -41,6 +41,8 @@ struct VolumeFields {
 
   const Eigen::ArrayXXd& stress_of(Component c) const { return stress[static_cast<std::size_t>(c)]; }
   const Eigen::ArrayXXd& strain_of(Component c) const { return strain[static_cast<std::size_t>(c)]; }
+  Eigen::ArrayXXd& stress_of(Component c) { return stress[static_cast<std::size_t>(c)]; }
+  Eigen::ArrayXXd& strain_of(Component c) { return strain[static_cast<std::size_t>(c)]; }
 };
 
 class VolumeField {
