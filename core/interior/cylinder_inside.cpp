@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/interior/interior_lines.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/interior/layers_inside.hpp"
 
 namespace rollres {
 
@@ -13,12 +13,7 @@ using Eigen::Index;
 
 namespace {
 
-SurfaceFields mirrored_shear(SurfaceFields fields) {
-  for (double& shear : fields.shear_x) shear = -shear;
-  for (TractionPanel& panel : fields.panels)
-    for (double& shear : panel.shear) shear = -shear;
-  return fields;
-}
+using Part = LayersInside<InteriorField>;
 
 Extent extent_of(const SurfaceFields& fields) {
   const SurfaceTractions tractions(fields, 0);  // refuses fields without a contact
@@ -62,11 +57,11 @@ class CylinderSummary {
     const double deep = std::min(finite_thickness(scene), deepest_bond * half), beside = 2 * half + 2 * deep;
     at_bonds_ = evenly_spaced(extent_.middle - half - beside, extent_.middle + half + beside, bond_points);
     const double widest = detail == InteriorField::Detail::surface ? half + beside : 0.5 * (to - from);
-    parts_ = layers_inside(scene, fields, std::abs(extent_.middle) + widest, detail);
+    parts_ = layers_inside<InteriorField>(scene, fields, std::abs(extent_.middle) + widest, detail);
   }
 
   InteriorSummary run() {
-    for (const LayersInside& part : parts_) {
+    for (const Part& part : parts_) {
       add_lines(part);
       if (detail_ == InteriorField::Detail::surface) add_faces(part);
     }
@@ -75,7 +70,7 @@ class CylinderSummary {
   }
 
  private:
-  void add_lines(const LayersInside& part) {
+  void add_lines(const Part& part) {
     const std::vector<WeightedLine> weighted = lines_across(part.field.medium(), part.field.speed(), extent_.half,
                                                             detail_ == InteriorField::Detail::surface ? 6 : 4);
     std::vector<InteriorLine> lines;
@@ -92,7 +87,7 @@ class CylinderSummary {
   }
 
   /// Both faces of each layer: bonds, and strains that are the largest there.
-  void add_faces(const LayersInside& part) {
+  void add_faces(const Part& part) {
     std::vector<InteriorLine> lines;
     const LayeredMedium& medium = part.field.medium();
     for (std::size_t layer = 0; layer < medium.size(); ++layer) {
@@ -111,7 +106,7 @@ class CylinderSummary {
     }
   }
 
-  void take_peak(const LayersInside& part, const InteriorLine& line, const Largest& found) {
+  void take_peak(const Part& part, const InteriorLine& line, const Largest& found) {
     if (!(found.value > peak_.value) || part.field.depth_of(line) < shallowest_) return;
     peak_ = found;
     peak_part_ = &part;
@@ -121,7 +116,7 @@ class CylinderSummary {
   /// Around the largest strain on lines and points, on finer ones.
   void sharpen_peak() {
     constexpr int passes = 4, points = 9, lines_tried = 9;
-    const LayersInside& part = *peak_part_;
+    const Part& part = *peak_part_;
     const double thickness = part.field.medium()[peak_line_.layer].thickness;
     double along = 2 * (x_[1] - x_[0]), down = std::min(0.25 * extent_.half, 0.25 * thickness);
     for (int pass = 0; pass < passes; ++pass, along /= 3, down /= 3) {
@@ -152,10 +147,10 @@ class CylinderSummary {
   static constexpr double deepest_bond = 10;  // in half-lengths, whose tension is looked for as far as it is deep
   static constexpr int bond_points = 401;
   std::vector<double> x_, at_bonds_;
-  std::vector<LayersInside> parts_;
+  std::vector<Part> parts_;
   InteriorSummary s_;
   Largest peak_;
-  const LayersInside* peak_part_ = nullptr;
+  const Part* peak_part_ = nullptr;
   InteriorLine peak_line_;
 };
 
@@ -177,16 +172,6 @@ VolumeFields in_plane(InteriorFields&& plane) {
 
 }  // namespace
 
-std::vector<LayersInside> layers_inside(const RollingScene& scene, const SurfaceFields& fields, double reach,
-                                        InteriorField::Detail detail) {
-  std::vector<LayersInside> parts;
-  parts.push_back({false, InteriorField(foundation_of(scene), scene.speed, 1, fields, reach, detail)});
-  if (!scene.coating_layers.empty())
-    parts.push_back({true, InteriorField(coating_of(scene), scene.speed, flow_of_coating(scene), mirrored_shear(fields),
-                                         reach, detail)});
-  return parts;
-}
-
 InteriorSummary cylinder_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail) {
   return CylinderSummary(scene, fields, detail).run();
 }
@@ -197,8 +182,8 @@ std::vector<InteriorSection> cylinder_sections(const RollingScene& scene, const 
   const Extent extent = extent_of(fields);
   const double from = extent.middle - sideways * extent.half, to = extent.middle + sideways * extent.half;
   std::vector<InteriorSection> sections;
-  for (const LayersInside& part :
-       layers_inside(scene, fields, std::max(std::abs(from), std::abs(to)), InteriorField::Detail::surface)) {
+  for (const Part& part : layers_inside<InteriorField>(scene, fields, std::max(std::abs(from), std::abs(to)),
+                                                       InteriorField::Detail::surface)) {
     InteriorSection section{part.on_body, evenly_spaced(from, to, columns), {0}, {}, {}, {}};
     std::vector<InteriorLine> lines;
     double above = 0;

@@ -107,9 +107,9 @@ void InteriorField::add_waves(double lowest, double widest) {
   std::sort(waves_.begin(), waves_.end(), [](const Wave& a, const Wave& b) { return a.wavenumber < b.wavenumber; });
 }
 
-double InteriorField::depth_of(const InteriorLine& line) const {
+double depth_of(const LayeredMedium& medium, const InteriorLine& line) {
   double depth = line.depth;
-  for (std::size_t i = 0; i < line.layer; ++i) depth += medium_[i].thickness;
+  for (std::size_t i = 0; i < line.layer; ++i) depth += medium[i].thickness;
   return depth;
 }
 

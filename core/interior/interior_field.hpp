@@ -32,6 +32,9 @@ struct InteriorLine {
   double depth = 0;       ///< below the layer's face nearer to the contact [m]
 };
 
+/// Depth of a line below the contact [m].
+double depth_of(const LayeredMedium& medium, const InteriorLine& line);
+
 /// Fields at (x, line), columns being lines; z is up, seen from the layers under the body.
 struct InteriorFields {
   Eigen::ArrayXXd u, w;                              ///< [m]; 0 over a half-space, which has no place at rest
@@ -67,7 +70,7 @@ class InteriorField {
   const SurfaceTractions& tractions() const { return tractions_; }
   double speed() const { return std::abs(speed_); }  ///< V [m/s]
   /// Depth of a line below the contact [m].
-  double depth_of(const InteriorLine& line) const;
+  double depth_of(const InteriorLine& line) const { return rollres::depth_of(medium_, line); }
 
  private:
   struct Wave {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/interior/interior_lines.hpp"
+#include "core/interior/layers_inside.hpp"
 #include "core/numerics/quadrature.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 
@@ -17,24 +17,7 @@ using Wanted = VolumeField::Wanted;
 
 namespace {
 
-/// Layers on one side of the contact.
-struct SphereSide {
-  bool on_body;
-  VolumeField field;
-
-  double height_of(const InteriorLine& line) const { return (on_body ? 1 : -1) * field.depth_of(line); }
-};
-
-std::vector<SphereSide> sides_of(const RollingScene& scene, const SurfaceFields& fields, Detail detail) {
-  std::vector<SphereSide> sides;
-  sides.push_back({false, VolumeField(foundation_of(scene), scene.speed, 1, fields, detail)});
-  if (scene.coating_layers.empty()) return sides;
-  SurfaceFields mirrored = fields;
-  for (std::vector<double>* const shears : {&mirrored.shear_x, &mirrored.shear_y})
-    for (double& shear : *shears) shear = -shear;
-  sides.push_back({true, VolumeField(coating_of(scene), scene.speed, flow_of_coating(scene), mirrored, detail)});
-  return sides;
-}
+using Side = LayersInside<VolumeField>;
 
 /// Of the contact along its longest row and column, those nearest to its middle.
 struct SphereExtent {
@@ -84,7 +67,7 @@ class SphereSummary {
   SphereSummary(const RollingScene& scene, const SurfaceFields& fields, Detail detail)
       : detail_(detail),
         extent_(fields),
-        sides_(sides_of(scene, fields, detail)),
+        sides_(layers_inside<VolumeField>(scene, fields, detail)),
         shallowest_(0.5 * fields.grid.spacing_x) {
     constexpr double margin = 2;  // beyond the contact, in half-lengths
     constexpr int most = 451;
@@ -103,7 +86,7 @@ class SphereSummary {
   }
 
   InteriorSummary run() {
-    for (const SphereSide& side : sides_) {
+    for (const Side& side : sides_) {
       add_lines(side);
       if (detail_ == Detail::surface) add_faces(side);
     }
@@ -127,7 +110,7 @@ class SphereSummary {
     }
   }
 
-  void add_lines(const SphereSide& side) {
+  void add_lines(const Side& side) {
     const std::vector<WeightedLine> weighted =
         lines_across(side.field.medium(), side.field.speed(), extent_.x.half, detail_ == Detail::surface ? 6 : 4);
     std::vector<InteriorLine> lines;
@@ -160,7 +143,7 @@ class SphereSummary {
   }
 
   /// Both faces of each layer: bonds, and strains that are the largest there.
-  void add_faces(const SphereSide& side) {
+  void add_faces(const Side& side) {
     const LayeredMedium& medium = side.field.medium();
     for (std::size_t layer = 0; layer < medium.size(); ++layer) {
       std::vector<InteriorLine> faces;
@@ -170,7 +153,7 @@ class SphereSummary {
     }
   }
 
-  void add_face(const SphereSide& side, const InteriorLine& face) {
+  void add_face(const Side& side, const InteriorLine& face) {
     constexpr int along = 241, across = 41;
     const double reach = extent_.x.half + beside_;
     const std::vector<double> x = evenly_spaced(extent_.x.middle - reach, extent_.x.middle + reach, along);
@@ -198,7 +181,7 @@ class SphereSummary {
     s_.bonds.push_back(bond);
   }
 
-  void take_peak(const SphereSide& side, const std::vector<InteriorLine>& lines, const std::vector<double>& x,
+  void take_peak(const Side& side, const std::vector<InteriorLine>& lines, const std::vector<double>& x,
                  const std::vector<double>& y, const VolumeFields& fields) {
     const ArrayXXd strain = largest_shear_strain(fields);
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -218,7 +201,7 @@ class SphereSummary {
   /// Around the largest strain on lines and points, on finer ones.
   void sharpen_peak() {
     constexpr int passes = 4, points = 9, ys = 7, lines_tried = 9;
-    const SphereSide& side = *peak_side_;
+    const Side& side = *peak_side_;
     const double thickness = side.field.medium()[peak_line_.layer].thickness;
     double along = 2 * (x_[1] - x_[0]), across = 0.15 * extent_.y.half,
            down = std::min(0.25 * extent_.x.half, 0.25 * thickness);
@@ -238,19 +221,19 @@ class SphereSummary {
 
   Detail detail_;
   SphereExtent extent_;
-  std::vector<SphereSide> sides_;
+  std::vector<Side> sides_;
   double shallowest_;              // above which strains are those of the grid [m]
   double beside_ = 0;              // the contact, up to where bonds are looked at [m]
   std::vector<double> x_;          // [m]
   std::vector<double> y_, width_;  // of lines of flow, those at -y included [m]
   InteriorSummary s_;
-  const SphereSide* peak_side_ = nullptr;
+  const Side* peak_side_ = nullptr;
   InteriorLine peak_line_;
   double peak_x_ = 0, peak_y_ = 0;
 };
 
 /// x-z at y = 0.
-InteriorSection upright_section(const SphereSide& side, const SphereExtent& extent, const std::vector<double>& x) {
+InteriorSection upright_section(const Side& side, const SphereExtent& extent, const std::vector<double>& x) {
   constexpr double down = 4;  // in half-lengths
   constexpr int rows = 40;
   InteriorSection section{side.on_body, x, {0}, {}, {}, {}};
@@ -288,7 +271,7 @@ std::vector<InteriorSection> sphere_sections(const RollingScene& scene, const Su
     return evenly_spaced(e.middle - sideways * e.half, e.middle + sideways * e.half, count);
   };
   std::vector<InteriorSection> sections;
-  for (const SphereSide& side : sides_of(scene, fields, Detail::surface)) {
+  for (const Side& side : layers_inside<VolumeField>(scene, fields, Detail::surface)) {
     sections.push_back(upright_section(side, extent, along(extent.x, columns)));
     std::vector<InteriorLine> faces{{0, 0}};
     for (std::size_t layer = 0; layer < side.field.medium().size(); ++layer)

@@ -56,12 +56,6 @@ VolumeField::VolumeField(LayeredMedium medium, double speed, double flow, const 
     throw std::domain_error("the fields hold no contact to look into");
 }
 
-double VolumeField::depth_of(const InteriorLine& line) const {
-  double depth = line.depth;
-  for (std::size_t i = 0; i < line.layer; ++i) depth += medium_[i].thickness;
-  return depth;
-}
-
 /// The waves' sum in the making: those of one kx summed over ky at all places, block by block of kx, times e^{i kx x}
 /// at all points.
 class VolumeField::Sum {

@@ -63,7 +63,7 @@ class VolumeField {
   const LayeredMedium& medium() const { return medium_; }
   double speed() const { return std::abs(speed_); }  ///< V [m/s]
   /// Depth of a line below the contact [m].
-  double depth_of(const InteriorLine& line) const;
+  double depth_of(const InteriorLine& line) const { return rollres::depth_of(medium_, line); }
 
  private:
   class Sum;

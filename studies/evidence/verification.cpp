@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/interior/cylinder_inside.hpp"
+#include "core/interior/layers_inside.hpp"
 #include "core/interior/volume_field.hpp"
 #include "core/reference/reference_inside.hpp"
 #include "core/reference/reference_rollers.hpp"
@@ -438,8 +438,7 @@ void check_inside(Checks& checks) {
         hertz_line_inside(0.5 * s.contact_area, s.peak_pressure, x * line_width, depth * line_width);
     PlaneStress found{NAN, NAN, NAN};
     if (!s.fields.zone.empty() || !s.fields.panels.empty()) {
-      const std::vector<LayersInside> parts =
-          layers_inside(line, s.fields, 2 * line_width, InteriorField::Detail::surface);
+      const auto parts = layers_inside<InteriorField>(line, s.fields, 2 * line_width, InteriorField::Detail::surface);
       const InteriorFields f = parts.front().field.at({x * line_width}, {{0, depth * line_width}});
       found = {f.sigma_x(0, 0), f.sigma_z(0, 0), f.tau_xz(0, 0)};
     }
