@@ -177,26 +177,16 @@ InteriorSummary cylinder_summary(const RollingScene& scene, const SurfaceFields&
 }
 
 std::vector<InteriorSection> cylinder_sections(const RollingScene& scene, const SurfaceFields& fields) {
-  constexpr double sideways = 3, down = 4;  // in half-lengths
-  constexpr int columns = 281, rows = 40;
+  constexpr double sideways = 3;  // in half-lengths
+  constexpr int columns = 281;
   const Extent extent = extent_of(fields);
   const double from = extent.middle - sideways * extent.half, to = extent.middle + sideways * extent.half;
   std::vector<InteriorSection> sections;
   for (const Part& part : layers_inside<InteriorField>(scene, fields, std::max(std::abs(from), std::abs(to)),
                                                        InteriorField::Detail::surface)) {
-    InteriorSection section{part.on_body, evenly_spaced(from, to, columns), {0}, {}, {}, {}};
-    std::vector<InteriorLine> lines;
-    double above = 0;
-    for (std::size_t layer = 0; layer < part.field.medium().size() && above < down * extent.half; ++layer) {
-      const double thickness = std::min(part.field.medium()[layer].thickness, down * extent.half - above);
-      for (const double share : evenly_spaced(0, 1, rows)) {
-        lines.push_back({layer, thickness * (layer == 0 ? std::pow(share, 1.5) : share)});
-        section.z.push_back(part.height_of(lines.back()));
-        section.layer.push_back(layer);
-      }
-      above += thickness;
-    }
-    section.fields = in_plane(part.field.at(section.x, lines, InteriorField::Wanted::density));
+    const SectionRows rows = section_rows(part.field.medium(), part.on_body, extent.half);
+    InteriorSection section{part.on_body, evenly_spaced(from, to, columns), {0}, rows.z, rows.layer, {}};
+    section.fields = in_plane(part.field.at(section.x, rows.lines, InteriorField::Wanted::density));
     turn_upwards(section);
     sections.push_back(std::move(section));
   }

@@ -54,6 +54,23 @@ std::vector<WeightedLine> lines_across(const LayeredMedium& medium, double speed
   return lines;
 }
 
+SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half) {
+  constexpr double down = 4;  // in half-lengths
+  constexpr int in_layer = 40;
+  SectionRows rows;
+  double above = 0;
+  for (std::size_t layer = 0; layer < medium.size() && above < down * half; ++layer) {
+    const double thickness = std::min(medium[layer].thickness, down * half - above);
+    for (const double share : evenly_spaced(0, 1, in_layer)) {
+      rows.lines.push_back({layer, thickness * (layer == 0 ? std::pow(share, 1.5) : share)});
+      rows.z.push_back((on_body ? 1 : -1) * depth_of(medium, rows.lines.back()));
+      rows.layer.push_back(layer);
+    }
+    above += thickness;
+  }
+  return rows;
+}
+
 Largest largest_of(const std::vector<double>& x, const Eigen::ArrayXd& values) {
   Index top = 0;
   const double value = values.maxCoeff(&top);

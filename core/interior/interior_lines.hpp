@@ -34,6 +34,16 @@ struct WeightedLine {
 /// @param half of the contact's length   @param speed V [m/s]
 std::vector<WeightedLine> lines_across(const LayeredMedium& medium, double speed, double half, int per_panel);
 
+/// Rows of an upright section: in each layer evenly spaced lines from face to face, in the first one closer near the
+/// contact, down to four half-lengths of it. A bond has two rows, one of each layer.
+struct SectionRows {
+  std::vector<InteriorLine> lines;
+  std::vector<double> z;           ///< of each, over the undeformed surface [m]
+  std::vector<std::size_t> layer;  ///< of each
+};
+/// @param half of the contact's length
+SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half);
+
 /// The largest of values at evenly spaced places, by the parabola through its neighbours.
 struct Largest {
   double place = 0, value = 0;

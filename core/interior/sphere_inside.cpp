@@ -234,21 +234,9 @@ class SphereSummary {
 
 /// x-z at y = 0.
 InteriorSection upright_section(const Side& side, const SphereExtent& extent, const std::vector<double>& x) {
-  constexpr double down = 4;  // in half-lengths
-  constexpr int rows = 40;
-  InteriorSection section{side.on_body, x, {0}, {}, {}, {}};
-  std::vector<InteriorLine> lines;
-  double above = 0;
-  for (std::size_t layer = 0; layer < side.field.medium().size() && above < down * extent.x.half; ++layer) {
-    const double thickness = std::min(side.field.medium()[layer].thickness, down * extent.x.half - above);
-    for (const double share : evenly_spaced(0, 1, rows)) {
-      lines.push_back({layer, thickness * (layer == 0 ? std::pow(share, 1.5) : share)});
-      section.z.push_back(side.height_of(lines.back()));
-      section.layer.push_back(layer);
-    }
-    above += thickness;
-  }
-  section.fields = side.field.at(section.x, section.y, lines, Wanted::density);
+  const SectionRows rows = section_rows(side.field.medium(), side.on_body, extent.x.half);
+  InteriorSection section{side.on_body, x, {0}, rows.z, rows.layer, {}};
+  section.fields = side.field.at(section.x, section.y, rows.lines, Wanted::density);
   section.fields.v.resize(0, 0);
   for (const Component odd : {Component::yz, Component::xy}) {
     section.fields.stress_of(odd).resize(0, 0);
