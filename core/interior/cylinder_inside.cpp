@@ -9,6 +9,7 @@
 namespace rollres {
 
 using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
 using Eigen::Index;
 
 namespace {
@@ -24,15 +25,12 @@ Extent extent_of(const SurfaceFields& fields) {
   return {0.5 * (tractions.from() + tractions.to()), 0.5 * (tractions.to() - tractions.from())};
 }
 
-/// Half of the largest distance between two states of a line, 0 among them.
-double amplitude(const ArrayXd& stretch, const ArrayXd& shear) {
-  double largest = (stretch.square() + shear.square()).maxCoeff();
-  for (Index i = 0; i + 1 < stretch.size(); ++i) {
-    const Index rest = stretch.size() - i - 1;
-    largest = std::max(
-        largest, ((stretch.tail(rest) - stretch(i)).square() + (shear.tail(rest) - shear(i)).square()).maxCoeff());
-  }
-  return 0.5 * std::sqrt(largest);
+/// States of a line of flow in its plane.
+ArrayXXd states_of(const InteriorFields& f, Index line) {
+  ArrayXXd states(f.strain_x.rows(), 2);
+  states.col(0) = f.strain_x.col(line) - f.strain_z.col(line);
+  states.col(1) = f.shear_strain.col(line);
+  return states;
 }
 
 ArrayXd shear_strains(const InteriorFields& fields, Index line) {
@@ -78,8 +76,7 @@ class CylinderSummary {
     const InteriorFields fields = part.field.at(x_, lines, InteriorField::Wanted::strains);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto column = static_cast<Index>(i);
-      const double cycle =
-          amplitude(fields.strain_x.col(column) - fields.strain_z.col(column), fields.shear_strain.col(column));
+      const double cycle = amplitude_of(states_of(fields, column));
       s_.lines.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), weighted[i].weight,
                           fields.line_loss(column), cycle, cycle, cycle * cycle});
       take_peak(part, lines[i], largest_of(x_, shear_strains(fields, column)));

@@ -7,6 +7,8 @@
 
 namespace rollres {
 
+using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
 using Eigen::Index;
 
 Extent extent_of_row(const std::function<double(int)>& pressure, int count, double first, double spacing) {
@@ -69,6 +71,18 @@ SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half)
     above += thickness;
   }
   return rows;
+}
+
+double amplitude_of(const ArrayXXd& states) {
+  const auto farthest = [&](Index first, const auto& from) {
+    ArrayXd distance = ArrayXd::Zero(states.rows() - first);
+    for (Index c = 0; c < states.cols(); ++c) distance += (states.col(c).tail(distance.size()) - from(c)).square();
+    return distance.maxCoeff();
+  };
+  double largest = farthest(0, [](Index) { return 0.0; });
+  for (Index i = 0; i + 1 < states.rows(); ++i)
+    largest = std::max(largest, farthest(i + 1, [&](Index c) { return states(i, c); }));
+  return 0.5 * std::sqrt(largest);
 }
 
 Largest largest_of(const std::vector<double>& x, const Eigen::ArrayXd& values) {

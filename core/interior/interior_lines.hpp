@@ -44,6 +44,10 @@ struct SectionRows {
 /// @param half of the contact's length
 SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half);
 
+/// Half of the largest distance between two states of a line of flow, 0 among them.
+/// @param states (point, coordinate), whose distances are those of the strain's cycle (interior_summary.hpp)
+double amplitude_of(const Eigen::ArrayXXd& states);
+
 /// The largest of values at evenly spaced places, by the parabola through its neighbours.
 struct Largest {
   double place = 0, value = 0;

@@ -9,7 +9,6 @@
 
 namespace rollres {
 
-using Eigen::ArrayXd;
 using Eigen::ArrayXXd;
 using Eigen::Index;
 using Detail = InteriorField::Detail;
@@ -37,29 +36,16 @@ struct SphereExtent {
   }
 };
 
-/// States of a line of flow, whose distances are sqrt(2 e : e): (coordinate, point).
+/// States of a line of flow, whose distances are sqrt(2 e : e): (point, coordinate).
 ArrayXXd states_of(const VolumeFields& f, Index place) {
   const auto strain = [&](Component c) { return f.strain_of(c).col(place); };
-  ArrayXXd states(5, f.strain_of(Component::x).rows());
-  states.row(0) = strain(Component::x) - strain(Component::z);
-  states.row(1) = (2 * strain(Component::y) - strain(Component::x) - strain(Component::z)) / std::sqrt(3.0);
-  states.row(2) = strain(Component::xz);
-  states.row(3) = strain(Component::yz);
-  states.row(4) = strain(Component::xy);
+  ArrayXXd states(f.strain_of(Component::x).rows(), 5);
+  states.col(0) = strain(Component::x) - strain(Component::z);
+  states.col(1) = (2 * strain(Component::y) - strain(Component::x) - strain(Component::z)) / std::sqrt(3.0);
+  states.col(2) = strain(Component::xz);
+  states.col(3) = strain(Component::yz);
+  states.col(4) = strain(Component::xy);
   return states;
-}
-
-/// Half of the largest distance between two states of a line, 0 among them.
-double amplitude_of(const ArrayXXd& states) {
-  double largest = states.square().colwise().sum().maxCoeff();
-  for (Index i = 0; i + 1 < states.cols(); ++i) {
-    const Index rest = states.cols() - i - 1;
-    ArrayXd distance = ArrayXd::Zero(rest);
-    for (Index c = 0; c < states.rows(); ++c)
-      distance += (states.row(c).tail(rest) - states(c, i)).square().transpose();
-    largest = std::max(largest, distance.maxCoeff());
-  }
-  return 0.5 * std::sqrt(largest);
 }
 
 class SphereSummary {
