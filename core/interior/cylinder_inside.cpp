@@ -44,17 +44,11 @@ class CylinderSummary {
       : detail_(detail),
         extent_(extent_of(fields)),
         shallowest_(fields.panels.empty() ? 0.5 * fields.grid.spacing_x : 0) {
-    constexpr double margin = 2;  // beyond the contact, in half-lengths
     constexpr int most = 901;
-    const int fewest = detail == InteriorField::Detail::surface ? 181 : 121;
-    const double half = extent_.half, from = extent_.middle - (1 + margin) * half,
-                 to = extent_.middle + (1 + margin) * half;
-    const double thin = std::min(half, scene.layer_thickness);
-    x_ = evenly_spaced(from, to, std::clamp(static_cast<int>((to - from) / (0.125 * thin)) | 1, fewest, most));
-    // Deep bonds bear tension far beside the contact.
-    const double deep = std::min(finite_thickness(scene), deepest_bond * half), beside = 2 * half + 2 * deep;
+    const double half = extent_.half, beside = beside_at_bonds(half, finite_thickness(scene));
+    x_ = places_along(extent_, std::min(half, scene.layer_thickness), detail, most);
     at_bonds_ = evenly_spaced(extent_.middle - half - beside, extent_.middle + half + beside, bond_points);
-    const double widest = detail == InteriorField::Detail::surface ? half + beside : 0.5 * (to - from);
+    const double widest = detail == InteriorField::Detail::surface ? half + beside : 0.5 * (x_.back() - x_.front());
     parts_ = layers_inside<InteriorField>(scene, fields, std::abs(extent_.middle) + widest, detail);
   }
 
@@ -112,17 +106,13 @@ class CylinderSummary {
 
   /// Around the largest strain on lines and points, on finer ones.
   void sharpen_peak() {
-    constexpr int passes = 4, points = 9, lines_tried = 9;
+    constexpr int passes = 4, points = 9;
     const Part& part = *peak_part_;
     const double thickness = part.field.medium()[peak_line_.layer].thickness;
     double along = 2 * (x_[1] - x_[0]), down = std::min(0.25 * extent_.half, 0.25 * thickness);
     for (int pass = 0; pass < passes; ++pass, along /= 3, down /= 3) {
       const std::vector<double> x = evenly_spaced(peak_.place - along, peak_.place + along, points);
-      std::vector<InteriorLine> lines;
-      for (const double depth :
-           evenly_spaced(std::max(peak_line_.depth - down, peak_line_.layer == 0 ? shallowest_ : 0.0),
-                         std::min(peak_line_.depth + down, thickness), lines_tried))
-        lines.push_back({peak_line_.layer, depth});
+      const std::vector<InteriorLine> lines = lines_around(peak_line_, part.field.medium(), down, shallowest_);
       const InteriorFields fields = part.field.at(x, lines, InteriorField::Wanted::strains);
       for (std::size_t i = 0; i < lines.size(); ++i)
         take_peak(part, lines[i], largest_of(x, shear_strains(fields, static_cast<Index>(i))));
@@ -140,8 +130,7 @@ class CylinderSummary {
 
   InteriorField::Detail detail_;
   Extent extent_;
-  double shallowest_;                         // above which strains are those of the edges of a grid's cells [m]
-  static constexpr double deepest_bond = 10;  // in half-lengths, whose tension is looked for as far as it is deep
+  double shallowest_;  // above which strains are those of the edges of a grid's cells [m]
   static constexpr int bond_points = 401;
   std::vector<double> x_, at_bonds_;
   std::vector<Part> parts_;

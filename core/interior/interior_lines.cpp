@@ -33,6 +33,18 @@ std::vector<double> evenly_spaced(double from, double to, int count) {
   return places;
 }
 
+std::vector<double> places_along(const Extent& contact, double thin, InteriorField::Detail detail, int most) {
+  constexpr double margin = 2, spacing = 0.125;  // beyond the contact, in half-lengths; of what is thin
+  const int fewest = detail == InteriorField::Detail::surface ? 181 : 121;
+  const double reach = (1 + margin) * contact.half, from = contact.middle - reach, to = contact.middle + reach;
+  return evenly_spaced(from, to, std::clamp(static_cast<int>((to - from) / (spacing * thin)) | 1, fewest, most));
+}
+
+double beside_at_bonds(double half, double layers) {
+  constexpr double deepest = 10;  // in half-lengths, whose tension is looked for as far as it is deep
+  return 2 * half + 2 * std::min(layers, deepest * half);
+}
+
 std::vector<WeightedLine> lines_across(const LayeredMedium& medium, double speed, double half, int per_panel) {
   constexpr double farthest = 1e4;  // of a half-space, in lengths over which it moves
   const QuadratureRule& rule = gauss_rule(per_panel);
@@ -53,6 +65,16 @@ std::vector<WeightedLine> lines_across(const LayeredMedium& medium, double speed
     }
     above += thickness;
   }
+  return lines;
+}
+
+std::vector<InteriorLine> lines_around(const InteriorLine& line, const LayeredMedium& medium, double down,
+                                       double shallowest) {
+  constexpr int count = 9;
+  std::vector<InteriorLine> lines;
+  for (const double depth : evenly_spaced(std::max(line.depth - down, line.layer == 0 ? shallowest : 0.0),
+                                          std::min(line.depth + down, medium[line.layer].thickness), count))
+    lines.push_back({line.layer, depth});
   return lines;
 }
 

@@ -24,6 +24,14 @@ Extent extent_of_row(const std::function<double(int)>& pressure, int count, doub
 
 std::vector<double> evenly_spaced(double from, double to, int count);
 
+/// Places along a contact's length and as much beside it on both sides.
+/// @param thin of half-length and layer's thickness the smaller [m]   @param most of their count
+std::vector<double> places_along(const Extent& contact, double thin, InteriorField::Detail detail, int most);
+
+/// How far beside the contact the bonds are looked at, deep ones of which bear tension there [m].
+/// @param half of the contact's length   @param layers thickness of those that are not infinite [m]
+double beside_at_bonds(double half, double layers);
+
 /// A line with the thickness that it stands for [m].
 struct WeightedLine {
   InteriorLine line;
@@ -33,6 +41,11 @@ struct WeightedLine {
 /// Lines of Gauss's rule on panels that widen with the distance from the contact.
 /// @param half of the contact's length   @param speed V [m/s]
 std::vector<WeightedLine> lines_across(const LayeredMedium& medium, double speed, double half, int per_panel);
+
+/// Lines of one layer around a line of it, down to `down` on both sides [m].
+/// @param shallowest depth of a line below the contact [m]
+std::vector<InteriorLine> lines_around(const InteriorLine& line, const LayeredMedium& medium, double down,
+                                       double shallowest);
 
 /// Rows of an upright section: in each layer evenly spaced lines from face to face, in the first one closer near the
 /// contact, down to four half-lengths of it. A bond has two rows, one of each layer.

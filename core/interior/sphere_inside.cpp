@@ -55,20 +55,16 @@ class SphereSummary {
         extent_(fields),
         sides_(layers_inside<VolumeField>(scene, fields, detail)),
         shallowest_(0.5 * fields.grid.spacing_x) {
-    constexpr double margin = 2;  // beyond the contact, in half-lengths
     constexpr int most = 451;
-    const int fewest = detail == Detail::surface ? 181 : 121;
-    const double half = extent_.x.half, reach = (1 + margin) * half, thin = std::min(half, scene.layer_thickness);
-    x_ = evenly_spaced(extent_.x.middle - reach, extent_.x.middle + reach,
-                       std::clamp(static_cast<int>(2 * reach / (0.125 * thin)) | 1, fewest, most));
+    const double half = extent_.x.half;
+    x_ = places_along(extent_.x, std::min(half, scene.layer_thickness), detail, most);
     add_ys(0, extent_.y.half, detail == Detail::surface ? 8 : 6);
     add_ys(extent_.y.half, 2 * extent_.y.half, 4);
     add_ys(2 * extent_.y.half, 4 * extent_.y.half, 3);
     // Where strains are the largest; it stands for no width.
     y_.push_back(0);
     width_.push_back(0);
-    const double deep = std::min(finite_thickness(scene), deepest_bond * half);
-    beside_ = 2 * half + 2 * deep;
+    beside_ = beside_at_bonds(half, finite_thickness(scene));
   }
 
   InteriorSummary run() {
@@ -186,24 +182,18 @@ class SphereSummary {
 
   /// Around the largest strain on lines and points, on finer ones.
   void sharpen_peak() {
-    constexpr int passes = 4, points = 9, ys = 7, lines_tried = 9;
+    constexpr int passes = 4, points = 9, ys = 7;
     const Side& side = *peak_side_;
     const double thickness = side.field.medium()[peak_line_.layer].thickness;
     double along = 2 * (x_[1] - x_[0]), across = 0.15 * extent_.y.half,
            down = std::min(0.25 * extent_.x.half, 0.25 * thickness);
     for (int pass = 0; pass < passes; ++pass, along /= 3, across /= 3, down /= 3) {
-      std::vector<InteriorLine> lines;
-      for (const double depth :
-           evenly_spaced(std::max(peak_line_.depth - down, peak_line_.layer == 0 ? shallowest_ : 0.0),
-                         std::min(peak_line_.depth + down, thickness), lines_tried))
-        lines.push_back({peak_line_.layer, depth});
+      const std::vector<InteriorLine> lines = lines_around(peak_line_, side.field.medium(), down, shallowest_);
       const std::vector<double> x = evenly_spaced(peak_x_ - along, peak_x_ + along, points);
       const std::vector<double> y = evenly_spaced(std::max(peak_y_ - across, 0.0), peak_y_ + across, ys);
       take_peak(side, lines, x, y, side.field.at(x, y, lines, Wanted::strains));
     }
   }
-
-  static constexpr double deepest_bond = 10;  // in half-lengths, whose tension is looked for as far as it is deep
 
   Detail detail_;
   SphereExtent extent_;
