@@ -4,6 +4,7 @@
 
 #include "core/reference/reference_inside.hpp"
 #include "tests/core/converged.hpp"
+#include "tests/core/interior/layered_scenes.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 // Covers cylinder_inside and interior_lines, too.
@@ -57,12 +58,7 @@ TEST_CASE("the half-length on a grid follows the contact smoothly, and is that o
 
 TEST_CASE("of a soft layer on an elastic one all is lost in the soft one; a coating loses what is its own",
           "[core][interior]") {
-  RollingScene scene = continuous(0);
-  BondedLayer hard;
-  hard.material = MaterialModel::elastic;
-  hard.static_shear_modulus = 20e6;
-  hard.layer_thickness = 0.004;
-  scene.lower_layers = {hard};
+  const RollingScene scene = on_hard_layer(continuous(0));
   const RollingSolution s = converged(scene);
   const InteriorSummary inside = interior_summary(scene, s.fields, Detail::surface);
   REQUIRE(inside.layers.size() == 2);
@@ -73,12 +69,7 @@ TEST_CASE("of a soft layer on an elastic one all is lost in the soft one; a coat
   CHECK(inside.bonds[1].z == Approx(-0.009));
   CHECK(inside.bonds[0].shear > 0);
 
-  // The layer under the body and the one on it change places.
-  RollingScene coated = continuous(0);
-  BondedLayer rubber;
-  static_cast<MaterialInputs&>(rubber) = coated;
-  rubber.layer_thickness = coated.layer_thickness;
-  coated.coating_layers = {rubber};
+  const RollingScene coated = coated_alike(continuous(0));
   const RollingSolution both = converged(coated);
   const InteriorSummary halves = interior_summary(coated, both.fields, Detail::inside);
   REQUIRE(halves.layers.size() == 2);

@@ -4,6 +4,7 @@
 
 #include "core/reference/reference_inside.hpp"
 #include "tests/core/converged.hpp"
+#include "tests/core/interior/layered_scenes.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 using namespace rollres;
@@ -60,11 +61,7 @@ TEST_CASE("the largest shear strain under a Hertz sphere is Huber's", "[core][in
 }
 
 TEST_CASE("a coating on a sphere loses what is its own, and an elastic layer nothing", "[core][interior]") {
-  RollingScene coated = rubber_sphere(0);
-  BondedLayer rubber;
-  static_cast<MaterialInputs&>(rubber) = coated;
-  rubber.layer_thickness = coated.layer_thickness;
-  coated.coating_layers = {rubber};
+  const RollingScene coated = coated_alike(rubber_sphere(0));
   const RollingSolution both = converged(coated);
   const InteriorSummary halves = interior_summary(coated, both.fields, Detail::inside);
   REQUIRE(halves.layers.size() == 2);
@@ -74,12 +71,7 @@ TEST_CASE("a coating on a sphere loses what is its own, and an elastic layer not
   CHECK(halves.lines.front().z < 0);
   CHECK(halves.lines.back().z > 0);
 
-  RollingScene on_hard = rubber_sphere(0.2);
-  BondedLayer hard;
-  hard.material = MaterialModel::elastic;
-  hard.static_shear_modulus = 20e6;
-  hard.layer_thickness = 0.004;
-  on_hard.lower_layers = {hard};
+  const RollingScene on_hard = on_hard_layer(rubber_sphere(0.2));
   const RollingSolution s = converged(on_hard);
   const InteriorSummary inside = interior_summary(on_hard, s.fields, Detail::surface);
   REQUIRE(inside.layers.size() == 2);
