@@ -8,7 +8,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 
-// Covers command_verify, too.
+// Covers command_verify, verification_checks and verification_inside, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
