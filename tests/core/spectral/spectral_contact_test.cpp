@@ -1,5 +1,5 @@
-// Covers spectral_problem, spectral_start, spectral_search, spectral_system, spectral_sources, spectral_memory,
-// spectral_field, surface_panels, spectral_solution, spectral_friction_limit too.
+// Covers spectral_problem, spectral_system, spectral_sources, spectral_memory, spectral_field, surface_panels,
+// spectral_solution, spectral_friction_limit too.
 
 #include "core/spectral/spectral_contact.hpp"
 
@@ -8,53 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "core/estimate/contact_estimate.hpp"
-#include "core/reference/reference_hunter.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/spectral/spectral_search.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
-#include "tests/catch.hpp"
-#include "tests/core/paper_scenes.hpp"
+#include "tests/core/spectral/spectral_scenes.hpp"
 
 using namespace rollres;
 
 namespace {
 
-RollingScene gridless_cylinder(double friction) {
-  RollingScene scene = paper_cylinder();
-  scene.spacing.reset();
-  scene.friction_coefficient = friction;
-  return scene;
-}
-
-RollingSolution spectral(const RollingScene& scene) {
-  const RollingSolution solution = solve(scene);
-  INFO(solution.reason << solution.model);
-  REQUIRE(solution.method == Method::spectral);
-  REQUIRE(solution.status == Status::converged);
-  CHECK(solution.law_violation < 1e-8);
-  return solution;
-}
-
 bool says_missed(const RollingSolution& solution) {
   const std::vector<std::string>& warnings = solution.warnings;
   return std::any_of(warnings.begin(), warnings.end(),
                      [](const std::string& warning) { return warning.find("was not reached") != std::string::npos; });
-}
-
-/// A cylinder on a half-space with the rubbery half-width 1e-5 R, so that its lower surface is a parabola.
-RollingScene half_space_scene(double creep_over_half_width, double stiffening) {
-  RollingScene scene;
-  scene.indenter = Indenter::cylinder;
-  scene.radius = 1;
-  scene.layer_thickness = INFINITY;
-  scene.static_shear_modulus = 1e6;
-  scene.stiffening = stiffening;
-  scene.creep_time = creep_over_half_width;
-  scene.speed = 1e-5;
-  scene.load = M_PI * 1e6 * 1e-10;
-  return scene;
 }
 
 }  // namespace
@@ -70,43 +35,6 @@ TEST_CASE("the cylinder of Zehil and Gavin has the resistance of two independent
   const RollingSolution smooth = spectral(gridless_cylinder(0));
   CHECK(smooth.rolling_resistance == Approx(370.2717666).epsilon(1e-9));
   CHECK(smooth.energy_residual < 1e-8);
-}
-
-TEST_CASE("with little friction the leading edge slips as well, and then stick and slip take turns",
-          "[core][spectral]") {
-  const double friction[] = {0.12, 0.10, 0.08}, resistance[] = {359.30478, 360.41078, 361.82921};
-  for (int i = 0; i < 3; ++i) {
-    const RollingSolution solution = spectral(gridless_cylinder(friction[i]));
-    CHECK(solution.rolling_resistance == Approx(resistance[i]).epsilon(2e-8));
-    CHECK(solution.energy_residual < 1e-8);
-  }
-  const RollingSolution turns = spectral(gridless_cylinder(0.05));
-  RollingScene gridded = gridless_cylinder(0.05);
-  gridded.spacing = 0.02e-3;
-  // First order in the spacing: 5e-5 at this one.
-  CHECK(turns.rolling_resistance == Approx(solve(gridded).rolling_resistance).epsilon(1e-4));
-}
-
-TEST_CASE("a short slip at the trailing edge turns round over speeds without a leap", "[core][spectral]") {
-  // Between 10.3 and 10.8 mm/s the slip behind the stick shrinks to nothing and comes back the other way.
-  const auto resistance = [](double speed) {
-    RollingScene scene = gridless_cylinder(0.2);
-    scene.kinematics = Kinematics::consistent;
-    scene.speed = speed;
-    const RollingSolution solution = spectral(scene);
-    CHECK(solution.law_violation < 5e-9);
-    CHECK(solution.frictional_loss >= 0);
-    return solution.rolling_resistance;
-  };
-  for (const double speed : {0.01035, 0.0105, 0.01065}) {
-    // By the cubic through four speeds around it, whose error is of the fourth order in the steps of 3 %, here 5e-7.
-    // Without this slip R_r would be 5e-6 to 1.5e-5 off.
-    const double step = 0.03 * speed;
-    const double between = (4 * (resistance(speed - step) + resistance(speed + step)) -
-                            (resistance(speed - 2 * step) + resistance(speed + 2 * step))) /
-                           6;
-    CHECK(resistance(speed) == Approx(between).epsilon(2e-6));
-  }
 }
 
 TEST_CASE("the estimate itself meets a tolerance, also with a given rotation and compressible layers",
@@ -146,52 +74,6 @@ TEST_CASE("a wanted error is kept, and the estimate is not below the error", "[c
     CHECK(solution.error_estimate <= tolerance);
     CHECK(std::abs(solution.rolling_resistance / 357.1785671916 - 1) < tolerance);
   }
-}
-
-TEST_CASE("a cylinder on a Zener half-space has Hunter's resistance at any speed", "[core][spectral]") {
-  for (const double stiffening : {1.0, 9.0, 99.0})
-    for (const double creep : {1e-6, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e6}) {
-      RollingScene scene = half_space_scene(creep, stiffening);
-      const HunterLine exact =
-          hunter_line(scene.radius, *scene.load, *scene.static_shear_modulus, stiffening, creep, 1e-5);
-      const RollingSolution solution = spectral(scene);
-      CAPTURE(stiffening, creep);
-      // Where R_r/P is 1e-6 of the slopes, rounding takes digits.
-      CHECK(solution.rolling_resistance ==
-            Approx(exact.rolling_resistance).epsilon(creep > 0.001 && creep < 1e4 ? 1e-9 : 1e-8));
-      CHECK(solution.leading_edge == Approx(exact.leading_edge()).epsilon(1e-8));
-      CHECK(solution.peak_pressure == Approx(exact.peak_pressure).epsilon(1e-6));
-    }
-}
-
-TEST_CASE("on an elastic half-space tractive rolling is Carter's", "[core][spectral]") {
-  RollingScene scene = half_space_scene(0, 0);
-  scene.friction_coefficient = 0.3;
-  scene.drive = Drive::rotation;
-  scene.kinematics = Kinematics::printed;  // slip of a flat surface
-  const double stick = 0.6, a = 1e-5;      // a'/a
-  for (const double direction : {1.0, -1.0}) {
-    scene.rotation_ratio = 1 - direction * 0.3 * a * (1 - stick);
-    const RollingSolution solution = spectral(scene);
-    // The shear carries a part mu a/R of the load.
-    CHECK(solution.driving_torque == Approx(-direction * 0.3 * *scene.load * (1 - stick * stick)).epsilon(1e-5));
-    CHECK(solution.contact_area == Approx(2 * a).epsilon(1e-5));
-    RollingScene driven = scene;
-    driven.drive = Drive::torque;
-    driven.rotation_ratio.reset();
-    driven.driving_torque = -direction * 0.3 * *scene.load * (1 - stick * stick);
-    CHECK((spectral(driven).rotation_ratio - 1) / (*scene.rotation_ratio - 1) == Approx(1).epsilon(2e-5));
-  }
-}
-
-TEST_CASE("free rolling on an elastic half-space is without shear", "[core][spectral]") {
-  RollingScene scene = half_space_scene(0, 0);
-  scene.friction_coefficient = 0.3;
-  scene.drive = Drive::free;
-  scene.kinematics = Kinematics::printed;  // slip of a flat surface
-  const RollingSolution solution = spectral(scene);
-  CHECK(solution.peak_shear_x < 1e-9 * solution.peak_pressure);
-  CHECK(solution.rotation_ratio == Approx(1).epsilon(1e-12));
 }
 
 TEST_CASE("a spectral solution obeys the power balance with every drive", "[core][spectral]") {
@@ -330,46 +212,6 @@ TEST_CASE("the fields of a spectral solution are those of a fine grid", "[core][
   }
 }
 
-TEST_CASE("a stick between slips in opposite directions is answered, of whatever order", "[core][spectral]") {
-  // Nearly elastic cylinders pushed at the top; the middle of the stick was a border of the quadrature and of a check.
-  struct {
-    double radius, thickness, modulus, stiffening, creep_time, speed, load, friction;
-  } const cases[] = {{.radius = 0.04425,
-                      .thickness = 0.01051,
-                      .modulus = 582400,
-                      .stiffening = 0.01278,
-                      .creep_time = 2.338,
-                      .speed = 4.128,
-                      .load = 122.8,
-                      .friction = 0.04963},
-                     {.radius = 0.026,
-                      .thickness = 0.0424,
-                      .modulus = 1341000,
-                      .stiffening = 0.01438,
-                      .creep_time = 8.614,
-                      .speed = 1.267,
-                      .load = 439.1,
-                      .friction = 0.005772}};
-  for (const auto& c : cases) {
-    RollingScene scene = gridless_cylinder(c.friction);
-    scene.radius = c.radius;
-    scene.layer_thickness = c.thickness;
-    scene.static_shear_modulus = c.modulus;
-    scene.stiffening = c.stiffening;
-    scene.creep_time = c.creep_time;
-    scene.speed = c.speed;
-    scene.load = c.load;
-    const RollingSolution solution = solve(scene);
-    CAPTURE(c.radius, solution.model);
-    REQUIRE(solution.method == Method::spectral);
-    CHECK(solution.law_violation < 1e-8);
-    RollingScene gridded = scene;
-    gridded.spacing = (solution.leading_edge - solution.trailing_edge) / 600;
-    // The grid's own error: 0.5 % where R_r is so small a difference
-    CHECK(solve(gridded).rolling_resistance == Approx(solution.rolling_resistance).epsilon(0.01));
-  }
-}
-
 TEST_CASE("the approach of a slow cylinder, whose memories are much shorter than its contact, is that of a fine grid",
           "[core][spectral]") {
   RollingScene scene = gridless_cylinder(0);
@@ -405,77 +247,6 @@ TEST_CASE("on an elastic layer a driven cylinder has the edges and the borders o
     const RollingSolution grid = solve(gridded);
     CHECK(driven.rotation_ratio - 1 == Approx(grid.rotation_ratio - 1).epsilon(5e-3).margin(1e-5));
   }
-}
-
-namespace {
-
-/// A coated cylinder on the paper's layer.
-RollingScene coated_cylinder(double friction, double speed, double load) {
-  RollingScene scene = gridless_cylinder(friction);
-  scene.kinematics = Kinematics::consistent;
-  scene.speed = speed;
-  scene.load = load;
-  BondedLayer coating;
-  coating.layer_thickness = 6e-3;
-  coating.static_shear_modulus = 2e6;
-  coating.stiffening = 1.5;
-  coating.creep_time = 0.02;
-  scene.coating_layers = {coating};
-  return scene;
-}
-
-}  // namespace
-
-TEST_CASE("zones of much the same scene lead to the same answer for a fraction of the work", "[core][spectral]") {
-  RollingScene scene = coated_cylinder(0.02, 2, 4e3);
-  scene.coating_flow = 1;
-  const SpectralOutcome first = solve_spectral(scene);
-  REQUIRE(first.solution);
-  REQUIRE(first.zones);
-  scene.coating_flow = 1.004;
-  const SpectralOutcome fresh = solve_spectral(scene), near = solve_spectral(scene, first.zones);
-  REQUIRE(fresh.solution);
-  REQUIRE(near.solution);
-  CHECK(near.solution->rolling_resistance == Approx(fresh.solution->rolling_resistance).epsilon(1e-8));
-  CHECK(near.solution->rolling_resistance != Approx(first.solution->rolling_resistance).epsilon(1e-8));
-  CHECK(near.solution->rotation_ratio == Approx(fresh.solution->rotation_ratio).epsilon(1e-9));
-  CHECK(4 * near.solution->iterations < fresh.solution->iterations);
-}
-
-TEST_CASE("zones of another scene that do not fit are left for those that do", "[core][spectral]") {
-  const SpectralOutcome much = solve_spectral(coated_cylinder(0.5, 0.5, 1.2e4));
-  const RollingScene scene = coated_cylinder(0.02, 2, 4e3);
-  const SpectralOutcome fresh = solve_spectral(scene), near = solve_spectral(scene, much.zones);
-  REQUIRE(fresh.solution);
-  REQUIRE(near.solution);
-  REQUIRE(fresh.zones->pattern.slips != much.zones->pattern.slips);
-  CHECK(near.solution->rolling_resistance == Approx(fresh.solution->rolling_resistance).epsilon(1e-8));
-}
-
-TEST_CASE("a search for zones that leads away ends soon", "[core][spectral]") {
-  const RollingScene scene = coated_cylinder(0.05, 0.03, 1.2e4);
-  const SpectralProblem problem(scene, near_spectrum(scene), 5e-3);
-  EdgeSearch search(problem, {.shear = true, .slips = {1, -1}});
-  CHECK_FALSE(search.find({{-0.0049396, 0.0054536}, {{-0.0048812, -0.0046745}}}, {8, 8}, 1e-9));
-  CHECK(search.evaluations() < 80);
-}
-
-TEST_CASE("slip that turns round at the trailing edge is found without a grid", "[core][spectral]") {
-  RollingScene scene;
-  scene.indenter = Indenter::cylinder;
-  scene.radius = 0.02937;
-  scene.layer_thickness = INFINITY;
-  scene.static_shear_modulus = 1.109e6;
-  scene.stiffening = 0.6353;
-  scene.creep_time = 0.1096;
-  scene.speed = 0.7387;
-  scene.friction_coefficient = 0.05921;
-  scene.load = 13630;
-  const RollingSolution found = spectral(scene);
-  CHECK(found.energy_residual < 1e-8);
-  scene.method = Method::newton;
-  const RollingSolution gridded = solve(scene);
-  CHECK(found.rolling_resistance == Approx(gridded.rolling_resistance).epsilon(gridded.error_estimate));
 }
 
 TEST_CASE("memories that a tolerance lets count as elastic cost what is said under layers that differ", "[core][spectral]") {
