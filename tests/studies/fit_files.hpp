@@ -13,9 +13,11 @@ struct FitFiles {
   std::string table = "load [kN/m],speed [cm/s],rolling_resistance [N/m],sigma [%]\n";
 
   explicit FitFiles(double noise = 0.02) {
-    for (const rollres::MeasuredScene& row : measured(quick_resistance, spread_speeds(0.005, 5, 8), {1e4, 4e4}, noise)) {
+    for (const rollres::MeasuredScene& row :
+         measured(quick_resistance, spread_speeds(0.005, 5, 8), {1e4, 4e4}, noise)) {
       std::ostringstream line;
-      line << *row.scene.load / 1e3 << ',' << row.scene.speed * 100 << ',' << row.measured.value << ',' << 100 * noise << '\n';
+      line << *row.scene.load / 1e3 << ',' << row.scene.speed * 100 << ',' << row.measured.value << ',' << 100 * noise
+           << '\n';
       table += line.str();
     }
   }

@@ -249,7 +249,8 @@ TEST_CASE("on an elastic layer a driven cylinder has the edges and the borders o
   }
 }
 
-TEST_CASE("memories that a tolerance lets count as elastic cost what is said under layers that differ", "[core][spectral]") {
+TEST_CASE("memories that a tolerance lets count as elastic cost what is said under layers that differ",
+          "[core][spectral]") {
   RollingScene scene;
   scene.radius = 0.116;
   scene.layer_thickness = 4.5e-3;

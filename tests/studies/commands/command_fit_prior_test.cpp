@@ -8,7 +8,8 @@ using nlohmann::json;
 
 TEST_CASE("what a former fit says, with its correlations, is worth its data", "[studies][fit]") {
   FitFiles files(0.002);  // so little that both fits are linear within their errors
-  const std::size_t head = files.table.find('\n') + 1, middle = files.table.find('\n', head + (files.table.size() - head) / 2) + 1;
+  const std::size_t head = files.table.find('\n') + 1,
+                    middle = files.table.find('\n', head + (files.table.size() - head) / 2) + 1;
   const std::string all = files.table, one = all.substr(0, middle), other = all.substr(0, head) + all.substr(middle);
   json file = half_space_fit();
   const auto fitted = [&](const std::string& name, const std::string& table) {
@@ -39,7 +40,8 @@ TEST_CASE("what a former fit says, with its correlations, is worth its data", "[
   };
   using Catch::Contains;
   CHECK_THAT(refusal("former"), Contains("must be an object with name and db"));
-  CHECK_THAT(refusal({{"name", "formre"}, {"db", "fit.db"}}), Contains("prior: name = \"formre\"") && Contains("holds no fit"));
+  CHECK_THAT(refusal({{"name", "formre"}, {"db", "fit.db"}}),
+             Contains("prior: name = \"formre\"") && Contains("holds no fit"));
   file["parameters"] = {{"friction_coefficient", {{"start", 0.1}}}};
   CHECK_THAT(refusal({{"name", "former"}, {"db", "fit.db"}}), Contains("prior former: it has none of the parameters"));
 }
