@@ -113,7 +113,7 @@ TEST_CASE("what each value was measured at is stored, drawn and exported", "[stu
   CHECK_THAT(run({"chart", "--fit", "b fit"}).err, Contains("no such fit") && Contains("a fit"));
   CHECK_THAT(run({"chart", "--fit", "a fit", "--x", "load"}).err, Contains("is for studies"));
   CHECK(run({"export", "--out", (directory / "out").string()}).status == 0);
-  CHECK_THAT(file_text(directory / "out" / "data.csv"), Contains("band,speed,load,radius\n"));
+  CHECK_THAT(file_text(directory / "out" / "data.csv"), Contains("band,speed,load,radius,temperature\n"));
   CHECK(run({"compare", "a fit", "a fit"}).status == 0);
   const json same = json::parse(run({"compare", "a fit", "a fit", "--format", "json"}).out);
   CHECK(same["agree"] == true);
