@@ -59,14 +59,18 @@ Variable variable_of(const RollingScene& base, const Quantity& quantity, const s
 
 }  // namespace
 
-double Variable::scaled(double value) const { return logarithmic ? std::log(value) : value / size; }
+double Variable::scaled(double value) const {
+  return logarithmic ? std::log(value) : reciprocal ? -size / value : value / size;
+}
 
 double Variable::value(double scaled) const {
+  if (reciprocal) return scaled < 0 ? std::clamp(-size / scaled, lowest, highest) : highest;
   return std::clamp(logarithmic ? std::exp(scaled) : scaled * size, lowest, highest);
 }
 
 double Variable::scaled_step(double from, double value) const {
-  return logarithmic ? std::log1p((value - from) / from) : (value - from) / size;
+  if (logarithmic) return std::log1p((value - from) / from);
+  return reciprocal ? (value - from) / from * (size / value) : (value - from) / size;
 }
 
 std::vector<Variable> variables_of(const RollingScene& base, const std::vector<InputChoice>& inputs) {
@@ -144,7 +148,7 @@ void require_inside(const Objective& objective, std::span<const double> point) {
   require(point.size() == objective.variables.size(), "size of the point", static_cast<double>(point.size()),
           "must be the number of inputs that vary");
   for (std::size_t i = 0; i < point.size(); ++i) {
-    const auto& [quantity, lowest, highest, logarithmic, size] = objective.variables[i];
+    const auto& [quantity, lowest, highest, logarithmic, size, reciprocal] = objective.variables[i];
     require(std::isfinite(point[i]) && point[i] >= lowest && point[i] <= highest, quantity.key, point[i],
             "must be inside its bounds");
     require(!logarithmic || point[i] > 0, quantity.key, point[i], "must be > 0 to be varied in its logarithm");

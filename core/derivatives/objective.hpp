@@ -3,7 +3,7 @@
 /// An objective: named inputs of a scene -> one of its named outputs, for gradients, fits and optimisers.
 ///
 /// A point is the list of the inputs' values in SI units. Steps are taken in scaled variables, in which a change by 1
-/// is a large one: ln x for quantities that cannot be zero, x over its size for the others.
+/// is a large one: ln x for quantities that cannot be zero, x over its size for the others (fits have a third).
 
 #include <cstddef>
 #include <optional>
@@ -26,16 +26,17 @@ struct InputChoice {
 /// An input that varies.
 struct Variable {
   Quantity quantity;
-  double lowest, highest;  ///< values from lowest to highest [SI] are allowed, both included
-  bool logarithmic;        ///< the scaled variable is ln x, otherwise x / size
-  double size;             ///< [SI] the base scene's value, or a natural unit where that is zero
+  double lowest, highest;   ///< values from lowest to highest [SI] are allowed, both included
+  bool logarithmic;         ///< the scaled variable is ln x, otherwise x / size
+  double size;              ///< [SI] the base scene's value, or a natural unit where that is zero
+  bool reciprocal = false;  ///< the scaled variable is -size / x, in which what saturates is nearly a straight line
 
   double scaled(double value) const;
   double value(double scaled) const;
   /// scaled(value) - scaled(from), without cancellation.
   double scaled_step(double from, double value) const;
   /// d value / d scaled [SI].
-  double slope(double value) const { return logarithmic ? value : size; }
+  double slope(double value) const { return logarithmic ? value : reciprocal ? value * value / size : size; }
 };
 
 struct Objective {

@@ -40,23 +40,30 @@ FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& ro
   return part;
 }
 
+std::vector<Variable> variables_of(const FitProblem& problem) {
+  std::vector<Variable> variables;
+  for (const FitParameter& parameter : problem.parameters) variables.push_back(parameter.variable);
+  return variables;
+}
+
+Slopes in_variables(Slopes slopes, const FitPoint& point, const std::vector<Variable>& from,
+                    const std::vector<Variable>& to) {
+  for (std::size_t j = 0; slopes.found() && j < point.size(); ++j) {
+    const double factor = std::abs(to[j].slope(point[j]) / from[j].slope(point[j]));
+    slopes.derivatives.col(static_cast<Eigen::Index>(j)) *= factor;
+    slopes.errors.col(static_cast<Eigen::Index>(j)) *= factor;
+    slopes.steps[static_cast<Eigen::Index>(j)] /= factor;
+  }
+  return slopes;
+}
+
 FitProblem in_variables(const FitProblem& problem, const std::vector<Variable>& variables) {
   FitProblem other = problem;
-  std::vector<Variable> own;
-  for (std::size_t j = 0; j < problem.size(); ++j) {
-    own.push_back(problem.parameters[j].variable);
-    other.parameters[j].variable = variables[j];
-  }
+  const std::vector<Variable> own = variables_of(problem);
+  for (std::size_t j = 0; j < problem.size(); ++j) other.parameters[j].variable = variables[j];
   other.differentiate = [own, variables, differentiate = problem.differentiate](const FitPoint& point,
                                                                                 const Prediction& prediction) {
-    Slopes slopes = differentiate(point, prediction);
-    for (std::size_t j = 0; slopes.found() && j < point.size(); ++j) {
-      const double factor = std::abs(variables[j].slope(point[j]) / own[j].slope(point[j]));
-      slopes.derivatives.col(static_cast<Eigen::Index>(j)) *= factor;
-      slopes.errors.col(static_cast<Eigen::Index>(j)) *= factor;
-      slopes.steps[static_cast<Eigen::Index>(j)] /= factor;
-    }
-    return slopes;
+    return in_variables(differentiate(point, prediction), point, own, variables);
   };
   return other;
 }
@@ -85,6 +92,20 @@ FitProblem sized_at(const FitProblem& problem, const FitPoint& point) {
     variables.push_back(variable);
   }
   return in_variables(problem, variables);
+}
+
+std::vector<Variable> reciprocal_where_saturating(const FitProblem& problem, const FitPoint& point) {
+  constexpr double farthest = 1000;
+  std::vector<Variable> variables = variables_of(problem);
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    Variable& variable = variables[j];
+    if (!problem.parameters[j].saturates || !(point[j] > 0 && variable.lowest >= 0)) continue;
+    variable.logarithmic = false;
+    variable.reciprocal = true;
+    variable.size = point[j];
+    variable.highest = std::min(variable.highest, std::max(farthest * point[j], problem.parameters[j].start));
+  }
+  return variables;
 }
 
 FitPoint start_point(const FitProblem& problem) {

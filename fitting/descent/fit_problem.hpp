@@ -140,11 +140,18 @@ struct FitProblem {
 /// The problem with some of its data, and rough slopes. @param rows  of the data; predict_rows must be there
 FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows);
 
+std::vector<Variable> variables_of(const FitProblem& problem);
+/// Slopes at a point, by other scaled variables.
+Slopes in_variables(Slopes slopes, const FitPoint& point, const std::vector<Variable>& from,
+                    const std::vector<Variable>& to);
 /// The same problem in other scaled variables of the same parameters.
 FitProblem in_variables(const FitProblem& problem, const std::vector<Variable>& variables);
 /// In logarithms wherever a parameter cannot be negative and does not start at 0: a descent from afar changes it by
 /// factors.
 FitProblem in_logarithms(const FitProblem& problem);
+/// The problem's variables; of parameters that act no longer beyond some value the reciprocals, sized at a point: what
+/// the data say of them is nearly a straight line there. They reach a thousand times that point's values.
+std::vector<Variable> reciprocal_where_saturating(const FitProblem& problem, const FitPoint& point);
 /// With the sizes of linear variables as they are at a point.
 FitProblem sized_at(const FitProblem& problem, const FitPoint& point);
 

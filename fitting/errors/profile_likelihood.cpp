@@ -169,15 +169,16 @@ class Side : ProfileSide {
     if (!complete) return {fit.end[parameter], IntervalEnd::open};
     const Variable& variable = problem.parameters[parameter].variable;
     const double bound = direction < 0 ? variable.lowest : variable.highest;
-    constexpr double farthest = 6.9;  // a factor of 1000
     const double to_bound = std::abs(variable.scaled(bound) - origin_[index()]);
-    double limit = std::min(to_bound, farthest);
+    double limit = std::min(to_bound, farthest());
     const double physical = direction < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
     const FitParameter& own = problem.parameters[parameter];
     const bool to_least = direction < 0 && own.has_least;
     if (to_least && fit.end[parameter] <= own.least) return {fit.end[parameter], IntervalEnd::limit};
-    IntervalEnd at_limit = to_bound <= farthest && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
+    IntervalEnd at_limit = to_bound <= farthest() && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
     if (limit <= 0) return {bound, at_limit};
+    bool to_zero = variable.reciprocal && direction < 0 && bound == 0;  // infinitely far, and next to its limit
+    if (to_zero) at_limit = IntervalEnd::limit;
     if (const auto quick = quick_end(*this, limit, other_side)) {
       bend = quick->bend;
       points.push_back(quick->point);
@@ -199,6 +200,7 @@ class Side : ProfileSide {
         if (!to_least || (stop_ && stop_->load())) return {value_at(inside), IntervalEnd::open};
         at_limit = IntervalEnd::limit;
         limit = answered_between(inside, next);
+        to_zero = false;
         if (limit - inside < 0.02 * limit) return {value_at(limit), at_limit};
         next = limit;
         continue;
@@ -208,7 +210,7 @@ class Side : ProfileSide {
         return {value_at(next + (target - root) / slope), IntervalEnd::closed};
       }
       if (root < target) {
-        if (next >= limit) return {value_at(limit), at_limit};
+        if (next >= limit) return {to_zero ? bound : value_at(limit), at_limit};
         inside = next, inside_root = root;
       } else {
         outside = next, outside_root = root;
@@ -235,6 +237,13 @@ class Side : ProfileSide {
   Eigen::Index index() const { return static_cast<Eigen::Index>(parameter); }
   double value_at(double distance) const {
     return problem.parameters[parameter].variable.value(origin_[index()] + direction * distance);
+  }
+
+  /// A factor of 1000, in the scaled variable.
+  double farthest() const {
+    constexpr double factor = 1000;
+    const bool reciprocal = problem.parameters[parameter].variable.reciprocal;
+    return !reciprocal ? std::log(factor) : direction < 0 ? factor - 1 : 1 - 1 / factor;
   }
 
   /// Where the others are thought to be: by the covariance, then along the line through the last two points.
@@ -326,8 +335,13 @@ class Side : ProfileSide {
 
 }  // namespace
 
-Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
+Profile profile(const FitProblem& given, const Descent& fit, const Slopes& given_slopes, const FitErrors& given_errors,
                 std::size_t parameter, double threshold, const std::atomic<bool>* stop, std::size_t most_solutions) {
+  const std::vector<Variable> variables = reciprocal_where_saturating(given, fit.end);
+  const FitProblem problem = in_variables(given, variables);
+  const Slopes slopes = in_variables(given_slopes, fit.end, variables_of(given), variables);
+  FitErrors errors = fit_errors(problem, fit.end, residuals(problem, fit.prediction), slopes);
+  errors.scale = given_errors.scale;
   Profile answer;
   answer.points.push_back({fit.end[parameter], 0});
   std::optional<Bend> bend;

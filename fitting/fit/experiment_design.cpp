@@ -126,8 +126,10 @@ std::vector<ScenePrediction> predictions_at(const FitReport& report, const std::
   }
   const Slopes slopes = problem.differentiate(point, prediction);
   if (!slopes.found()) return answer;
+  constexpr double noisy = 0.1;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
+    if (slopes.errors.row(row).norm() > noisy * slopes.derivatives.row(row).norm()) continue;
     answer[places[i]] = {prediction.values[row], slopes.derivatives.row(row).transpose()};
   }
   return answer;

@@ -49,7 +49,7 @@ struct MeasurementPlan {
 
 /// What a fit predicts of a scene that is not measured.
 struct ScenePrediction {
-  double value;           ///< [SI]; NaN: no answer
+  double value;           ///< [SI]; NaN: no answer, or slopes that are but noise
   Eigen::VectorXd slope;  ///< by the scaled parameters [SI]
 };
 /// @param inputs  of the fit

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "fitting/errors/statistics.hpp"
@@ -57,7 +58,7 @@ bool misses_by_far(const FitReport& report) {
 /// Whether Gauss and Newton's step from here is but a small part of the standard errors; where it is free along a
 /// direction, whether it promises next to nothing; on the edge of what has an answer, or with a noisy model, little.
 bool arrived(const FitReport& report) {
-  constexpr double near = 0.002, exactly = 1e-7, next_to_nothing = 1;
+  constexpr double near = 0.01, exactly = 1e-7, next_to_nothing = 1;
   if (leaves_free(report) && report.errors.fall < next_to_nothing * report.errors.scale) return true;
   constexpr double little = 0.02, smooth = 1e-5;
   const bool on_edge = std::any_of(report.parameters.begin(), report.parameters.end(), [](const auto& fitted) {
@@ -165,23 +166,33 @@ FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const Fit
   return report;
 }
 
+/// The order in which parameters have their profiles: those that saturate first, whose slopes say least of what values
+/// are as good.
+std::vector<std::size_t> order_of_profiles(const FitProblem& problem) {
+  std::vector<std::size_t> order(problem.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t j) { return problem.parameters[j].saturates; });
+  return order;
+}
+
 void add_profiles(FitReport& report, const FitProblem& problem, const Descent& best, const FitOptions& options,
                   FitPoint& better) {
   const double threshold = interval_threshold(problem);
-  // At a bound, and beside scenes without an answer, errors by slopes mean nothing.
-  const bool unanswered = problem.log->failures() > 0;
+  // At a bound, and on the edge of what has an answer, errors by slopes mean nothing.
   const bool needed =
       options.known || std::any_of(report.parameters.begin(), report.parameters.end(), [&](const auto& fitted) {
-        return fitted.at_bound != AtBound::no || (fitted.parameter.has_least && unanswered);
+        return fitted.at_bound != AtBound::no || std::isfinite(fitted.parameter.least);
       });
   const std::size_t usual =
       needed ? std::numeric_limits<std::size_t>::max() / 2 : usual_solutions(problem, options.limits);
-  const std::size_t most = usual + usual / 6;
-  for (std::size_t j = 0; j < problem.size() && better.empty(); ++j) {
-    if (options.stop && options.stop->load()) return;
+  const std::size_t most = usual + usual / 6, most_saturating = usual + usual / 3;
+  for (const std::size_t j : order_of_profiles(problem)) {
+    if (!better.empty() || (options.stop && options.stop->load())) return;
     Profile& here = report.parameters[j].profile;
-    if (problem.ending->solutions() < usual)
-      here = profile(problem, best, report.slopes, report.errors, j, threshold, options.stop, most);
+    const bool saturates = problem.parameters[j].saturates;  // slopes alone would exclude what is as good
+    if (problem.ending->solutions() < (saturates ? most_saturating : usual))
+      here = profile(problem, best, report.slopes, report.errors, j, threshold, options.stop,
+                     saturates ? most_saturating : most);
     else
       here.complete = false;
     better = here.better;

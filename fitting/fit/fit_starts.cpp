@@ -294,6 +294,19 @@ void add_values_of(std::vector<Way>& ways, const FitProblem& problem, std::size_
     ways.push_back(way_down(problem, held[k].descent.end, options, how, held[k].known));
 }
 
+/// Whether two ways from apart lead to one place that explains the data and binds a parameter: its other values need no
+/// trial. The best way first.
+bool is_bound_by_two(const FitProblem& problem, const std::vector<Way>& ways, std::size_t parameter) {
+  constexpr double same_place = 0.2, little = 0.1, narrow = 0.3;
+  const Way& best = ways.front();
+  if (!best.errors || !explains(problem, best.descent)) return false;
+  if (!(best.errors->deviations[static_cast<Eigen::Index>(parameter)] < narrow)) return false;
+  return std::any_of(ways.begin() + 1, ways.end(), [&](const Way& other) {
+    return misfit_of(other) - best.descent.misfit < little * scatter(problem, best.descent.misfit) &&
+           beside(problem, other.descent.end, best.descent.end, same_place);
+  });
+}
+
 /// The ways down from all starts, and from other values of a parameter that the best end no longer feels or that may
 /// act no longer; the best first.
 std::vector<Way> all_ways_down(const FitProblem& problem, const std::vector<FitPoint>& starts,
@@ -302,7 +315,7 @@ std::vector<Way> all_ways_down(const FitProblem& problem, const std::vector<FitP
   sort_by_misfit(ways);
   bool tried = false;
   for (std::size_t j = 0; j < problem.size(); ++j)
-    if (problem.parameters[j].saturates) {
+    if (problem.parameters[j].saturates && !is_bound_by_two(problem, ways, j)) {
       add_values_of(ways, problem, j, options, how);
       sort_by_misfit(ways);
       tried = true;

@@ -76,9 +76,7 @@ DesignSpace design_space(const FitFile& file) {
   if (space.sets.front().scene.load) keys.emplace_back("load");
   keys.insert(keys.end(), file.varying.begin(), file.varying.end());
   for (const std::string& key : keys) {
-    const bool known = std::any_of(space.ranges.begin(), space.ranges.end(),
-                                   [&](const DesignRange& range) { return range.key == key; });
-    if (known || !find_input(key)->real()) continue;
+    if (space.range_of(key) || !find_input(key)->real()) continue;
     if (const DesignRange range = range_of_data(file, key); range.highest > range.lowest) space.ranges.push_back(range);
   }
   return space;

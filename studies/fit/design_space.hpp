@@ -3,8 +3,10 @@
 /// Where further measurements could be made, and the best place in there.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "studies/fit/fit_file.hpp"
@@ -17,6 +19,11 @@ struct DesignSpace {
   std::vector<MeasuredScene> sets;
 
   bool empty() const { return ranges.empty() || sets.empty(); }
+  /// That of an input; null if it does not vary.
+  const DesignRange* range_of(std::string_view key) const {
+    const auto found = std::find_if(ranges.begin(), ranges.end(), [&](const auto& range) { return range.key == key; });
+    return found == ranges.end() ? nullptr : &*found;
+  }
   /// The scene at a place in the unit cube.
   MeasuredScene at(std::size_t set, const Eigen::VectorXd& place) const;
 };

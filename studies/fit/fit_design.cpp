@@ -20,8 +20,6 @@ namespace {
 constexpr std::size_t most_groups = 6;
 constexpr int speeds_tried = 25, loads_tried = 13;
 
-double spaced(double from, double to, int i, int count) { return from * std::pow(to / from, i / (count - 1.0)); }
-
 /// One scene for each combination of all inputs but the speed.
 std::vector<MeasuredScene> without_speed(const FitFile& file) {
   const auto at_one = [](MeasuredScene row) {
@@ -98,9 +96,8 @@ std::vector<std::size_t> best_apart(const MeasurementPlan& plan, const DesignSpa
 
 /// The best measurements over all inputs at once, and several together: of those that were looked at, then each moved
 /// with the others where they are.
-void look_anywhere(FitDesign& answer, const FitFile& file, const FitReport& report, const Evaluate& evaluate,
-                   const ResistanceFitOptions& options) {
-  const DesignSpace space = design_space(file);
+void look_anywhere(FitDesign& answer, const DesignSpace& space, const FitFile& file, const FitReport& report,
+                   const Evaluate& evaluate, const ResistanceFitOptions& options) {
   if (space.empty()) return;
   for (const DesignRange& range : space.ranges) answer.inputs.push_back(range.key);
   MeasurementPlan& plan = answer.anywhere = plan_for(report, answer.speeds.aims);
@@ -175,27 +172,24 @@ FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate
       file.design.targets.empty() ? parameter_aims(report) : refusing_at(file.source + ": design: targets", [&] {
         return prediction_aims(report, file.inputs, file.design.targets, evaluate, options);
       });
-  const auto [slowest, fastest] =
-      std::minmax_element(file.scenes.begin(), file.scenes.end(),
-                          [](const auto& a, const auto& b) { return a.scene.speed < b.scene.speed; });
+  const DesignSpace space = design_space(file);
   std::vector<MeasuredScene> candidates;
-  for (MeasuredScene group : without_speed(file))
-    for (int i = 0; i < speeds_tried; ++i) {
-      group.scene.speed = spaced(0.1 * slowest->scene.speed, 10 * fastest->scene.speed, i, speeds_tried);
-      candidates.push_back(group);
-    }
+  if (const DesignRange* const speeds = space.range_of("speed"))
+    for (const MeasuredScene& group : without_speed(file))
+      for (int i = 0; i < speeds_tried; ++i) {
+        candidates.push_back(group);
+        candidates.back().scene.speed = speeds->at(i / (speeds_tried - 1.0));
+      }
   if (candidates.empty()) return {};
   FitDesign answer{design(report, file.inputs, candidates, evaluate, options, aims), {}, {}};
-  look_anywhere(answer, file, report, evaluate, options);
-  if (answer.speeds.choices.empty() || !answer.speeds.choices.front().scene.load) return answer;
-  const auto [lightest, heaviest] =
-      std::minmax_element(file.scenes.begin(), file.scenes.end(),
-                          [](const auto& a, const auto& b) { return *a.scene.load < *b.scene.load; });
+  look_anywhere(answer, space, file, report, evaluate, options);
+  const DesignRange* const loads = space.range_of("load");
+  if (answer.speeds.choices.empty() || !answer.speeds.choices.front().scene.load || !loads) return answer;
   candidates.clear();
   const DesignChoice& best = answer.speeds.choices.front();
   for (int i = 0; i < loads_tried; ++i) {
     candidates.push_back({best.scene, {}, best.set, file.output});
-    candidates.back().scene.load = spaced(*lightest->scene.load / 3, 3 * *heaviest->scene.load, i, loads_tried);
+    candidates.back().scene.load = loads->at(i / (loads_tried - 1.0));
   }
   answer.loads = design(report, file.inputs, candidates, evaluate, options, aims);
   return answer;
@@ -206,15 +200,15 @@ std::string design_summary(const FitDesign& design, const FitFile& file) {
   text << "\nnext measurement, for " << design.speeds.aims[design.speeds.worst].name
        << " (the worst known), with the relative deviation that the data have\n";
   if (design.speeds.choices.empty() && design.anywhere.choices.empty())
-    return text.str() + "  no scene nearby has an answer\n";
+    return text.str() + "  no scene in the ranges has an answer\n";
   text << "speeds\n";
   write_aligned(text, table_of(design.speeds, file));
   if (!design.loads.choices.empty()) {
     text << "loads at the best speed\n";
     write_aligned(text, table_of(design.loads, file));
   }
-  if (design.anywhere.choices.empty()) return text.str();
   text << "all inputs at once\n";
+  if (design.anywhere.choices.empty()) return text.str() + "  no scene in the ranges has an answer\n";
   write_aligned(text, table_of_anywhere(design));
   for (const JointChoice& joint : design.together) {
     text << joint.choices.size() << (joint.choices.size() == 1 ? " measurement\n" : " measurements together\n");

@@ -30,8 +30,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/fit/fit.hpp"
 #include "db/rows/fit_store.hpp"
+#include "fitting/fit/fit.hpp"
 #include "fitting/fit/resistance_fit.hpp"
 
 namespace rollres {
@@ -54,11 +54,13 @@ struct DesignRange {
   bool logarithmic() const { return lowest > 0; }
   double at(double part) const {
     part = std::clamp(part, 0.0, 1.0);
-    return logarithmic() ? lowest * std::pow(highest / lowest, part) : lowest + part * (highest - lowest);
+    const double there = logarithmic() ? std::exp(std::lerp(std::log(lowest), std::log(highest), part))
+                                       : std::lerp(lowest, highest, part);
+    return std::clamp(there, lowest, highest);
   }
   /// The part that a value lies at.
   double part_of(double value) const {
-    return logarithmic() ? std::log(value / lowest) / std::log(highest / lowest)
+    return logarithmic() ? (std::log(value) - std::log(lowest)) / (std::log(highest) - std::log(lowest))
                          : (value - lowest) / (highest - lowest);
   }
 };

@@ -21,7 +21,7 @@ constexpr double far_off = 3;  // deviations from which on a measurement is mark
 /// An axis in a readable unit for these values [SI].
 struct FitAxis {
   ChartAxis axis;
-  double factor = 1;
+  ScaledUnit unit;
 
   FitAxis(ChartAxis wanted, const std::vector<double>& values) : axis(std::move(wanted)) {
     double smallest = std::numeric_limits<double>::infinity(), largest = 0;
@@ -31,12 +31,15 @@ struct FitAxis {
       smallest = std::min(smallest, std::abs(value));
       largest = std::max(largest, std::abs(value));
     }
-    const ScaledUnit unit =
-        axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);
+    if (axis.unit == "K" && axis.name.ends_with("temperature"))
+      unit = celsius(), axis.logarithmic = false;
+    else
+      unit = axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);
     axis.unit = typeset_unit(unit.name);
-    factor = unit.factor;
     axis.margin = 0.03;
   }
+
+  double at(double value) const { return unit.number(value); }
 };
 
 bool has_curves(const FitRecord& fit) { return !fit.x_name.empty(); }
@@ -141,8 +144,8 @@ ChartRequest data_and_fit(const FitRecord& fit) {
   ChartCurve far{.label = off_in_words(), .points = {}};
   for (const FitDataRecord& one : fit.data) {
     if (one.curve < 0) continue;
-    const double at = one.x / x.factor, value = one.measured / y.factor,
-                 deviation = scatter_of(fit) * one.deviation / y.factor;
+    const double at = x.at(one.x), value = y.at(one.measured),
+                 deviation = scatter_of(fit) * one.deviation / y.unit.factor;
     add_alone(outlies(fit, one) ? far : request.curves[static_cast<std::size_t>(one.curve)],
               {at, value, true, value - deviation, value + deviation});
   }
@@ -150,8 +153,8 @@ ChartRequest data_and_fit(const FitRecord& fit) {
     ChartCurve line{.label = labels[i].empty() ? "the fit" : labels[i], .points = {}, .like = i, .marks = false};
     for (const FitCurveRecord& point : fit.curves)
       if (static_cast<std::size_t>(point.curve) == i)
-        line.points.push_back({point.x / x.factor, point.value / y.factor, true, (point.value - point.band) / y.factor,
-                               (point.value + point.band) / y.factor});
+        line.points.push_back(
+            {x.at(point.x), y.at(point.value), true, y.at(point.value - point.band), y.at(point.value + point.band)});
     request.curves.push_back(std::move(line));
   }
   if (!far.points.empty()) request.curves.push_back(std::move(far));
@@ -172,7 +175,7 @@ ChartRequest residuals(const FitRecord& fit, const ResidualAxis& along) {
       far{.label = off_in_words(), .points = {}};
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t i = 0; i < fit.data.size(); ++i) {
-    const double at = along.values[i] / x.factor, residual = fit.data[i].residual / scatter_of(fit);
+    const double at = x.at(along.values[i]), residual = fit.data[i].residual / scatter_of(fit);
     if (!std::isfinite(at) || !std::isfinite(residual)) continue;
     least = std::min(least, at), most = std::max(most, at);
     const std::int64_t curve = fit.data[i].curve;
@@ -239,18 +242,18 @@ ChartRequest profile(const FitRecord& fit, const FitParameterRecord& parameter,
   const auto seen = [&](double rise) { return rise < 2.5 * level; };
   constexpr int pieces = 12;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    if (seen(known[i].rise)) add_alone(request.curves[0], {known[i].value / x.factor, known[i].rise});
+    if (seen(known[i].rise)) add_alone(request.curves[0], {x.at(known[i].value), known[i].rise});
     for (int piece = 0; i + 1 < known.size() && piece <= pieces; ++piece) {
       const double part = static_cast<double>(piece) / pieces;
       const double rise = std::pow(root(known[i]) + part * (root(known[i + 1]) - root(known[i])), 2);
       const double value = known[i].value + part * (known[i + 1].value - known[i].value);
-      if (seen(rise)) request.curves[1].points.push_back({value / x.factor, rise});
+      if (seen(rise)) request.curves[1].points.push_back({x.at(value), rise});
     }
   }
   if (std::isfinite(parameter.relative_error))
     for (int piece = -4 * pieces; piece <= 4 * pieces; ++piece) {
       const double errors = 1.2 * std::sqrt(level) * piece / (4 * pieces);
-      request.curves[2].points.push_back({moved(parameter, errors) / x.factor, errors * errors});
+      request.curves[2].points.push_back({x.at(moved(parameter, errors)), errors * errors});
     }
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const ChartCurve& curve : request.curves)
@@ -274,14 +277,13 @@ ChartRequest ellipse(const FitRecord& fit, const FitParameterRecord& first, cons
   }
   const FitAxis x({.name = in_words(first.name), .unit = first.unit}, xs),
       y({.name = in_words(second.name), .unit = second.unit}, ys);
-  ChartRequest request{
-      .title = fit.name + ": 95 % ellipse",
-      .subtitle = "correlation " + short_number(correlation, 3),
-      .x = x.axis,
-      .y = y.axis,
-      .curves = {{"95 %", {}, {}, false}, {"the fit", {{first.value / x.factor, second.value / y.factor}}}},
-      .mark_peaks = false};
-  for (std::size_t i = 0; i < xs.size(); ++i) request.curves[0].points.push_back({xs[i] / x.factor, ys[i] / y.factor});
+  ChartRequest request{.title = fit.name + ": 95 % ellipse",
+                       .subtitle = "correlation " + short_number(correlation, 3),
+                       .x = x.axis,
+                       .y = y.axis,
+                       .curves = {{"95 %", {}, {}, false}, {"the fit", {{x.at(first.value), y.at(second.value)}}}},
+                       .mark_peaks = false};
+  for (std::size_t i = 0; i < xs.size(); ++i) request.curves[0].points.push_back({x.at(xs[i]), y.at(ys[i])});
   return request;
 }
 

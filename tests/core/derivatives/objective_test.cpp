@@ -42,9 +42,12 @@ TEST_CASE("sizes, stresses, times and speeds vary in the logarithm, ratios and z
 
 TEST_CASE("scaled variables go to and fro, never outside the bounds", "[core][objective]") {
   const RollingScene base = plain_scene();
-  for (const bool logarithmic : {false, true}) {
-    const Variable variable = variables_of(base, {{"speed", 0.5, 2.0, logarithmic}}).front();
+  for (const std::string scaling : {"linear", "logarithmic", "reciprocal"}) {
+    CAPTURE(scaling);
+    Variable variable = variables_of(base, {{"speed", 0.5, 2.0, scaling == "logarithmic"}}).front();
+    variable.reciprocal = scaling == "reciprocal";
     CHECK(variable.value(variable.scaled(1.3)) == Approx(1.3).epsilon(1e-15));
+    CHECK(variable.scaled_step(0.7, 1.3) == Approx(variable.scaled(1.3) - variable.scaled(0.7)).epsilon(1e-14));
     CHECK(variable.value(variable.scaled(2.0) + 1) == 2.0);
     CHECK(variable.value(variable.scaled(0.5) - 1) == 0.5);
     const double step = 1e-9;  // slope against the quotient of a step, which has 7 digits

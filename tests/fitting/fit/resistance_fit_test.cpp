@@ -9,8 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 
-// Covers fit_problem, descent, fit_report, fit_status, profile_likelihood and fit_errors,
-// too.
+// Covers fit_problem, descent, fit_report, fit_status and fit_errors, too.
 
 using namespace rollres;
 

@@ -101,6 +101,13 @@ TEST_CASE("ranges of a design hold its measurements, and wrong ones are refused"
     CHECK(choice.scene.speed <= 0.02 * (1 + 1e-12));
     CHECK(choice.scene.radius <= 0.2 * (1 + 1e-12));
   }
+  for (const MeasurementPlan* const plan : {&design.speeds, &design.loads}) {
+    CHECK_FALSE(plan->choices.empty());
+    for (const DesignChoice& choice : plan->choices) {
+      CHECK(choice.scene.speed >= 0.01);
+      CHECK(choice.scene.speed <= 0.02);
+    }
+  }
   const auto refusal = [&](const json& wish) {
     files.fit["design"] = wish;
     return run_rollres({"fit", files.written(), "--db", (files.directory / "a.db").string()}, quick_resistance).err;
@@ -115,6 +122,26 @@ TEST_CASE("ranges of a design hold its measurements, and wrong ones are refused"
   CHECK_THAT(refusal({{"targets", {{{"data", "other"}}}}}), Contains("must be a data set"));
   CHECK_THAT(refusal({{"points", 0}}), Contains("design: points = 0"));
   CHECK_THAT(refusal({{"target", 1}}), Contains("targets"));
+}
+
+TEST_CASE("a design over all numbers names no measurement whose slopes are but noise", "[studies][fit][design]") {
+  const DesignRange all{"speed", 1e-300, 1e300};
+  CHECK(all.at(0) == Approx(1e-300));
+  CHECK(all.at(0.5) == Approx(1).epsilon(1e-10));
+  CHECK(all.at(1) == Approx(1e300));
+  CHECK(all.part_of(1e150) == Approx(0.75));
+
+  DesignFiles files;
+  files.fit["design"]["ranges"] = {{"speed", {{"from", 1e-300}, {"to", 1e-200}}}};
+  const FitFile file = files.read();
+  const Evaluate rough = [](const RollingScene& scene) {
+    RollingSolution solution = quick_resistance(scene);
+    if (scene.speed < 1e-9) solution.rolling_resistance += 1 + 1e-3 * std::sin(1e9 * *scene.static_shear_modulus);
+    return solution;
+  };
+  const FitDesign design = design_of(file, fitted(file), rough, 1);
+  CHECK(design.anywhere.choices.empty());
+  CHECK_THAT(design_summary(design, file), Catch::Contains("no scene in the ranges has an answer"));
 }
 
 TEST_CASE("two models are told apart where their predictions differ most, also beyond the data",

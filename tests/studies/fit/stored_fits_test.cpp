@@ -69,6 +69,7 @@ TEST_CASE("what each value was measured at is stored, drawn and exported", "[stu
     fit.inputs.push_back({i, "speed", "m/s", 0.1 * i});
     fit.inputs.push_back({i, "load", "N/m", i % 2 == 0 ? 1e4 : 4e4});
     fit.inputs.push_back({i, "radius", "m", 0.1});  // one value for all
+    fit.inputs.push_back({i, "temperature", "K", 243.15 + 10 * i});
     fit.data[static_cast<std::size_t>(i - 1)].x = 0.1 * i;
     fit.data[static_cast<std::size_t>(i - 1)].curve = 0;
     fit.curves.push_back({0, "", 0.1 * i, 1.0 * i, 0.1});
@@ -80,20 +81,25 @@ TEST_CASE("what each value was measured at is stored, drawn and exported", "[stu
   const auto file = directory / "fits.db";
   save_fit(open_database(file, Access::write), fit);
   const FitRecord read = *find_fit(open_database(file, Access::read), "a fit", FitParts::with_data);
-  REQUIRE(read.inputs.size() == 36);
-  CHECK(read.inputs[4].datum == 2);
-  CHECK(read.inputs[4].name == "load");
-  CHECK(read.inputs[4].value == 1e4);
+  REQUIRE(read.inputs.size() == 48);
+  CHECK(read.inputs[5].datum == 2);
+  CHECK(read.inputs[5].name == "load");
+  CHECK(read.inputs[5].value == 1e4);
 
   std::vector<std::string> names;
   for (const FitChart& chart : fit_charts(read)) {
     names.push_back(chart.name);
+    if (chart.name == "residuals_temperature") {
+      CHECK(chart.request.x.unit == "°C");
+      CHECK(chart.request.curves.back().points.front().x == Approx(40));  // the outlier's 313.15 K
+    }
     if (chart.name != "residuals_load") continue;
     CHECK(chart.request.x.name == "load");
     CHECK(chart.request.curves.back().points.size() == 2);  // the outlier, and a gap
     CHECK(chart.request.curves.back().points.front().y == 5);
   }
-  CHECK(names == std::vector<std::string>{"data", "residuals", "residuals_load", "residuals_fit", "quantiles"});
+  CHECK(names == std::vector<std::string>{"data", "residuals", "residuals_load", "residuals_temperature",
+                                          "residuals_fit", "quantiles"});
 
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin() + 1, {"--db", file.string()});
@@ -107,7 +113,7 @@ TEST_CASE("what each value was measured at is stored, drawn and exported", "[stu
   CHECK_THAT(run({"chart", "--fit", "b fit"}).err, Contains("no such fit") && Contains("a fit"));
   CHECK_THAT(run({"chart", "--fit", "a fit", "--x", "load"}).err, Contains("is for studies"));
   CHECK(run({"export", "--out", (directory / "out").string()}).status == 0);
-  CHECK_THAT(file_text(directory / "out" / "data.csv"), Contains("band,speed,load,radius\n"));
+  CHECK_THAT(file_text(directory / "out" / "data.csv"), Contains("band,speed,load,radius,temperature\n"));
   CHECK(run({"compare", "a fit", "a fit"}).status == 0);
   const json same = json::parse(run({"compare", "a fit", "a fit", "--format", "json"}).out);
   CHECK(same["agree"] == true);
