@@ -85,7 +85,7 @@ SpectralState EdgeSearch::evaluate(const VectorXd& place, const SpectralOrders& 
     nowhere.residuals.setConstant(place.size(), NAN);
     return nowhere;
   }
-  return solve_inside(problem_, pattern_, edges_at(pattern_, place, slopes_.unit), orders);
+  return solve_inside(problem_, pattern_, edges_at(pattern_, place, slopes_.unit), orders, nearby_);
 }
 
 bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state, const SpectralOrders& orders) {

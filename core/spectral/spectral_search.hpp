@@ -40,6 +40,7 @@ class EdgeSearch {
   const SpectralProblem& problem_;
   SlipPattern pattern_;
   Slopes slopes_;
+  NearbySystems nearby_;  // linear problems of the former evaluations
   int evaluations_ = 0;
 };
 
