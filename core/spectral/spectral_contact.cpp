@@ -410,6 +410,7 @@ class SpectralContact {
       while (scene_.tolerance && sketch.coefficients < largest_first_order && final_error() > 0.5 * *scene_.tolerance)
         ++sketch.coefficients;
       last_ = std::move(state);
+      if (order == sketch_orders.front()) continue;  // too few points to refute anything
       const AssessedSpectral assessed = assess(problem_, *last_);
       const auto final_order = static_cast<int>(next_order(sketch.coefficients, true));
       sketch.lawful = assessed.wrong_zone < graded_field_error(final_order);
