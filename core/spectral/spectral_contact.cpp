@@ -429,7 +429,6 @@ class SpectralContact {
     const double work = work_of(problem_, pattern, order);
     const int affordable = std::min(most_to_sketch, static_cast<int>((most - work_) / work));
     std::optional<SpectralState> state = search.find(start, {order, order}, sketch_residual, affordable);
-    if (state) search.sharpen(*state, {order, order});
     const int spent = search.evaluations() - used;
     evaluations_ += spent;
     work_ += work * spent;
