@@ -26,10 +26,15 @@ class NearbySystems {
   /// Solves by factors of the matrix, and keeps them.
   Eigen::VectorXd factorise(const Shape& shape, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
+  /// How often it had to.
+  int factorised() const { return factorised_; }
+
  private:
   Shape shape_;
   SquareSystem factors_;
   Eigen::VectorXd solution_;
+  double rounded_ = 0;  // residual that the factors left
+  int factorised_ = 0;
 };
 
 }  // namespace rollres

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int continued = 14;      // sources beyond the last node of a zone
+constexpr int continued = 14;                            // sources beyond the last node of a zone
 constexpr Index interpolated = GradedStencil::most / 2;  // nodes on either side
 /// Of the reach of nodes in the whole contact, at the ends of short zones.
 constexpr double beside_short = 0.7;

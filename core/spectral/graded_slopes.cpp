@@ -62,8 +62,7 @@ void GradedSlopes::measure_poles(const GradedGrid& grid, const GradedPlaces& mid
     stencils_.push_back(grid.at_middle(i));
     const GradedStencil& stencil = stencils_.back();
     if (grid.is_border(i))
-      poles_.row(i).segment(stencil.first, stencil.weights.size()) +=
-          grid.left_out_at(i) * stencil.weights.transpose();
+      poles_.row(i).segment(stencil.first, stencil.weights.size()) += grid.left_out_at(i) * stencil.weights.transpose();
   }
 }
 
@@ -186,8 +185,7 @@ MatrixXd GradedSlopes::cross(Index first, Index rows) const {
   MatrixXd slopes = MatrixXd::Zero(rows, nodes_);
   for (Index i = 0; i < rows; ++i) {
     const GradedStencil& stencil = stencils_[static_cast<std::size_t>(first + i)];
-    slopes.row(i).segment(stencil.first, stencil.weights.size()) =
-        problem_.deep->cross() * stencil.weights.transpose();
+    slopes.row(i).segment(stencil.first, stencil.weights.size()) = problem_.deep->cross() * stencil.weights.transpose();
   }
   if (retarded_cross_.size() != 0) slopes -= retarded_cross_.middleRows(first, rows);
   if (layer_cross_.size() != 0) slopes -= spread(layer_cross_, first, rows);

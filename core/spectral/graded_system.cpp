@@ -253,10 +253,10 @@ class GradedSystem : private ZonedSystem {
   Index n_;
   GradedSlopes slopes_;
   std::vector<const GradedZone*> stick_zones_;
-  VectorXd x_, pressure_, shear_;                               // at nodes
-  std::vector<ShearFrom> shear_from_;                           // by node
-  MatrixXd rows_;                                               // of the matrix that do not hold slopes
-  std::vector<Index> others_;                                   // columns that are not of tractions
+  VectorXd x_, pressure_, shear_;      // at nodes
+  std::vector<ShearFrom> shear_from_;  // by node
+  MatrixXd rows_;                      // of the matrix that do not hold slopes
+  std::vector<Index> others_;          // columns that are not of tractions
 };
 
 /// Whether every zone of the pattern has a length.

@@ -326,8 +326,7 @@ Eigen::ArrayX3d DeepResponse::slopes(const Eigen::ArrayXd& x) const {
   in_chunks(x, [&](const Chunk& chunk, Eigen::Index first, Eigen::Index count) {
     const Chunk logarithm = chunk.abs().log();
     for (Eigen::Index c = 0; c < 2; ++c) {
-      const Chunk slope =
-          logarithm * power_sum(moments_, c, powers, chunk) - power_sum(rests_, c, powers, chunk);
+      const Chunk slope = logarithm * power_sum(moments_, c, powers, chunk) - power_sum(rests_, c, powers, chunk);
       sum.col(c).segment(first, count) = slope.head(count) / (2 * M_PI);
     }
     const Chunk wake = (chunk < 0).select(-power_sum(moments_, 2, powers, chunk), 0);
