@@ -100,10 +100,6 @@ bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state
   return slopes_.inverse.allFinite();
 }
 
-void EdgeSearch::sharpen(const SpectralState& state, const SpectralOrders& orders) {
-  if (!differentiate(place_of(pattern_, state.edges, slopes_.unit), state, orders)) slopes_.inverse.resize(0, 0);
-}
-
 std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const SpectralOrders& orders,
                                               double tolerance, int most_evaluations) {
   const int last_evaluation = evaluations_ + most_evaluations;
