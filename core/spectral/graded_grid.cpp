@@ -9,29 +9,42 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int continued = 14;      // sources beyond the last node of a zone
-constexpr Index interpolated = 9;  // nodes on either side
+constexpr int continued = 14;                            // sources beyond the last node of a zone
+constexpr Index interpolated = GradedStencil::most / 2;  // nodes on either side
 /// Of the reach of nodes in the whole contact, at the ends of short zones.
 constexpr double beside_short = 0.7;
+
+/// The barycentric weights of so many even steps less one.
+const Eigen::ArrayXd& even_steps(Index steps) {
+  static const std::vector<Eigen::ArrayXd> table = [] {
+    std::vector<Eigen::ArrayXd> weights;
+    for (Index n = 0; n < GradedStencil::most; ++n) {
+      weights.push_back(Eigen::ArrayXd::Ones(n + 1));
+      for (Index j = 1; j <= n; ++j)
+        weights.back()(j) = -weights.back()(j - 1) * static_cast<double>(n - j + 1) / static_cast<double>(j);
+    }
+    return weights;
+  }();
+  return table[static_cast<std::size_t>(steps)];
+}
 
 /// Lagrange's weights for the values at first, first + 1, ... at a place between them.
 GradedStencil lagrange(double at, Index least, Index most) {
   // Near the end of a zone fewer nodes, not more on one side: their weights would grow.
   const auto before = static_cast<Index>(std::floor(at));
   const Index begin = std::max(least, before - interpolated + 1), end = std::min(most, before + interpolated);
-  GradedStencil stencil{begin, Eigen::VectorXd::Zero(end - begin + 1)};
-  double binomial = 1, sum = 0;  // the barycentric weights of even steps
-  for (Index j = begin; j <= end; ++j) {
-    const double distance = at - static_cast<double>(j);
-    if (distance == 0) {
-      stencil.weights.setZero();
-      stencil.weights(j - begin) = 1;
-      return stencil;
-    }
-    sum += stencil.weights(j - begin) = binomial / distance;
-    binomial *= -static_cast<double>(end - j) / static_cast<double>(j - begin + 1);
+  const Index count = end - begin + 1;
+  GradedStencil stencil;
+  stencil.first = begin;
+  if (const double nearest = std::round(at); at == nearest && begin <= nearest && nearest <= end) {
+    stencil.weights.setZero(count);
+    stencil.weights(static_cast<Index>(nearest) - begin) = 1;
+    return stencil;
   }
-  stencil.weights /= sum;
+  const double from = at - static_cast<double>(begin);
+  using Steps = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, GradedStencil::most, 1>;
+  stencil.weights = even_steps(count - 1) / (from - Steps::LinSpaced(count, 0, static_cast<double>(count - 1)));
+  stencil.weights /= stencil.weights.sum();
   return stencil;
 }
 

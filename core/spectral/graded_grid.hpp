@@ -44,8 +44,9 @@ struct GradedZone {
 
 /// Coefficients of values at nodes that give the value at a place.
 struct GradedStencil {
+  static constexpr int most = 18;
   Eigen::Index first = 0;
-  Eigen::VectorXd weights;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1> weights;
 };
 
 /// Forces per value of a node: the nodes' own first, then those that continue them to the ends of zones.

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/dense_algebra.hpp"
-#include "core/numerics/memory_functions.hpp"
+#include "core/spectral/graded_slopes.hpp"
 #include "core/spectral/zoned_system.hpp"
 
 namespace rollres {
@@ -17,34 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// Steps between a place and a node over which the rule is mended for logarithm and jump, how it fades, and from where
-/// on there is nothing left of it.
-constexpr double mended = 10, fading = 3;
-constexpr Index mended_at_all = 26;
-
-/// What the rule of even steps makes of ln|s| and of the jump at s = 0, against their integrals over the functions that
-/// the nodes resolve, at a distance in steps: sources ahead of the place have a positive one.
-struct Mend {
-  double logarithm, jump;
-};
-
-Mend mend(double distance) {
-  const double k = std::abs(distance), taper = 0.5 * std::erfc((k - mended) / fading);
-  const TrigonometricIntegrals integrals = trigonometric_integrals(M_PI * k);
-  const double rest = integrals.sine / M_PI - 0.5;
-  return {-taper * integrals.cosine, taper * (distance > 0 ? rest : -rest)};
-}
-
-/// The same at odd halves.
-const Mend& mend_at_half(Index steps) {  // distance steps + 1/2 >= 0, less than mended_at_all
-  static const std::vector<Mend> table = [] {
-    std::vector<Mend> values;
-    for (Index k = 0; k < mended_at_all; ++k) values.push_back(mend(static_cast<double>(k) + 0.5));
-    return values;
-  }();
-  return table[static_cast<std::size_t>(steps)];
-}
-
 class GradedSystem : private ZonedSystem {
  public:
   GradedSystem(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
@@ -54,7 +25,8 @@ class GradedSystem : private ZonedSystem {
         order_(orders.contact),
         grid_(pattern, edges, order_),
         middles_(grid_.middles()),
-        n_(grid_.size()) {
+        n_(grid_.size()),
+        slopes_(problem, grid_, middles_, order_, pattern.shear) {
     std::vector<Index> counts;
     for (const GradedZone& zone : grid_.zones()) {
       if (!zone.stick) continue;
@@ -73,103 +45,89 @@ class GradedSystem : private ZonedSystem {
     }
   }
 
-  SpectralState solve() {
-    measure_slopes();
+  SpectralState solve(NearbySystems& nearby) {
     collocate_normal();
     for (std::size_t z = 0; z < sticks_.size(); ++z) collocate_stick(z);
     if (!sticks_.empty()) drive();
-    solution_ = SquareSystem(matrix_).solve(right_);
+    solve_linear(nearby);
     pressure_ = solution_.head(n_);
-    shear_.resize(n_);
-    for (Index j = 0; j < n_; ++j) shear_(j) = shear_from(j).factor * solution_(shear_from(j).unknown);
+    shear_ = shear_of(solution_);
     SpectralState state = ZonedSystem::state(approach());
     state.sources = x_;
     state.pressure_forces = grid_.weight().cwiseProduct(pressure_);
     state.shear_forces = grid_.weight().cwiseProduct(shear_);
-    state.graded = std::make_shared<const GradedTractions>(
-        GradedTractions{grid_, pressure_, shear_, -retarded_normal_ * pressure_ - retarded_cross_ * shear_,
-                        retarded_along_ * shear_ - retarded_cross_ * pressure_});
+    const auto [retarded_w, retarded_u] = slopes_.retarded(pressure_, shear_);
+    state.graded = std::make_shared<const GradedTractions>(grid_, pressure_, shear_, retarded_w, retarded_u);
     return state;
   }
 
  private:
-  /// Slopes at the middles by values at nodes: dw/dx under pressure, du/dx under shear, dw/dx under shear and du/dx
-  /// under pressure.
-  void measure_slopes() {
-    const Index rows = n_ + 1;
-    MatrixXd poles = MatrixXd::Zero(rows, n_);
-    const GradedSources& sources = grid_.sources();
-    for (std::size_t k = 0; k < sources.size(); ++k)
-      poles.col(sources.nodes[k]).array() += sources.weights[k] / middles_.less(sources.places[k]);
-    MatrixXd values = MatrixXd::Zero(rows, n_);
-    for (Index i = 0; i < rows; ++i) {
-      const GradedStencil stencil = grid_.at_middle(i);
-      values.row(i).segment(stencil.first, stencil.weights.size()) = stencil.weights.transpose();
-      if (grid_.is_border(i)) poles.row(i) += grid_.left_out_at(i) * values.row(i);
-    }
-    retarded_normal_ = retarded_along_ = retarded_cross_ = MatrixXd::Zero(rows, n_);
-    if (deep_.remembers()) measure_retarded();
-    normal_ = deep_.normal() / (2 * M_PI) * poles - retarded_normal_;
-    along_ = -deep_.along() / (2 * M_PI) * poles + retarded_along_;
-    cross_ = deep_.cross() * values - retarded_cross_;
-    if (problem_.layered()) add_layers();
-  }
-
-  void measure_retarded() {
-    for (Index j = 0; j < n_; ++j) {
-      const Eigen::ArrayXd x = middles_.less(grid_.nodes()[static_cast<std::size_t>(j)]);
-      Eigen::ArrayX3d k = grid_.weight()(j) * deep_.slopes(x);
-      // In one zone the sum passes the logarithm and the jump.
-      const GradedZone& zone = grid_.zones()[grid_.zone_of(j)];
-      const double rate = zone.step * zone.rate(static_cast<double>(j - zone.first) * zone.step - zone.reach);
-      const Index first = std::max(zone.first + 1, j + 1 - mended_at_all),
-                  end = std::min(zone.first + zone.count, j + 1 + mended_at_all);
-      const Eigen::ArrayX3d growing = rate * deep_.growing(Eigen::ArrayXd(x.segment(first, end - first)));
-      for (Index i = first; i < end; ++i) {
-        const Mend& m = mend_at_half(j >= i ? j - i : i - j - 1);
-        k.row(i).head<2>() += m.logarithm / (2 * M_PI) * growing.row(i - first).head<2>();
-        k(i, 2) -= (j >= i ? m.jump : -m.jump) * growing(i - first, 2);
+  /// The matrix holds all but the slopes by tractions: these are added where factors are needed.
+  void solve_linear(NearbySystems& nearby) {
+    NearbySystems::Shape shape{order_};
+    for (const GradedZone& zone : grid_.zones()) shape.push_back(zone.stick ? -zone.count : zone.count);
+    rows_.resize(terms_ * static_cast<Index>(1 + sticks_.size()) + (sticks_.empty() ? 0 : 1), size_);
+    others_.clear();
+    Index at = 0;
+    const auto add = [&](Index first, Index count, bool whole) {
+      for (Index i = first; i < first + count; ++i) {
+        others_.push_back(i);
+        if (whole) rows_.row(at++) = matrix_.row(i);
       }
-      retarded_normal_.col(j) = k.col(0);
-      retarded_along_.col(j) = k.col(1);
-      retarded_cross_.col(j) = k.col(2);
-    }
-  }
-
-  /// Smooth corrections: between Chebyshev points of the contact where these are fewer.
-  void add_layers() {
-    const Interval& contact = edges_.contact;
-    const double distance = 2 * problem_.correction->depth() / contact.half_length();
-    const double rate = std::log(distance + std::sqrt(distance * distance + 1));
-    // To a hundredth of what the graded points resolve.
-    const auto order = static_cast<Index>(std::min(8 - std::log(0.01 * graded_tail(order_)) / rate, 400.0));
-    const VectorXd middles = middles_.x();
-    if (order >= n_) return add_layers(MatrixXd::Identity(n_ + 1, n_ + 1), middles, x_, MatrixXd::Identity(n_, n_));
-    const ChebyshevFit& fit = chebyshev_fit(static_cast<int>(order));
-    const VectorXd points = contact.centre() + contact.half_length() * fit.nodes.array();
-    const auto to = [&](const VectorXd& x) {
-      MatrixXd images(x.size(), order);
-      for (Index i = 0; i < x.size(); ++i)
-        images.row(i) =
-            chebyshev_images(std::clamp(place_in(contact, x(i)), -1.0, 1.0), static_cast<int>(order)).transpose();
-      return MatrixXd(images * fit.from_values);
     };
-    add_layers(to(middles), points, points, to(x_).transpose());
-  }
-  void add_layers(const MatrixXd& to, const VectorXd& x, const VectorXd& sources, const MatrixXd& from) {
-    MatrixXd normal(x.size(), sources.size()), along = normal, cross = normal;
-    for (Index q = 0; q < sources.size(); ++q)
-      for (Index i = 0; i < x.size(); ++i) {
-        const LayerSlopes k = problem_.correction->slope(x(i) - sources(q));
-        normal(i, q) = k(layer_slope::normal);
-        along(i, q) = k(layer_slope::tangential);
-        cross(i, q) = k(layer_slope::cross);
+    const auto add_all = [&] {
+      add(slack_, 1, false);
+      add(amplitude_, terms_, true);
+      for (const Stick& stick : sticks_) {
+        add(stick.slack(), 1, false);
+        add(stick.amplitude(), terms_, true);
       }
-    const MatrixXd forces = from * grid_.weight().asDiagonal();
-    normal_ -= to * normal * forces;
-    if (!pattern_.shear) return;
-    along_ += to * along * forces;
-    cross_ -= to * cross * forces;
+      if (!sticks_.empty()) add(rotation_, 1, true);
+    };
+    add_all();
+    const auto apply = [&](const VectorXd& x) { return product(x); };
+    if (std::optional<VectorXd> solution = nearby.solve(shape, apply, right_)) {
+      solution_ = std::move(*solution);
+      return;
+    }
+    matrix_.topLeftCorner(n_ + 1, n_) += slopes_.normal(0, n_ + 1);
+    if (pattern_.shear) {
+      const MatrixXd cross = slopes_.cross(0, n_ + 1);
+      add_by_shear(cross, matrix_.topRows(n_ + 1));
+      for (std::size_t z = 0; z < sticks_.size(); ++z) {
+        const Index rows = sticks_[z].count + 1, first = stick_zones_[z]->first;
+        auto block = matrix_.middleRows(sticks_[z].first, rows);
+        add_by_shear(slopes_.along(first, rows), block);
+        block.leftCols(n_) += cross.middleRows(first, rows);
+      }
+    }
+    solution_ = nearby.factorise(shape, matrix_, right_);
+  }
+
+  /// The matrix with the slopes by tractions, times x.
+  VectorXd product(const VectorXd& x) const {
+    const auto [w, u] = slopes_.of(x.head(n_), shear_of(x));
+    VectorXd y = VectorXd::Zero(size_);
+    for (const Index other : others_) y += x(other) * matrix_.col(other);
+    y.head(n_ + 1) += w;
+    for (std::size_t z = 0; z < sticks_.size(); ++z)
+      y.segment(sticks_[z].first, sticks_[z].count + 1) += u.segment(stick_zones_[z]->first, sticks_[z].count + 1);
+    const VectorXd whole = rows_ * x;
+    Index at = 0;
+    y.segment(amplitude_, terms_) = whole.head(terms_);
+    at += terms_;
+    for (const Stick& stick : sticks_) {
+      y.segment(stick.amplitude(), terms_) = whole.segment(at, terms_);
+      at += terms_;
+    }
+    if (!sticks_.empty()) y(rotation_) = whole(at);
+    return y;
+  }
+
+  VectorXd shear_of(const VectorXd& unknowns) const {
+    VectorXd shear(n_);
+    for (Index j = 0; j < n_; ++j) shear(j) = shear_from(j).factor * unknowns(shear_from(j).unknown);
+    return shear;
   }
 
   VectorXd middles(Index first, Index count) const { return middles_.x().segment(first, count); }
@@ -219,8 +177,6 @@ class GradedSystem : private ZonedSystem {
   /// (S7) and (S8) with all slopes.
   void collocate_normal() {
     const VectorXd x = middles(0, n_ + 1);
-    matrix_.topLeftCorner(n_ + 1, n_) += normal_;
-    if (pattern_.shear) add_by_shear(cross_, matrix_.topRows(n_ + 1));
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
     matrix_.block(0, amplitude_, n_ + 1, terms_) -= exponentials(x, edges_.contact.to);
     prescribe_contact(x);
@@ -234,8 +190,6 @@ class GradedSystem : private ZonedSystem {
     const Index rows = stick.count + 1, first = stick_zones_[z]->first;
     const VectorXd x = middles(first, rows);
     auto block = matrix_.middleRows(stick.first, rows);
-    add_by_shear(along_.middleRows(first, rows), block);
-    block.leftCols(n_) += cross_.middleRows(first, rows);
     block.col(stick.slack()).setOnes();
     block.middleCols(stick.amplitude(), terms_) -= exponentials(x, stick.interval.to);
     remember(stick.amplitude(), means_at(stick.interval.to, false));
@@ -297,11 +251,12 @@ class GradedSystem : private ZonedSystem {
   GradedGrid grid_;
   GradedPlaces middles_;
   Index n_;
+  GradedSlopes slopes_;
   std::vector<const GradedZone*> stick_zones_;
-  VectorXd x_, pressure_, shear_;                               // at nodes
-  std::vector<ShearFrom> shear_from_;                           // by node
-  MatrixXd normal_, along_, cross_;                             // slopes at middles by values at nodes
-  MatrixXd retarded_normal_, retarded_along_, retarded_cross_;  // kernels of the retarded parts alone
+  VectorXd x_, pressure_, shear_;      // at nodes
+  std::vector<ShearFrom> shear_from_;  // by node
+  MatrixXd rows_;                      // of the matrix that do not hold slopes
+  std::vector<Index> others_;          // columns that are not of tractions
 };
 
 /// Whether every zone of the pattern has a length.
@@ -396,13 +351,13 @@ Eigen::Array2d GradedTractions::slopes_between_nodes(const SpectralProblem& prob
 }
 
 SpectralState solve_graded(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
-                           const SpectralOrders& orders) {
+                           const SpectralOrders& orders, NearbySystems& nearby) {
   if (edges.sticks.size() != pattern.sticks() || !has_zones(pattern, edges)) {
     SpectralState nowhere;
     nowhere.residuals.setConstant(pattern.unknowns(), NAN);
     return nowhere;
   }
-  return GradedSystem(problem, pattern, edges, orders).solve();
+  return GradedSystem(problem, pattern, edges, orders).solve(nearby);
 }
 
 double graded_tail(int order) { return std::exp(-2.7 * std::sqrt(order)); }

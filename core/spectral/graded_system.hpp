@@ -3,6 +3,7 @@
 /// The linear problem inside given edges and borders where pressure and shear are coupled in short waves: compressible
 /// layers with friction, and inertia (core/spectral/README.md, section 9).
 
+#include "core/numerics/nearby_systems.hpp"
 #include "core/spectral/graded_grid.hpp"
 
 namespace rollres {
@@ -38,8 +39,9 @@ struct GradedTractions {
   double half_length() const;
 };
 
+/// @param nearby  of former evaluations; takes over this one
 SpectralState solve_graded(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
-                           const SpectralOrders& orders);
+                           const SpectralOrders& orders, NearbySystems& nearby);
 
 /// How the rule's error falls with the order, in proportion [1].
 double graded_tail(int order);

@@ -31,7 +31,7 @@ constexpr double plainly_wrong = 0.01;        // the same, seen at once
 constexpr double shortest_with_inertia = 0.1;
 /// Orders of graded points at which edges are found and patterns refuted for little work, residuals and evaluations.
 constexpr std::array<int, 2> sketch_orders{14, 22};
-constexpr double sketch_residual = 1e-7;
+constexpr double first_sketch_residual = 1e-5, sketch_residual = 1e-7;
 /// Few graded points refute right patterns, and tell their own error badly: fewer than this tolerance asks for [1] save
 /// little.
 constexpr double least_graded_accuracy = 2e-5;
@@ -410,6 +410,8 @@ class SpectralContact {
       while (scene_.tolerance && sketch.coefficients < largest_first_order && final_error() > 0.5 * *scene_.tolerance)
         ++sketch.coefficients;
       last_ = std::move(state);
+      if (order == sketch_orders.front()) continue;  // too few points to refute anything
+      work_ += work_of_check(problem_, pattern, order, sketch.edges.contact.half_length());
       const AssessedSpectral assessed = assess(problem_, *last_);
       const auto final_order = static_cast<int>(next_order(sketch.coefficients, true));
       sketch.lawful = assessed.wrong_zone < graded_field_error(final_order);
@@ -421,18 +423,17 @@ class SpectralContact {
     return sketch;
   }
 
-  /// Edges at a low order, and the search's slopes there; none if they are not found.
+  /// Edges at a low order; none if they are not found.
   std::optional<SpectralState> edges_at(EdgeSearch& search, const SlipPattern& pattern, const SpectralEdges& start,
                                         int order, double most) {
     const int used = search.evaluations();
     const double work = work_of(problem_, pattern, order);
+    const double residual = order == sketch_orders.front() ? first_sketch_residual : sketch_residual;
     const int affordable = std::min(most_to_sketch, static_cast<int>((most - work_) / work));
-    std::optional<SpectralState> state = search.find(start, {order, order}, sketch_residual, affordable);
-    if (state) search.sharpen(*state, {order, order});
+    std::optional<SpectralState> state = search.find(start, {order, order}, residual, affordable);
     const int spent = search.evaluations() - used;
     evaluations_ += spent;
     work_ += work * spent;
-    if (state) work_ += work_of_check(problem_, pattern, order, state->edges.contact.half_length());
     return state;
   }
 
@@ -456,7 +457,6 @@ class SpectralContact {
   /// Violation of an inequality at an order of few graded points that refutes the pattern.
   double refuted_at(int order) const {
     constexpr double times_field_error = 1.5, usual_friction = 0.2;  // of right patterns less, on random scenes
-    if (order == sketch_orders.front()) return INFINITY;
     return times_field_error * graded_field_error(order) * std::max(1.0, usual_friction / scene_.friction_coefficient);
   }
 

@@ -85,7 +85,7 @@ SpectralState EdgeSearch::evaluate(const VectorXd& place, const SpectralOrders& 
     nowhere.residuals.setConstant(place.size(), NAN);
     return nowhere;
   }
-  return solve_inside(problem_, pattern_, edges_at(pattern_, place, slopes_.unit), orders);
+  return solve_inside(problem_, pattern_, edges_at(pattern_, place, slopes_.unit), orders, nearby_);
 }
 
 bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state, const SpectralOrders& orders) {
@@ -98,10 +98,6 @@ bool EdgeSearch::differentiate(const VectorXd& place, const SpectralState& state
   }
   slopes_.inverse = SquareSystem(slopes).inverse();
   return slopes_.inverse.allFinite();
-}
-
-void EdgeSearch::sharpen(const SpectralState& state, const SpectralOrders& orders) {
-  if (!differentiate(place_of(pattern_, state.edges, slopes_.unit), state, orders)) slopes_.inverse.resize(0, 0);
 }
 
 std::optional<SpectralState> EdgeSearch::find(const SpectralEdges& start, const SpectralOrders& orders,

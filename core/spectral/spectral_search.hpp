@@ -20,9 +20,6 @@ class EdgeSearch {
   std::optional<SpectralState> find(const SpectralEdges& start, const SpectralOrders& orders, double tolerance,
                                     int most_evaluations = 400);
 
-  /// Slopes anew where the search ended: at a low order they cost little, and at higher ones they are nearly the same.
-  void sharpen(const SpectralState& state, const SpectralOrders& orders);
-
   /// What the search knows of the derivatives, for the same pattern in much the same scene.
   struct Slopes {
     Eigen::MatrixXd inverse;  ///< of the residuals' derivatives; empty: not known
@@ -40,6 +37,7 @@ class EdgeSearch {
   const SpectralProblem& problem_;
   SlipPattern pattern_;
   Slopes slopes_;
+  NearbySystems nearby_;  // linear problems of the former evaluations
   int evaluations_ = 0;
 };
 

@@ -282,9 +282,15 @@ std::optional<std::size_t> redundant_slack(const SpectralProblem& problem, const
 }
 
 SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
-                           const SpectralOrders& orders) {
-  if (problem.graded(pattern.shear)) return solve_graded(problem, pattern, edges, orders);
+                           const SpectralOrders& orders, NearbySystems& nearby) {
+  if (problem.graded(pattern.shear)) return solve_graded(problem, pattern, edges, orders, nearby);
   return System(problem, pattern, edges, orders).solve();
+}
+
+SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
+                           const SpectralOrders& orders) {
+  NearbySystems nearby;
+  return solve_inside(problem, pattern, edges, orders, nearby);
 }
 
 }  // namespace rollres

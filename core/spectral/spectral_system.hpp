@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/numerics/nearby_systems.hpp"
 #include "core/spectral/spectral_problem.hpp"
 
 namespace rollres {
@@ -93,5 +94,8 @@ std::optional<std::size_t> redundant_slack(const SpectralProblem& problem, const
 /// @param edges with the pattern's zones of stick, inside the contact
 SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
                            const SpectralOrders& orders);
+/// @param nearby  of former evaluations, of which graded points make use
+SpectralState solve_inside(const SpectralProblem& problem, const SlipPattern& pattern, const SpectralEdges& edges,
+                           const SpectralOrders& orders, NearbySystems& nearby);
 
 }  // namespace rollres

@@ -275,6 +275,32 @@ Eigen::Index DeepResponse::powers_at(double farthest) const {
   return powers;
 }
 
+namespace {
+
+/// Places that a processor's registers hold with all sums over them.
+using Chunk = Eigen::Array<double, 8, 1>;
+
+/// Calls `each(chunk, first, count)` for all places, of which the last chunk may hold fewer.
+template <class Each>
+void in_chunks(const Eigen::ArrayXd& x, const Each& each) {
+  for (Eigen::Index first = 0; first < x.size(); first += Chunk::SizeAtCompileTime) {
+    const Eigen::Index count = std::min<Eigen::Index>(Chunk::SizeAtCompileTime, x.size() - first);
+    Chunk chunk = Chunk::Constant(x(first));
+    chunk.head(count) = x.segment(first, count);
+    each(chunk, first, count);
+  }
+}
+
+/// Sums of factors(row, k) x^k.
+template <class Factors>
+Chunk power_sum(const Factors& factors, Eigen::Index row, Eigen::Index powers, const Chunk& x) {
+  Chunk sum = Chunk::Zero();
+  for (Eigen::Index k = powers - 1; k >= 0; --k) sum = factors(row, k) + x * sum;
+  return sum;
+}
+
+}  // namespace
+
 Eigen::ArrayX3d DeepResponse::growing(const Eigen::ArrayXd& x) const {
   Eigen::ArrayX3d sum = Eigen::ArrayX3d::Zero(x.size(), 3);
   const Eigen::Index powers = x.size() > 0 ? powers_at(x.abs().maxCoeff()) : 0;
@@ -282,8 +308,10 @@ Eigen::ArrayX3d DeepResponse::growing(const Eigen::ArrayXd& x) const {
     for (Eigen::Index i = 0; i < x.size(); ++i) sum.row(i) = growing(x(i)).transpose();
     return sum;
   }
-  for (Eigen::Index k = powers - 1; k >= 0; --k)
-    for (Eigen::Index c = 0; c < 3; ++c) sum.col(c) = moments_(c, k) + x * sum.col(c);
+  in_chunks(x, [&](const Chunk& chunk, Eigen::Index first, Eigen::Index count) {
+    for (Eigen::Index c = 0; c < 3; ++c)
+      sum.col(c).segment(first, count) = power_sum(moments_, c, powers, chunk).head(count);
+  });
   return sum;
 }
 
@@ -295,12 +323,15 @@ Eigen::ArrayX3d DeepResponse::slopes(const Eigen::ArrayXd& x) const {
     for (Eigen::Index i = 0; i < x.size(); ++i) sum.row(i) = slope(x(i)).head<3>().transpose();
     return sum;
   }
-  const Eigen::ArrayX3d growing_part = growing(x);
-  for (Eigen::Index k = powers - 1; k >= 0; --k)
-    for (Eigen::Index c = 0; c < 2; ++c) sum.col(c) = rests_(c, k) + x * sum.col(c);
-  const Eigen::ArrayXd logarithm = x.abs().log();
-  for (Eigen::Index c = 0; c < 2; ++c) sum.col(c) = (logarithm * growing_part.col(c) - sum.col(c)) / (2 * M_PI);
-  sum.col(2) = (x < 0).select(-growing_part.col(2), 0);
+  in_chunks(x, [&](const Chunk& chunk, Eigen::Index first, Eigen::Index count) {
+    const Chunk logarithm = chunk.abs().log();
+    for (Eigen::Index c = 0; c < 2; ++c) {
+      const Chunk slope = logarithm * power_sum(moments_, c, powers, chunk) - power_sum(rests_, c, powers, chunk);
+      sum.col(c).segment(first, count) = slope.head(count) / (2 * M_PI);
+    }
+    const Chunk wake = (chunk < 0).select(-power_sum(moments_, 2, powers, chunk), 0);
+    sum.col(2).segment(first, count) = wake.head(count);
+  });
   return sum;
 }
 

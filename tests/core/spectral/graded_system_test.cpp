@@ -1,4 +1,4 @@
-// Covers graded_grid too.
+// Covers graded_grid and graded_slopes too.
 
 #include "core/spectral/graded_system.hpp"
 
@@ -6,6 +6,7 @@
 
 #include "core/solve/rolling_contact.hpp"
 #include "core/spectral/spectral_contact.hpp"
+#include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 
@@ -68,6 +69,47 @@ TEST_CASE("a cylinder sliding on a compressible half-space has unequal exponents
     const double load =
         M_PI * *scene.static_shear_modulus * half * half * (1 - 4 * t * t) / (2 * (1 - poisson_ratio) * scene.radius);
     CHECK(*scene.load == Approx(load).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("graded points have one solution, by factors of their own and by those of edges nearby",
+          "[core][graded_system]") {
+  RollingScene scene = layer_with(0.3);
+  SECTION("compressible layer") {}
+  SECTION("half-space") { scene.layer_thickness = INFINITY; }
+  SECTION("inertia, which retards slopes") {
+    scene.inertia = Inertia::on;
+    scene.speed = 5;
+    scene.creep_time = 0.01;
+  }
+  SECTION("rotation is given") {
+    scene.drive = Drive::rotation;
+    scene.rotation_ratio = 1.01;
+  }
+  SECTION("a layer thinner than so few points resolve") { scene.layer_thickness = 3e-4; }
+  const SpectralProblem problem(scene, near_spectrum(scene), 4e-3);
+  const SlipPattern pattern{.shear = true, .slips = {1, -1, 1}};
+  const auto edges = [](double moved) {
+    return SpectralEdges{{-3.5e-3, 4e-3 + moved}, {{-3.3e-3, -3.2e-3}, {-1e-3, 3.9e-3 - moved}}};
+  };
+  NearbySystems nearby;
+  for (const int order : {20, 40}) {
+    solve_graded(problem, pattern, edges(0), {order, order}, nearby);
+    const int factorised = nearby.factorised();
+    for (const double moved : {1e-9, 1e-6}) {
+      NearbySystems own;
+      const SpectralState expected = solve_graded(problem, pattern, edges(moved), {order, order}, own);
+      const SpectralState state = solve_graded(problem, pattern, edges(moved), {order, order}, nearby);
+      constexpr double close = 1e-9;
+      const double peak = expected.graded->pressure.cwiseAbs().maxCoeff();
+      CHECK((state.graded->pressure - expected.graded->pressure).cwiseAbs().maxCoeff() < close * peak);
+      CHECK((state.graded->shear - expected.graded->shear).cwiseAbs().maxCoeff() < close * peak);
+      CHECK((state.residuals - expected.residuals).cwiseAbs().maxCoeff() < close);
+      CHECK(state.rotation_ratio == Approx(expected.rotation_ratio).epsilon(close));
+    }
+    CHECK(nearby.factorised() == factorised);
+    solve_graded(problem, pattern, edges(1e-3), {order, order}, nearby);  // which is not near
+    CHECK(nearby.factorised() == factorised + 1);
   }
 }
 

@@ -32,7 +32,9 @@ TEST_CASE("densities and graded points give one state inside the same edges", "[
   const SpectralEdges edges{{-3.482414e-3, 3.993285e-3}, {{-1e-3, 3.993285e-3}}};
   const auto states_agree = [&] {
     const SpectralProblem problem(scene, near_spectrum(scene), 4e-3);
-    check_same(solve_inside(problem, pattern, edges, {40, 40}), solve_graded(problem, pattern, edges, {80, 80}));
+    NearbySystems nearby;
+    check_same(solve_inside(problem, pattern, edges, {40, 40}),
+               solve_graded(problem, pattern, edges, {80, 80}, nearby));
   };
   SECTION("pulled at its top") { states_agree(); }
   SECTION("turned") {
