@@ -24,9 +24,9 @@
 #include "core/solve/model_choice.hpp"
 #include "core/solve/strain_iteration.hpp"
 #include "core/solve/torque_limit.hpp"
-#include "core/spectral/spectral_contact.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
+#include "core/zones/spectral_contact.hpp"
 
 namespace rollres {
 

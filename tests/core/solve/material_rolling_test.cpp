@@ -2,7 +2,7 @@
 
 #include "core/material/material_functions.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/spectral/spectral_contact.hpp"
+#include "core/zones/spectral_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/core/rubber.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/solve/rolling_contact.hpp"
-#include "core/spectral/spectral_contact.hpp"
 #include "core/surface/contact_surface.hpp"
+#include "core/zones/spectral_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 

@@ -1,10 +1,10 @@
-#include "core/spectral/spectral_friction_limit.hpp"
+#include "core/zones/spectral_friction_limit.hpp"
 
 #include <cmath>
 
 #include "core/numerics/bracketed_root.hpp"
-#include "core/spectral/spectral_search.hpp"
-#include "core/spectral/spectral_start.hpp"
+#include "core/zones/spectral_search.hpp"
+#include "core/zones/spectral_start.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_contact.hpp"
+#include "core/zones/spectral_contact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,12 @@
 #include "core/messages/message_text.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/spectral/graded_system.hpp"
-#include "core/spectral/spectral_field.hpp"
-#include "core/spectral/spectral_friction_limit.hpp"
-#include "core/spectral/spectral_search.hpp"
-#include "core/spectral/spectral_solution.hpp"
-#include "core/spectral/spectral_start.hpp"
 #include "core/surface/contact_surface.hpp"
+#include "core/zones/spectral_field.hpp"
+#include "core/zones/spectral_friction_limit.hpp"
+#include "core/zones/spectral_search.hpp"
+#include "core/zones/spectral_solution.hpp"
+#include "core/zones/spectral_start.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_search.hpp"
+#include "core/zones/spectral_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "core/reference/reference_hunter.hpp"
-#include "tests/core/spectral/spectral_scenes.hpp"
+#include "tests/core/zones/spectral_scenes.hpp"
 
 using namespace rollres;
 

@@ -12,7 +12,7 @@
 
 #include "core/material/material.hpp"
 #include "core/scene/solution.hpp"
-#include "core/spectral/spectral_search.hpp"
+#include "core/zones/spectral_search.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "core/spectral/surface_panels.hpp"
+#include "core/zones/surface_panels.hpp"
 
 #include <algorithm>
 #include <cmath>

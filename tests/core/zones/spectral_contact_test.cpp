@@ -1,7 +1,7 @@
 // Covers spectral_problem, spectral_system, spectral_sources, spectral_memory, spectral_field, surface_panels,
 // spectral_solution, spectral_friction_limit too.
 
-#include "core/spectral/spectral_contact.hpp"
+#include "core/zones/spectral_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"
-#include "tests/core/spectral/spectral_scenes.hpp"
+#include "tests/core/zones/spectral_scenes.hpp"
 
 using namespace rollres;
 

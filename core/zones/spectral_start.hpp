@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/spectral/spectral_search.hpp"
+#include "core/zones/spectral_search.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_field.hpp"
+#include "core/zones/spectral_field.hpp"
 
 #include <algorithm>
 #include <cmath>

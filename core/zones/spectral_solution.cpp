@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_solution.hpp"
+#include "core/zones/spectral_solution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/friction_law.hpp"
 #include "core/spectral/graded_system.hpp"
-#include "core/spectral/surface_panels.hpp"
+#include "core/zones/surface_panels.hpp"
 
 namespace rollres {
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "core/spectral/spectral_field.hpp"
+#include "core/zones/spectral_field.hpp"
 
 namespace rollres {
 

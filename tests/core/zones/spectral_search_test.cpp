@@ -1,12 +1,12 @@
 // Covers spectral_start, too.
 
-#include "core/spectral/spectral_search.hpp"
+#include "core/zones/spectral_search.hpp"
 
 #include <cmath>
 
-#include "core/spectral/spectral_contact.hpp"
 #include "core/surface/contact_surface.hpp"
-#include "tests/core/spectral/spectral_scenes.hpp"
+#include "core/zones/spectral_contact.hpp"
+#include "tests/core/zones/spectral_scenes.hpp"
 
 using namespace rollres;
 

@@ -1,4 +1,4 @@
-#include "core/spectral/spectral_start.hpp"
+#include "core/zones/spectral_start.hpp"
 
 #include <algorithm>
 #include <cmath>
