@@ -94,18 +94,14 @@ FitProblem sized_at(const FitProblem& problem, const FitPoint& point) {
   return in_variables(problem, variables);
 }
 
-std::vector<Variable> reciprocal_where_saturating(const FitProblem& problem, const FitPoint& point) {
+Variable reciprocal_at(const FitParameter& parameter, double value) {
   constexpr double farthest = 1000;
-  std::vector<Variable> variables = variables_of(problem);
-  for (std::size_t j = 0; j < problem.size(); ++j) {
-    Variable& variable = variables[j];
-    if (!problem.parameters[j].saturates || !(point[j] > 0 && variable.lowest >= 0)) continue;
-    variable.logarithmic = false;
-    variable.reciprocal = true;
-    variable.size = point[j];
-    variable.highest = std::min(variable.highest, std::max(farthest * point[j], problem.parameters[j].start));
-  }
-  return variables;
+  Variable variable = parameter.variable;
+  variable.logarithmic = false;
+  variable.reciprocal = true;
+  variable.size = value;
+  variable.highest = std::min(variable.highest, std::max(farthest * value, parameter.start));
+  return variable;
 }
 
 FitPoint start_point(const FitProblem& problem) {

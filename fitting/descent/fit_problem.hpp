@@ -149,9 +149,8 @@ FitProblem in_variables(const FitProblem& problem, const std::vector<Variable>& 
 /// In logarithms wherever a parameter cannot be negative and does not start at 0: a descent from afar changes it by
 /// factors.
 FitProblem in_logarithms(const FitProblem& problem);
-/// The problem's variables; of parameters that act no longer beyond some value the reciprocals, sized at a point: what
-/// the data say of them is nearly a straight line there. They reach a thousand times that point's values.
-std::vector<Variable> reciprocal_where_saturating(const FitProblem& problem, const FitPoint& point);
+/// The reciprocal of a parameter, sized at a value of it, up to a thousand times that.
+Variable reciprocal_at(const FitParameter& parameter, double value);
 /// With the sizes of linear variables as they are at a point.
 FitProblem sized_at(const FitProblem& problem, const FitPoint& point);
 

@@ -335,13 +335,8 @@ class Side : ProfileSide {
 
 }  // namespace
 
-Profile profile(const FitProblem& given, const Descent& fit, const Slopes& given_slopes, const FitErrors& given_errors,
+Profile profile(const FitProblem& problem, const Descent& fit, const Slopes& slopes, const FitErrors& errors,
                 std::size_t parameter, double threshold, const std::atomic<bool>* stop, std::size_t most_solutions) {
-  const std::vector<Variable> variables = reciprocal_where_saturating(given, fit.end);
-  const FitProblem problem = in_variables(given, variables);
-  const Slopes slopes = in_variables(given_slopes, fit.end, variables_of(given), variables);
-  FitErrors errors = fit_errors(problem, fit.end, residuals(problem, fit.prediction), slopes);
-  errors.scale = given_errors.scale;
   Profile answer;
   answer.points.push_back({fit.end[parameter], 0});
   std::optional<Bend> bend;

@@ -55,6 +55,12 @@ bool misses_by_far(const FitReport& report) {
   return report.deviations_known && report.reduced_chi_squared > far && report.errors.fall < part * report.chi_squared;
 }
 
+/// Whether the misfit stays far beyond what the deviations explain, and a round has brought little.
+bool creeps_far_off(const FitReport& report, double before) {
+  constexpr double far = 20, little = 0.1;
+  return report.deviations_known && report.reduced_chi_squared > far && report.chi_squared > (1 - little) * before;
+}
+
 /// Whether Gauss and Newton's step from here is but a small part of the standard errors; where it is free along a
 /// direction, whether it promises next to nothing; on the edge of what has an answer, or with a noisy model, little.
 bool arrived(const FitReport& report) {
@@ -136,11 +142,15 @@ FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const Fit
   mind_least_values(problem, best);
   FitReport report = report_on(problem, best, descents);
   constexpr int most_rounds = 4;
-  constexpr double beside = 0.1, smooth = 1e-5;
+  constexpr double beside = 0.1, smooth = 1e-5, little = 1e-3;
+  double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
     if (options.stop && options.stop->load()) break;
     if ((leaves_free(report) && round > 0) || misses_by_far(report)) break;
     if (crawls_over_noise(report, problem, options)) break;
+    if (creeps_far_off(report, before)) break;
+    if (round > 0 && report.errors.fall < little * report.errors.scale) break;
+    before = report.chi_squared;
     const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
     const KnownSlopes known{best.end, best.prediction, report.slopes};
     const Descent further =
@@ -166,6 +176,36 @@ FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const Fit
   return report;
 }
 
+/// Whether predictions follow the reciprocal of a parameter rather than it: by those at a value that lies by two
+/// standard errors, but a fifth at least and twice at most, above.
+bool follows_reciprocal(const FitProblem& problem, const Descent& best, const FitReport& report, std::size_t j) {
+  constexpr double errors = 2, least = 0.2, most = 1;
+  const double value = best.end[j];
+  const FitParameter& parameter = problem.parameters[j];
+  if (!parameter.saturates || !(value > 0 && parameter.variable.lowest >= 0)) return false;
+  const double deviation = report.parameters[j].standard_error / value;
+  const double part = std::isfinite(deviation) ? std::clamp(errors * deviation, least, most) : most;
+  FitPoint above = best.end;
+  above[j] = std::min(value * (1 + part), parameter.variable.highest);
+  const Prediction prediction = problem.predict(above);
+  if (!prediction.found() || !(above[j] > value)) return false;
+  const Eigen::VectorXd moved = residuals(problem, prediction) - residuals(problem, best.prediction);
+  Eigen::VectorXd slope = report.slopes.derivatives.col(static_cast<Eigen::Index>(j));
+  for (Eigen::Index i = 0; i < slope.size(); ++i) slope[i] /= problem.data[static_cast<std::size_t>(i)].deviation;
+  const double straight = parameter.variable.scaled_step(value, above[j]);
+  const double reciprocal =
+      reciprocal_at(parameter, value).scaled_step(value, above[j]) * value / parameter.variable.slope(value);
+  return slope.dot(moved) / slope.squaredNorm() < 0.5 * (straight + reciprocal);
+}
+
+/// The problem in variables that predictions follow as straight lines: profiles end after two or three points there.
+std::vector<Variable> straight_variables(const FitProblem& problem, const Descent& best, const FitReport& report) {
+  std::vector<Variable> variables = variables_of(problem);
+  for (std::size_t j = 0; j < problem.size(); ++j)
+    if (follows_reciprocal(problem, best, report, j)) variables[j] = reciprocal_at(problem.parameters[j], best.end[j]);
+  return variables;
+}
+
 /// The order in which parameters have their profiles: those that saturate first, whose slopes say least of what values
 /// are as good.
 std::vector<std::size_t> order_of_profiles(const FitProblem& problem) {
@@ -175,8 +215,13 @@ std::vector<std::size_t> order_of_profiles(const FitProblem& problem) {
   return order;
 }
 
-void add_profiles(FitReport& report, const FitProblem& problem, const Descent& best, const FitOptions& options,
+void add_profiles(FitReport& report, const FitProblem& given, const Descent& best, const FitOptions& options,
                   FitPoint& better) {
+  const std::vector<Variable> variables = straight_variables(given, best, report);
+  const FitProblem problem = in_variables(given, variables);
+  const Slopes slopes = in_variables(report.slopes, best.end, variables_of(given), variables);
+  FitErrors errors = fit_errors(problem, best.end, residuals(problem, best.prediction), slopes);
+  errors.scale = report.errors.scale;
   const double threshold = interval_threshold(problem);
   // At a bound, and on the edge of what has an answer, errors by slopes mean nothing.
   const bool needed =
@@ -191,8 +236,7 @@ void add_profiles(FitReport& report, const FitProblem& problem, const Descent& b
     Profile& here = report.parameters[j].profile;
     const bool saturates = problem.parameters[j].saturates;  // slopes alone would exclude what is as good
     if (problem.ending->solutions() < (saturates ? most_saturating : usual))
-      here = profile(problem, best, report.slopes, report.errors, j, threshold, options.stop,
-                     saturates ? most_saturating : most);
+      here = profile(problem, best, slopes, errors, j, threshold, options.stop, saturates ? most_saturating : most);
     else
       here.complete = false;
     better = here.better;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/messages/message_text.hpp"
@@ -13,22 +12,16 @@ namespace rollres {
 
 namespace {
 
-/// @param variable  in which predictions are taken for straight lines   @param deviation  in `scaled`
-ConfidenceInterval linear_interval(const Variable& variable, double value, const Variable& scaled, double deviation,
-                                   double quantile) {
+ConfidenceInterval linear_interval(const FitParameter& parameter, double value, double deviation, double quantile) {
   ConfidenceInterval interval;
   if (!std::isfinite(deviation)) return interval;
-  const double half = quantile * deviation * scaled.slope(value) / variable.slope(value);
-  const auto at = [&](double there) {
-    if (variable.reciprocal) return there < 0 ? -variable.size / there : std::numeric_limits<double>::infinity();
-    return variable.logarithmic ? std::exp(there) : there * variable.size;
-  };
-  interval.lowest = at(variable.scaled(value) - half);
-  interval.highest = at(variable.scaled(value) + half);
+  const Variable& variable = parameter.variable;
+  const auto at = [&](double scaled) { return variable.logarithmic ? std::exp(scaled) : scaled * variable.size; };
+  interval.lowest = at(variable.scaled(value) - quantile * deviation);
+  interval.highest = at(variable.scaled(value) + quantile * deviation);
   interval.low = interval.high = IntervalEnd::closed;
-  if (interval.lowest < scaled.lowest) interval.lowest = scaled.lowest, interval.low = IntervalEnd::limit;
-  if (interval.highest > scaled.highest) interval.highest = scaled.highest, interval.high = IntervalEnd::limit;
-  if (std::isinf(interval.highest)) interval.highest = RollingSolution::absent, interval.high = IntervalEnd::open;
+  if (interval.lowest < variable.lowest) interval.lowest = variable.lowest, interval.low = IntervalEnd::limit;
+  if (interval.highest > variable.highest) interval.highest = variable.highest, interval.high = IntervalEnd::limit;
   return interval;
 }
 
@@ -155,14 +148,13 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
   compare(report, problem, best, ends);
   report.weakest_direction = weakest_direction_in_words(problem, report.errors);
   const double quantile = std::sqrt(interval_threshold(problem));
-  const std::vector<Variable> straight = reciprocal_where_saturating(problem, best.end);
   for (std::size_t j = 0; j < problem.size(); ++j) {
     FittedParameter& fitted = report.parameters[j];
     const auto k = static_cast<Eigen::Index>(j);
     const double deviation = report.errors.deviations[k];
     fitted.relative_error = deviation;
     fitted.standard_error = deviation * std::abs(fitted.parameter.variable.slope(fitted.value));
-    fitted.linear = linear_interval(straight[j], fitted.value, fitted.parameter.variable, deviation, quantile);
+    fitted.linear = linear_interval(fitted.parameter, fitted.value, deviation, quantile);
     fitted.step = report.slopes.steps[k];
     fitted.slope_doubt = report.errors.slope_doubt[k];
     fitted.at_bound = report.errors.at_bound[j];

@@ -111,7 +111,7 @@ std::vector<FitPoint> candidates_of(const FitProblem& problem, const FitOptions&
   return points;
 }
 
-/// Those of which a closed form does not say that they are far worse than others.
+/// Those of which a closed form does not say that they are far worse than others, and the given start.
 std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPoint> points) {
   if (!problem.estimate) return points;
   constexpr double far_worse = 30;
@@ -120,7 +120,7 @@ std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPo
   const double best = *std::min_element(misfits.begin(), misfits.end());
   std::vector<FitPoint> left;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (misfits[i] <= far_worse * best) left.push_back(std::move(points[i]));
+    if (misfits[i] <= far_worse * best || points[i] == start_point(problem)) left.push_back(std::move(points[i]));
   return left;
 }
 
@@ -156,7 +156,16 @@ std::vector<FitPoint> starts_of(const FitProblem& given, const FitOptions& optio
                      [&](const FitPoint& start) { return beside(problem, start, candidate.point, twice); }))
       starts.push_back(candidate.point);
   }
-  if (starts.empty()) starts.push_back(start_point(given));
+  // Who gives a start knows something: closed forms may have led all others to another least misfit.
+  const FitPoint own = start_point(given);
+  const bool answered =
+      std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& one) { return one.point == own; });
+  if (answered && std::none_of(starts.begin(), starts.end(),
+                               [&](const FitPoint& start) { return beside(problem, start, own, twice); })) {
+    if (std::ssize(starts) == options.starts) starts.pop_back();
+    starts.push_back(own);
+  }
+  if (starts.empty()) starts.push_back(own);
   return starts;
 }
 
