@@ -79,6 +79,12 @@ bool arrived(const FitReport& report) {
   return true;
 }
 
+/// Whether so little is promised that a step over the noise of the model, or another round, is not worth its slopes.
+bool promises_little(const FitReport& report) {
+  constexpr double little = 1e-3;
+  return report.errors.fall < little * report.errors.scale;
+}
+
 /// Parameters that the misfit presses against a bound: held, they do not spoil the steps of the others. Least values
 /// with an answer move with the others: descents mind them.
 std::vector<std::size_t> pressed_on_bounds(const FitReport& report) {
@@ -96,7 +102,7 @@ void step_over_noise(const FitProblem& problem, Descent& best, const std::vector
                      FitReport& report) {
   constexpr int most_steps = 3;
   for (int steps = 0; steps < most_steps && report.slopes.found() && !arrived(report) && !leaves_free(report) &&
-                      !misses_by_far(report);
+                      !misses_by_far(report) && !promises_little(report);
        ++steps) {
     double variance = 0;
     for (std::size_t i = 0; i < report.values.size(); ++i) {
@@ -142,14 +148,14 @@ FitReport settled(FitProblem& problem, std::vector<Descent>& descents, const Fit
   mind_least_values(problem, best);
   FitReport report = report_on(problem, best, descents);
   constexpr int most_rounds = 4;
-  constexpr double beside = 0.1, smooth = 1e-5, little = 1e-3;
+  constexpr double beside = 0.1, smooth = 1e-5;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds && report.slopes.found() && !arrived(report); ++round) {
     if (options.stop && options.stop->load()) break;
     if ((leaves_free(report) && round > 0) || misses_by_far(report)) break;
     if (crawls_over_noise(report, problem, options)) break;
     if (creeps_far_off(report, before)) break;
-    if (round > 0 && report.errors.fall < little * report.errors.scale) break;
+    if (round > 0 && promises_little(report)) break;
     before = report.chi_squared;
     const bool last = round + 1 == most_rounds;  // at last with slopes by differences all the way
     const KnownSlopes known{best.end, best.prediction, report.slopes};
