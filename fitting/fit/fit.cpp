@@ -48,17 +48,22 @@ FitProblem with_loss_scale(const FitProblem& problem, const FitOptions& options)
 /// Whether the slopes leave a direction of the parameters free: nothing along it is the least misfit.
 bool leaves_free(const FitReport& report) { return !(report.errors.weakest_deviation < 1); }
 
-/// Whether the deviations explain so little of the misfit that its least value to the last digit is of no interest,
-/// and the slopes promise no other.
-bool misses_by_far(const FitReport& report) {
-  constexpr double far = 20, part = 0.25;
-  return report.deviations_known && report.reduced_chi_squared > far && report.errors.fall < part * report.chi_squared;
+/// Whether the deviations explain so little of the misfit that its least value to the last digit is of no interest.
+bool is_far_off(const FitReport& report) {
+  constexpr double far = 20;
+  return report.deviations_known && report.reduced_chi_squared > far;
 }
 
-/// Whether the misfit stays far beyond what the deviations explain, and a round has brought little.
+/// Whether the misfit is far off, and the slopes promise no other.
+bool misses_by_far(const FitReport& report) {
+  constexpr double part = 0.25;
+  return is_far_off(report) && report.errors.fall < part * report.chi_squared;
+}
+
+/// Whether the misfit stays far off, and a round has brought little.
 bool creeps_far_off(const FitReport& report, double before) {
-  constexpr double far = 20, little = 0.1;
-  return report.deviations_known && report.reduced_chi_squared > far && report.chi_squared > (1 - little) * before;
+  constexpr double little = 0.1;
+  return is_far_off(report) && report.chi_squared > (1 - little) * before;
 }
 
 /// Whether Gauss and Newton's step from here is but a small part of the standard errors; where it is free along a
@@ -226,8 +231,7 @@ void add_profiles(FitReport& report, const FitProblem& given, const Descent& bes
   const std::vector<Variable> variables = straight_variables(given, best, report);
   const FitProblem problem = in_variables(given, variables);
   const Slopes slopes = in_variables(report.slopes, best.end, variables_of(given), variables);
-  FitErrors errors = fit_errors(problem, best.end, residuals(problem, best.prediction), slopes);
-  errors.scale = report.errors.scale;
+  const FitErrors errors = fit_errors(problem, best.end, residuals(problem, best.prediction), slopes);
   const double threshold = interval_threshold(problem);
   // At a bound, and on the edge of what has an answer, errors by slopes mean nothing.
   const bool needed =
@@ -236,13 +240,14 @@ void add_profiles(FitReport& report, const FitProblem& given, const Descent& bes
       });
   const std::size_t usual =
       needed ? std::numeric_limits<std::size_t>::max() / 2 : usual_solutions(problem, options.limits);
-  const std::size_t most = usual + usual / 6, most_saturating = usual + usual / 3;
   for (const std::size_t j : order_of_profiles(problem)) {
     if (!better.empty() || (options.stop && options.stop->load())) return;
     Profile& here = report.parameters[j].profile;
     const bool saturates = problem.parameters[j].saturates;  // slopes alone would exclude what is as good
-    if (problem.ending->solutions() < (saturates ? most_saturating : usual))
-      here = profile(problem, best, slopes, errors, j, threshold, options.stop, saturates ? most_saturating : most);
+    const std::size_t beginning = saturates ? usual + usual / 3 : usual,
+                      most = saturates ? beginning : usual + usual / 6;
+    if (problem.ending->solutions() < beginning)
+      here = profile(problem, best, slopes, errors, j, threshold, options.stop, most);
     else
       here.complete = false;
     better = here.better;

@@ -118,9 +118,10 @@ std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPo
   std::vector<double> misfits;
   for (const FitPoint& point : points) misfits.push_back(misfit_at(problem, point, problem.estimate));
   const double best = *std::min_element(misfits.begin(), misfits.end());
+  const FitPoint own = start_point(problem);
   std::vector<FitPoint> left;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (misfits[i] <= far_worse * best || points[i] == start_point(problem)) left.push_back(std::move(points[i]));
+    if (misfits[i] <= far_worse * best || points[i] == own) left.push_back(std::move(points[i]));
   return left;
 }
 

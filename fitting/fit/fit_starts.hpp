@@ -17,7 +17,7 @@ namespace rollres {
 FitProblem small_problem(const FitProblem& problem);
 
 /// Points to descend from, the most promising first, no two within a factor of 2 of each other in all parameters;
-/// options.starts of them at most.
+/// options.starts of them at most, the given one among them where it has an answer.
 std::vector<FitPoint> starts_of(const FitProblem& problem, const FitOptions& options);
 
 /// A descent that will be gone on with: in logarithms of what is positive; first by a few rows; by slopes that cost
@@ -26,7 +26,7 @@ Descent rough_descent(const FitProblem& problem, const FitPoint& start, const Fi
 
 /// Rough descents from all starts. Those that end where another did are not followed further, nor those that end far
 /// above it. Where the first ends at a place that no longer feels one of the parameters, others begin there with usual
-/// values of that one; always so for one that saturates. Rows without an answer where the best by a few rows ended join
+/// values of that one; so for one that saturates, unless two agree on it. Rows without an answer where the best by a few rows ended join
 /// the few, and all begins anew. Where it explains the data and leaves a direction of several parameters free, it is
 /// the last.
 std::vector<Descent> rough_descents(const FitProblem& problem, const FitOptions& options);
