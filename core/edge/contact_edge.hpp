@@ -1,34 +1,15 @@
 #pragma once
 
-/// The real edge of a sphere's contact, which runs through the cells of the grid, and how it changes the slip beside it
-/// (core/newton/README.md, section 8).
+/// How the real edge of a sphere's contact changes the slip beside it (core/newton/README.md, section 8).
 
 #include <vector>
 
+#include "core/edge/edge_curve.hpp"
 #include "core/numerics/vector.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
-
-/// The contact as h(y)^2 - (x - m(y))^2 > 0, with h^2 and m polynomials in y^2 (N24).
-struct EdgeCurve {
-  double unit = 1;                          // of y [m]
-  Vector centre = {}, squared_length = {};  // coefficients of m [m] and h^2 [m2]; empty: not known
-
-  bool known() const { return centre.size() > 0; }
-};
-
-/// What the pressure of a row says of the ends of its contact [m].
-struct RowEnds {
-  double y, trailing, leading;
-};
-
-/// Of all rows that are long enough to tell. @param pressure on a half grid [Pa]
-std::vector<RowEnds> ends_of_rows(const SurfaceGrid& half, const Vector& pressure);
-
-/// From the pressure on a half grid [Pa]; not known where too few rows are long enough.
-EdgeCurve edge_curve(const SurfaceGrid& half, const Vector& pressure);
 
 /// What the slip of nodes beside the edge has more than that of even cells: linear in the shear (N25), (N26).
 class EdgeSlip {

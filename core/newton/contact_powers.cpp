@@ -10,14 +10,6 @@ namespace {
 /// resultants, the difference of these halves.
 constexpr double cancelled = 1e-2, conditioned = 0.1;
 
-double share_of_losses(double resistance, double halves) {
-  const double relative = std::abs(resistance) / halves;
-  if (!(relative > cancelled)) return 1;
-  const double place = std::log(conditioned / relative) / std::log(conditioned / cancelled);
-  const double t = std::clamp(place, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 /// What friction takes over V [N] where nodes slip, with the slip of its law.
 double friction_by_law(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
                        const std::vector<Zone>& zone) {
@@ -38,6 +30,14 @@ double friction_by_law(const ContactProblem& problem, const Displacements& moved
 }
 
 }  // namespace
+
+double share_of_losses(double resistance, double halves) {
+  const double relative = std::abs(resistance) / halves;
+  if (!(relative > cancelled)) return 1;
+  const double place = std::log(conditioned / relative) / std::log(conditioned / cancelled);
+  const double t = std::clamp(place, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
 
 ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
                              const std::vector<Zone>& zone) {

@@ -18,6 +18,10 @@ constexpr double trusted_balance = 0.01;
 /// the grid's.
 constexpr double negligible_resistance = 1e-3;
 
+/// Of the losses in the rolling resistance, 0 to 1, by the latter [N] and the moment of the load's halves (README.md,
+/// section 7): where the resultants, the difference of these halves, cancel.
+double share_of_losses(double resistance, double halves);
+
 /// Powers over V [N] (per metre for a cylinder).
 struct ContactPowers {
   double layer = 0;         ///< what the layers take: p w' - tau . (u', v'), slopes by central differences

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/edge/contact_edge.hpp"
+#include "core/edge/edge_curve.hpp"
 #include "core/estimate/grid_choice.hpp"
 
 namespace rollres {

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-#include "core/edge/contact_edge.hpp"
+#include "core/edge/edge_curve.hpp"
 #include "core/newton/nested_newton.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"

@@ -1,0 +1,256 @@
+#include "core/edge/edge_curve.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace rollres {
+
+namespace {
+
+/// A polynomial's value and derivative.
+std::pair<double, double> polynomial(const Vector& coefficients, double t) {
+  double value = 0, slope = 0;
+  for (Eigen::Index k = coefficients.size(); k-- > 0;) {
+    slope = slope * t + value;
+    value = value * t + coefficients(k);
+  }
+  return {value, slope};
+}
+
+/// Distance, in cells, of the zero of p^2 beyond the first of three neighbouring cells.
+double zero_beyond(double first, double second, double third) {
+  const double q0 = first * first, q1 = second * second, q2 = third * third;
+  const double slope = 1.5 * q0 - 2 * q1 + 0.5 * q2, bend = 0.5 * q0 - q1 + 0.5 * q2;
+  const double root = slope * slope - 4 * bend * q0;
+  return slope < 0 && root >= 0 ? 2 * q0 / (-slope + std::sqrt(root)) : RollingSolution::absent;
+}
+
+}  // namespace
+
+CurveRow::CurveRow(const EdgeCurve& curve, double y) {
+  const double t = y / curve.unit, by_y = 2 * t / curve.unit;
+  std::tie(centre, centre_slope) = polynomial(curve.centre, t * t);
+  std::tie(squared, squared_slope) = polynomial(curve.squared_length, t * t);
+  centre_slope *= by_y;
+  squared_slope *= by_y;
+}
+
+double CurveRow::steepness(double x) const { return std::hypot(along(x), across(x)); }
+
+double CurveRow::sum_of_root(double from, double to) const {
+  if (!(squared > 0)) return 0;
+  const auto primitive = [this](double x) {
+    const double s = std::clamp((x - centre) / std::sqrt(squared), -1.0, 1.0);
+    return 0.5 * squared * (std::asin(s) + s * std::sqrt(1 - s * s));
+  };
+  return primitive(to) - primitive(from);
+}
+
+std::vector<RowEnds> ends_of_rows(const SurfaceGrid& grid, const Vector& pressure) {
+  std::vector<RowEnds> ends;
+  constexpr int left_out = 2, fewest = 2 * (left_out + 3);  // cells at an end whose pressure knows of the grid
+  constexpr double furthest = left_out + 2;
+  for (int row = 0; row < grid.rows; ++row) {
+    const auto cells = pressure.segment(grid.index(0, row), grid.columns);
+    int first = 0, last = grid.columns - 1;
+    while (first < grid.columns && !(cells(first) > 0)) ++first;
+    while (last >= 0 && !(cells(last) > 0)) --last;
+    if (last - first + 1 < fewest) continue;
+    const auto beyond = [&](int end, int inwards) {
+      const int from = end + left_out * inwards;
+      return zero_beyond(cells(from), cells(from + inwards), cells(from + 2 * inwards));
+    };
+    const double ahead = beyond(last, -1), behind = beyond(first, 1);
+    if (ahead < furthest && behind < furthest)
+      ends.push_back({grid.y(row), grid.x(first + left_out) - behind * grid.spacing_x,
+                      grid.x(last - left_out) + ahead * grid.spacing_x});
+  }
+  return ends;
+}
+
+EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure) {
+  const std::vector<RowEnds> ends = ends_of_rows(grid, pressure);
+  const auto rows = static_cast<Eigen::Index>(ends.size());
+  constexpr Eigen::Index fewest = 4, most_terms = 5;
+  if (rows < fewest) return {};
+  EdgeCurve curve;
+  curve.unit = ends.back().y;
+  const Eigen::Index terms = std::min(most_terms, (rows + 1) / 3 + 1);
+  Eigen::MatrixXd powers(rows, terms);
+  Vector centre(rows), squared(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const RowEnds& end = ends[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k < terms; ++k) powers(i, k) = std::pow(end.y / curve.unit, 2 * k);
+    centre(i) = 0.5 * (end.leading + end.trailing);
+    squared(i) = 0.25 * std::pow(end.leading - end.trailing, 2);
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> fit(powers);
+  curve.centre = fit.solve(centre);
+  curve.squared_length = fit.solve(squared);
+  return curve;
+}
+
+namespace {
+
+/// The mean of sqrt(distance) over a unit cell, by the distance of its centre inside a straight edge with a unit normal;
+/// cells and normals as the edge's.
+double mean_of_root(double distance, double normal_x, double normal_y) {
+  const double x = std::abs(normal_x), y = std::abs(normal_y), large = std::max(x, y), small = std::min(x, y);
+  const auto power = [](double inside, double exponent) { return inside > 0 ? std::pow(inside, exponent) : 0; };
+  constexpr double aligned = 1e-2;
+  if (small < aligned)
+    return 2.0 / 3 * (power(distance + 0.5 * large, 1.5) - power(distance - 0.5 * large, 1.5)) / large;
+  double sum = 0;
+  for (const double i : {-0.5, 0.5})
+    for (const double j : {-0.5, 0.5}) sum += 4 * i * j * power(distance + i * large + j * small, 2.5);
+  return 4.0 / 15 * sum / (large * small);
+}
+
+/// sum c_k cos k angle
+double cosine_series(const Vector& coefficients, double angle) {
+  double sum = 0;
+  for (Eigen::Index k = 0; k < coefficients.size(); ++k)
+    sum += coefficients(k) * std::cos(static_cast<double>(k) * angle);
+  return sum;
+}
+
+/// An edge as radius over angle, r = rho(theta), in coordinates scaled by the ellipse of the pressure's moments.
+class PolarEdge {
+ public:
+  PolarEdge(const SurfaceGrid& grid, const Vector& pressure, Eigen::Index terms)
+      : grid_(grid), pressure_(pressure), terms_(terms), radius_(Vector::Unit(terms, 0)) {
+    double sum = 0, of_x = 0, of_xx = 0, of_yy = 0;
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) {
+        const double weight = (grid.first_row + row == 0 ? 1 : 2) * pressure(grid.index(column, row));
+        const double x = grid.x(column), y = grid.y(row);
+        sum += weight;
+        of_x += weight * x;
+        of_xx += weight * x * x;
+        of_yy += weight * y * y;
+      }
+    centre_ = of_x / sum;
+    length_ = std::sqrt(5 * (of_xx / sum - centre_ * centre_));
+    width_ = std::sqrt(5 * of_yy / sum);
+    cell_ = std::max(grid.spacing_x, grid.spacing_y);
+    const Eigen::Index places = 4 * terms;
+    Eigen::MatrixXd cosines(places, terms);
+    for (Eigen::Index i = 0; i < places; ++i) {
+      angles_.push_back(M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(places));
+      for (Eigen::Index k = 0; k < terms; ++k) cosines(i, k) = std::cos(static_cast<double>(k) * angles_.back());
+    }
+    through_places_.compute(cosines);
+  }
+
+  /// Moves the edge to where p^2 of the ring, a parabola in the distance, is zero; by how much [cells], NaN where the
+  /// ring does not tell.
+  double follow(const EdgeRing& ring) {
+    std::vector<double> squares;
+    std::vector<Vector> rows;
+    for (int row = 0; row < grid_.rows; ++row)
+      for (int column = 0; column < grid_.columns; ++column) {
+        const double value = pressure_(grid_.index(column, row));
+        if (!(value > 0)) continue;
+        const double x = (grid_.x(column) - centre_) / length_, y = grid_.y(row) / width_, r = std::hypot(x, y);
+        if (!(r > 0)) continue;
+        const double angle = std::atan2(y, x), steep = std::hypot(x / length_, y / width_) / r;
+        const double inside = (cosine_series(radius_, angle) - r), distance = inside / (steep * cell_);
+        if (distance < ring.from || distance > ring.to) continue;
+        const double at_node = value * std::sqrt(distance) /
+                               mean_of_root(distance, x / (length_ * r * steep), y / (width_ * r * steep));
+        squares.push_back(at_node * at_node);
+        Vector terms(3 * terms_);
+        const double depth = inside * length_ / cell_;
+        for (Eigen::Index k = 0; k < terms_; ++k) {
+          const double cosine = std::cos(static_cast<double>(k) * angle);
+          terms(k) = cosine;
+          terms(terms_ + k) = cosine * depth;
+          terms(2 * terms_ + k) = cosine * depth * depth;
+        }
+        rows.push_back(std::move(terms));
+      }
+    constexpr double least_per_term = 2;
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    if (static_cast<double>(count) < least_per_term * static_cast<double>(3 * terms_)) return RollingSolution::absent;
+    Eigen::MatrixXd matrix(count, 3 * terms_);
+    for (Eigen::Index i = 0; i < count; ++i) matrix.row(i) = rows[static_cast<std::size_t>(i)];
+    const Vector fit =
+        matrix.householderQr().solve(Eigen::Map<const Vector>(squares.data(), count));
+    Vector moved(static_cast<Eigen::Index>(angles_.size()));
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      const double value = cosine_series(fit.head(terms_), angles_[i]);
+      const double slope = cosine_series(fit.segment(terms_, terms_), angles_[i]);
+      const double bend = cosine_series(fit.tail(terms_), angles_[i]);
+      const double root = slope * slope - 4 * bend * value;
+      if (!(slope > 0 && root >= 0)) return RollingSolution::absent;
+      moved(static_cast<Eigen::Index>(i)) = -2 * value / (slope + std::sqrt(root));
+    }
+    radius_ -= through_places_.solve(moved) * (cell_ / length_);
+    return moved.cwiseAbs().maxCoeff();
+  }
+
+  /// The curve through all places, so many cells further inside.
+  EdgeCurve curve(double inwards) const {
+    constexpr Eigen::Index of_squares = 5, of_centre = 4, places = 48;
+    Vector x(places), y(places);
+    for (Eigen::Index i = 0; i < places; ++i) {
+      const double angle = M_PI * (static_cast<double>(i) + 0.5) / places, cosine = std::cos(angle),
+                   sine = std::sin(angle);
+      const double radius =
+          cosine_series(radius_, angle) - inwards * cell_ * std::hypot(cosine / length_, sine / width_);
+      x(i) = radius * cosine;
+      y(i) = radius * sine;
+    }
+    EdgeCurve curve;
+    const double top = y.maxCoeff();
+    curve.unit = top * width_;
+    // x^2 = (h^2 - m^2) + 2 m x, linear in the coefficients of h^2 - m^2 and m.
+    Eigen::MatrixXd matrix(places, of_squares + of_centre);
+    for (Eigen::Index i = 0; i < places; ++i)
+      for (Eigen::Index k = 0; k < of_squares; ++k) {
+        const double power = std::pow(y(i) / top, 2 * static_cast<double>(k));
+        matrix(i, k) = power;
+        if (k < of_centre) matrix(i, of_squares + k) = 2 * x(i) * power;
+      }
+    const Vector fit = matrix.householderQr().solve(x.cwiseAbs2());
+    const Vector middle = fit.tail(of_centre);
+    Vector squared = Vector::Zero(2 * of_centre - 1);
+    squared.head(of_squares) = fit.head(of_squares);
+    for (Eigen::Index i = 0; i < of_centre; ++i)
+      for (Eigen::Index k = 0; k < of_centre; ++k) squared(i + k) += middle(i) * middle(k);
+    curve.squared_length = squared * (length_ * length_);
+    curve.centre = middle * length_;
+    curve.centre(0) += centre_;
+    return curve;
+  }
+
+ private:
+  const SurfaceGrid& grid_;
+  const Vector& pressure_;
+  Eigen::Index terms_;
+  Vector radius_;  // coefficients of rho
+  double centre_ = 0, length_ = 1, width_ = 1, cell_ = 1;
+  std::vector<double> angles_;
+  Eigen::HouseholderQR<Eigen::MatrixXd> through_places_;
+};
+
+}  // namespace
+
+EdgeCurve edge_around(const SurfaceGrid& grid, const Vector& pressure, const EdgeRing& ring) {
+  if (!(pressure.sum() > 0)) return {};
+  constexpr Eigen::Index terms = 7;
+  constexpr int most_moves = 3;
+  constexpr double found = 0.01, beside_itself = 4;  // [cells]
+  PolarEdge edge(grid, pressure, terms);
+  for (int move = 0; move < most_moves; ++move) {
+    const double moved = edge.follow(ring);
+    if (!(moved < (move == 0 ? beside_itself : 1))) return {};
+    if (moved < found) break;
+  }
+  return edge.curve(ring.beyond);
+}
+
+}  // namespace rollres
