@@ -109,6 +109,13 @@ double mean_of_root(double distance, double normal_x, double normal_y) {
   return 4.0 / 15 * sum / (large * small);
 }
 
+/// Of a cell so far inside the edge, 1 in the ring; it falls to 0 outside, as the edge found is to be smooth.
+double weight_in(const EdgeRing& ring, double distance) {
+  const double fade = 0.5 * ring.from;
+  const double t = std::clamp(std::min(distance - ring.from + fade, ring.to + 1 - distance) / fade, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 /// sum c_k cos k angle
 double cosine_series(const Vector& coefficients, double angle) {
   double sum = 0;
@@ -145,6 +152,9 @@ class PolarEdge {
     through_places_.compute(cosines);
   }
 
+  /// On the half-length of the contact.
+  double cells() const { return length_ / cell_; }
+
   /// Moves the edge to where p^2 of the ring, a parabola in the distance, is zero; by how much [cells], NaN where the
   /// ring does not tell.
   double follow(const EdgeRing& ring) {
@@ -158,14 +168,15 @@ class PolarEdge {
         if (!(r > 0)) continue;
         const double angle = std::atan2(y, x), steep = std::hypot(x / length_, y / width_) / r;
         const double inside = (cosine_series(radius_, angle) - r), distance = inside / (steep * cell_);
-        if (distance < ring.from || distance > ring.to) continue;
+        const double weight = weight_in(ring, distance);
+        if (!(weight > 0)) continue;
         const double at_node = value * std::sqrt(distance) /
                                mean_of_root(distance, x / (length_ * r * steep), y / (width_ * r * steep));
-        squares.push_back(at_node * at_node);
+        squares.push_back(weight * at_node * at_node);
         Vector terms(3 * terms_);
         const double depth = inside * length_ / cell_;
         for (Eigen::Index k = 0; k < terms_; ++k) {
-          const double cosine = std::cos(static_cast<double>(k) * angle);
+          const double cosine = weight * std::cos(static_cast<double>(k) * angle);
           terms(k) = cosine;
           terms(terms_ + k) = cosine * depth;
           terms(2 * terms_ + k) = cosine * depth * depth;
@@ -242,13 +253,16 @@ class PolarEdge {
 EdgeCurve edge_around(const SurfaceGrid& grid, const Vector& pressure, const EdgeRing& ring) {
   if (!(pressure.sum() > 0)) return {};
   constexpr Eigen::Index terms = 7;
-  constexpr int most_moves = 3;
-  constexpr double found = 0.01, beside_itself = 4;  // [cells]
+  constexpr int moves = 4;
+  // The first ring is one of the whole contact, as the edge may lie cells beside the ellipse.
+  constexpr double wide_from = 0.1, wide_to = 0.4, of_first_move = 0.3, of_next_moves = 0.1;
   PolarEdge edge(grid, pressure, terms);
-  for (int move = 0; move < most_moves; ++move) {
-    const double moved = edge.follow(ring);
-    if (!(moved < (move == 0 ? beside_itself : 1))) return {};
-    if (moved < found) break;
+  const double cells = edge.cells();
+  for (int move = 0; move < moves; ++move) {
+    const bool first = move == 0;
+    const double moved =
+        edge.follow(first ? EdgeRing{std::max(ring.from, wide_from * cells), std::max(ring.to, wide_to * cells), 0} : ring);
+    if (!(moved < (first ? of_first_move : of_next_moves) * cells)) return {};
   }
   return edge.curve(ring.beyond);
 }

@@ -6,6 +6,7 @@
 
 #include "core/estimate/contact_estimate.hpp"
 #include "core/newton/contact_powers.hpp"
+#include "core/newton/edge_correction.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/newton_contact.hpp"
 
@@ -18,6 +19,7 @@ struct ContactLevel {
   NewtonOutcome outcome;
   ContactPowers powers;
   GridError error;
+  EdgeCorrection edge;  // of the finest grid alone
 };
 
 /// A level without a solution yet, on a half grid.

@@ -23,7 +23,7 @@ class NormalProblem {
   /// Solves for pressure and approach from a start; false where it does not get there.
   bool solve(Vector& pressure, double& approach) {
     constexpr int most_refinements = 6, most_vectors = 60;
-    constexpr double forcing = 1e-3, enough = 1e-6;  // of the approach
+    constexpr double forcing = 1e-3, enough = 1e-8;  // of the approach
     for (int refinement = 0; refinement < most_refinements; ++refinement) {
       const Vector moved = displacements(pressure);
       Vector missing(nodes_ + 1);  // gaps over the response of a node to itself, load over its scale
@@ -127,10 +127,15 @@ class NormalProblem {
   float per_load_ = 0;
 };
 
-/// 1 far below a ratio of 1, 0 far above it, smooth between.
-double trust_below_one(double ratio) {
-  const double t = std::clamp(ratio - 0.5, 0.0, 1.0);
-  return 1 - t * t * (3 - 2 * t);
+/// From 0 to 1, without kinks.
+double smooth_step(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// The cells on the shorter half of a contact.
+double cells_on_half(const EdgeCurve& curve, const SurfaceGrid& grid) {
+  return std::min(std::sqrt(std::max(curve.squared_length(0), 0.0)) / grid.spacing_x, curve.unit / grid.spacing_y);
 }
 
 }  // namespace
@@ -176,9 +181,12 @@ EdgeCorrection edge_correction(const ContactProblem& problem, const InfluenceOpe
     if (pass + 1 < passes) curve = edge_around(grid, edge.of_cells(pressure), of_uneven_cells);
   }
   constexpr double of_change = 0.25, of_resistance = 2e-4;
+  constexpr double too_coarse = 12, fine_enough = 16;  // cells: below, the ring is as wide as the contact
   const double resistance = problem.resistance(x.pressure, x.shear_x, x.rotation_ratio);
   const double allowed = of_change * std::abs(change) + of_resistance * std::abs(resistance);
-  return {change, trust_below_one(std::abs(change - before) / allowed)};
+  const double agrees = smooth_step(1.5 - std::abs(change - before) / allowed);
+  const double resolves = smooth_step((cells_on_half(curve, grid) - too_coarse) / (fine_enough - too_coarse));
+  return {change, agrees * resolves};
 }
 
 }  // namespace rollres

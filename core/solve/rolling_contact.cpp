@@ -15,7 +15,6 @@
 #include "core/finite_strain/finite_strain_contact.hpp"
 #include "core/interior/interior_summary.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/newton/edge_correction.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/grid_solution.hpp"
 #include "core/newton/nested_newton.hpp"
@@ -130,8 +129,7 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
     solution = std::move(answer.solution);
     GridError error = level.error;
     take_slow_rolling(scene, error, answer.powers, solution);
-    const EdgeCorrection edge = edge_correction(*level.problem, *level.influence, level.outcome.unknowns);
-    add_resistance(scene, (1 - error.slow_share) * (edge.resistance(answer.powers) - answer.powers.resistance()),
+    add_resistance(scene, (1 - error.slow_share) * (level.edge.resistance(answer.powers) - answer.powers.resistance()),
                    solution);
     set_error(nested.error_estimate(error, solution.rolling_resistance), solution);
     if (scene.tolerance && !(solution.rolling_resistance_error <= *scene.tolerance * answer.powers.scale())) {
