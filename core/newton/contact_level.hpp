@@ -6,7 +6,6 @@
 
 #include "core/estimate/contact_estimate.hpp"
 #include "core/newton/contact_powers.hpp"
-#include "core/newton/edge_correction.hpp"
 #include "core/newton/grid_error.hpp"
 #include "core/newton/newton_contact.hpp"
 

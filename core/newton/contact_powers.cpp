@@ -10,6 +10,14 @@ namespace {
 /// resultants, the difference of these halves.
 constexpr double cancelled = 1e-2, conditioned = 0.1;
 
+double share_of_losses(double resistance, double halves) {
+  const double relative = std::abs(resistance) / halves;
+  if (!(relative > cancelled)) return 1;
+  const double place = std::log(conditioned / relative) / std::log(conditioned / cancelled);
+  const double t = std::clamp(place, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 /// What friction takes over V [N] where nodes slip, with the slip of its law.
 double friction_by_law(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
                        const std::vector<Zone>& zone) {
@@ -30,14 +38,6 @@ double friction_by_law(const ContactProblem& problem, const Displacements& moved
 }
 
 }  // namespace
-
-double share_of_losses(double resistance, double halves) {
-  const double relative = std::abs(resistance) / halves;
-  if (!(relative > cancelled)) return 1;
-  const double place = std::log(conditioned / relative) / std::log(conditioned / cancelled);
-  const double t = std::clamp(place, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
                              const std::vector<Zone>& zone) {
@@ -76,6 +76,12 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
   powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio);
   powers.share = share_of_losses(powers.losses(), powers.halves);
   return powers;
+}
+
+void ContactPowers::take(const EdgeCorrection& correction) {
+  constexpr double better_conditioned = 10;
+  edge = correction.trust * correction.change;
+  share = share_of_losses(std::pow(better_conditioned, correction.trust) * losses(), halves);
 }
 
 void add_resistance(const RollingScene& scene, double change, RollingSolution& solution) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/edge/edge_correction.hpp"
 #include "core/newton/contact_problem.hpp"
 #include "core/newton/newton_system.hpp"
 
@@ -18,10 +19,6 @@ constexpr double trusted_balance = 0.01;
 /// the grid's.
 constexpr double negligible_resistance = 1e-3;
 
-/// Of the losses in the rolling resistance, 0 to 1, by the latter [N] and the moment of the load's halves (README.md,
-/// section 7): where the resultants, the difference of these halves, cancel.
-double share_of_losses(double resistance, double halves);
-
 /// Powers over V [N] (per metre for a cylinder).
 struct ContactPowers {
   double layer = 0;         ///< what the layers take: p w' - tau . (u', v'), slopes by central differences
@@ -29,6 +26,7 @@ struct ContactPowers {
   double by_law = 0;        ///< the same with the slip of the law, by forward differences: 0 at nodes that stick
   double unbalanced = 0;    ///< of the kinematics, (N23): 0 where they are consistent
   double resultants = 0;    ///< Q + T Omega/V
+  double edge = 0;          ///< what the edge between the nodes changes of them
   double halves = 0;        ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are
   double share = 0;         ///< of the losses in `resistance`, 0 to 1, smooth in all inputs
   double sticking = 0;      ///< part of the load that sticking nodes bear [1]
@@ -42,7 +40,9 @@ struct ContactPowers {
   /// spacing.
   double half_cell() const { return std::abs(friction - by_law); }
   /// R_r: by the resultants, or by the losses where the resultants cancel.
-  double resistance() const { return resultants + share * (losses() - resultants); }
+  double resistance() const { return resultants + edge + share * (losses() - resultants - edge); }
+  /// With the edge the resultants are right to smaller differences (README.md, (N32)).
+  void take(const EdgeCorrection& correction);
   /// What errors of a rolling resistance are measured by: an elastic layer resists with nothing.
   double scale(double of_resistance) const { return std::max(std::abs(of_resistance), 1e-6 * halves); }
   double scale() const { return scale(resistance()); }

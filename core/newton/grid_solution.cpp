@@ -16,8 +16,9 @@ namespace {
 class Assessment {
  public:
   Assessment(const ContactProblem& given_problem, const InfluenceOperator& influence, const ContactUnknowns& given,
-             const std::vector<Zone>& given_zone)
+             const std::vector<Zone>& given_zone, const EdgeCorrection& edge)
       : problem_(given_problem),
+        edge_(edge),
         unknowns_(given),
         zone_(given_zone),
         moved_(influence.apply(given.pressure, shear_or_zero(given.shear_x), lateral_shear(given))) {}
@@ -148,6 +149,7 @@ class Assessment {
   void balance_power() {
     const double speed = problem_.scene.speed;
     powers_ = contact_powers(problem_, moved_, unknowns_, zone_);
+    powers_.take(edge_);
     s_.viscous_loss = speed * powers_.layer;
     s_.frictional_loss = speed * powers_.friction;
     add_resistance(problem_.scene, powers_.resistance() - powers_.resultants, s_);
@@ -188,6 +190,7 @@ class Assessment {
   }
 
   const ContactProblem& problem_;
+  const EdgeCorrection& edge_;
   const ContactUnknowns& unknowns_;
   const std::vector<Zone>& zone_;
   Displacements moved_;
@@ -200,8 +203,8 @@ class Assessment {
 }  // namespace
 
 GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
-                       const ContactUnknowns& unknowns, const std::vector<Zone>& zone) {
-  return Assessment(problem, influence, unknowns, zone).run();
+                       const ContactUnknowns& unknowns, const std::vector<Zone>& zone, const EdgeCorrection& edge) {
+  return Assessment(problem, influence, unknowns, zone, edge).run();
 }
 
 }  // namespace rollres

@@ -32,9 +32,9 @@ struct GridSolution {
 /// All outputs but those that only the caller knows (status, reason, iterations, seconds, method, model, warnings,
 /// error_estimate).
 /// @param influence with all components, also without friction (the fields want u and v)
-/// @param zone the method's claim for every node of the (half) grid
+/// @param zone the method's claim for every node of the (half) grid   @param edge what R_r is corrected by
 GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
-                       const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
+                       const ContactUnknowns& unknowns, const std::vector<Zone>& zone, const EdgeCorrection& edge = {});
 
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
 /// @param nonlinear  what `linearity_error` says of them

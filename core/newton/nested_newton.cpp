@@ -58,6 +58,28 @@ void measure(ContactLevel& level) {
   level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone);
 }
 
+/// None with the paper's kinematics, whose grid is the paper's, with adhesion, or where the load is not given.
+EdgeCorrection correction_of(const ContactLevel& level) {
+  const ContactProblem& problem = *level.problem;
+  const RollingScene& scene = problem.scene;
+  if (!problem.lateral || scene.kinematics != Kinematics::consistent || scene.adhesion_threshold > 0 || !scene.load)
+    return {};
+  const ContactUnknowns& x = level.outcome.unknowns;
+  const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
+  PressedSphere sphere{scene, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};
+  sphere.of_resistance = problem.driving_force.of_pressure + turning * problem.torque.of_pressure;
+  if (problem.friction) {
+    const SurfaceGrid& grid = problem.grid;
+    const Vector none = Vector::Zero(grid.size());
+    const Displacements by_shear = level.influence->apply(none, x.shear_x, x.shear_y);
+    for (Eigen::Index row = 0; row < grid.rows; ++row)
+      sphere.height.segment(row * grid.columns, grid.columns) -=
+          by_shear.w.segment(row * (grid.columns + 1), grid.columns);
+    sphere.resistance_of_shear = problem.resistance(none, x.shear_x, x.rotation_ratio);
+  }
+  return edge_correction(sphere, x.pressure, x.approach);
+}
+
 /// A solution of even cells becomes one with the edge that its pressure tells, if there is one.
 void find_edge(ContactLevel& level, const NewtonOptions& options) {
   ContactProblem& problem = *level.problem;
@@ -186,7 +208,10 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
       nested.status = Status::converged;
       answered = true;
       ContactLevel& answer = nested.finest;
-      answer.edge = edge_correction(*answer.problem, *answer.influence, answer.outcome.unknowns);
+      try {
+        answer.edge = correction_of(answer);
+      } catch (const BeyondLimits&) {  // the answer stands without it
+      }
       if (!finer || !finer(nested)) return better_of(std::move(nested), std::move(best));
       --last;
     }

@@ -121,7 +121,7 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
   if (nested.status == Status::converged) {
     const ContactLevel& level = nested.finest;
     const auto summed = [&](const InfluenceOperator& influence) {
-      return summarise(*level.problem, influence, level.outcome.unknowns, level.outcome.zone);
+      return summarise(*level.problem, influence, level.outcome.unknowns, level.outcome.zone, level.edge);
     };
     GridSolution answer = level.problem->friction
                               ? summed(*level.influence)
@@ -129,8 +129,6 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
     solution = std::move(answer.solution);
     GridError error = level.error;
     take_slow_rolling(scene, error, answer.powers, solution);
-    add_resistance(scene, (1 - error.slow_share) * (level.edge.resistance(answer.powers) - answer.powers.resistance()),
-                   solution);
     set_error(nested.error_estimate(error, solution.rolling_resistance), solution);
     if (scene.tolerance && !(solution.rolling_resistance_error <= *scene.tolerance * answer.powers.scale())) {
       std::ostringstream text;

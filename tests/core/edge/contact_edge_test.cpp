@@ -8,6 +8,7 @@
 #include "core/newton/contact_problem.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/edge/edge_circle.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/infinite.hpp"
 #include "tests/source_directory.hpp"
@@ -15,39 +16,6 @@
 using namespace rollres;
 
 namespace {
-
-/// Circle of contact whose centre lies beside the nodes: semi-axes 12.3 cells.
-struct Circle {
-  double radius = 12.3, centre = 0.37;  // [cells]
-  SurfaceGrid half;
-
-  explicit Circle(double spacing) {
-    half.spacing_x = half.spacing_y = spacing;
-    half.first_column = -17;
-    half.columns = 36;
-    half.rows = 17;
-  }
-  double level(double column, double row) const {  // F in cells^2
-    return radius * radius - (column - centre) * (column - centre) - row * row;
-  }
-  /// Mean of sqrt(F) over the cell of a node [cells].
-  double mean(int column, int row) const {
-    constexpr int parts = 60;
-    double sum = 0;
-    for (int j = 0; j < parts; ++j)
-      for (int i = 0; i < parts; ++i) {
-        const double x = half.first_column + column + (i + 0.5) / parts - 0.5, y = row + (j + 0.5) / parts - 0.5;
-        sum += std::sqrt(std::max(0.0, level(x, y)));
-      }
-    return sum / (parts * parts);
-  }
-  EdgeCurve curve() const {
-    const double a = half.spacing_x;
-    EdgeCurve curve{radius * a, Vector::Constant(1, centre * a), Vector(2)};
-    curve.squared_length << radius * radius * a * a, -radius * radius * a * a;
-    return curve;
-  }
-};
 
 /// Fourth difference across rows over 16 and the largest value, at nodes that stick with their neighbours: the quantile
 /// of 95 % and the largest.
@@ -77,27 +45,6 @@ Alternation alternation(const SurfaceFields& fields, const std::vector<double>& 
 }
 
 }  // namespace
-
-TEST_CASE("the edge of Hertz's contact is found inside the cells", "[core][contact_edge]") {
-  const Circle circle(1e-3);
-  Vector pressure = Vector::Zero(circle.half.size());
-  for (int row = 0; row < circle.half.rows; ++row)
-    for (int column = 0; column < circle.half.columns; ++column)
-      if (circle.level(circle.half.first_column + column, row) > 0)
-        pressure(circle.half.index(column, row)) = 1e6 * circle.mean(column, row);
-  const EdgeCurve curve = edge_curve(circle.half, pressure);
-  REQUIRE(curve.known());
-  CHECK(curve.centre(0) == Approx(0.37e-3).margin(2e-5));
-  for (const double y : {0.0, 6e-3, 11e-3}) {
-    double squared = 0;
-    for (Eigen::Index k = 0; k < curve.squared_length.size(); ++k)
-      squared += curve.squared_length(k) * std::pow(y / curve.unit, 2 * k);
-    const double length = std::sqrt(12.3e-3 * 12.3e-3 - y * y);
-    // Across the edge, of a cell: p^2 of means over cells is bent where rows cut the edge aslant.
-    CHECK(std::abs(std::sqrt(squared) - length) * length / 12.3e-3 < 0.06e-3);
-  }
-  CHECK_FALSE(edge_curve(circle.half, Vector::Zero(circle.half.size())).known());
-}
 
 TEST_CASE("with its edge an elliptical shear on a half-space moves the surface as Johnson says, up to the edge",
           "[core][contact_edge]") {

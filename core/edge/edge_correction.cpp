@@ -1,4 +1,4 @@
-#include "core/newton/edge_correction.hpp"
+#include "core/edge/edge_correction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,11 @@ namespace {
 /// The normal problem on the nodes inside a given edge: no gap there, and the load.
 class NormalProblem {
  public:
-  NormalProblem(const ContactProblem& problem, const InfluenceOperator& influence, const EdgePressure& edge,
-                const Vector& wanted)
-      : problem_(problem), influence_(influence), edge_(edge), wanted_(wanted), nodes_(count(edge.contact())) {
+  NormalProblem(const PressedSphere& sphere, const EdgePressure& edge)
+      : sphere_(sphere),
+        influence_(sphere.influence),
+        edge_(edge),
+        nodes_(static_cast<Eigen::Index>(edge.contact().size())) {
     prepare_border();
   }
 
@@ -29,11 +31,11 @@ class NormalProblem {
       Vector missing(nodes_ + 1);  // gaps over the response of a node to itself, load over its scale
       for (Eigen::Index i = 0; i < nodes_; ++i) {
         const Eigen::Index node = edge_.contact()[static_cast<std::size_t>(i)];
-        missing(i) = -(wanted_(node) - approach - moved(node)) / influence_.self_normal();
+        missing(i) = -(sphere_.height(node) - approach - moved(node)) / influence_.self_normal();
       }
-      missing(nodes_) = (*problem_.scene.load - problem_.load(edge_.even(pressure), {})) / force_scale();
+      missing(nodes_) = (load() - sphere_.of_load.dot(edge_.even(pressure))) / force_scale();
       const double gap = missing.head(nodes_).norm() * influence_.self_normal() / std::sqrt(nodes_);
-      if (gap < enough * approach && std::abs(missing(nodes_)) * force_scale() < enough * *problem_.scene.load)
+      if (gap < enough * approach && std::abs(missing(nodes_)) * force_scale() < enough * load())
         return true;
       const KrylovResult<float> found = gmres<float>([&](const Field& x) { return apply(x); },
                                                      [&](const Field& x) { return precondition(x); },
@@ -49,14 +51,12 @@ class NormalProblem {
  private:
   using Field = Eigen::VectorXf;
 
-  static Eigen::Index count(const std::vector<Eigen::Index>& nodes) { return static_cast<Eigen::Index>(nodes.size()); }
-  double force_scale() const {
-    return problem_.load.of_pressure.maxCoeff() * std::sqrt(static_cast<double>(nodes_));
-  }
+  double load() const { return *sphere_.scene.load; }
+  double force_scale() const { return sphere_.of_load.maxCoeff() * std::sqrt(static_cast<double>(nodes_)); }
 
   /// w of all nodes [m], one column beyond the grid's left out.
   Vector displacements(const Vector& pressure) const {
-    const SurfaceGrid& grid = problem_.grid;
+    const SurfaceGrid& grid = sphere_.half;
     const Displacements moved = influence_.apply(edge_.even(pressure), {}, {});
     Vector w(grid.size());
     for (Eigen::Index row = 0; row < grid.rows; ++row)
@@ -66,7 +66,7 @@ class NormalProblem {
   }
 
   Field scattered(const Field& values, double factor) const {
-    Field field = Field::Zero(problem_.grid.size());
+    Field field = Field::Zero(sphere_.half.size());
     for (Eigen::Index i = 0; i < nodes_; ++i)
       field(edge_.contact()[static_cast<std::size_t>(i)]) = static_cast<float>(factor) * values(i);
     return field;
@@ -89,7 +89,7 @@ class NormalProblem {
   }
 
   float load_row(const Field& even) const {
-    return static_cast<float>(problem_.load.of_pressure.cast<float>().dot(even) / force_scale());
+    return static_cast<float>(sphere_.of_load.cast<float>().dot(even) / force_scale());
   }
 
   Field precondition_gaps(const Field& right_side) {
@@ -118,10 +118,9 @@ class NormalProblem {
     return x;
   }
 
-  const ContactProblem& problem_;
+  const PressedSphere& sphere_;
   const InfluenceOperator& influence_;
   const EdgePressure& edge_;
-  const Vector& wanted_;  // B less the displacement by shear [m]
   Eigen::Index nodes_;
   Field of_approach_;
   float per_load_ = 0;
@@ -140,49 +139,32 @@ double cells_on_half(const EdgeCurve& curve, const SurfaceGrid& grid) {
 
 }  // namespace
 
-double EdgeCorrection::resistance(const ContactPowers& powers) const {
-  constexpr double better_conditioned = 10;
-  const double resultants = powers.resultants + trust * change;
-  const double share = share_of_losses(resultants * std::pow(better_conditioned, trust), powers.halves);
-  return resultants + share * (powers.losses() - resultants);
-}
-
-EdgeCorrection edge_correction(const ContactProblem& problem, const InfluenceOperator& influence,
-                               const ContactUnknowns& x) {
-  if (!problem.lateral || problem.scene.kinematics != Kinematics::consistent ||
-      problem.scene.adhesion_threshold > 0 || !problem.load_given())
-    return {};
-  const SurfaceGrid& grid = problem.grid;
-  Vector wanted = problem.profile;
-  if (problem.friction) {
-    const Displacements by_shear = influence.apply(Vector::Zero(grid.size()), x.shear_x, x.shear_y);
-    for (Eigen::Index row = 0; row < grid.rows; ++row)
-      wanted.segment(row * grid.columns, grid.columns) -= by_shear.w.segment(row * (grid.columns + 1), grid.columns);
-  }
+EdgeCorrection edge_correction(const PressedSphere& sphere, const Vector& even_pressure, double approach) {
+  const SurfaceGrid& grid = sphere.half;
   // How far outside its place the pressure of even cells shows the edge, on Hertz's contact on 241 to 2353 nodes:
   // 0.031 to 0.037.
   constexpr EdgeRing of_even_cells{2, 5.5, 0.034}, of_uneven_cells{0.5, 5, 0};
   constexpr int passes = 3;
-  EdgeCurve curve = edge_around(grid, x.pressure, of_even_cells);
-  Vector pressure = x.pressure;
-  double approach = x.approach, before = RollingSolution::absent, change = before;
+  EdgeCurve curve = edge_around(grid, even_pressure, of_even_cells);
+  Vector pressure = even_pressure;
+  double before = RollingSolution::absent, change = before;
   for (int pass = 0; pass < passes; ++pass) {
     if (!curve.known()) return {};
-    const EdgePressure edge(problem.scene, grid, curve);
+    const EdgePressure edge(sphere.scene, grid, curve);
     if (!edge.fits()) return {};
     Vector inside = Vector::Zero(grid.size());
     for (const Eigen::Index node : edge.contact()) inside(node) = pressure(node);
     pressure = std::move(inside);
-    if (!NormalProblem(problem, influence, edge, wanted).solve(pressure, approach)) return {};
+    if (!NormalProblem(sphere, edge).solve(pressure, approach)) return {};
     for (const Eigen::Index node : edge.contact())
       if (!(pressure(node) > 0)) return {};
     before = change;
-    change = problem.resistance(edge.even(pressure) - x.pressure, {}, x.rotation_ratio);
+    change = sphere.of_resistance.dot(edge.even(pressure) - even_pressure);
     if (pass + 1 < passes) curve = edge_around(grid, edge.of_cells(pressure), of_uneven_cells);
   }
   constexpr double of_change = 0.25, of_resistance = 2e-4;
   constexpr double too_coarse = 12, fine_enough = 16;  // cells: below, the ring is as wide as the contact
-  const double resistance = problem.resistance(x.pressure, x.shear_x, x.rotation_ratio);
+  const double resistance = sphere.of_resistance.dot(even_pressure) + sphere.resistance_of_shear;
   const double allowed = of_change * std::abs(change) + of_resistance * std::abs(resistance);
   const double agrees = smooth_step(1.5 - std::abs(change - before) / allowed);
   const double resolves = smooth_step((cells_on_half(curve, grid) - too_coarse) / (fine_enough - too_coarse));
