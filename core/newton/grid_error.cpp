@@ -127,7 +127,7 @@ double open_half_cell(const ContactPowers& powers) {
 
 /// Of a sphere (N22a): what cells at the edge and friction's one-sided differences are known to do on such a grid, and
 /// what the last change is beyond that.
-double sphere_change(double last, const ContactPowers& powers) {
+double sphere_change(double last, const ContactPowers& powers, double edge_trust) {
   constexpr double of_edge = 2e-4, edge_order = 2.5, usual_cells = 18, of_friction = 0.8, friction_order = 1.2,
                    of_half_cell = 0.3;
   const double lever = (1 - powers.share) * powers.halves + powers.share * 10 * std::abs(powers.resistance());
@@ -141,15 +141,17 @@ double sphere_change(double last, const ContactPowers& powers) {
   const double load =
       powers.load_found ? of_load * std::abs(powers.resistance()) * std::pow(powers.cells, -load_order) : 0;
   const double beyond = std::max(0.0, last - 2.5 * (edge + friction));
-  return std::hypot(std::hypot(edge, friction, (0.36 + 0.64 * powers.share) * beyond), load);
+  constexpr double left_by_correction = 0.4;  // of what the edge's cells do
+  const double left = (1 - (1 - left_by_correction) * edge_trust) * edge;
+  return std::hypot(std::hypot(left, friction, (0.36 + 0.64 * powers.share) * beyond), load);
 }
 
 }  // namespace
 
-double expected_change(int dimension, double last, double before, const ContactPowers& powers) {
+double expected_change(int dimension, double last, double before, const ContactPowers& powers, double edge_trust) {
   const double missing = powers.missing();
-  if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers) : 0.0);
-  if (dimension == 3) return sphere_change(last, powers);
+  if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers, edge_trust) : 0.0);
+  if (dimension == 3) return sphere_change(last, powers, edge_trust);
   if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
   constexpr double all = 0.42, of_before = 0.3, of_missing = 0.75;  // calibrated, as (N22) says
   return all * std::hypot(std::hypot(last, of_before * before), of_missing * missing, open_half_cell(powers));

@@ -30,8 +30,8 @@ double expected_change(int dimension, double last, double before);
 
 /// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
 /// friction takes falls with the spacing, the viscous loss faster. Of a sphere the number of cells tells most, as its
-/// error is the chance by which cells meet the edge.
-double expected_change(int dimension, double last, double before, const ContactPowers& powers);
+/// error is the chance by which cells meet the edge. @param edge_trust of the correction (edge_correction.hpp)
+double expected_change(int dimension, double last, double before, const ContactPowers& powers, double edge_trust = 0);
 
 /// The same of a cylinder on tied grids (grid_series.hpp), where changes are regular, and how quickly they fall tells
 /// what is to come; where nodes stick, friction's power is open by what half a cell is to it (N22b).

@@ -150,14 +150,14 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
   const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
-                              : expected_change(dimensions(finest.problem->scene), last, change_before, finest.powers);
-  constexpr double left_by_edge = 0.5;  // at least, on average far less
-  const double left = 1 - (1 - left_by_edge) * finest.edge.trust;
-  return left * error.estimate(resistance, to_come) + rounding * finest.powers.halves;
+                              : expected_change(dimensions(finest.problem->scene), last, change_before, finest.powers,
+                                                finest.edge.trust);
+  return error.estimate(resistance, to_come) + rounding * finest.powers.halves;
 }
 
 double NestedOutcome::error_estimate() const {
-  const ContactPowers& powers = finest.powers;
+  ContactPowers powers = finest.powers;
+  powers.take(finest.edge);
   const double estimate = error_estimate(finest.error, powers.resistance()) / powers.scale();
   const double missing = (1 - finest.error.slow_share) * powers.missing() / powers.scale();
   const bool resists = std::abs(powers.resistance()) >= negligible_resistance * powers.halves;
