@@ -57,7 +57,8 @@ class EdgeAssembly {
       const Lifted here = lifted(row, x), next = lifted(row, x + grid_.spacing_x);
       const double xx = here.xx - next.xx, xy = here.xy - next.xy, yy = here.yy - next.yy;
       // As the traction over sqrt(F) of this cell and of the next one behind says.
-      const EdgeCell* const behind = cells_.loaded(cell.column - 1, cell.row) ? cells_.at(cell.column - 1, cell.row) : nullptr;
+      const EdgeCell* const behind =
+          cells_.loaded(cell.column - 1, cell.row) ? cells_.at(cell.column - 1, cell.row) : nullptr;
       const double of_behind = behind ? behind->borne : 0;
       // In a row that the contact just touches there is none behind, and what little lies in this one tells nothing.
       constexpr double told = 0.05;  // of sqrt(F) a cell inside of the edge

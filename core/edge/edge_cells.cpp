@@ -101,7 +101,8 @@ void EdgeCells::share_out() {
     std::vector<std::size_t> bearers;
     for (const auto& [columns, rows] : {std::pair{-1, 0}, std::pair{1, 0}, std::pair{0, -1}, std::pair{0, 1}}) {
       const int column = cells_[i].column + columns, row = cells_[i].row + rows;
-      if (loaded(column, row) && at(column, row)) bearers.push_back(static_cast<std::size_t>(at(column, row) - cells_.data()));
+      if (loaded(column, row) && at(column, row))
+        bearers.push_back(static_cast<std::size_t>(at(column, row) - cells_.data()));
     }
     for (const std::size_t at : bearers) {
       EdgeCell& bearer = cells_[at];

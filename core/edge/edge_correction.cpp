@@ -35,11 +35,10 @@ class NormalProblem {
       }
       missing(nodes_) = (load() - sphere_.of_load.dot(edge_.even(pressure))) / force_scale();
       const double gap = missing.head(nodes_).norm() * influence_.self_normal() / std::sqrt(nodes_);
-      if (gap < enough * approach && std::abs(missing(nodes_)) * force_scale() < enough * load())
-        return true;
-      const KrylovResult<float> found = gmres<float>([&](const Field& x) { return apply(x); },
-                                                     [&](const Field& x) { return precondition(x); },
-                                                     missing.cast<float>(), forcing, most_vectors);
+      if (gap < enough * approach && std::abs(missing(nodes_)) * force_scale() < enough * load()) return true;
+      const KrylovResult<float> found =
+          gmres<float>([&](const Field& x) { return apply(x); }, [&](const Field& x) { return precondition(x); },
+                       missing.cast<float>(), forcing, most_vectors);
       if (!found.x.allFinite()) return false;
       for (Eigen::Index i = 0; i < nodes_; ++i)
         pressure(edge_.contact()[static_cast<std::size_t>(i)]) += static_cast<double>(found.x(i));

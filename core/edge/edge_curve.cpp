@@ -95,8 +95,8 @@ EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure) {
 
 namespace {
 
-/// The mean of sqrt(distance) over a unit cell, by the distance of its centre inside a straight edge with a unit normal;
-/// cells and normals as the edge's.
+/// The mean of sqrt(distance) over a unit cell, by the distance of its centre inside a straight edge with a unit
+/// normal; cells and normals as the edge's.
 double mean_of_root(double distance, double normal_x, double normal_y) {
   const double x = std::abs(normal_x), y = std::abs(normal_y), large = std::max(x, y), small = std::min(x, y);
   const auto power = [](double inside, double exponent) { return inside > 0 ? std::pow(inside, exponent) : 0; };
@@ -170,8 +170,8 @@ class PolarEdge {
         const double inside = (cosine_series(radius_, angle) - r), distance = inside / (steep * cell_);
         const double weight = weight_in(ring, distance);
         if (!(weight > 0)) continue;
-        const double at_node = value * std::sqrt(distance) /
-                               mean_of_root(distance, x / (length_ * r * steep), y / (width_ * r * steep));
+        const double at_node =
+            value * std::sqrt(distance) / mean_of_root(distance, x / (length_ * r * steep), y / (width_ * r * steep));
         squares.push_back(weight * at_node * at_node);
         Vector terms(3 * terms_);
         const double depth = inside * length_ / cell_;
@@ -188,8 +188,7 @@ class PolarEdge {
     if (static_cast<double>(count) < least_per_term * static_cast<double>(3 * terms_)) return RollingSolution::absent;
     Eigen::MatrixXd matrix(count, 3 * terms_);
     for (Eigen::Index i = 0; i < count; ++i) matrix.row(i) = rows[static_cast<std::size_t>(i)];
-    const Vector fit =
-        matrix.householderQr().solve(Eigen::Map<const Vector>(squares.data(), count));
+    const Vector fit = matrix.householderQr().solve(Eigen::Map<const Vector>(squares.data(), count));
     Vector moved(static_cast<Eigen::Index>(angles_.size()));
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       const double value = cosine_series(fit.head(terms_), angles_[i]);
@@ -260,8 +259,8 @@ EdgeCurve edge_around(const SurfaceGrid& grid, const Vector& pressure, const Edg
   const double cells = edge.cells();
   for (int move = 0; move < moves; ++move) {
     const bool first = move == 0;
-    const double moved =
-        edge.follow(first ? EdgeRing{std::max(ring.from, wide_from * cells), std::max(ring.to, wide_to * cells), 0} : ring);
+    const double moved = edge.follow(
+        first ? EdgeRing{std::max(ring.from, wide_from * cells), std::max(ring.to, wide_to * cells), 0} : ring);
     if (!(moved < (first ? of_first_move : of_next_moves) * cells)) return {};
   }
   return edge.curve(ring.beyond);

@@ -15,9 +15,7 @@ namespace {
 struct Stencil {
   std::array<double, 9> weights{};
   double& operator()(int column, int row) { return weights[static_cast<std::size_t>(3 * (row + 1) + column + 1)]; }
-  double operator()(int column, int row) const {
-    return weights[static_cast<std::size_t>(3 * (row + 1) + column + 1)];
-  }
+  double operator()(int column, int row) const { return weights[static_cast<std::size_t>(3 * (row + 1) + column + 1)]; }
 };
 
 /// First and second moments of a traction of unit force about a node, less those of an even cell [cells, cells^2].
@@ -56,8 +54,8 @@ struct Moments {
 
 class EdgePressure::Assembly {
  public:
-  Assembly(const RollingScene& scene, const SurfaceGrid& grid, const EdgeCurve& curve,
-           const std::vector<char>& inside, EdgePressure& result)
+  Assembly(const RollingScene& scene, const SurfaceGrid& grid, const EdgeCurve& curve, const std::vector<char>& inside,
+           EdgePressure& result)
       : grid_(grid), cells_(grid, curve, inside), result_(result) {
     const SteadySurface surface(scene);
     compliance_ = surface.half_spaces(surface.moduli(1 / grid.spacing_x)).normal.real();
@@ -96,8 +94,8 @@ class EdgePressure::Assembly {
     const int target_row = row + beside.rows;
     if (target_row < 0) return;  // the image of what goes to the other side
     const double images = target_row == 0 && row > 0 ? 2 : 1;
-    result_.spread_.push_back({node + beside.columns + static_cast<Eigen::Index>(beside.rows) * grid_.columns, source,
-                               images * value});
+    result_.spread_.push_back(
+        {node + beside.columns + static_cast<Eigen::Index>(beside.rows) * grid_.columns, source, images * value});
   }
 
   void add_edge_cell(const EdgeCell& cell, Eigen::Index node) {
@@ -107,7 +105,8 @@ class EdgePressure::Assembly {
       const EdgeCell& other = cells_.all()[i];
       const int columns = other.column - cell.column, rows = other.row - cell.row;
       moments.add(other.shape, share / cell.borne, columns, rows, false);
-      if (rows != 0 && EdgeCells::images_on(cell) > 1) moments.add(other.shape, share / cell.borne, columns, -rows, true);
+      if (rows != 0 && EdgeCells::images_on(cell) > 1)
+        moments.add(other.shape, share / cell.borne, columns, -rows, true);
     }
     const Stencil stencil = moments.stencil();
     for (int row = -1; row <= 1; ++row)
@@ -122,8 +121,7 @@ class EdgePressure::Assembly {
           if (!cells_.loaded(column, row)) continue;
           double more = cells_.unevenness(cell, column, row, image).over_r;
           for (int j = -1; j <= 1; ++j)
-            for (int i = -1; i <= 1; ++i)
-              more -= stencil(i, j) * even(column - cell.column - i, row - from - sign * j);
+            for (int i = -1; i <= 1; ++i) more -= stencil(i, j) * even(column - cell.column - i, row - from - sign * j);
           result_.near_.push_back({grid_.index(column, row), node, per * more});
         }
     }

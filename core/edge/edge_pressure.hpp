@@ -13,8 +13,8 @@
 
 namespace rollres {
 
-/// Operators on pressures of the cells of a half grid whose nodes lie inside the edge; a cell that only reaches into the
-/// contact leaves its part to them.
+/// Operators on pressures of the cells of a half grid whose nodes lie inside the edge; a cell that only reaches into
+/// the contact leaves its part to them.
 class EdgePressure {
  public:
   EdgePressure(const RollingScene& scene, const SurfaceGrid& half, const EdgeCurve& curve);

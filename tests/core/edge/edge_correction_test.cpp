@@ -41,7 +41,8 @@ TEST_CASE("with the edge inside the cells a sphere's resistance is the same on a
   CHECK(worst_even > 4e-3);
 }
 
-TEST_CASE("the answer has the correction of its edge, and forces and torque that go with it", "[core][edge_correction]") {
+TEST_CASE("the answer has the correction of its edge, and forces and torque that go with it",
+          "[core][edge_correction]") {
   const RollingScene scene = consistent_sphere();
   const RollingSolution coarse = solve(scene);
   CHECK(coarse.rolling_resistance == Approx(3.08257).epsilon(1e-4));

@@ -12,7 +12,8 @@
 
 using namespace rollres;
 
-TEST_CASE("uneven cells under Hertz's pressure move a half-space as Hertz says, up to the edge", "[core][edge_pressure]") {
+TEST_CASE("uneven cells under Hertz's pressure move a half-space as Hertz says, up to the edge",
+          "[core][edge_pressure]") {
   RollingScene scene;
   scene.indenter = Indenter::sphere;
   scene.radius = 1;
