@@ -95,13 +95,13 @@ EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure) {
 
 namespace {
 
-/// The mean of sqrt(distance) over a unit cell, by the distance of its centre inside a straight edge with a unit
-/// normal; cells and normals as the edge's.
-double mean_of_root(double distance, double normal_x, double normal_y) {
-  const double x = std::abs(normal_x), y = std::abs(normal_y), large = std::max(x, y), small = std::min(x, y);
+/// The mean of sqrt(distance) over a cell, by the distance of its centre inside a straight edge, and by how much that
+/// changes from one side of the cell to the other, along x and along y.
+double mean_of_root(double distance, double along_x, double along_y) {
+  const double x = std::abs(along_x), y = std::abs(along_y), large = std::max(x, y), small = std::min(x, y);
   const auto power = [](double inside, double exponent) { return inside > 0 ? std::pow(inside, exponent) : 0; };
   constexpr double aligned = 1e-2;
-  if (small < aligned)
+  if (small < aligned * large)
     return 2.0 / 3 * (power(distance + 0.5 * large, 1.5) - power(distance - 0.5 * large, 1.5)) / large;
   double sum = 0;
   for (const double i : {-0.5, 0.5})
@@ -170,8 +170,10 @@ class PolarEdge {
         const double inside = (cosine_series(radius_, angle) - r), distance = inside / (steep * cell_);
         const double weight = weight_in(ring, distance);
         if (!(weight > 0)) continue;
-        const double at_node =
-            value * std::sqrt(distance) / mean_of_root(distance, x / (length_ * r * steep), y / (width_ * r * steep));
+        const double per_cell = 1 / (r * steep * cell_);
+        const double mean = mean_of_root(distance, x / length_ * grid_.spacing_x * per_cell,
+                                         y / width_ * grid_.spacing_y * per_cell);
+        const double at_node = value * std::sqrt(distance) / mean;
         squares.push_back(weight * at_node * at_node);
         Vector terms(3 * terms_);
         const double depth = inside * length_ / cell_;
