@@ -171,7 +171,8 @@ double GridError::estimate(double resistance, double change) const {
   return 1.25 * (1 - slow_share * viscous) * change + 0.3 * (1 - slow_share) * unresolved + slow_share * slow_error;
 }
 
-GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone) {
+GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
+                     const ContactPowers& powers) {
   const RollingScene& scene = problem.scene;
   const CreepSpectrum creep = creep_spectrum(scene);
   const CreepMoments moments = creep_moments(creep);
@@ -211,13 +212,13 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   // not.
   error.slow_share =
       std::max(0.0, square / (square + error.slow_error * error.slow_error) - least_share) / (1 - least_share);
+  const double friction = std::abs(powers.friction / powers.resistance());
+  if (friction > 0) error.slow_share *= std::clamp(2 - friction / negligible_friction, 0.0, 1.0);
   return error;
 }
 
-void take_slow_rolling(const RollingScene& scene, GridError& error, const ContactPowers& powers,
+void take_slow_rolling(const RollingScene& scene, const GridError& error, const ContactPowers& powers,
                        RollingSolution& solution) {
-  const double friction = std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed));
-  if (friction > 0) error.slow_share *= std::clamp(2 - friction / negligible_friction, 0.0, 1.0);
   warn_of_memory(error, solution);
   if (error.slow_share <= 0) return;
   const SurfaceFields& fields = solution.fields;

@@ -37,12 +37,13 @@ double expected_change(int dimension, double last, double before, const ContactP
 /// what is to come; where nodes stick, friction's power is open by what half a cell is to it (N22b).
 double expected_change_of_tied_line(double last, double before, const ContactPowers& powers);
 
-/// @param pressure on the problem's (half) grid [Pa]
-GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone);
+/// Much friction reduces the share of slow rolling. @param pressure on the problem's (half) grid [Pa]
+GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
+                     const ContactPowers& powers);
 
-/// Puts the slow-rolling resistance into a solution, by its share, which much friction reduces: R_r, what drives it,
-/// and the viscous loss. Shear tractions add to (N18) as in (N20).
-void take_slow_rolling(const RollingScene& scene, GridError& error, const ContactPowers& powers,
+/// Puts the slow-rolling resistance into a solution, by its share: R_r, what drives it, and the viscous loss.
+/// Shear tractions add to (N18) as in (N20).
+void take_slow_rolling(const RollingScene& scene, const GridError& error, const ContactPowers& powers,
                        RollingSolution& solution);
 
 }  // namespace rollres

@@ -55,7 +55,7 @@ void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double bor
 void measure(ContactLevel& level) {
   const NewtonOutcome& outcome = level.outcome;
   level.powers = contact_powers(*level.problem, outcome.moved, outcome.unknowns, outcome.zone);
-  level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone);
+  level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone, level.powers);
 }
 
 /// None with the paper's kinematics, whose grid is the paper's, with adhesion, or where the load is not given.

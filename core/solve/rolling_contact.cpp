@@ -127,9 +127,8 @@ RollingSolution answer_from(const NestedOutcome& nested, const RollingScene& sce
                               ? summed(*level.influence)
                               : summed(InfluenceOperator(scene, *level.table, level.problem->grid, true));
     solution = std::move(answer.solution);
-    GridError error = level.error;
-    take_slow_rolling(scene, error, answer.powers, solution);
-    set_error(nested.error_estimate(error, solution.rolling_resistance), solution);
+    take_slow_rolling(scene, level.error, answer.powers, solution);
+    set_error(nested.error_estimate(level.error, solution.rolling_resistance), solution);
     if (scene.tolerance && !(solution.rolling_resistance_error <= *scene.tolerance * answer.powers.scale())) {
       std::ostringstream text;
       text << "the tolerance " << *scene.tolerance << " was not reached with " << solution.contact_nodes
@@ -200,7 +199,7 @@ PaperAnswer solve_paper(const RollingScene& scene, double spacing) {
       solution = std::move(summed.solution);
       answer.powers = summed.powers;
       solution.law_violation = std::max(solution.law_violation, asymmetry);
-      answer.error = grid_error(problem, unknowns.pressure, zone);
+      answer.error = grid_error(problem, unknowns.pressure, zone, answer.powers);
     }
     solution.status = state.status;
     solution.reason = state.reason;
