@@ -22,10 +22,11 @@ class NormalProblem {
     prepare_border();
   }
 
-  /// Solves for pressure and approach from a start; false where it does not get there.
-  bool solve(Vector& pressure, double& approach) {
+  /// Solves for pressure and approach from a start, to gaps below a part of the approach; false where it does not get
+  /// there.
+  bool solve(Vector& pressure, double& approach, double enough) {
     constexpr int most_refinements = 6, most_vectors = 60;
-    constexpr double forcing = 1e-3, enough = 1e-8;  // of the approach
+    constexpr double forcing = 1e-3;
     for (int refinement = 0; refinement < most_refinements; ++refinement) {
       const Vector moved = displacements(pressure);
       Vector missing(nodes_ + 1);  // gaps over the response of a node to itself, load over its scale
@@ -154,17 +155,19 @@ EdgeCorrection edge_correction(const PressedSphere& sphere, const Vector& even_p
     Vector inside = Vector::Zero(grid.size());
     for (const Eigen::Index node : edge.contact()) inside(node) = pressure(node);
     pressure = std::move(inside);
-    if (!NormalProblem(sphere, edge).solve(pressure, approach)) return {};
+    // The last pass settles R_r; those before only the edge.
+    constexpr double of_edge = 1e-6, of_resistance = 1e-8;
+    if (!NormalProblem(sphere, edge).solve(pressure, approach, pass + 1 < passes ? of_edge : of_resistance)) return {};
     for (const Eigen::Index node : edge.contact())
       if (!(pressure(node) > 0)) return {};
     before = change;
     change = sphere.of_resistance.dot(edge.even(pressure) - even_pressure);
     if (pass + 1 < passes) curve = edge_around(grid, edge.of_cells(pressure), of_uneven_cells);
   }
-  constexpr double of_change = 0.25, of_resistance = 2e-4;
+  constexpr double of_change = 0.25, of_whole = 2e-4;
   constexpr double too_coarse = 12, fine_enough = 16;  // cells: below, the ring is as wide as the contact
   const double resistance = sphere.of_resistance.dot(even_pressure) + sphere.resistance_of_shear;
-  const double allowed = of_change * std::abs(change) + of_resistance * std::abs(resistance);
+  const double allowed = of_change * std::abs(change) + of_whole * std::abs(resistance);
   const double agrees = smooth_step(1.5 - std::abs(change - before) / allowed);
   const double resolves = smooth_step((cells_on_half(curve, grid) - too_coarse) / (fine_enough - too_coarse));
   return {change, agrees * resolves};

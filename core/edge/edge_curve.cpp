@@ -166,23 +166,19 @@ class PolarEdge {
         if (!(value > 0)) continue;
         const double x = (grid_.x(column) - centre_) / length_, y = grid_.y(row) / width_, r = std::hypot(x, y);
         if (!(r > 0)) continue;
-        const double angle = std::atan2(y, x), steep = std::hypot(x / length_, y / width_) / r;
-        const double inside = (cosine_series(radius_, angle) - r), distance = inside / (steep * cell_);
+        const Vector cosines = cosines_of_multiples(x / r);
+        const double steep = std::hypot(x / length_, y / width_) / r;
+        const double inside = radius_.dot(cosines) - r, distance = inside / (steep * cell_);
         const double weight = weight_in(ring, distance);
         if (!(weight > 0)) continue;
         const double per_cell = 1 / (r * steep * cell_);
-        const double mean = mean_of_root(distance, x / length_ * grid_.spacing_x * per_cell,
-                                         y / width_ * grid_.spacing_y * per_cell);
+        const double mean =
+            mean_of_root(distance, x / length_ * grid_.spacing_x * per_cell, y / width_ * grid_.spacing_y * per_cell);
         const double at_node = value * std::sqrt(distance) / mean;
         squares.push_back(weight * at_node * at_node);
-        Vector terms(3 * terms_);
         const double depth = inside * length_ / cell_;
-        for (Eigen::Index k = 0; k < terms_; ++k) {
-          const double cosine = weight * std::cos(static_cast<double>(k) * angle);
-          terms(k) = cosine;
-          terms(terms_ + k) = cosine * depth;
-          terms(2 * terms_ + k) = cosine * depth * depth;
-        }
+        Vector terms(3 * terms_);
+        terms << weight * cosines, weight * depth * cosines, weight * depth * depth * cosines;
         rows.push_back(std::move(terms));
       }
     constexpr double least_per_term = 2;
@@ -240,6 +236,14 @@ class PolarEdge {
   }
 
  private:
+  /// cos k angle, from cos angle.
+  Vector cosines_of_multiples(double cosine) const {
+    Vector cosines(terms_);
+    for (Eigen::Index k = 0; k < terms_; ++k)
+      cosines(k) = k == 0 ? 1 : k == 1 ? cosine : 2 * cosine * cosines(k - 1) - cosines(k - 2);
+    return cosines;
+  }
+
   const SurfaceGrid& grid_;
   const Vector& pressure_;
   Eigen::Index terms_;
