@@ -10,7 +10,6 @@
 #include "tests/catch.hpp"
 #include "tests/core/edge/edge_circle.hpp"
 #include "tests/core/paper_scenes.hpp"
-#include "tests/infinite.hpp"
 #include "tests/source_directory.hpp"
 
 using namespace rollres;
@@ -51,15 +50,7 @@ TEST_CASE("with its edge an elliptical shear on a half-space moves the surface a
   // Johnson (1985), eqs. 3.91: u = pi q0/(32 G a) (4 (2 - nu) a^2 - (4 - 3 nu) x^2 - (4 - nu) y^2), v = pi q0/(32 G a)
   // 2 nu x y under q0 sqrt(1 - r^2/a^2) along x.
   for (const double nu : {0.5, 0.2}) {
-    RollingScene scene;
-    scene.indenter = Indenter::sphere;
-    scene.radius = 1;
-    scene.layer_thickness = infinite;
-    scene.poisson_ratio = nu;
-    scene.material = MaterialModel::elastic;
-    scene.static_shear_modulus = 1;
-    scene.speed = 1;
-    scene.load = 1;
+    RollingScene scene = on_half_space(nu);
     scene.friction_coefficient = 1;
     const Circle circle(1e-3);
     const SurfaceGrid& half = circle.half;

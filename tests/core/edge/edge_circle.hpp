@@ -6,7 +6,23 @@
 #include <cmath>
 
 #include "core/edge/edge_curve.hpp"
+#include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
+#include "tests/infinite.hpp"
+
+/// A sphere of radius 1 on an elastic half-space of modulus 1.
+inline rollres::RollingScene on_half_space(double poisson_ratio) {
+  rollres::RollingScene scene;
+  scene.indenter = rollres::Indenter::sphere;
+  scene.radius = 1;
+  scene.layer_thickness = infinite;
+  scene.poisson_ratio = poisson_ratio;
+  scene.material = rollres::MaterialModel::elastic;
+  scene.static_shear_modulus = 1;
+  scene.speed = 1;
+  scene.load = 1;
+  return scene;
+}
 
 /// Its centre lies beside the nodes: semi-axes of 12.3 cells, unless told.
 struct Circle {

@@ -8,21 +8,12 @@
 #include "core/newton/contact_problem.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/edge/edge_circle.hpp"
-#include "tests/infinite.hpp"
 
 using namespace rollres;
 
 TEST_CASE("uneven cells under Hertz's pressure move a half-space as Hertz says, up to the edge",
           "[core][edge_pressure]") {
-  RollingScene scene;
-  scene.indenter = Indenter::sphere;
-  scene.radius = 1;
-  scene.layer_thickness = infinite;
-  scene.poisson_ratio = 0.3;
-  scene.material = MaterialModel::elastic;
-  scene.static_shear_modulus = 1;
-  scene.speed = 1;
-  scene.load = 1;
+  const RollingScene scene = on_half_space(0.3);
   const Circle circle(1e-3);
   const SurfaceGrid& half = circle.half;
   const double a = half.spacing_x;
@@ -69,15 +60,7 @@ TEST_CASE("uneven cells under Hertz's pressure move a half-space as Hertz says, 
 }
 
 TEST_CASE("a contact at the border of its grid does not fit", "[core][edge_pressure]") {
-  RollingScene scene;
-  scene.indenter = Indenter::sphere;
-  scene.radius = 1;
-  scene.layer_thickness = infinite;
-  scene.material = MaterialModel::elastic;
-  scene.static_shear_modulus = 1;
-  scene.speed = 1;
-  scene.load = 1;
   Circle circle(1e-3);
   circle.half.rows = 12;
-  CHECK_FALSE(EdgePressure(scene, circle.half, circle.curve()).fits());
+  CHECK_FALSE(EdgePressure(on_half_space(0.5), circle.half, circle.curve()).fits());
 }
