@@ -6,6 +6,7 @@
 #include "core/convolution/krylov_operator.hpp"
 #include "core/edge/edge_pressure.hpp"
 #include "core/numerics/krylov.hpp"
+#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 
@@ -137,6 +138,22 @@ double cells_on_half(const EdgeCurve& curve, const SurfaceGrid& grid) {
   return std::min(std::sqrt(std::max(curve.squared_length(0), 0.0)) / grid.spacing_x, curve.unit / grid.spacing_y);
 }
 
+/// 1 where no memory of the materials at the contact is some cells long: p^2 is no parabola over the ring then.
+double smooth_over_ring(const PressedSphere& sphere) {
+  constexpr double too_long = 0.2, too_short = 10, long_enough = 16;  // cells
+  constexpr double negligible = 0.1;                                  // part of the compliance
+  const CreepSpectrum creep = near_spectrum(sphere.scene);
+  double whole = creep.instantaneous, between = 0;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    const double cells = sphere.scene.speed * term.time / sphere.half.spacing_x;
+    const double resolved = smooth_step((cells - too_short) / (long_enough - too_short));
+    const double as_elastic = smooth_step(2 - cells / too_long);
+    whole += term.compliance;
+    between += term.compliance * (1 - std::max(resolved, as_elastic));
+  }
+  return smooth_step(1.5 - between / (negligible * whole));
+}
+
 }  // namespace
 
 EdgeCorrection edge_correction(const PressedSphere& sphere, const Vector& even_pressure, double approach) {
@@ -170,7 +187,7 @@ EdgeCorrection edge_correction(const PressedSphere& sphere, const Vector& even_p
   const double allowed = of_change * std::abs(change) + of_whole * std::abs(resistance);
   const double agrees = smooth_step(1.5 - std::abs(change - before) / allowed);
   const double resolves = smooth_step((cells_on_half(curve, grid) - too_coarse) / (fine_enough - too_coarse));
-  return {change, agrees * resolves};
+  return {change, agrees * resolves * smooth_over_ring(sphere)};
 }
 
 }  // namespace rollres
