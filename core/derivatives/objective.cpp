@@ -42,7 +42,7 @@ Variable variable_of(const RollingScene& base, const Quantity& quantity, const s
   for (const std::optional<double>& bound : {choice.lowest, choice.highest})
     if (bound) require(!std::isnan(*bound), choice.key, *bound, "a bound must be a number");
 
-  Variable variable{quantity, range.lowest, range.highest, false, 1};
+  Variable variable{quantity, range.lowest, range.highest, Scaling::linear, 1};
   if (range.lowest_excluded) variable.lowest = std::nextafter(range.lowest, range.highest);
   if (choice.lowest) variable.lowest = std::max(variable.lowest, *choice.lowest);
   if (choice.highest) variable.highest = std::min(variable.highest, *choice.highest);
@@ -50,8 +50,9 @@ Variable variable_of(const RollingScene& base, const Quantity& quantity, const s
   require(variable.lowest != variable.highest, choice.key, *value, "must have room between its bounds");
 
   const bool positive_quantity = range.lowest == 0 && (range.lowest_excluded || quantity.unit != "1");
-  variable.logarithmic = choice.logarithmic.value_or(positive_quantity && *value > 0);
-  require(!variable.logarithmic || (*value > 0 && variable.lowest >= 0), choice.key, *value,
+  const bool logarithmic = choice.logarithmic.value_or(positive_quantity && *value > 0);
+  if (logarithmic) variable.scaling = Scaling::logarithmic;
+  require(!logarithmic || (*value > 0 && variable.lowest >= 0), choice.key, *value,
           "must be > 0 within its bounds to be varied in its logarithm");
   variable.size = *value != 0 ? std::abs(*value) : natural_size(base, quantity);
   return variable;
@@ -60,17 +61,44 @@ Variable variable_of(const RollingScene& base, const Quantity& quantity, const s
 }  // namespace
 
 double Variable::scaled(double value) const {
-  return logarithmic ? std::log(value) : reciprocal ? -size / value : value / size;
+  switch (scaling) {
+    case Scaling::linear:
+      return value / size;
+    case Scaling::logarithmic:
+      return std::log(value);
+    case Scaling::reciprocal:
+      return -size / value;
+  }
+  return RollingSolution::absent;
 }
 
 double Variable::value(double scaled) const {
-  if (reciprocal) return scaled < 0 ? std::clamp(-size / scaled, lowest, highest) : highest;
-  return std::clamp(logarithmic ? std::exp(scaled) : scaled * size, lowest, highest);
+  if (scaling == Scaling::reciprocal) return scaled < 0 ? std::clamp(-size / scaled, lowest, highest) : highest;
+  return std::clamp(scaling == Scaling::logarithmic ? std::exp(scaled) : scaled * size, lowest, highest);
 }
 
 double Variable::scaled_step(double from, double value) const {
-  if (logarithmic) return std::log1p((value - from) / from);
-  return reciprocal ? (value - from) / from * (size / value) : (value - from) / size;
+  switch (scaling) {
+    case Scaling::linear:
+      return (value - from) / size;
+    case Scaling::logarithmic:
+      return std::log1p((value - from) / from);
+    case Scaling::reciprocal:
+      return (value - from) / from * (size / value);
+  }
+  return RollingSolution::absent;
+}
+
+double Variable::slope(double value) const {
+  switch (scaling) {
+    case Scaling::linear:
+      return size;
+    case Scaling::logarithmic:
+      return value;
+    case Scaling::reciprocal:
+      return value * value / size;
+  }
+  return RollingSolution::absent;
 }
 
 std::vector<Variable> variables_of(const RollingScene& base, const std::vector<InputChoice>& inputs) {
@@ -136,11 +164,14 @@ RollingScene scene_at(const Objective& objective, std::span<const double> point)
   assert(point.size() == objective.variables.size());
   RollingScene scene = objective.base;
   for (std::size_t i = 0; i < point.size(); ++i) assign_real(scene, objective.variables[i].quantity.key, point[i]);
-  // One method for all points: the spectral one takes incompressible layers only.
+  // One method for all points: under a coating the spectral one takes incompressible surfaces only.
   const bool varies_compressibility =
-      std::any_of(objective.variables.begin(), objective.variables.end(),
-                  [](const Variable& variable) { return decides_spectral(variable.quantity.key); });
-  if (varies_compressibility && scene.method == Method::automatic) scene.method = Method::newton;
+      std::any_of(objective.variables.begin(), objective.variables.end(), [](const Variable& variable) {
+        const std::string_view key = variable.quantity.key;
+        return key == "poisson_ratio" || key == "coating_layers[0].poisson_ratio";
+      });
+  if (varies_compressibility && !scene.coating_layers.empty() && scene.method == Method::automatic)
+    scene.method = Method::newton;
   return scene;
 }
 
@@ -148,10 +179,12 @@ void require_inside(const Objective& objective, std::span<const double> point) {
   require(point.size() == objective.variables.size(), "size of the point", static_cast<double>(point.size()),
           "must be the number of inputs that vary");
   for (std::size_t i = 0; i < point.size(); ++i) {
-    const auto& [quantity, lowest, highest, logarithmic, size, reciprocal] = objective.variables[i];
-    require(std::isfinite(point[i]) && point[i] >= lowest && point[i] <= highest, quantity.key, point[i],
+    const Variable& variable = objective.variables[i];
+    const std::string_view key = variable.quantity.key;
+    require(std::isfinite(point[i]) && point[i] >= variable.lowest && point[i] <= variable.highest, key, point[i],
             "must be inside its bounds");
-    require(!logarithmic || point[i] > 0, quantity.key, point[i], "must be > 0 to be varied in its logarithm");
+    require(variable.scaling != Scaling::logarithmic || point[i] > 0, key, point[i],
+            "must be > 0 to be varied in its logarithm");
   }
 }
 

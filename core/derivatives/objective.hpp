@@ -23,20 +23,30 @@ struct InputChoice {
   std::optional<bool> logarithmic = {};             ///< default: if it has a unit, or must be positive, and is not zero
 };
 
+/// The scaled variable of a value x.
+enum class Scaling {
+  linear,       ///< x / size
+  logarithmic,  ///< ln x
+  reciprocal    ///< -size / x, in which what saturates is nearly a straight line
+};
+template <>
+struct ChoiceNames<Scaling> {
+  static constexpr std::array<std::string_view, 3> names{"linear", "logarithmic", "reciprocal"};
+};
+
 /// An input that varies.
 struct Variable {
   Quantity quantity;
-  double lowest, highest;   ///< values from lowest to highest [SI] are allowed, both included
-  bool logarithmic;         ///< the scaled variable is ln x, otherwise x / size
-  double size;              ///< [SI] the base scene's value, or a natural unit where that is zero
-  bool reciprocal = false;  ///< the scaled variable is -size / x, in which what saturates is nearly a straight line
+  double lowest, highest;  ///< values from lowest to highest [SI] are allowed, both included
+  Scaling scaling;
+  double size;  ///< [SI] the base scene's value, or a natural unit where that is zero
 
   double scaled(double value) const;
   double value(double scaled) const;
   /// scaled(value) - scaled(from), without cancellation.
   double scaled_step(double from, double value) const;
   /// d value / d scaled [SI].
-  double slope(double value) const { return logarithmic ? value : reciprocal ? value * value / size : size; }
+  double slope(double value) const;
 };
 
 struct Objective {

@@ -126,8 +126,4 @@ std::vector<std::string_view> keys_like(std::string_view misspelt) {
   return keys;
 }
 
-bool decides_spectral(std::string_view key) {
-  return key == "poisson_ratio" || key == "coating_layers[0].poisson_ratio";
-}
-
 }  // namespace rollres

@@ -1,8 +1,8 @@
 #pragma once
 
 /// Inputs of a scene by key: its own, "radius", those of its further layers, counted from 0:
-/// "coating_layers[0].layer_thickness", and the numbers of its lists: "relaxation_moduli[2]". What reads, varies or shows
-/// an input by its key finds it here.
+/// "coating_layers[0].layer_thickness", and the numbers of its lists: "relaxation_moduli[2]". What reads, varies or
+/// shows an input by its key finds it here.
 
 #include <cstddef>
 #include <optional>
@@ -44,7 +44,8 @@ std::string_view own_key(std::string_view key);
 /// The texts live as long as the program.
 const Quantity& layer_quantity(std::string_view list, std::size_t layer, const Quantity& own);
 
-/// What a number of a list is: as the list, with its own key and symbol "g_j [2]". The texts live as long as the program.
+/// What a number of a list is: as the list, with its own key and symbol "g_j [2]". The texts live as long as the
+/// program.
 const Quantity& element_quantity(const Quantity& list, std::size_t place);
 
 /// Why the scene has no input with this key, if it would have one with more layers or a longer list; else empty.
@@ -53,9 +54,6 @@ std::string absent_layer(const RollingScene& scene, std::string_view key);
 /// Keys of inputs among which a misspelt one is looked for: all of the scene's own, and, where it looks like one of a
 /// further layer, those of that layer.
 std::vector<std::string_view> keys_like(std::string_view misspelt);
-
-/// Whether method spectral may depend on it: Poisson's ratio of a surface in contact.
-bool decides_spectral(std::string_view key);
 
 /// Walks all inputs as `visit_inputs` does, and after each list of layers the inputs of its layers.
 template <class Scene, class Visitor>

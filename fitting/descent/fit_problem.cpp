@@ -73,8 +73,9 @@ FitProblem in_logarithms(const FitProblem& problem) {
   std::vector<Variable> variables;
   for (const FitParameter& parameter : problem.parameters) {
     Variable variable = parameter.variable;
-    if (!variable.logarithmic && variable.quantity.range.lowest >= 0 && variable.lowest >= 0 && parameter.start > 0) {
-      variable.logarithmic = true;
+    if (variable.scaling == Scaling::linear && variable.quantity.range.lowest >= 0 && variable.lowest >= 0 &&
+        parameter.start > 0) {
+      variable.scaling = Scaling::logarithmic;
       variable.size = 1;
       variable.lowest = std::max(variable.lowest, smallest * parameter.start);
     }
@@ -88,7 +89,8 @@ FitProblem sized_at(const FitProblem& problem, const FitPoint& point) {
   for (std::size_t j = 0; j < problem.size(); ++j) {
     Variable variable = problem.parameters[j].variable;
     const bool vanished = std::abs(point[j]) < 1e-3 * variable.size;  // then the size is the only one there is
-    if (!variable.logarithmic && variable.quantity.range.lowest >= 0 && !vanished) variable.size = std::abs(point[j]);
+    if (variable.scaling == Scaling::linear && variable.quantity.range.lowest >= 0 && !vanished)
+      variable.size = std::abs(point[j]);
     variables.push_back(variable);
   }
   return in_variables(problem, variables);
@@ -97,8 +99,7 @@ FitProblem sized_at(const FitProblem& problem, const FitPoint& point) {
 Variable reciprocal_at(const FitParameter& parameter, double value) {
   constexpr double farthest = 1000;
   Variable variable = parameter.variable;
-  variable.logarithmic = false;
-  variable.reciprocal = true;
+  variable.scaling = Scaling::reciprocal;
   variable.size = value;
   variable.highest = std::min(variable.highest, std::max(farthest * value, parameter.start));
   return variable;

@@ -177,7 +177,8 @@ class Side : ProfileSide {
     if (to_least && fit.end[parameter] <= own.least) return {fit.end[parameter], IntervalEnd::limit};
     IntervalEnd at_limit = to_bound <= farthest() && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
     if (limit <= 0) return {bound, at_limit};
-    bool to_zero = variable.reciprocal && direction < 0 && bound == 0;  // infinitely far, and next to its limit
+    bool to_zero = variable.scaling == Scaling::reciprocal && direction < 0 &&
+                   bound == 0;  // infinitely far, and next to its limit
     if (to_zero) at_limit = IntervalEnd::limit;
     if (const auto quick = quick_end(*this, limit, other_side)) {
       bend = quick->bend;
@@ -242,7 +243,7 @@ class Side : ProfileSide {
   /// A factor of 1000, in the scaled variable.
   double farthest() const {
     constexpr double factor = 1000;
-    const bool reciprocal = problem.parameters[parameter].variable.reciprocal;
+    const bool reciprocal = problem.parameters[parameter].variable.scaling == Scaling::reciprocal;
     return !reciprocal ? std::log(factor) : direction < 0 ? factor - 1 : 1 - 1 / factor;
   }
 

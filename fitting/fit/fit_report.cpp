@@ -16,7 +16,9 @@ ConfidenceInterval linear_interval(const FitParameter& parameter, double value, 
   ConfidenceInterval interval;
   if (!std::isfinite(deviation)) return interval;
   const Variable& variable = parameter.variable;
-  const auto at = [&](double scaled) { return variable.logarithmic ? std::exp(scaled) : scaled * variable.size; };
+  const auto at = [&](double scaled) {
+    return variable.scaling == Scaling::logarithmic ? std::exp(scaled) : scaled * variable.size;
+  };
   interval.lowest = at(variable.scaled(value) - quantile * deviation);
   interval.highest = at(variable.scaled(value) + quantile * deviation);
   interval.low = interval.high = IntervalEnd::closed;
@@ -209,8 +211,9 @@ std::string weakest_direction_in_words(const FitProblem& problem, const FitError
     const Variable& variable = problem.parameters[j].variable;
     const double moved = sign * errors.weakest[static_cast<Eigen::Index>(j)] * errors.weakest_deviation;
     text += (text.empty() ? "" : " with ") + problem.parameters[j].name;
-    text += variable.logarithmic ? message_text<4>(" x ", std::exp(moved))
-                                 : message_text<4>(moved < 0 ? " - " : " + ", std::abs(moved) * variable.size);
+    text += variable.scaling == Scaling::logarithmic
+                ? message_text<4>(" x ", std::exp(moved))
+                : message_text<4>(moved < 0 ? " - " : " + ", std::abs(moved) * variable.size);
   }
   return text + " is within one standard deviation";
 }

@@ -111,14 +111,14 @@ Variable term_variable(std::string_view key, const Quantity& measured, double si
     return {{scale_key, "", "1", "factor of measured values over true ones", positive},
             std::numeric_limits<double>::min(),
             std::numeric_limits<double>::infinity(),
-            true,
+            Scaling::logarithmic,
             1};
   Quantity offset = measured;
   offset.key = offset_key;
   offset.symbol = "";
   offset.meaning = "what measured values have too much";
   offset.range = any_number;
-  return {offset, offset.range.lowest, offset.range.highest, false, size};
+  return {offset, offset.range.lowest, offset.range.highest, Scaling::linear, size};
 }
 
 FitProblem with_terms(const FitProblem& model, std::vector<MeasuredTerm> terms) {
@@ -149,7 +149,8 @@ KnownBefore smooth_step(std::size_t before, std::size_t parameter, double deviat
 std::vector<KnownBefore> known_before(const std::vector<FormerParameter>& former, const Eigen::MatrixXd& correlation) {
   // Of covariance L L^T the parameters' deviations by L^-1 are independent, each of deviation 1.
   const Eigen::LLT<Eigen::MatrixXd> factor(correlation);
-  if (factor.info() != Eigen::Success) throw std::invalid_argument("the correlations of its parameters contradict one another");
+  if (factor.info() != Eigen::Success)
+    throw std::invalid_argument("the correlations of its parameters contradict one another");
   const Eigen::MatrixXd whitening =
       factor.matrixL().solve(Eigen::MatrixXd::Identity(correlation.rows(), correlation.cols()));
   std::vector<KnownBefore> known(former.size());
@@ -169,10 +170,8 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<KnownBefore>
   FitProblem with = problem;
   const std::size_t measured = problem.data.size();
   for (const KnownBefore& one : known)
-    with.data.push_back({.value = one.mean,
-                         .deviation = one.deviation,
-                         .place = "prior of " + one.of,
-                         .set = MeasuredValue::of_prior});
+    with.data.push_back(
+        {.value = one.mean, .deviation = one.deviation, .place = "prior of " + one.of, .set = MeasuredValue::of_prior});
   with.predict_rows = [known, measured, problem](const FitPoint& point, const Rows& rows) {
     Rows own;
     for (const std::size_t row : rows)
@@ -182,8 +181,7 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<KnownBefore>
     Eigen::VectorXd values(std::ssize(rows));
     for (Eigen::Index i = 0, next = 0; i < values.size(); ++i) {
       const std::size_t row = rows[static_cast<std::size_t>(i)];
-      values[i] = row < measured ? prediction.values[next++]
-                                 : value_of(known[row - measured], point);
+      values[i] = row < measured ? prediction.values[next++] : value_of(known[row - measured], point);
     }
     prediction.values = values;
     return prediction;

@@ -47,7 +47,7 @@ struct SceneRow {
         part.variables.push_back(objective.variables[k]);
     for (Variable& one : part.variables) {
       const double here = std::abs(real_input(part.base, one.quantity.key));
-      if (!one.logarithmic && one.quantity.range.lowest >= 0 && here > 1e-3 * one.size) one.size = here;
+      if (one.scaling == Scaling::linear && one.quantity.range.lowest >= 0 && here > 1e-3 * one.size) one.size = here;
     }
     return part;
   }

@@ -23,7 +23,8 @@ FitParameter parameter(const Quantity& quantity, double start, std::string name)
       quantity.range.lowest_excluded ? std::nextafter(quantity.range.lowest, 1.0) : quantity.range.lowest;
   const bool logarithmic = quantity.range.lowest == 0 && quantity.range.highest > 1;
   return {name.empty() ? std::string(quantity.key) : std::move(name),
-          {quantity, lowest, quantity.range.highest, logarithmic, logarithmic ? 1 : start},
+          {quantity, lowest, quantity.range.highest, logarithmic ? Scaling::logarithmic : Scaling::linear,
+           logarithmic ? 1 : start},
           start};
 }
 

@@ -31,7 +31,7 @@ PronySeries series_at(PronySeries series, const FitPoint& point) {
 /// A modulus that may be 0, in parts of what the material has at its time.
 FitParameter linear_parameter(const Quantity& quantity, double value, double size, std::string name) {
   constexpr double off = 1.1;  // a fit that ends where it starts is no fit
-  return {std::move(name), {quantity, 0, quantity.range.highest, false, size}, off * value};
+  return {std::move(name), {quantity, 0, quantity.range.highest, Scaling::linear, size}, off * value};
 }
 
 std::vector<FitParameter> series_parameters(const PronySeries& series) {

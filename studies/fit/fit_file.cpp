@@ -278,7 +278,7 @@ std::vector<KnownBefore> known_of(const FitRecord& former, const std::vector<Fit
   for (std::size_t j = 0; j < parameters.size(); ++j)
     for (const FitParameterRecord& one : former.parameters) {
       if (one.name != parameters[j].name || one.fixed) continue;
-      const bool logarithm = parameters[j].variable.logarithmic;
+      const bool logarithm = parameters[j].variable.scaling == Scaling::logarithmic;
       const double error = trusted_error(one);
       known.push_back({j, logarithm, one.value, logarithm ? error / one.value : error, one.name});
     }
@@ -288,7 +288,8 @@ std::vector<KnownBefore> known_of(const FitRecord& former, const std::vector<Fit
   for (const FitCorrelationRecord& pair : former.correlations)
     for (Eigen::Index i = 0; i < count; ++i)
       for (Eigen::Index k = 0; k < count; ++k)
-        if (known[static_cast<std::size_t>(i)].name == pair.first && known[static_cast<std::size_t>(k)].name == pair.second)
+        if (known[static_cast<std::size_t>(i)].name == pair.first &&
+            known[static_cast<std::size_t>(k)].name == pair.second)
           correlation(i, k) = correlation(k, i) = pair.correlation;
   return known_before(known, correlation);
 }
@@ -302,8 +303,8 @@ FitProblem problem_of(const FitFile& file, const Evaluate& evaluate, int jobs) {
         resistance_problem(file.scenes, started, evaluate, {.output = file.output, .jobs = jobs, .step = file.step});
     if (file.options.starts > 1) add_closed_forms(posed, file.scenes, started, file.output);
     if (!file.former) return posed;
-    return with_priors(posed, refusing_at("prior " + file.former->name,
-                                          [&] { return known_of(*file.former, posed.parameters); }));
+    return with_priors(
+        posed, refusing_at("prior " + file.former->name, [&] { return known_of(*file.former, posed.parameters); }));
   });
   problem.deviations_known = file.deviations_known;
   problem.loss = file.loss;

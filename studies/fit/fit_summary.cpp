@@ -135,7 +135,7 @@ Json parameter_json(const FittedParameter& fitted, const FitContext& context) {
               {"start", number(fitted.parameter.start)},
               {"lowest", finite_or_null(variable.lowest)},
               {"highest", finite_or_null(variable.highest)},
-              {"scale", variable.logarithmic ? "logarithmic" : "linear"},
+              {"scale", name_of(variable.scaling)},
               {"step", number(fitted.step)},
               {"slope_doubt", number(fitted.slope_doubt)},
               {"flag", fitted.flag}};

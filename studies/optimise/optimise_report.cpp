@@ -271,7 +271,7 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
          {"unit", problem.unit(variable.quantity)},
          {"from", variable.lowest},
          {"to", variable.highest},
-         {"scale", variable.logarithmic ? "logarithmic" : "linear"},
+         {"scale", name_of(variable.scaling)},
          {"start", problem.start[i]},
          {"value", report.best ? Json(report.best->point[i]) : Json(nullptr)},
          {"bound", optimum ? Json(name_of(optimum->bounds[i])) : Json(nullptr)},

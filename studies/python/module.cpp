@@ -487,7 +487,7 @@ void add_objective(py::module_& module) {
       .def_property_readonly("key", [](const Variable& self) { return std::string(self.quantity.key); })
       .def_readonly("lowest", &Variable::lowest)
       .def_readonly("highest", &Variable::highest)
-      .def_readonly("logarithmic", &Variable::logarithmic)
+      .def_property_readonly("logarithmic", [](const Variable& self) { return self.scaling == Scaling::logarithmic; })
       .def_readonly("size", &Variable::size)
       .def("scaled", &Variable::scaled)
       .def("value", &Variable::value)

@@ -80,12 +80,13 @@ std::optional<ChartRequest> design_chart(const ReportSource& source, const Store
   const auto axis_of = [&](std::size_t i) {
     const Variable& variable = problem.variables[i];
     const auto& unit = problem.unit(variable.quantity);
-    const ScaledUnit scaled = variable.logarithmic ? scaled_unit_logarithmic(unit, variable.lowest, variable.highest)
-                                                   : scaled_unit(unit, variable.highest);
+    const bool logarithmic = variable.scaling == Scaling::logarithmic;
+    const ScaledUnit scaled = logarithmic ? scaled_unit_logarithmic(unit, variable.lowest, variable.highest)
+                                          : scaled_unit(unit, variable.highest);
     return std::pair(ChartAxis{.name = in_words(variable.quantity.key),
                                .symbol = std::string(symbol_beside_name(variable.quantity)),
                                .unit = typeset_unit(scaled.name),
-                               .logarithmic = variable.logarithmic,
+                               .logarithmic = logarithmic,
                                .margin = 0.03},
                      scaled.factor);
   };

@@ -4,11 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <ostream>
 
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -38,9 +36,7 @@ std::string GradientReport::derivative_unit(const Variable& variable) const {
   return std::string(output_unit()) + " / " + (unit.find('/') == std::string::npos ? unit : '(' + unit + ')');
 }
 
-namespace {
-
-GradientReport plain_report(Objective objective, const GradientOptions& options) {
+GradientReport gradient_report(Objective objective, const GradientOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   GradientReport report{std::move(objective), {}, {}, 0};
   const std::vector<double> point = base_point(report.objective);
@@ -48,40 +44,6 @@ GradientReport plain_report(Objective objective, const GradientOptions& options)
   report.gradient = report.calibration.centre.found() ? gradient(report.objective, point, report.calibration, options)
                                                       : Gradient{point, report.calibration.centre, {}};
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return report;
-}
-
-/// Where a Poisson's ratio that needs the grid stands among the inputs, if the others had better be solved without.
-std::optional<std::size_t> compressibility_apart(const Objective& objective) {
-  if (resolved_method(objective.base) != Method::spectral) return {};
-  for (std::size_t i = 0; i < objective.variables.size(); ++i)
-    if (decides_spectral(objective.variables[i].quantity.key)) return i;
-  return {};
-}
-
-}  // namespace
-
-GradientReport gradient_report(Objective objective, const GradientOptions& options) {
-  const std::optional<std::size_t> place = compressibility_apart(objective);
-  if (!place) return plain_report(std::move(objective), options);
-  // Compressible layers need the grid: at what a grid can reach, and only where they are asked for.
-  constexpr double reached_by_grids = 1e-5;
-  Objective compressible = objective;
-  compressible.variables = {objective.variables[*place]};
-  compressible.base.tolerance = std::max(objective.base.tolerance.value_or(0), reached_by_grids);
-  GradientReport part = plain_report(std::move(compressible), options);
-  if (objective.variables.size() == 1) return part;
-  const auto at = static_cast<std::ptrdiff_t>(*place);
-  objective.variables.erase(objective.variables.begin() + at);
-  GradientReport report = gradient_report(std::move(objective), options);
-  if (report.size() == 0 || part.size() == 0) return report;
-  const auto insert = [&](auto& list, const auto& from) { list.insert(list.begin() + at, from.front()); };
-  insert(report.objective.variables, part.objective.variables);
-  insert(report.calibration.point, part.calibration.point);
-  insert(report.calibration.inputs, part.calibration.inputs);
-  insert(report.gradient.point, part.gradient.point);
-  insert(report.gradient.inputs, part.gradient.inputs);
-  report.seconds += part.seconds;
   return report;
 }
 
@@ -120,8 +82,8 @@ Table table_of(const GradientReport& report) {
         {std::string(quantity.key), readable(quantity, input.value, quantity.unit_for(report.indenter())),
          number(gradient.elasticity), rough(input.elasticity_error()), number(gradient.derivative),
          rough(gradient.error()), report.derivative_unit(input.variable), rough(input.relative_noise()),
-         input.variable.logarithmic ? "logarithmic" : "linear", rough(gradient.step),
-         std::string(name_of(gradient.scheme)), static_cast<std::int64_t>(input.evaluations())});
+         std::string(name_of(input.variable.scaling)), rough(gradient.step), std::string(name_of(gradient.scheme)),
+         static_cast<std::int64_t>(input.evaluations())});
   }
   return table;
 }
@@ -149,7 +111,7 @@ Json json_of(const GradientReport& report) {
                                 {"value", input.value},
                                 {"lowest", finite_or_null(variable.lowest)},
                                 {"highest", finite_or_null(variable.highest)},
-                                {"scale", variable.logarithmic ? "logarithmic" : "linear"},
+                                {"scale", name_of(variable.scaling)},
                                 {"derivative", finite_or_null(gradient.derivative)},
                                 {"derivative_unit", report.derivative_unit(variable)},
                                 {"error", finite_or_null(gradient.error())},

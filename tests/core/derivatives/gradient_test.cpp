@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/reference/reference_hunter.hpp"
+#include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/core/scattered.hpp"
@@ -51,6 +52,22 @@ double hunter(const RollingScene& scene) {
 }
 
 }  // namespace
+
+TEST_CASE("on a half-space without friction Poisson's ratio acts through G/(1 - nu)", "[core][gradient]") {
+  RollingScene base = paper_cylinder();
+  base.layer_thickness = std::numeric_limits<double>::infinity();
+  base.friction_coefficient = 0;
+  base.spacing.reset();
+  for (const double nu : {0.3, 0.5}) {
+    CAPTURE(nu);
+    base.poisson_ratio = nu;
+    const Objective f = objective(base, {{"poisson_ratio"}, {"static_shear_modulus"}}, "rolling_resistance", solve);
+    const Gradient found = gradient(f, base_point(f), calibrate(f, base_point(f)));
+    const InputGradient &by_ratio = found.inputs[0], &by_modulus = found.inputs[1];
+    CHECK(by_ratio.elasticity == Approx(nu / (1 - nu) * by_modulus.elasticity).epsilon(1e-6));
+    CHECK(by_ratio.error() * nu < 1e-6 * std::abs(by_ratio.elasticity * found.centre.value));
+  }
+}
 
 TEST_CASE("the gradient of Hunter's rolling resistance obeys dimensional analysis", "[core][gradient]") {
   RollingScene base = paper_cylinder();

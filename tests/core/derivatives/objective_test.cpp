@@ -30,22 +30,23 @@ TEST_CASE("sizes, stresses, times and speeds vary in the logarithm, ratios and z
   const auto variables = variables_of(
       base, {{"radius"}, {"load"}, {"creep_time"}, {"stiffening"}, {"friction_coefficient"}, {"driving_torque"}});
   const std::vector<bool> logarithmic{true, true, true, false, false, false};
-  for (std::size_t i = 0; i < variables.size(); ++i) CHECK(variables[i].logarithmic == logarithmic[i]);
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    CHECK((variables[i].scaling == Scaling::logarithmic) == logarithmic[i]);
   CHECK(variables[3].size == base.stiffening);
   CHECK(variables[4].size == 1);
   CHECK(variables[5].size == *base.load * base.radius);
   base.creep_time = 0;
-  CHECK_FALSE(variables_of(base, {{"creep_time"}}).front().logarithmic);
+  CHECK(variables_of(base, {{"creep_time"}}).front().scaling == Scaling::linear);
   const InputChoice linear{.key = "radius", .logarithmic = false};
-  CHECK_FALSE(variables_of(base, {linear}).front().logarithmic);
+  CHECK(variables_of(base, {linear}).front().scaling == Scaling::linear);
 }
 
 TEST_CASE("scaled variables go to and fro, never outside the bounds", "[core][objective]") {
   const RollingScene base = plain_scene();
-  for (const std::string scaling : {"linear", "logarithmic", "reciprocal"}) {
-    CAPTURE(scaling);
-    Variable variable = variables_of(base, {{"speed", 0.5, 2.0, scaling == "logarithmic"}}).front();
-    variable.reciprocal = scaling == "reciprocal";
+  for (const Scaling scaling : {Scaling::linear, Scaling::logarithmic, Scaling::reciprocal}) {
+    CAPTURE(name_of(scaling));
+    Variable variable = variables_of(base, {{"speed", 0.5, 2.0}}).front();
+    variable.scaling = scaling;
     CHECK(variable.value(variable.scaled(1.3)) == Approx(1.3).epsilon(1e-15));
     CHECK(variable.scaled_step(0.7, 1.3) == Approx(variable.scaled(1.3) - variable.scaled(0.7)).epsilon(1e-14));
     CHECK(variable.value(variable.scaled(2.0) + 1) == 2.0);

@@ -116,10 +116,13 @@ TEST_CASE("the estimate of a contact on a compressible layer is within a fifth",
       }
 }
 
-TEST_CASE("where compressibility varies one method solves all points", "[core][compressible_layer]") {
+TEST_CASE("where compressibility under a coating varies one method solves all points", "[core][compressible_layer]") {
   RollingScene scene = paper_cylinder();
   scene.spacing.reset();
   scene.poisson_ratio = 0.4;
+  scene.coating_layers.resize(1);
+  static_cast<MaterialInputs&>(scene.coating_layers[0]) = scene;
+  scene.coating_layers[0].layer_thickness = 1e-3;
   const Objective f = objective(scene, {{"poisson_ratio"}}, "rolling_resistance", solve);
   const std::vector<double> end{0.5};
   CHECK(resolved_method(scene_at(f, end)) == Method::newton);

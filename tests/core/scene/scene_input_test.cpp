@@ -79,7 +79,7 @@ TEST_CASE("a number of a list is an input by its place from 0 on", "[core][scene
                                 "rolling_resistance", closed_form);
   CHECK(f.variables[0].quantity.unit == "Pa");
   CHECK(f.variables[0].quantity.key == "relaxation_moduli[1]");
-  CHECK(f.variables[0].logarithmic);
+  CHECK(f.variables[0].scaling == Scaling::logarithmic);
   CHECK(base_point(f) == std::vector<double>{2e6, 3e6});
   const RollingScene moved = scene_at(f, std::vector<double>{5e6, 7e6});
   CHECK(moved.relaxation_moduli == std::vector<double>{1e6, 5e6});
@@ -99,7 +99,7 @@ TEST_CASE("an objective may vary a further layer's inputs", "[core][scene_input]
       objective(scene, {{"coating_layers[0].layer_thickness", 1e-3, 1e-2}, {"lower_layers[1].stiffening"}},
                 "rolling_resistance", closed_form);
   CHECK(f.variables[0].quantity.symbol == "H of coating [0]");
-  CHECK(f.variables[0].logarithmic);
+  CHECK(f.variables[0].scaling == Scaling::logarithmic);
   CHECK(base_point(f) == std::vector<double>{0.004, 1});
   const RollingScene moved = scene_at(f, std::vector<double>{0.002, 3});
   CHECK(moved.coating_layers[0].layer_thickness == 0.002);

@@ -45,9 +45,9 @@ TEST_CASE("the study file of an optimisation gives variables, goal, constraints 
   CHECK(problem.name == "layer");
   REQUIRE(problem.variables.size() == 3);
   CHECK(problem.variables[0].lowest == 0.001);
-  CHECK(problem.variables[0].logarithmic);
-  CHECK_FALSE(problem.variables[1].logarithmic);
-  CHECK_FALSE(problem.variables[2].logarithmic);
+  CHECK(problem.variables[0].scaling == Scaling::logarithmic);
+  CHECK(problem.variables[1].scaling == Scaling::linear);
+  CHECK(problem.variables[2].scaling == Scaling::linear);
   CHECK(problem.start == std::vector<double>{0.005, 0.4, 2.5});  // the scene's, the file's, the middle
   CHECK(problem.goal.maximise);
   REQUIRE(problem.scenes.size() == 2);
