@@ -68,10 +68,14 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       const double along = slope(moved.u), across = problem.lateral ? slope(moved.v) : 0;
       const RigidSlip rigid = problem.shape.slip(x, y);
       powers.layer -= force_u * along + force_v * across;
+      powers.drawn += force_u;
       powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) + force_v * across;
     }
   if (problem.friction) powers.by_law = friction_by_law(problem, moved, unknowns, zone);
   if (load > 0) powers.sticking /= load;
+  powers.drawn = load > 0 && problem.friction
+                     ? std::min(1.0, std::abs(powers.drawn) / (problem.scene.friction_coefficient * load))
+                     : 1;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
   powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio);
   powers.share = share_of_losses(powers.losses(), powers.halves);

@@ -30,6 +30,7 @@ struct ContactPowers {
   double halves = 0;        ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are
   double share = 0;         ///< of the losses in `resistance`, 0 to 1, smooth in all inputs
   double sticking = 0;      ///< part of the load that sticking nodes bear [1]
+  double drawn = 0;         ///< tangential force over what friction bears at most: 1 where all slides one way [1]
   bool load_found = false;  ///< the approach is given
   double cells = 0;         ///< on the radius of a circle of as many cells as a sphere's contact has [1]
 
@@ -39,6 +40,8 @@ struct ContactPowers {
   /// What half a cell is to friction's power: slip on one side of the nodes against slip at them. Falls like the
   /// spacing.
   double half_cell() const { return std::abs(friction - by_law); }
+  /// How far shear tractions are open: at nodes that stick, or that slip in directions of their own [1].
+  double open_shear() const { return std::max(sticking, 1 - drawn); }
   /// R_r: by the resultants, or by the losses where the resultants cancel.
   double resistance() const { return resultants + edge + share * (losses() - resultants - edge); }
   /// With the edge the resultants are right to smaller differences (README.md, (N32)).

@@ -120,41 +120,55 @@ double expected_change(int dimension, double last, double before) {
 namespace {
 
 /// What half a cell is to friction's power (N22b): all of it where R_r is taken from the losses. Of resultants it tells
-/// where nodes stick; where all slide, tractions are known.
-double open_half_cell(const ContactPowers& powers) {
-  return (powers.share + (1 - powers.share) * std::sqrt(powers.sticking)) * powers.half_cell();
+/// where tractions are open.
+double open_half_cell(const ContactPowers& powers, double open) {
+  return (powers.share + (1 - powers.share) * std::sqrt(open)) * powers.half_cell();
 }
 
 /// Of a sphere (N22a): what cells at the edge and friction's one-sided differences are known to do on such a grid, and
 /// what the last change is beyond that.
-double sphere_change(double last, const ContactPowers& powers, double edge_trust) {
+double sphere_change(double last, const ContactPowers& powers, const EdgeTrust& trust) {
   constexpr double of_edge = 2e-4, edge_order = 2.5, usual_cells = 18, of_friction = 0.8, friction_order = 1.2,
                    of_half_cell = 0.3;
   const double lever = (1 - powers.share) * powers.halves + powers.share * 10 * std::abs(powers.resistance());
-  const double edge = of_edge * lever * std::pow(usual_cells / powers.cells, edge_order);
+  const double edge = of_edge * lever * std::pow(usual_cells / powers.cells, edge_order), open = powers.open_shear();
   // Slip zones narrower than a few cells are told by the half cell alone.
-  const double friction = std::hypot(
-      of_friction * std::sqrt(powers.sticking) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order),
-      of_half_cell * open_half_cell(powers));
+  const double friction =
+      std::hypot(of_friction * std::sqrt(open) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order),
+                 of_half_cell * open_half_cell(powers, open));
   // Under a given approach the load, and R_r with it, is found to this share.
   constexpr double of_load = 0.05, load_order = 1.5;
   const double load =
       powers.load_found ? of_load * std::abs(powers.resistance()) * std::pow(powers.cells, -load_order) : 0;
   const double beyond = std::max(0.0, last - 2.5 * (edge + friction));
-  constexpr double left_by_correction = 0.4;  // of what the edge's cells do
-  const double left = (1 - (1 - left_by_correction) * edge_trust) * edge;
-  return std::hypot(std::hypot(left, friction, (0.36 + 0.64 * powers.share) * beyond), load);
+  // The edge's correction leaves less of both: of friction's where nodes stick and memories are resolved.
+  constexpr double edge_corrected = 0.6, friction_corrected = 0.8;
+  const double lost = GridError::of_unresolved * trust.unresolved, sliding = 1 - powers.sticking;
+  const double resolved = friction > 0 ? friction / (friction + lost) : 0;
+  const double edge_left = (1 - edge_corrected * trust.pressure) * edge;
+  const double friction_left = (1 - friction_corrected * trust.slip * (1 - sliding * sliding) * resolved) * friction;
+  return std::hypot(std::hypot(edge_left, friction_left, (0.36 + 0.64 * powers.share) * beyond), load);
 }
 
 }  // namespace
 
-double expected_change(int dimension, double last, double before, const ContactPowers& powers, double edge_trust) {
+EdgeTrust edge_trust(const RollingScene& scene, double trust, const GridError& error) {
+  const auto incompressible = [](const MaterialInputs& layer) {
+    return std::max(0.0, 1 - 2 * (1 - 2 * layer.poisson_ratio) / (1 - layer.poisson_ratio));
+  };
+  double slip = trust * incompressible(scene);
+  if (!scene.coating_layers.empty()) slip *= incompressible(scene.coating_layers.front());
+  return {trust, slip, error.unresolved};
+}
+
+double expected_change(int dimension, double last, double before, const ContactPowers& powers, const EdgeTrust& edge) {
   const double missing = powers.missing();
-  if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers, edge_trust) : 0.0);
-  if (dimension == 3) return sphere_change(last, powers, edge_trust);
+  if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers, edge) : 0.0);
+  if (dimension == 3) return sphere_change(last, powers, edge);
   if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
   constexpr double all = 0.42, of_before = 0.3, of_missing = 0.75;  // calibrated, as (N22) says
-  return all * std::hypot(std::hypot(last, of_before * before), of_missing * missing, open_half_cell(powers));
+  return all * std::hypot(std::hypot(last, of_before * before), of_missing * missing,
+                          open_half_cell(powers, powers.sticking));
 }
 
 double expected_change_of_tied_line(double last, double before, const ContactPowers& powers) {
@@ -163,12 +177,13 @@ double expected_change_of_tied_line(double last, double before, const ContactPow
   constexpr double all = 0.75, quickest = 0.4, slowest = 0.7, of_missing = 0.12, of_half_cell = 1.06;
   const double falling = before > 0 ? std::clamp(last / before, quickest, slowest) : slowest;
   return all * std::hypot(std::sqrt(falling) * expected_change(2, last, before), of_missing * powers.missing(),
-                          of_half_cell * open_half_cell(powers));
+                          of_half_cell * open_half_cell(powers, powers.sticking));
 }
 
 double GridError::estimate(double resistance, double change) const {
   const double viscous = std::min(1.0, std::abs(slow_loss / resistance));
-  return 1.25 * (1 - slow_share * viscous) * change + 0.3 * (1 - slow_share) * unresolved + slow_share * slow_error;
+  return 1.25 * (1 - slow_share * viscous) * change + of_unresolved * (1 - slow_share) * unresolved +
+         slow_share * slow_error;
 }
 
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,

@@ -12,6 +12,8 @@
 namespace rollres {
 
 struct GridError {
+  static constexpr double of_unresolved = 0.3;  // of (N21), that counts in an estimate
+
   double slow_loss = 0;      ///< viscous resistance by (N18) [N] (per metre for a cylinder)
   double slow_error = 0;     ///< estimated error of that [N]
   double unresolved = 0;     ///< estimated error of the grid's own, by (N21) [N]
@@ -28,10 +30,21 @@ struct GridError {
 /// Of a sphere it is the change itself.
 double expected_change(int dimension, double last, double before);
 
+/// How far a sphere's edge between its nodes is known, which leaves less of a grid's error.
+struct EdgeTrust {
+  double pressure = 0;  ///< of the correction by its pressure (edge_correction.hpp), 0 to 1
+  double slip = 0;      ///< the same of the slip at it: less on compressible layers (core/newton/README.md, section 8)
+  double unresolved = 0;  ///< of GridError [N]
+};
+
+/// @param trust of the correction by the pressure
+EdgeTrust edge_trust(const RollingScene& scene, double trust, const GridError& error);
+
 /// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
 /// friction takes falls with the spacing, the viscous loss faster. Of a sphere the number of cells tells most, as its
-/// error is the chance by which cells meet the edge. @param edge_trust of the correction (edge_correction.hpp)
-double expected_change(int dimension, double last, double before, const ContactPowers& powers, double edge_trust = 0);
+/// error is the chance by which cells meet the edge.
+double expected_change(int dimension, double last, double before, const ContactPowers& powers,
+                       const EdgeTrust& edge = {});
 
 /// The same of a cylinder on tied grids (grid_series.hpp), where changes are regular, and how quickly they fall tells
 /// what is to come; where nodes stick, friction's power is open by what half a cell is to it (N22b).

@@ -149,9 +149,9 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
-  const double to_come =
-      tied ? expected_change_of_tied_line(last, change_before, finest.powers)
-           : expected_change(dimensions(finest.problem->scene), last, change_before, finest.powers, finest.edge.trust);
+  const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
+                              : expected_change(dimensions(finest.problem->scene), last, change_before, finest.powers,
+                                                edge_trust(finest.problem->scene, finest.edge.trust, error));
   return error.estimate(resistance, to_come) + rounding * finest.powers.halves;
 }
 

@@ -47,8 +47,9 @@ struct Quantity {
   }
 };
 
-/// Whether it is a temperature and no difference of two: a scale with an origin of its own (degC) has a meaning.
-inline bool is_temperature(const Quantity& quantity) { return quantity.key.ends_with("temperature"); }
+/// Whether a quantity of this name is a temperature and no difference of two: a scale with an origin of its own (degC)
+/// has a meaning.
+inline bool is_temperature(std::string_view key) { return key.ends_with("temperature"); }
 
 /// Names of an enumeration's values in the order of its declaration; specialised beside each enumeration.
 template <class Choice>

@@ -46,7 +46,7 @@ double number(const SceneEntry& entry, const Quantity& quantity, Indenter indent
     fail(unit == "1" ? "must be a number without quotes"
                      : "must be a number without quotes, or have " + wanted_unit(quantity, indenter));
   try {
-    const bool temperature = is_temperature(quantity) || quantity.key == "shift_temperatures";
+    const bool temperature = is_temperature(quantity.key) || quantity.key == "shift_temperatures";
     return temperature ? kelvin(text) : si_value(text, unit);
   } catch (const std::invalid_argument& error) {
     const bool per_body = !quantity.unit_2d.empty();

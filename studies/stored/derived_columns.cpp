@@ -109,7 +109,7 @@ void convert_to_si(Filter& filter, const Quantity& quantity) {
   if (filter.value.empty() || filter.value == "infinite" || plain_number(filter.value)) return;
   filter.value = shortest(refusing_at(filter.column + " = " + filter.value, [&] {
     try {
-      return is_temperature(quantity) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
+      return is_temperature(quantity.key) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
     } catch (const std::invalid_argument&) {
       if (quantity.unit_2d.empty()) throw;
       return si_value(filter.value, quantity.unit_2d);

@@ -179,7 +179,7 @@ ColumnScale scale_of(std::span<const double> values, const QuantityColumn& colum
   constexpr double two_decades = 100 * (1 - 1e-9);
   if (wish == AxisScale::logarithmic && !all_positive)
     throw std::invalid_argument(option + " = logarithmic: " + column.name + " has values that are not positive");
-  if (unit == "K" && is_temperature(column.quantity) && wish != AxisScale::logarithmic) return {celsius(), false};
+  if (unit == "K" && is_temperature(column.quantity.key) && wish != AxisScale::logarithmic) return {celsius(), false};
   const bool logarithmic = wish == AxisScale::logarithmic || (wish == AxisScale::automatic && all_positive &&
                                                               (hint || largest >= two_decades * smallest));
   return {logarithmic ? scaled_unit_logarithmic(unit, smallest, largest) : scaled_unit(unit, largest), logarithmic};

@@ -31,7 +31,7 @@ struct FitAxis {
       smallest = std::min(smallest, std::abs(value));
       largest = std::max(largest, std::abs(value));
     }
-    if (axis.unit == "K" && axis.name.ends_with("temperature"))
+    if (axis.unit == "K" && is_temperature(axis.name))
       unit = celsius(), axis.logarithmic = false;
     else
       unit = axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);

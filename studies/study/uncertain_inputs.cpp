@@ -44,7 +44,7 @@ struct Place {
     if (given.is_number()) return given.get<double>();
     const std::string rule = "the standard deviation must be a number, one with a unit, or a share of the mean (10 %)";
     if (!given.is_string()) refuse(text, key, given, rule);
-    if (is_temperature(quantity) && !given.get<std::string>().ends_with("K"))
+    if (is_temperature(quantity.key) && !given.get<std::string>().ends_with("K"))
       refuse(text, key, given, "a difference of temperatures needs the unit K");
     return refusing_at(text + ": " + key + " = " + shown(given),
                        [&] { return si_value(given.get<std::string>(), unit()); });

@@ -39,7 +39,7 @@ std::string readable(double value, std::string_view unit) {
 }
 
 std::string readable(const Quantity& quantity, double value, std::string_view unit) {
-  if (!std::isfinite(value) || unit != "K" || !is_temperature(quantity)) return readable(value, unit);
+  if (!std::isfinite(value) || unit != "K" || !is_temperature(quantity.key)) return readable(value, unit);
   return short_number(celsius().number(value), shown_digits) + ' ' + celsius().name;
 }
 

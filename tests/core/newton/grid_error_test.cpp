@@ -158,10 +158,18 @@ TEST_CASE("what a sphere's coarser grid changes counts only beyond the chance of
   CHECK(expected_change(3, 2 * chance, RollingSolution::absent, powers) == chance);
   CHECK(expected_change(3, 100 * chance, RollingSolution::absent, powers) == Approx(35.1 * chance).epsilon(0.01));
   powers.friction = powers.by_law = 0.05;
-  CHECK(expected_change(3, 0, RollingSolution::absent, powers) == chance);  // where all slides it is known
+  powers.drawn = 1;
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers) == chance);  // where all slides one way it is known
   powers.sticking = 1;
   const double with_friction = expected_change(3, 0, RollingSolution::absent, powers);
   CHECK(with_friction > 5 * chance);
+  powers.sticking = 0;
+  powers.drawn = 0;  // all slips, in directions that nobody knows before
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers) == with_friction);
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers, {.slip = 1}) == with_friction);
+  powers.sticking = 1;
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers, {.slip = 1}) < 0.3 * with_friction);
+  CHECK(expected_change(3, 0, RollingSolution::absent, powers, {.slip = 1, .unresolved = 1}) > 0.95 * with_friction);
   powers.cells = 36;
   CHECK(expected_change(3, 0, RollingSolution::absent, powers) < with_friction / 2);
   powers.by_law = 0.01;  // slip is another half a cell on: a slip zone of a cell or two
@@ -170,6 +178,18 @@ TEST_CASE("what a sphere's coarser grid changes counts only beyond the chance of
   powers.friction = powers.by_law = 0;
   powers.share = 1;  // told by the losses, not by the difference of the load's halves
   CHECK(expected_change(3, 0, RollingSolution::absent, powers) < 1e-2 * 1e-6);
+}
+
+TEST_CASE("the edge's slip is trusted the less the more compressible what meets at it is", "[core][grid_error]") {
+  RollingScene scene = paper_sphere();
+  const auto slip = [&] { return edge_trust(scene, 0.9, {}).slip; };
+  CHECK(slip() == 0.9);
+  scene.poisson_ratio = 0.45;
+  CHECK(slip() == Approx(0.9 * (1 - 4 * 0.1 / 1.1)));
+  scene.coating_layers.resize(1);
+  scene.coating_layers[0].poisson_ratio = 0.3;
+  CHECK(slip() == 0);
+  CHECK(edge_trust(scene, 0.9, {}).pressure == 0.9);
 }
 
 TEST_CASE("a slip zone narrower than its cells is in the estimate, though grids agree on it", "[core][grid_error]") {
