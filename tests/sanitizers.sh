@@ -2,9 +2,11 @@
 # The suite under address and undefined-behaviour sanitizers, then what runs on several threads under the thread sanitizer:
 # their tests, spheres, a fit, a gradient and a sweep with 8 jobs. Asserts of libstdc++, Eigen and rollres are on. Slow
 # tests have a tenth of their random input (ROLLRES_THIN). The tests are those that the release preset has compiled, run
-# with libraries that are compiled anew; left out are tests that run none of these: of the Python package, of an outside
-# program on the installed library, of the Debian package. Needs what tests/run.sh has installed and built. The last line
-# says what was found; the exit status is 0 if nothing was.
+# with libraries that are compiled anew. Left out are tests tagged [long], whose code shorter tests run as well, and tests
+# that run none of these libraries: of the Python package, of an outside program on the installed library, of the Debian
+# package. A pointer that is null ends the program under the address sanitizer, too: the checks of pointers that the
+# undefined-behaviour sanitizer has besides, half of the compiler's time, are off. Needs what tests/run.sh has installed
+# and built. The last line says what was found; the exit status is 0 if nothing was.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 trouble=

@@ -315,7 +315,7 @@ TEST_CASE("the gradient of the solver agrees with dimensional analysis within it
 }
 
 TEST_CASE("without a grid the gradient of a cylinder's resistance is right to 1e-7, of a sphere's to 1e-3",
-          "[core][gradient]") {
+          "[core][gradient][long]") {
   // From dimensional analysis: R_r/P is a function of P/(G0 R), H/R, V tau/R, f and mu (P/(G0 R^2) for a sphere).
   for (RollingScene scene : {paper_cylinder(), paper_sphere()}) {
     scene.spacing.reset();

@@ -142,7 +142,7 @@ TEST_CASE("the shear of a sphere does not alternate from row to row", "[core][co
 }
 
 TEST_CASE("a sphere's edge in its cells keeps the laws of contact on every layer and under every drive",
-          "[core][contact_edge]") {
+          "[core][contact_edge][long]") {
   RollingScene plain = paper_sphere();
   plain.kinematics = Kinematics::consistent;
   std::vector<RollingScene> scenes;

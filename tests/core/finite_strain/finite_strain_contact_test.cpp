@@ -82,7 +82,7 @@ TEST_CASE("a cylinder at finite strain has the numbers of an independent program
   }
 }
 
-TEST_CASE("finite strain has edges and peaks as exactly as the resistance", "[core][finite]") {
+TEST_CASE("finite strain has edges and peaks as exactly as the resistance", "[core][finite][long]") {
   // The reference is the spectral method, at strains of 0.1 % and 1 %. With as many cells as the resistance alone
   // needs, the thin layer's contact is 0.8 % short and the peak of the quickly relaxing layer 5 % low.
   RollingScene thin = finite_cylinder(1000, 0);
@@ -102,7 +102,7 @@ TEST_CASE("finite strain has edges and peaks as exactly as the resistance", "[co
   }
 }
 
-TEST_CASE("finite strain tends to the linear theory at small loads", "[core][finite]") {
+TEST_CASE("finite strain tends to the linear theory at small loads", "[core][finite][long]") {
   const auto compare = [](RollingScene scene, double bound) {
     INFO(scene.poisson_ratio << ' ' << scene.friction_coefficient);
     const RollingSolution finite = answered(scene);
@@ -134,7 +134,7 @@ TEST_CASE("finite strain tends to the linear theory at small loads", "[core][fin
   compare(layered, 1e-3);
 }
 
-TEST_CASE("an elastic layer at finite strain resists with nothing, whatever its load", "[core][finite]") {
+TEST_CASE("an elastic layer at finite strain resists with nothing, whatever its load", "[core][finite][long]") {
   for (const double friction : {0.0, 0.2}) {
     RollingScene scene = finite_cylinder(120e3, friction);
     scene.material = MaterialModel::elastic;
@@ -149,7 +149,7 @@ TEST_CASE("an elastic layer at finite strain resists with nothing, whatever its 
   }
 }
 
-TEST_CASE("Yeoh's layer is stiffer or softer than a neo-Hookean one, and the same at small loads", "[core][finite]") {
+TEST_CASE("Yeoh's layer is stiffer or softer than a neo-Hookean one, and the same at small loads", "[core][finite][long]") {
   const auto with_yeoh = [](double load, double friction, double second, double third) {
     RollingScene scene = finite_cylinder(load, friction);
     scene.yeoh_second = second;
@@ -225,7 +225,7 @@ TEST_CASE("a rubber-covered roller at finite strain has the nip that others have
   CHECK(std::abs(nip.viscous_loss) < 1e-9 * *roller.load);
 }
 
-TEST_CASE("a cover at finite strain tends to a flat one's linear theory as the radius grows", "[core][finite]") {
+TEST_CASE("a cover at finite strain tends to a flat one's linear theory as the radius grows", "[core][finite][long]") {
   // Both differ by the curvature of the cover, of order H/R: 1.6e-2, 1.6e-3.
   double missed = 1;
   for (const double radius : {0.05, 0.5}) {
@@ -240,7 +240,7 @@ TEST_CASE("a cover at finite strain tends to a flat one's linear theory as the r
   CHECK(missed < 3e-3);
 }
 
-TEST_CASE("a cover at finite strain obeys its drive, and its power balances", "[core][finite]") {
+TEST_CASE("a cover at finite strain obeys its drive, and its power balances", "[core][finite][long]") {
   const double radius = 0.1;
   RollingScene roller = viscoelastic_roller(radius, 0.3);
   const double load = *roller.load;
@@ -271,7 +271,7 @@ TEST_CASE("a cover at finite strain obeys its drive, and its power balances", "[
   CHECK(relative(locked.approach, solve(elastic).approach) < 1e-6);
 }
 
-TEST_CASE("friction at finite strain obeys the drive, and braking balances its power", "[core][finite]") {
+TEST_CASE("friction at finite strain obeys the drive, and braking balances its power", "[core][finite][long]") {
   const RollingSolution top = answered(finite_cylinder(20e3, 0.2));
   CHECK(std::abs(top.driving_torque / 0.02 - top.driving_force) < 1e-8 * top.load);
   RollingScene scene = finite_cylinder(20e3, 0.2);
@@ -363,7 +363,7 @@ TEST_CASE("a body ten thousand contacts wide meets small strains: gaps are no di
   CHECK(relative(finite.approach, small.approach) < 2e-3);
 }
 
-TEST_CASE("a slip zone of few nodes counts in the error of a resistance that is a small difference", "[core][finite]") {
+TEST_CASE("a slip zone of few nodes counts in the error of a resistance that is a small difference", "[core][finite][long]") {
   RollingScene scene = finite_cylinder(4.41, 0.28);
   scene.radius = 2.865e-3;
   scene.layer_thickness = 27.22e-6;
@@ -425,7 +425,7 @@ TEST_CASE("what finite strain does not model is refused in one line", "[core][fi
   });
 }
 
-TEST_CASE("a drive that asks for more than friction has no steady state at finite strain", "[core][finite]") {
+TEST_CASE("a drive that asks for more than friction has no steady state at finite strain", "[core][finite][long]") {
   const RollingSolution solution = solve(finite_cylinder(20e3, 0.005));
   CHECK(solution.status == Status::no_steady_state);
   CHECK(relative(solution.friction_needed, 372.9 / 40e3) < 0.02);

@@ -24,7 +24,7 @@ RollingScene rubber_sphere(double friction, double spacing = 0.25e-3) {
 }  // namespace
 
 TEST_CASE("the loss summed over the inside of a sphere's layers is that of their surface, ever nearer on finer grids",
-          "[core][interior]") {
+          "[core][interior][long]") {
   for (const double friction : {0.0, 0.2}) {
     double before = INFINITY;
     for (const double spacing : {0.5e-3, 0.25e-3, 0.125e-3}) {
@@ -38,7 +38,7 @@ TEST_CASE("the loss summed over the inside of a sphere's layers is that of their
   }
 }
 
-TEST_CASE("the largest shear strain under a Hertz sphere is Huber's", "[core][interior]") {
+TEST_CASE("the largest shear strain under a Hertz sphere is Huber's", "[core][interior][long]") {
   RollingScene scene = rubber_sphere(0);
   scene.spacing.reset();
   scene.tolerance = 1e-3;
@@ -60,7 +60,7 @@ TEST_CASE("the largest shear strain under a Hertz sphere is Huber's", "[core][in
   CHECK(s.interior_loss == 0);
 }
 
-TEST_CASE("a coating on a sphere loses what is its own, and an elastic layer nothing", "[core][interior]") {
+TEST_CASE("a coating on a sphere loses what is its own, and an elastic layer nothing", "[core][interior][long]") {
   const RollingScene coated = coated_alike(rubber_sphere(0));
   const RollingSolution both = converged(coated);
   const InteriorSummary halves = interior_summary(coated, both.fields, Detail::inside);

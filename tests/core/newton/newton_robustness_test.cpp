@@ -50,7 +50,7 @@ void check_converged(const RollingScene& scene) {
 }  // namespace
 
 TEST_CASE("a cylinder whose friction draws a thin layer aside is solved at any rotation and drive",
-          "[core][newton_robustness]") {
+          "[core][newton_robustness][long]") {
   const std::vector<Row> rows{
       // Locked: the solution folds back in the rotation ratio twenty times on the way from rolling.
       {.radius = 0.192,
@@ -138,7 +138,7 @@ TEST_CASE("a cylinder whose friction draws a thin layer aside is solved at any r
 TEST_CASE(
     "a body that asks for more than friction can give is refused up to the friction it is said to need, and solved "
     "from there on",
-    "[core][newton_robustness]") {
+    "[core][newton_robustness][long]") {
   struct Case {
     Indenter indenter;
     Row row;

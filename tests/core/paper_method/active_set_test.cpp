@@ -27,7 +27,7 @@ TEST_CASE("the paper's algorithm reproduces the paper's cylinder", "[core][activ
 }
 
 TEST_CASE("the paper's algorithm with projected friction solves the paper's sphere with every node inside all laws",
-          "[core][active_set]") {
+          "[core][active_set][long]") {
   const Solved sphere = solve_on(paper_scene(Indenter::sphere), 5.5e-3);
   const RollingSolution& found = sphere.solution;
   REQUIRE(sphere.state.status == Status::converged);

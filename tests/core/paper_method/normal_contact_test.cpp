@@ -55,7 +55,7 @@ TEST_CASE("the approach that a load causes, given in its place, causes that load
   }
 }
 
-TEST_CASE("the more tension a node bears before it lets go, the longer the contact", "[core][normal_contact]") {
+TEST_CASE("the more tension a node bears before it lets go, the longer the contact", "[core][normal_contact][long]") {
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
     RollingScene scene = paper_scene(indenter);
     scene.spacing = indenter == Indenter::cylinder ? 0.1e-3 : 0.5e-3;

@@ -76,7 +76,7 @@ TEST_CASE("a locked coating answers with its modulus at rest", "[core][coating_f
   CHECK(converged(scene).rolling_resistance == Approx(locked.rolling_resistance).epsilon(1e-4));
 }
 
-TEST_CASE("a coating flowing at RΩ is one of RΩ/V as long memories flowing at V", "[core][coating_flow]") {
+TEST_CASE("a coating flowing at RΩ is one of RΩ/V as long memories flowing at V", "[core][coating_flow][long]") {
   const double ratio = GENERATE(0.5, 3.0);
   CAPTURE(ratio);
   // Without friction the rotation acts through the coating's memory alone, and is V/R where it is not given.

@@ -250,7 +250,7 @@ TEST_CASE("a heavy layer slows the waves of a softer one below, and with them th
 }
 
 TEST_CASE("inertia of a single sphere's layers: its effect is of the order of rho V^2/|G| and takes no energy",
-          "[core][layered_scenes]") {
+          "[core][layered_scenes][long]") {
   RollingScene scene = on_one_layer(Indenter::sphere);
   scene.spacing = 0.25e-3;
   scene.stiffening = 2;

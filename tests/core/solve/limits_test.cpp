@@ -97,7 +97,7 @@ TEST_CASE("a solution that needs longer than its limit of time says so, by every
   }
 }
 
-TEST_CASE("a tolerance ends with the best answer within the time", "[core][limits]") {
+TEST_CASE("a tolerance ends with the best answer within the time", "[core][limits][long]") {
   RollingScene scene = with_method(paper_cylinder(), Method::newton);
   scene.spacing.reset();
   scene.tolerance = 1e-9;

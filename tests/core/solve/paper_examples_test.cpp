@@ -62,7 +62,7 @@ TEST_CASE("the paper's cylinder rolls as printed", "[core][paper]") {
   }
 }
 
-TEST_CASE("the paper's sphere rolls as printed", "[core][paper]") {
+TEST_CASE("the paper's sphere rolls as printed", "[core][paper][long]") {
   for (const Method method : newton_methods) {
     const RollingSolution s = solve(with_method(paper_sphere(), method));
     INFO(name_of(method));
@@ -115,7 +115,7 @@ TEST_CASE("without friction the paper's bodies resist as an independent program 
   }
 }
 
-TEST_CASE("the cylinder's resistance converges to the solution with continuous edges", "[core][paper]") {
+TEST_CASE("the cylinder's resistance converges to the solution with continuous edges", "[core][paper][long]") {
   // Exact: Chebyshev expansions with unknown edges. The edges' jumps make single errors irregular; their envelope falls
   // like the spacing with friction (forward differences) and like its square without.
   for (const Method method : newton_methods) {

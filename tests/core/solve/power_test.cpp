@@ -104,7 +104,7 @@ TEST_CASE("the power that drives a cylinder is lost in the layer and by friction
 TEST_CASE(
     "on a grid the power of a driven body is lost in the layer and by friction but for what the edges between nodes "
     "take",
-    "[core][power]") {
+    "[core][power][long]") {
   for (RollingScene scene : {with_consistent_kinematics(paper_cylinder()), with_consistent_kinematics(paper_sphere())})
     for (const MaterialModel material : {MaterialModel::zener, MaterialModel::elastic}) {
       scene.material = material;
@@ -135,7 +135,7 @@ TEST_CASE("the paper's kinematics leave a power of second order over, and say so
                     [](const std::string& warning) { return warning.find("kinematics") != std::string::npos; }));
 }
 
-TEST_CASE("the layer's loss equals the loss of its waves, counted one by one", "[core][power]") {
+TEST_CASE("the layer's loss equals the loss of its waves, counted one by one", "[core][power][long]") {
   // The waves average displacements over a cell, the balance samples them at nodes and takes slip by forward
   // differences: without shear they differ at second order, with it at first. V tau = 12.5 mm decays to e^{-24} over
   // the line of 0.3 m.

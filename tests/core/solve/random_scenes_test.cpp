@@ -123,7 +123,7 @@ TEST_CASE("random spheres roll with every law held, or are refused with the fric
   CHECK(refused < 5);
 }
 
-TEST_CASE("Krylov iteration and factorisation find the same contact", "[core][random]") {
+TEST_CASE("Krylov iteration and factorisation find the same contact", "[core][random][long]") {
   // More unknowns than method newton factorises.
   for (unsigned seed = 301; seed <= 312; ++seed) {
     RollingScene scene = random_scene(Indenter::cylinder, seed, 160);

@@ -89,7 +89,7 @@ TEST_CASE("without a drop the answer is the linear one to all digits, and at a s
   }
 }
 
-TEST_CASE("under a sphere, too, the moduli are those of the strains, and a small load leaves them", "[core][strain]") {
+TEST_CASE("under a sphere, too, the moduli are those of the strains, and a small load leaves them", "[core][strain][long]") {
   RollingScene scene = soft_scene(20);
   scene.indenter = Indenter::sphere;
   scene.friction_coefficient = 0.2;
@@ -153,7 +153,7 @@ TEST_CASE("where solutions are dear, the strains are found on the usual grid fir
   }
 }
 
-TEST_CASE("layers that lose nothing settle at their strains", "[core][strain]") {
+TEST_CASE("layers that lose nothing settle at their strains", "[core][strain][long]") {
   RollingScene elastic = soft_scene();
   elastic.material = MaterialModel::elastic;
   elastic.stiffening = 0;

@@ -86,7 +86,7 @@ TEST_CASE("data of a fine grid give a cylinder's material back within that grid'
 }
 
 TEST_CASE("data of a finer grid give a sphere's material back within the stated errors of both grids",
-          "[fitting][resistance_fit][solver]") {
+          "[fitting][resistance_fit][solver][long]") {
   std::vector<RollingScene> scenes;
   for (const double load : {100.0, 200.0})
     for (const double speed : spread_speeds(0.01, 0.3, 3)) {
@@ -117,7 +117,7 @@ TEST_CASE("data of a finer grid give a sphere's material back within the stated 
   }
 }
 
-TEST_CASE("95 % intervals by the solver hold the truth as often as they say", "[fitting][coverage][solver]") {
+TEST_CASE("95 % intervals by the solver hold the truth as often as they say", "[fitting][coverage][solver][long]") {
   std::vector<RollingScene> scenes;
   for (const double load : {1e4, 4e4})
     for (const double speed : spread_speeds(0.005, 5, 6)) scenes.push_back(half_space_scene(speed, load));

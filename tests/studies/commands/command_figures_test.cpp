@@ -64,7 +64,7 @@ std::string database_of_two_speeds(const TemporaryDirectory& scratch, bool with_
 
 }  // namespace
 
-TEST_CASE("rollres figures draws the paper's figures of both of its scenes", "[studies][figure]") {
+TEST_CASE("rollres figures draws the paper's figures of both of its scenes", "[studies][figure][long]") {
   const TemporaryDirectory scratch;
   const ProgramRun sphere = solving({"figures", example("paper_sphere.json"), "--out", scratch / "sphere"});
   CHECK(sphere.status == 0);

@@ -159,7 +159,7 @@ TEST_CASE("columns of a table of moduli are known, left out with a note, or refu
   CHECK_THAT(run(known + "note", rows, {{"sigma", 2}}).err, Catch::Contains("must be a percentage > 0"));
 }
 
-TEST_CASE("Kraus's model is fitted to a strain sweep, drawn, stored and solved with", "[studies][fit]") {
+TEST_CASE("Kraus's model is fitted to a strain sweep, drawn, stored and solved with", "[studies][fit][long]") {
   const TemporaryDirectory directory;
   const auto run = [&](const std::string& fit, std::vector<std::string> more = {}) {
     more.insert(more.begin(), {"fit", fit, "--db", (directory / "m.db").string()});

@@ -94,7 +94,7 @@ TEST_CASE("rollres optimise stores and draws a front", "[studies][optimise]") {
 }
 
 TEST_CASE("the example of an optimisation finds the optimum of a dense sweep within 0.5 % in under 60 evaluations",
-          "[studies][examples]") {
+          "[studies][examples][long]") {
   const TemporaryDirectory folder;
   const ProgramRun run = run_rollres({"optimise", source_directory().string() + "/studies/examples/optimise_layer.json",
                                       "--db", folder / "results.db", "--json"},

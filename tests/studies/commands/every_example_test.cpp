@@ -137,7 +137,7 @@ TEST_CASE("every key of fits of materials has an example, and each of these give
   CHECK(of_strains.contains("sweep_amplitude"));
 }
 
-TEST_CASE("every example of a study and of an optimisation is planned, run and drawn", "[studies][examples]") {
+TEST_CASE("every example of a study and of an optimisation is planned, run and drawn", "[studies][examples][long]") {
   const TemporaryDirectory folder;
   for (const auto& file : examples_with("study")) {
     if (file.stem() == "fit_scatter") continue;  // needs a stored fit: below
@@ -156,7 +156,7 @@ TEST_CASE("every example of a study and of an optimisation is planned, run and d
 }
 
 TEST_CASE("the example that scatters as a stored fit says takes the one that the README stores",
-          "[studies][examples]") {
+          "[studies][examples][long]") {
   // README and guide store fits in out/results.db.
   const TemporaryDirectory folder;
   const auto examples = folder.path / "studies" / "examples";

@@ -45,7 +45,7 @@ TEST_CASE("the program reproduces the paper's sphere with every node inside the 
   CHECK(answer["energy_residual"] < 5e-3);
 }
 
-TEST_CASE("both example studies are solved in full and drawn", "[studies][examples]") {
+TEST_CASE("both example studies are solved in full and drawn", "[studies][examples][long]") {
   const TemporaryDirectory folder;
   for (const auto& [name, points] :
        {std::pair<std::string, int>{"speed_resistance", 180}, {"speed_resistance_sphere", 13}}) {

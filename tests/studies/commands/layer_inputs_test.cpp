@@ -274,7 +274,7 @@ TEST_CASE("a further layer's input is the axis or the family of a chart, and nam
   CHECK_THAT(file_text(shop.folder / "report.html"), Contains("layer thickness of coating [0]"));
 }
 
-TEST_CASE("an optimisation finds the best thickness and modulus of a coating", "[studies][optimise][layers]") {
+TEST_CASE("an optimisation finds the best thickness and modulus of a coating", "[studies][optimise][layers][long]") {
   const Workshop shop;
   const std::string file = shop.write(
       {{"study", "best tyre"},
@@ -308,7 +308,7 @@ TEST_CASE("sensitivities of a scene are also those by its further layers' inputs
   CHECK_THAT(sobol.out, Contains(thickness));
 }
 
-TEST_CASE("a fit finds a coating's modulus from tests on coatings of several thicknesses", "[studies][fit][layers]") {
+TEST_CASE("a fit finds a coating's modulus from tests on coatings of several thicknesses", "[studies][fit][layers][long]") {
   const Workshop shop;
   std::string table = "coating_layers[0].layer_thickness [mm],rolling_resistance [N/m]\n";
   for (const double millimetres : {2.0, 4.0, 6.0, 9.0, 13.0, 18.0}) {

@@ -73,7 +73,7 @@ TEST_CASE("each part of a model has the model without it beside it", "[studies][
 }
 
 TEST_CASE("beside finite strain stands the theory of small strains, and no model that the method has not",
-          "[studies][simpler_models]") {
+          "[studies][simpler_models][long]") {
   RollingScene scene = plain_scene(1, 100);
   scene.method = Method::finite_strain;
   RollingSolution solution;

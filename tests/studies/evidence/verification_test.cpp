@@ -14,7 +14,7 @@ using namespace rollres;
 using Catch::Matchers::Contains;
 
 TEST_CASE("the program reproduces the paper, the closed forms, the tables of others and the balance of power",
-          "[studies][verify]") {
+          "[studies][verify][long]") {
   const std::vector<VerificationRow> rows = verify(solve);
   std::set<std::string> names;
   for (const VerificationRow& row : rows) {

@@ -237,7 +237,7 @@ TEST_CASE("a relaxation curve and a creep curve give the material back, with the
 }
 
 TEST_CASE("intervals of a joint fit to loss tangents and resistances hold the truth as often as they say",
-          "[studies][fit]") {
+          "[studies][fit][long]") {
   const Fits fits;
   const json parameters{
       {"static_shear_modulus", "2 MPa"}, {"stiffening", 1}, {"creep_time", 0.03}, {"offset", {{"data", "rig"}}}};

@@ -103,7 +103,7 @@ TEST_CASE("maximising is minimising the opposite", "[studies][optimise]") {
 TEST_CASE(
     "where a third of the box has no answer every algorithm returns the best stored row, and never claims an "
     "optimum that is none",
-    "[studies][optimise]") {
+    "[studies][optimise][long]") {
   const double least = std::exp(Bowl::log_resistance(constrained_x, constrained_y));
   int found = 0;
   enum class Failure { not_a_number, exception, not_converged };

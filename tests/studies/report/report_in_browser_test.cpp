@@ -102,7 +102,7 @@ FitRecord drawn_fit() {
 }  // namespace
 
 TEST_CASE("reports are read on a phone, in the dark and on paper, and their charts zoom",
-          "[studies][report][browser]") {
+          "[studies][report][browser][long]") {
   if (browser().empty()) {
     WARN("Chromium is not installed");
     return;
@@ -137,7 +137,7 @@ TEST_CASE("reports are read on a phone, in the dark and on paper, and their char
 }
 
 TEST_CASE("reports of optimisations and of inputs that scatter are read on a phone and in the dark",
-          "[studies][report][browser]") {
+          "[studies][report][browser][long]") {
   if (browser().empty()) {
     WARN("Chromium is not installed");
     return;

@@ -120,7 +120,7 @@ TEST_CASE("a report holds all that is known of a study in one file that stands b
   CHECK(count_of(page, "url(") == count_of(page, "url(#"));  // parts of the page itself
 }
 
-TEST_CASE("a chart of a report tells the numbers of its points and shows one curve alone", "[studies][report]") {
+TEST_CASE("a chart of a report tells the numbers of its points and shows one curve alone", "[studies][report][long]") {
   const TemporaryDirectory scratch;
   ResultStore store(stored(scratch, speed_and_load("speed and load")), Access::read);
   const std::string page = study_report(store, {}).html;
@@ -168,7 +168,7 @@ TEST_CASE("letters of a report have a contrast of 4.5 on light and dark screens"
     }
 }
 
-TEST_CASE("a long table is folded, a short one is not", "[studies][report]") {
+TEST_CASE("a long table is folded, a short one is not", "[studies][report][long]") {
   const TemporaryDirectory scratch;
   Study study = speed_and_load("long");
   study.axes[1].values.clear();
@@ -203,7 +203,7 @@ TEST_CASE("escaped text is UTF-8 without control characters", "[studies][report]
   CHECK(html::text("\xe2\x82") == "\uFFFD\uFFFD");            // cut off
 }
 
-TEST_CASE("the table of a long study shows every n-th point and says so", "[studies][report]") {
+TEST_CASE("the table of a long study shows every n-th point and says so", "[studies][report][long]") {
   const TemporaryDirectory scratch;
   ResultStore store(stored(scratch, speed_and_load("long")), Access::read);
   const std::string page = study_report(store, {.most_rows = 7}).html;

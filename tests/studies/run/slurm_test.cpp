@@ -58,7 +58,7 @@ TEST_CASE("a word of the shell is what it was, whatever stands in it", "[studies
 }
 
 TEST_CASE("a Slurm array gives the table of one process, resubmits what is missing, and saves what is solved in time",
-          "[studies][slurm]") {
+          "[studies][slurm][long]") {
   const TemporaryDirectory folder;
   OneNodeSlurm cluster;
   if (!cluster.trouble.empty()) {
