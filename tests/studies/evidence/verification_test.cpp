@@ -13,14 +13,13 @@
 using namespace rollres;
 using Catch::Matchers::Contains;
 
-TEST_CASE("the program reproduces the paper, the closed forms, the tables of others and the balance of power",
-          "[studies][verify][long]") {
-  const std::vector<VerificationRow> rows = verify(solve);
+TEST_CASE("each case of the verification stands once, and names its source and why it may differ as it may",
+          "[studies][verify]") {
+  // That the program passes them is seen where the README's table is compared (readme_test.cpp).
+  const std::vector<VerificationRow> rows = verify(closed_form);
   std::set<std::string> names;
   for (const VerificationRow& row : rows) {
-    INFO(row.quantity << " (" << row.source << "): expected " << row.expected << ", got " << row.got << ", differs by "
-                      << row.difference() << " " << row.reason);
-    CHECK(row.passed());
+    INFO(row.quantity << " (" << row.source << ")");
     CHECK_FALSE(row.source.empty());
     CHECK_FALSE(row.allowance.empty());
     CHECK(names.insert(row.quantity + row.source).second);
