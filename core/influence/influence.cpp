@@ -130,7 +130,7 @@ InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& gri
   const double largest =
       std::max(reach_x * grid.spacing_x, std::isinf(scene.layer_thickness) ? 0 : scene.layer_thickness);
   return shared_passage_kernel(scene.indenter, layer_of(scene), grid.spacing_x, grid.spacing_y, reach_x, reach_y)
-      ->table(lumped_for(material, scene.speed, grid.spacing_x, largest), scene.speed, reach_x, reach_y);
+      ->table(lumped(material, memory_range(scene.speed, grid.spacing_x, largest)), scene.speed, reach_x, reach_y);
 }
 
 double expansion_error(const RollingScene& scene) {

@@ -76,8 +76,8 @@ std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene, const
 /// What the layers add to the displacements under a line force spread over a cell.
 class AddedDisplacements {
  public:
-  AddedDisplacements(const RollingScene& scene, double cell)
-      : surface_(scene),
+  AddedDisplacements(const RollingScene& scene, double cell, const MemoryRange& told_apart)
+      : surface_(scene, told_apart),
         depth_(nearest_interface(scene)),
         cell_(cell),
         at_rest_(surface_.half_spaces(surface_.moduli(0))),
@@ -136,10 +136,12 @@ InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& 
     return table;
   };
   const bool ahead = coating_remembers_ahead(scene);
-  InfluenceTable table = half_spaces(foundation_of(scene), ahead ? LayeredMedium{} : coating_of(scene));
-  if (ahead) table.add_coating(half_spaces(coating_of(scene), {}).reversed());
+  const MemoryRange told_apart = memory_range(scene.speed, cell, std::max(reach_x * cell, finite_thickness(scene)));
+  const LayeredMedium coating = coating_of(scene, told_apart);
+  InfluenceTable table = half_spaces(foundation_of(scene, told_apart), ahead ? LayeredMedium{} : coating);
+  if (ahead) table.add_coating(half_spaces(coating, {}).reversed());
   if (std::isinf(nearest_interface(scene))) return table;
-  const AddedDisplacements added(scene, cell);
+  const AddedDisplacements added(scene, cell, told_apart);
   for (int column = -reach_x; column <= reach_x; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
     const LayerSlopes values = added(column * cell);

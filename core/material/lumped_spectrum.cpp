@@ -20,10 +20,10 @@ CreepSpectrum::Term joined(std::vector<CreepSpectrum::Term>::const_iterator begi
 
 }  // namespace
 
-CreepSpectrum lumped(const CreepSpectrum& spectrum, double shortest, double longest) {
+CreepSpectrum lumped(const CreepSpectrum& spectrum, const MemoryRange& range) {
   const auto& terms = spectrum.terms;
-  const auto from = std::partition_point(terms.begin(), terms.end(), [&](const auto& t) { return t.time < shortest; });
-  const auto to = std::partition_point(from, terms.end(), [&](const auto& t) { return t.time <= longest; });
+  const auto from = std::partition_point(terms.begin(), terms.end(), [&](const auto& t) { return t.time < range.shortest; });
+  const auto to = std::partition_point(from, terms.end(), [&](const auto& t) { return t.time <= range.longest; });
   CreepSpectrum few{.instantaneous = spectrum.instantaneous, .terms = {}};
   if (from != terms.begin()) few.terms.push_back(joined(terms.begin(), from, 1));
   few.terms.insert(few.terms.end(), from, to);
@@ -31,8 +31,8 @@ CreepSpectrum lumped(const CreepSpectrum& spectrum, double shortest, double long
   return few;
 }
 
-CreepSpectrum lumped_for(const CreepSpectrum& spectrum, double speed, double smallest, double largest) {
-  return lumped(spectrum, 1e-3 * smallest / speed, 1e4 * largest / speed);
+MemoryRange memory_range(double speed, double smallest, double largest) {
+  return {1e-3 * smallest / speed, 1e4 * largest / speed};
 }
 
 }  // namespace rollres
