@@ -22,34 +22,41 @@ struct NearSpectra {
   CreepSpectrum normal, longitudinal, cross;
   double error = 0;
 
-  void add(const MediumTerm& term, double cross_sign) {
+  /// @param deep k c of the half-space [1/Pa]   @param time of its memory [s]; 0: at once
+  void add(double time, const Eigen::Array3d& deep, double cross_sign) {
     const auto put = [&](CreepSpectrum& spectrum, double compliance) {
-      if (term.time == 0)
+      if (time == 0)
         spectrum.instantaneous += compliance;
       else
-        spectrum.terms.push_back({compliance, term.time});
+        spectrum.terms.push_back({compliance, time});
     };
-    put(normal, 2 * term.deep.normal);
-    put(longitudinal, 2 * term.deep.longitudinal);
-    put(cross, -2 * cross_sign * term.deep.cross);
+    put(normal, 2 * deep(0));
+    put(longitudinal, 2 * deep(1));
+    put(cross, -2 * cross_sign * deep(2));
+  }
+
+  /// Without inertia each term of creep is a half-space of its own.
+  void add(const MediumLayer& top, double cross_sign) {
+    const LayerSymbols symbols = half_space_symbols(top.poisson_ratio);
+    const Eigen::Array3d deep(symbols.normal, symbols.longitudinal, symbols.cross);
+    add(0, top.material.instantaneous * deep, cross_sign);
+    for (const CreepSpectrum::Term& term : top.material.terms) add(term.time, term.compliance * deep, cross_sign);
   }
 
   void add(const LayeredMedium& medium, double wave_speed, double cross_sign) {
     if (medium.empty()) return;
     MediumLayer top = medium.front();
+    if (wave_speed == 0) return add(top, cross_sign);
     top.thickness = INFINITY;
     // A few materials' terms are exact; of many, and near the speed of Rayleigh waves, fewer times stand for all.
-    if (constexpr std::size_t few = 8; wave_speed > 0 && top.material.terms.size() <= few)
+    if (constexpr std::size_t few = 8; top.material.terms.size() <= few)
       if (const std::vector<HalfSpaceTerm> terms = half_space_terms(top, wave_speed); !terms.empty()) {
-        for (const HalfSpaceTerm& term : terms)
-          add({term.length / wave_speed,
-               {.normal = term.compliances(0), .longitudinal = term.compliances(1), .cross = term.compliances(2)},
-               {}},
-              cross_sign);
+        for (const HalfSpaceTerm& term : terms) add(term.length / wave_speed, term.compliances, cross_sign);
         return;
       }
     const MediumExpansion expansion({top}, wave_speed);
-    for (const MediumTerm& term : expansion.terms()) add(term, cross_sign);
+    for (const MediumTerm& term : expansion.terms())
+      add(term.time, {term.deep.normal, term.deep.longitudinal, term.deep.cross}, cross_sign);
     error = std::max(error, expansion.error());
   }
 };
