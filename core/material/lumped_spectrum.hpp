@@ -17,12 +17,15 @@ struct MemoryRange {
 /// below 1e-3 of the former, long one beyond 1e4 times the latter.
 MemoryRange memory_range(double speed, double smallest, double largest);
 
-/// The spectrum with all terms of times below the shortest as one, and all above the longest as another. Each has the
-/// compliance of its terms, the short one their mean of time (1/G* is met to second order in omega time), the long one
-/// their mean of 1/time (to second order in 1/(omega time)). Up to one term either way is left as it is.
+/// The spectrum with all terms of times below the shortest as one, and all above the longest as another. The short one
+/// has the compliance of its terms and their mean of time: 1/G* is met to second order in omega time. The long one has
+/// their sums of compliance/time and of compliance ln(time)/time. These are all that a contact much shorter than V time
+/// tells of long memories, to second order in its length over V time: over a rigid base the first, and on a half-space,
+/// whose slope under a line force is 1/x, a mean of (ln(V time/x) - 0.577)/(V time) as well. Up to one term either way
+/// is left as it is.
 ///
-/// Waves of a frequency near 1/time of the long ones see another compliance. Over a rigid base they do not move the
-/// surface, but quotients of compliances must have it on both sides.
+/// At frequencies near 1/time of the long ones, and at rest, the compliance is another one. Quotients of compliances must
+/// have the same one on both sides.
 CreepSpectrum lumped(const CreepSpectrum& spectrum, const MemoryRange& range);
 
 }  // namespace rollres

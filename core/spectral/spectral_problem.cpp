@@ -76,9 +76,9 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const MemoryRange told_apart = memory_range(scene.speed, 1e-3 * half_width, 1e2 * largest);
-  const TidySpectrum tidy = tidied(
-      single_incompressible(scene) ? lumped(material, told_apart) : near_spectrum(scene, told_apart),
-      half_width / scene.speed, negligible, is_composite(scene) ? caution_on_several : caution_on_one_layer);
+  const TidySpectrum tidy =
+      tidied(single_incompressible(scene) ? lumped(material, told_apart) : near_spectrum(scene, told_apart),
+             half_width / scene.speed, negligible, is_composite(scene) ? caution_on_several : caution_on_one_layer);
   const CreepSpectrum& creep = tidy.creep;
   left_out = tidy.left_out;
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
