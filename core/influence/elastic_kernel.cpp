@@ -27,6 +27,16 @@ double integrated_log(double t, double b) {
   return square == 0 ? 0 : t * std::log(square) - 2 * t + (b > 0 ? 2 * b * std::atan(t / b) : 0);
 }
 
+/// Mean of ln(t^2) over a cell from `left` to `right`: far away by powers of the cell over the distance, for the
+/// antiderivative's digits are lost there.
+double mean_log(double left, double right) {
+  const double cell = right - left, middle = 0.5 * (left + right);
+  constexpr double far = 0.02;  // cell over distance, whose eighth power is nothing
+  if (const double q = std::pow(cell / middle, 2); q < far * far)
+    return std::log(middle * middle) - q * (1.0 / 12 + q * (1.0 / 160 + q / 1344));
+  return (integrated_log(right, 0) - integrated_log(left, 0)) / cell;
+}
+
 /// Enough Gauss points that the average over a cell of the correction, whose wavelength is about H, is exact to 1e-9.
 QuadratureRule averaging_rule(double cell_over_thickness) {
   const double c = cell_over_thickness;
@@ -135,10 +145,13 @@ Coefficients ElasticKernel::cylinder(double x) const {
   if (std::abs(x) > reach) return sum;
   // A cell across the end of the response ends there.
   const double right = std::min(x + 0.5 * cell_x_, reach), left = std::max(x - 0.5 * cell_x_, -reach);
-  const double logarithm = (integrated_log(right, 0) - integrated_log(left, 0)) / (2 * M_PI * cell_x_);
+  // Far from the load the length of the cell is lost in the difference of its ends.
+  const double share = std::abs(x) + 0.5 * cell_x_ <= reach ? 1 : (right - left) / cell_x_;
+  const double logarithm = share * mean_log(left, right) / (2 * M_PI);
   sum(ww) = -deep_.normal * logarithm;
   sum(uu) = -deep_.longitudinal * logarithm;
-  sum(uw) = -0.5 * deep_.cross * (std::abs(right) - std::abs(left)) / cell_x_;
+  const double sign = std::abs(x) >= 0.5 * cell_x_ ? std::copysign(share, x) : 2 * x / cell_x_;
+  sum(uw) = -0.5 * deep_.cross * sign;
   if (!line_) return sum;
 
   const double image = 2 * scales_.length;

@@ -22,34 +22,41 @@ struct NearSpectra {
   CreepSpectrum normal, longitudinal, cross;
   double error = 0;
 
-  void add(const MediumTerm& term, double cross_sign) {
+  /// @param deep k c of the half-space [1/Pa]   @param time of its memory [s]; 0: at once
+  void add(double time, const Eigen::Array3d& deep, double cross_sign) {
     const auto put = [&](CreepSpectrum& spectrum, double compliance) {
-      if (term.time == 0)
+      if (time == 0)
         spectrum.instantaneous += compliance;
       else
-        spectrum.terms.push_back({compliance, term.time});
+        spectrum.terms.push_back({compliance, time});
     };
-    put(normal, 2 * term.deep.normal);
-    put(longitudinal, 2 * term.deep.longitudinal);
-    put(cross, -2 * cross_sign * term.deep.cross);
+    put(normal, 2 * deep(0));
+    put(longitudinal, 2 * deep(1));
+    put(cross, -2 * cross_sign * deep(2));
+  }
+
+  /// Without inertia each term of creep is a half-space of its own.
+  void add(const MediumLayer& top, double cross_sign) {
+    const LayerSymbols symbols = half_space_symbols(top.poisson_ratio);
+    const Eigen::Array3d deep(symbols.normal, symbols.longitudinal, symbols.cross);
+    add(0, top.material.instantaneous * deep, cross_sign);
+    for (const CreepSpectrum::Term& term : top.material.terms) add(term.time, term.compliance * deep, cross_sign);
   }
 
   void add(const LayeredMedium& medium, double wave_speed, double cross_sign) {
     if (medium.empty()) return;
     MediumLayer top = medium.front();
+    if (wave_speed == 0) return add(top, cross_sign);
     top.thickness = INFINITY;
     // A few materials' terms are exact; of many, and near the speed of Rayleigh waves, fewer times stand for all.
-    if (constexpr std::size_t few = 8; wave_speed > 0 && top.material.terms.size() <= few)
+    if (constexpr std::size_t few = 8; top.material.terms.size() <= few)
       if (const std::vector<HalfSpaceTerm> terms = half_space_terms(top, wave_speed); !terms.empty()) {
-        for (const HalfSpaceTerm& term : terms)
-          add({term.length / wave_speed,
-               {.normal = term.compliances(0), .longitudinal = term.compliances(1), .cross = term.compliances(2)},
-               {}},
-              cross_sign);
+        for (const HalfSpaceTerm& term : terms) add(term.length / wave_speed, term.compliances, cross_sign);
         return;
       }
     const MediumExpansion expansion({top}, wave_speed);
-    for (const MediumTerm& term : expansion.terms()) add(term, cross_sign);
+    for (const MediumTerm& term : expansion.terms())
+      add(term.time, {term.deep.normal, term.deep.longitudinal, term.deep.cross}, cross_sign);
     error = std::max(error, expansion.error());
   }
 };
@@ -76,8 +83,8 @@ std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene, const
 /// What the layers add to the displacements under a line force spread over a cell.
 class AddedDisplacements {
  public:
-  AddedDisplacements(const RollingScene& scene, double cell)
-      : surface_(scene),
+  AddedDisplacements(const RollingScene& scene, double cell, const MemoryRange& told_apart)
+      : surface_(scene, told_apart),
         depth_(nearest_interface(scene)),
         cell_(cell),
         at_rest_(surface_.half_spaces(surface_.moduli(0))),
@@ -136,10 +143,12 @@ InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& 
     return table;
   };
   const bool ahead = coating_remembers_ahead(scene);
-  InfluenceTable table = half_spaces(foundation_of(scene), ahead ? LayeredMedium{} : coating_of(scene));
-  if (ahead) table.add_coating(half_spaces(coating_of(scene), {}).reversed());
+  const MemoryRange told_apart = memory_range(scene.speed, cell, std::max(reach_x * cell, finite_thickness(scene)));
+  const LayeredMedium coating = coating_of(scene, told_apart);
+  InfluenceTable table = half_spaces(foundation_of(scene, told_apart), ahead ? LayeredMedium{} : coating);
+  if (ahead) table.add_coating(half_spaces(coating, {}).reversed());
   if (std::isinf(nearest_interface(scene))) return table;
-  const AddedDisplacements added(scene, cell);
+  const AddedDisplacements added(scene, cell, told_apart);
   for (int column = -reach_x; column <= reach_x; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
     const LayerSlopes values = added(column * cell);

@@ -1,38 +1,51 @@
 #include "core/material/lumped_spectrum.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rollres {
 
 namespace {
 
-/// The terms of a group as one, its time such that the sum of compliance * time^power is kept.
-CreepSpectrum::Term joined(std::vector<CreepSpectrum::Term>::const_iterator begin,
-                           std::vector<CreepSpectrum::Term>::const_iterator end, int power) {
+using Iterator = std::vector<CreepSpectrum::Term>::const_iterator;
+
+CreepSpectrum::Term joined_short(Iterator begin, Iterator end) {
   if (end - begin == 1) return *begin;
   double compliance = 0, moment = 0;
   for (auto term = begin; term != end; ++term) {
     compliance += term->compliance;
-    moment += power > 0 ? term->compliance * term->time : term->compliance / term->time;
+    moment += term->compliance * term->time;
   }
-  return {compliance, power > 0 ? moment / compliance : compliance / moment};
+  return {compliance, moment / compliance};
+}
+
+CreepSpectrum::Term joined_long(Iterator begin, Iterator end) {
+  if (end - begin == 1) return *begin;
+  double rate = 0, logarithms = 0;
+  for (auto term = begin; term != end; ++term) {
+    rate += term->compliance / term->time;
+    logarithms += term->compliance / term->time * std::log(term->time);
+  }
+  const double time = std::exp(logarithms / rate);
+  return {rate * time, time};
 }
 
 }  // namespace
 
-CreepSpectrum lumped(const CreepSpectrum& spectrum, double shortest, double longest) {
+CreepSpectrum lumped(const CreepSpectrum& spectrum, const MemoryRange& range) {
   const auto& terms = spectrum.terms;
-  const auto from = std::partition_point(terms.begin(), terms.end(), [&](const auto& t) { return t.time < shortest; });
-  const auto to = std::partition_point(from, terms.end(), [&](const auto& t) { return t.time <= longest; });
+  const auto from =
+      std::partition_point(terms.begin(), terms.end(), [&](const auto& t) { return t.time < range.shortest; });
+  const auto to = std::partition_point(from, terms.end(), [&](const auto& t) { return t.time <= range.longest; });
   CreepSpectrum few{.instantaneous = spectrum.instantaneous, .terms = {}};
-  if (from != terms.begin()) few.terms.push_back(joined(terms.begin(), from, 1));
+  if (from != terms.begin()) few.terms.push_back(joined_short(terms.begin(), from));
   few.terms.insert(few.terms.end(), from, to);
-  if (to != terms.end()) few.terms.push_back(joined(to, terms.end(), -1));
+  if (to != terms.end()) few.terms.push_back(joined_long(to, terms.end()));
   return few;
 }
 
-CreepSpectrum lumped_for(const CreepSpectrum& spectrum, double speed, double smallest, double largest) {
-  return lumped(spectrum, 1e-3 * smallest / speed, 1e4 * largest / speed);
+MemoryRange memory_range(double speed, double smallest, double largest) {
+  return {1e-3 * smallest / speed, 1e4 * largest / speed};
 }
 
 }  // namespace rollres

@@ -2,18 +2,30 @@
 
 /// Terms of a spectrum whose memory is too short or too long for a contact to tell them apart, as one.
 
+#include <limits>
+
 #include "core/material/material.hpp"
 
 namespace rollres {
 
-/// The spectrum with all terms of times below `shortest` as one, and all above `longest` as another. Each has the
-/// compliance of its terms, the short one their mean of time (1/G* is met to second order in omega time), the long one
-/// their mean of 1/time (to second order in 1/(omega time)). Up to one term either way is left as it is.
-/// @param shortest, longest [s]
-CreepSpectrum lumped(const CreepSpectrum& spectrum, double shortest, double longest);
+/// Times that a contact tells apart [s].
+struct MemoryRange {
+  double shortest = 0, longest = std::numeric_limits<double>::infinity();
+};
 
-/// The same for a contact that is resolved to `smallest` [m] and reaches over `largest` [m] at a speed [m/s]: short is
-/// a memory below 1e-3 of the former, long one beyond 1e4 times the latter.
-CreepSpectrum lumped_for(const CreepSpectrum& spectrum, double speed, double smallest, double largest);
+/// Of a contact that is resolved to `smallest` [m] and reaches over `largest` [m] at a speed [m/s]: short is a memory
+/// below 1e-3 of the former, long one beyond 1e4 times the latter.
+MemoryRange memory_range(double speed, double smallest, double largest);
+
+/// The spectrum with all terms of times below the shortest as one, and all above the longest as another. The short one
+/// has the compliance of its terms and their mean of time: 1/G* is met to second order in omega time. The long one has
+/// their sums of compliance/time and of compliance ln(time)/time. These are all that a contact much shorter than V time
+/// tells of long memories, to second order in its length over V time: over a rigid base the first, and on a half-space,
+/// whose slope under a line force is 1/x, a mean of (ln(V time/x) - 0.577)/(V time) as well. Up to one term either way
+/// is left as it is.
+///
+/// At frequencies near 1/time of the long ones, and at rest, the compliance is another one. Quotients of compliances must
+/// have the same one on both sides.
+CreepSpectrum lumped(const CreepSpectrum& spectrum, const MemoryRange& range);
 
 }  // namespace rollres

@@ -10,6 +10,7 @@
 #include "core/newton/newton_starts.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/indenter_shape.hpp"
+#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 
@@ -31,7 +32,8 @@ std::string describe_failure(const ContactLevel& level) {
   }
   text << "stopped after " << level.outcome.iterations << " Newton iterations at spacing "
        << level.problem->grid.spacing_x << " m with the laws of contact violated by " << level.outcome.residual
-       << " of the largest pressure";
+       << " of the largest pressure; another spacing may answer";
+  if (const RollingScene& scene = level.problem->scene; inertia_included(scene)) text << ", or \"inertia\": \"off\"";
   return text.str();
 }
 

@@ -246,13 +246,12 @@ RollingSolution solve_by_method(const RollingScene& scene, std::optional<FoundZo
     SpectralOutcome found = solve_spectral(scene, zones);
     zones = found.zones;
     if (found.solution) return std::move(*found.solution);
-    note = "; solved on a grid, not with continuous edges: " + found.reason;
+    note = found.reason;
   }
   if (method == Method::active_set) return solve_paper(scene);
   if (method == Method::finite_strain) return solve_finite_strain(scene);
   const bool asked = scene.method != Method::automatic || scene.indenter == Indenter::sphere || scene.spacing;
-  if (const std::string refusal = asked ? "" : spectral_refusal(scene); !refusal.empty())
-    note = "; solved on a grid, not with continuous edges: " + refusal;
+  if (const std::string refusal = asked ? "" : spectral_refusal(scene); !refusal.empty()) note = refusal;
   RollingScene gridded = scene;
   int most_nodes = dimensions(scene) == 3 ? most_nodes_3d : most_nodes_2d;
   if (method == Method::spectral && !scene.tolerance) {
@@ -267,7 +266,11 @@ RollingSolution solve_by_method(const RollingScene& scene, std::optional<FoundZo
     solution = answer_from(solve_on_grids(gridded, std::min(most_nodes, factorisable_nodes)), scene);
   }
   solution.method = method == Method::newton_dense ? method : Method::newton;
-  solution.model += note;
+  if (note.empty()) return solution;
+  if (solution.status == Status::converged)
+    solution.model += "; solved on a grid, not with continuous edges: " + note;
+  else if (solution.status == Status::not_converged)
+    solution.reason += "; no answer with continuous edges either: " + note;
   return solution;
 }
 

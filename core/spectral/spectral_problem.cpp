@@ -75,9 +75,10 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
     : scene(given), shape(given), half_width(rough_half_width) {
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
+  const MemoryRange told_apart = memory_range(scene.speed, 1e-3 * half_width, 1e2 * largest);
   const TidySpectrum tidy =
-      tidied(lumped_for(material, scene.speed, 1e-3 * half_width, 1e2 * largest), half_width / scene.speed, negligible,
-             is_composite(scene) ? caution_on_several : caution_on_one_layer);
+      tidied(single_incompressible(scene) ? lumped(material, told_apart) : near_spectrum(scene, told_apart),
+             half_width / scene.speed, negligible, is_composite(scene) ? caution_on_several : caution_on_one_layer);
   const CreepSpectrum& creep = tidy.creep;
   left_out = tidy.left_out;
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
@@ -95,7 +96,7 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
     if (std::isfinite(scene.layer_thickness))
       correction = std::make_shared<LayerSlopeCorrection>(scene.layer_thickness, creep_length);
   } else if (std::isfinite(nearest_interface(scene))) {
-    correction = std::make_shared<PassageSlopes>(scene, creep);
+    correction = std::make_shared<PassageSlopes>(scene, creep, told_apart);
   }
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     relaxation_length.push_back(scene.speed * term.time);

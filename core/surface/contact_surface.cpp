@@ -67,8 +67,12 @@ bool coating_remembers(const RollingScene& scene) {
   });
 }
 
-LayeredMedium without_inertia(LayeredMedium medium) {
-  for (MediumLayer& layer : medium) layer.density = 0;
+/// As the scene's model has it.
+LayeredMedium modelled(const RollingScene& scene, LayeredMedium medium, const MemoryRange& told_apart) {
+  for (MediumLayer& layer : medium) {
+    if (!inertia_included(scene)) layer.density = 0;
+    layer.material = lumped(layer.material, told_apart);
+  }
   return medium;
 }
 
@@ -124,12 +128,12 @@ bool is_composite(const RollingScene& scene) {
   return !scene.lower_layers.empty() || !scene.coating_layers.empty() || inertia_included(scene);
 }
 
-LayeredMedium foundation_of(const RollingScene& scene) {
-  return inertia_included(scene) ? all_under(scene) : without_inertia(all_under(scene));
+LayeredMedium foundation_of(const RollingScene& scene, const MemoryRange& told_apart) {
+  return modelled(scene, all_under(scene), told_apart);
 }
 
-LayeredMedium coating_of(const RollingScene& scene) {
-  return inertia_included(scene) ? all_on(scene) : without_inertia(all_on(scene));
+LayeredMedium coating_of(const RollingScene& scene, const MemoryRange& told_apart) {
+  return modelled(scene, all_on(scene), told_apart);
 }
 
 double total_thickness(const RollingScene& scene) {
@@ -152,10 +156,11 @@ double nearest_interface(const RollingScene& scene) {
                   scene.coating_layers.empty() ? INFINITY : scene.coating_layers.front().layer_thickness);
 }
 
-CreepSpectrum near_spectrum(const RollingScene& scene) {
+CreepSpectrum near_spectrum(const RollingScene& scene, const MemoryRange& told_apart) {
   CreepSpectrum sum;
-  const auto add = [&](const MaterialInputs& material, const CreepSpectrum& spectrum) {
+  const auto add = [&](const MaterialInputs& material, const CreepSpectrum& all) {
     const double share = 2 * (1 - material.poisson_ratio);
+    const CreepSpectrum spectrum = lumped(all, told_apart);
     sum.instantaneous += share * spectrum.instantaneous;
     for (const CreepSpectrum::Term& term : spectrum.terms) sum.terms.push_back({share * term.compliance, term.time});
   };
@@ -186,16 +191,16 @@ std::string surface_in_words(const RollingScene& scene) {
   return text + ", rigid body with " + (coats == 1 ? "a coating" : std::to_string(coats) + " coatings");
 }
 
-SteadySurface::SteadySurface(const RollingScene& scene)
+SteadySurface::SteadySurface(const RollingScene& scene, const MemoryRange& told_apart)
     : composite_(is_composite(scene)),
       backwards_(flow_of_coating(scene) < 0),
       layer_(layer_of(scene)),
       speed_(scene.speed),
       thickness_(total_thickness(scene)),
-      material_(creep_spectrum(scene)) {
+      material_(lumped(creep_spectrum(scene), told_apart)) {
   if (!composite_) return;
-  foundation_ = foundation_of(scene);
-  coating_ = coating_of(scene);
+  foundation_ = foundation_of(scene, told_apart);
+  coating_ = coating_of(scene, told_apart);
 }
 
 SteadySurface::Moduli SteadySurface::moduli(double along) const {

@@ -11,6 +11,7 @@
 
 #include <string>
 
+#include "core/material/lumped_spectrum.hpp"
 #include "core/scene/scene.hpp"
 #include "core/surface/layered_medium.hpp"
 
@@ -51,8 +52,9 @@ bool is_composite(const RollingScene& scene);
 
 /// The layers under the body and those on it, from the contact away; densities are 0 where inertia is left out. The
 /// latter may be none; their creep and density are those that act as much at V (`flow_of_coating`), forwards.
-LayeredMedium foundation_of(const RollingScene& scene);
-LayeredMedium coating_of(const RollingScene& scene);
+/// @param told_apart  of the memories; others are lumped, material by material
+LayeredMedium foundation_of(const RollingScene& scene, const MemoryRange& told_apart = {});
+LayeredMedium coating_of(const RollingScene& scene, const MemoryRange& told_apart = {});
 
 /// Thickness of all layers under and on the body [m]; infinite over a half-space.
 double total_thickness(const RollingScene& scene);
@@ -68,7 +70,7 @@ double nearest_interface(const RollingScene& scene);
 
 /// Normal compliance that short waves see, of the half-spaces of the two materials next to the contact, as the spectrum
 /// of creep in shear of the incompressible half-space that yields as much: sum of 2 (1 - nu)/G*. Without inertia.
-CreepSpectrum near_spectrum(const RollingScene& scene);
+CreepSpectrum near_spectrum(const RollingScene& scene, const MemoryRange& told_apart = {});
 
 /// What bounds the surface, top and bottom, in words: "2 bonded layers on a rigid base, coated rigid body".
 std::string surface_in_words(const RollingScene& scene);
@@ -76,7 +78,7 @@ std::string surface_in_words(const RollingScene& scene);
 /// Compliance of the surface in steady motion, wavenumber by wavenumber.
 class SteadySurface {
  public:
-  explicit SteadySurface(const RollingScene& scene);
+  explicit SteadySurface(const RollingScene& scene, const MemoryRange& told_apart = {});
 
   /// Moduli for one wavenumber along the motion.
   struct Moduli {

@@ -17,8 +17,8 @@ double slowest_decay(const RollingScene& scene) {
 
 }  // namespace
 
-PassageSlopes::PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep)
-    : surface_(scene),
+PassageSlopes::PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep, const MemoryRange& told_apart)
+    : surface_(scene, told_apart),
       deep_(deep),
       depth_(nearest_interface(scene) * slowest_decay(scene)),
       rigid_base_(has_rigid_base(scene)),

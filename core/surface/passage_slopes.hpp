@@ -19,7 +19,9 @@ class PassageSlopes final : public SlopeCorrection {
  public:
   /// @param deep D, the spectrum by which the problem turns elastic slopes into slopes, with the memory lengths V time
   /// of its terms in their order
-  PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep);
+  /// @param told_apart of the layers' memories. D must have joined the same ones: where the layers are at rest, the
+  /// quotient by D must be that of the half-spaces, down to the longest waves.
+  PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep, const MemoryRange& told_apart = {});
 
   PassageSlopes(const PassageSlopes&) = delete;
   PassageSlopes& operator=(const PassageSlopes&) = delete;

@@ -141,3 +141,13 @@ TEST_CASE("a very thick layer moves like a half-space up to a rigid shift", "[co
   const ElasticKernel thick(Indenter::sphere, H, 0.1, 0.1), deep(Indenter::sphere, infinite, 0.1, 0.1);
   for (const double x : {0.0, 0.3, 10.0}) CHECK((thick(x, 0.2) - deep(x, 0.2)).abs().maxCoeff() < 1 / H);
 }
+
+TEST_CASE("far from a short cell a line force moves a half-space like the logarithm of the distance",
+          "[core][elastic_kernel]") {
+  const ElasticKernel kernel(Indenter::cylinder, Layer(infinite, 0.3), 1e-6, 0);
+  for (const double x : {1e-4, 1.0, 1e6, 1e12}) {
+    CHECK(kernel(x, 0)(ww) == Approx(-0.7 / M_PI * std::log(x)).epsilon(1e-13).margin(0.02 * 1e-12 / (x * x)));
+    CHECK(kernel(-x, 0)(uw) == -kernel(x, 0)(uw));
+    CHECK(kernel(x, 0)(uw) == Approx(0.1).epsilon(1e-14));
+  }
+}
