@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "studies/evidence/accuracy.hpp"
+#include "studies/evidence/relation_run.hpp"
 #include "studies/evidence/stability.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
@@ -27,6 +28,8 @@ struct StabilityArguments {
   std::string indenter = "both";
   int jobs = 0;
   double time_limit = 600;
+  std::string materials = "both";
+  std::size_t relations = 0;
   bool json = false;
 };
 
@@ -41,14 +44,22 @@ std::vector<Method> methods_to_try(const std::vector<std::string>& names) {
   return methods;
 }
 
+/// What both kinds of runs take alike. @param cylinders, spheres  where both are tried
+RandomScenes random_scenes(const StabilityArguments& arguments, std::size_t cylinders, std::size_t spheres) {
+  RandomScenes scenes;
+  if (arguments.indenter != "sphere") scenes.cylinders = cylinders;
+  if (arguments.indenter != "cylinder") scenes.spheres = spheres;
+  scenes.seed = arguments.seed;
+  scenes.spectra = static_cast<Spectra>(find_name(ChoiceNames<Spectra>::names, arguments.materials));
+  scenes.jobs = arguments.jobs;
+  scenes.time_limit = arguments.time_limit;
+  return scenes;
+}
+
 StabilityPlan plan_of(const StabilityArguments& arguments) {
-  StabilityPlan plan;
-  if (arguments.indenter != "sphere") plan.cylinders = arguments.scenes > 0 ? arguments.scenes : usual_cylinders;
-  if (arguments.indenter != "cylinder") plan.spheres = arguments.scenes > 0 ? arguments.scenes : usual_spheres;
-  plan.seed = arguments.seed;
+  const std::size_t asked = arguments.scenes;
+  StabilityPlan plan{random_scenes(arguments, asked > 0 ? asked : usual_cylinders, asked > 0 ? asked : usual_spheres)};
   plan.methods = methods_to_try(arguments.methods);
-  plan.jobs = arguments.jobs;
-  plan.time_limit = arguments.time_limit;
   return plan;
 }
 
@@ -108,7 +119,55 @@ std::vector<fs::path> draw_maps(const StabilityReport& report, const fs::path& f
   return pictures;
 }
 
+/// Writes both scenes of each relation that is broken, or of which one alone has an answer. @returns the broken ones'
+std::vector<std::string> write_broken(const RelationReport& report, const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const RelationTrial& trial : report.trials) {
+    if (trial.finding.outcome == RelationOutcome::kept || trial.finding.one.empty()) continue;
+    const fs::path place = folder / std::string(name_of(trial.finding.outcome));
+    make_directory(place);
+    for (const auto& [which, scene] : {std::pair("one", trial.finding.one), std::pair("other", trial.finding.other)}) {
+      const fs::path file = place / (trial_name(trial) + '-' + which + ".json");
+      write_file(file, trial_scene_json(trial, scene));
+      if (is_broken(trial)) files.push_back(file.string());
+    }
+  }
+  return files;
+}
+
+/// Whether answers obey the relations that hold between them.
+void relate(const StabilityArguments& arguments, Session& session) {
+  make_directory(arguments.out);
+  const std::size_t asked = arguments.relations;
+  RelationPlan plan{random_scenes(arguments, asked, arguments.indenter == "sphere" ? asked : (asked + 9) / 10)};
+  const RelationReport report = watched_run(plan, session, [&] { return run_relations(plan, session.evaluate); });
+  const std::vector<std::string> broken = write_broken(report, arguments.out);
+  const fs::path file = fs::path(arguments.out) / "relations.csv";
+  write_file(file, csv_of(relation_trials_table(report.trials)));
+  const Table table = relations_table(report.trials);
+  if (arguments.json) {
+    session.out << text_of(Json{{"seed", plan.seed},
+                                {"interrupted", report.interrupted},
+                                {"results", json_of(table)},
+                                {"broken", broken},
+                                {"files", {file.string()}}},
+                           2)
+                << '\n';
+  } else {
+    write_aligned(session.out, table);
+    session.out << file.string() << '\n';
+    if (!broken.empty())
+      session.out << broken.size() / 2
+                  << " broken, both scenes to be solved again with rollres solve, the first: " << broken.front()
+                  << '\n';
+  }
+  if (report.interrupted) session.err << "interrupted: only part of the scenes was solved\n";
+  if (report.interrupted || std::any_of(report.trials.begin(), report.trials.end(), is_broken))
+    session.status = ExitStatus::no_answer;
+}
+
 void stability(const StabilityArguments& arguments, Session& session) {
+  if (arguments.relations > 0) return relate(arguments, session);
   StabilityPlan plan = plan_of(arguments);
   const fs::path folder = arguments.out, failed = folder / "failed";
   make_directory(folder);  // before the work, not after it
@@ -163,13 +222,28 @@ void add_stability(Command& program, Session& session) {
       "stability", "Try the methods on random scenes: which fails where", session, stability);
   command->add_option("--out DIR", arguments.out, "folder for the table, the maps and the scenes that failed")
       ->required();
-  command->add_option("--scenes N", arguments.scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
-      ->between(1, 100'000'000);
+  CommandOption* const scenes =
+      command
+          ->add_option("--scenes N", arguments.scenes, "scenes for each indenter; default: 1000 cylinders, 100 spheres")
+          ->between(1, 100'000'000);
   command->add_option("--seed S", arguments.seed, "of the random scenes; default: 1");
+  CommandOption* const methods = command
+                                     ->add_option("--methods METHOD,...", arguments.methods,
+                                                  "the methods to try, with commas between; default: all")
+                                     ->delimiter(',')
+                                     ->one_value_each();
   command
-      ->add_option("--methods METHOD,...", arguments.methods, "the methods to try, with commas between; default: all")
-      ->delimiter(',')
-      ->one_value_each();
+      ->add_option("--materials MATERIALS", arguments.materials,
+                   "of the random scenes: zener; wide: spectra over many decades; or both (the default), by lot")
+      ->one_of(ChoiceNames<Spectra>::names);
+  command
+      ->add_option("--relations N", arguments.relations,
+                   "instead: whether answers obey the relations between them (a layer cut in two, other units, load "
+                   "found and given back, ...), each on so many random cylinders and a tenth as many spheres; into "
+                   "DIR/relations.csv, scenes that break one into DIR/broken")
+      ->between(1, 1'000'000)
+      ->excludes(scenes)
+      ->excludes(methods);
   command->add_option("--indenter INDENTER", arguments.indenter, "cylinder, sphere or both (the default)")
       ->one_of({"cylinder", "sphere", "both"});
   command->add_option("--jobs N", arguments.jobs, "processes; default: one for each core")->between(1, 1024);
@@ -180,8 +254,9 @@ void add_stability(Command& program, Session& session) {
       "converged: every law of contact holds to 1e-8. refused: the drive needs more friction, confirmed by solving "
       "with "
       "2 % more and 2 % less than the method says it needs; unconfirmed: that is not so. wrong: says converged, and is "
-      "not. Exit status 1 if any is wrong or crashed.\n"
-      "Example: rollres stability --out stability --scenes 200 --methods newton,active_set");
+      "not. Exit status 1 if any is wrong or crashed, or a relation is broken.\n"
+      "Example: rollres stability --out stability --scenes 200 --methods newton,active_set\n"
+      "Example: rollres stability --out relations --relations 100");
 }
 
 }  // namespace rollres

@@ -22,7 +22,7 @@ struct RandomScene {
 };
 
 RandomScene random_scene(const RandomAccuracyPlan& plan, Indenter indenter, std::size_t number) {
-  RandomScene random{number, stability_scene(indenter, plan.seed, number), {}};
+  RandomScene random{number, stability_scene(indenter, plan.seed, number, plan.spectra), {}};
   random.scene.inertia = Inertia::off;  // errors of computing are wanted, of one model
   random.scene.time_limit = plan.time_limit;
   // Every fourth scene without friction: other ways are taken there.

@@ -118,7 +118,8 @@ std::vector<Trial> planned(const StabilityPlan& plan) {
     const bool next_is_sphere =
         cylinder == plan.cylinders || (sphere < plan.spheres && sphere * plan.cylinders < cylinder * plan.spheres);
     Trial trial{.number = next_is_sphere ? sphere++ : cylinder++, .scene = {}};
-    trial.scene = stability_scene(next_is_sphere ? Indenter::sphere : Indenter::cylinder, plan.seed, trial.number);
+    trial.scene =
+        stability_scene(next_is_sphere ? Indenter::sphere : Indenter::cylinder, plan.seed, trial.number, plan.spectra);
     for (const Method method : plan.methods) {
       if (method == Method::spectral && next_is_sphere) continue;
       Trial& added = trials.emplace_back(trial);

@@ -1,61 +1,26 @@
 #include "studies/evidence/stability_scene.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <random>
+#include <limits>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/material/material.hpp"
 #include "core/numerics/bracketed_root.hpp"
+#include "studies/evidence/dice.hpp"
+#include "studies/evidence/random_material.hpp"
 
 namespace rollres {
 
 namespace {
 
-/// Four significant digits, the same for two numbers that differ in their last bits.
-double rounded(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 3).ptr;
-  double result = 0;
-  std::from_chars(text, end, result);
-  return result;
-}
-
-/// Numbers from the bits of the Mersenne twister, whose sequence the standard fixes (that of its distributions it does
-/// not).
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : bits_(seed) {}
-
-  double uniform(double from, double to) { return from + (to - from) * part(); }
-  double log_uniform(double from, double to) { return rounded(from * std::pow(to / from, part())); }
-  int choice(int count) { return static_cast<int>(part() * count); }
-  double signed_log_uniform(double from, double to) {
-    const double magnitude = log_uniform(from, to);
-    return part() < 0.5 ? -magnitude : magnitude;
-  }
-
- private:
-  double part() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }  // [0, 1)
-
-  std::mt19937_64 bits_;
-};
-
-/// Spreads neighbouring numbers over all seeds: the last step of splitmix64 (Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t bits) {
-  bits += 0x9e3779b97f4a7c15u;
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
-  return bits ^ (bits >> 31);
-}
-
-/// The load under which the contact of an elastic layer has a given half-width.
-double load_for(const RollingScene& scene, double half_width) {
+/// The load under which the contact of an elastic layer of a modulus has a given half-width.
+double load_for(const RollingScene& scene, double modulus, double half_width) {
   const auto excess = [&](double log_load) {
-    const ContactEstimate found = elastic_contact_from_load(scene.indenter, scene.radius, scene.layer_thickness,
-                                                            *scene.static_shear_modulus, std::exp(log_load));
+    const ContactEstimate found =
+        elastic_contact_from_load(scene.indenter, scene.radius, scene.layer_thickness, modulus, std::exp(log_load));
     return std::log(found.half_width / half_width);
   };
-  double low = std::log(*scene.static_shear_modulus * half_width * half_width / scene.radius *
+  double low = std::log(modulus * half_width * half_width / scene.radius *
                         (scene.indenter == Indenter::sphere ? half_width : 1));
   double high = low;
   while (excess(low) > 0) low -= 1;
@@ -63,9 +28,60 @@ double load_for(const RollingScene& scene, double half_width) {
   return std::exp(bracketed_root(excess, low, high, 1e-10));
 }
 
+/// A layer with a thickness of its own beside the first.
+BondedLayer second_layer(Dice& dice, const RollingScene& scene, double thickness) {
+  BondedLayer layer;
+  layer.poisson_ratio = dice.choice(2) == 0 ? 0.5 : 0.3;
+  layer.static_shear_modulus = dice.log_uniform(0.3, 30) * *scene.static_shear_modulus;
+  layer.stiffening = dice.log_uniform(0.01, 100);
+  layer.creep_time = dice.log_uniform(0.01, 100) * scene.creep_time;
+  layer.layer_thickness = rounded(thickness);
+  return layer;
+}
+
+/// Makes the layers in half of the cases others: a half-space, alone or below, several layers, or several coatings.
+void draw_layers(Dice& dice, RollingScene& scene) {
+  const auto lower = [&] { return second_layer(dice, scene, dice.log_uniform(0.3, 3) * scene.layer_thickness); };
+  switch (dice.choice(8)) {
+    case 0:
+      scene.lower_layers.clear();
+      scene.layer_thickness = std::numeric_limits<double>::infinity();
+      break;
+    case 1:
+      scene.lower_layers = {lower()};
+      scene.lower_layers.back().layer_thickness = std::numeric_limits<double>::infinity();
+      break;
+    case 2:
+      scene.lower_layers = {lower(), lower()};
+      if (dice.choice(2) == 0) scene.lower_layers.push_back(lower());
+      break;
+    case 3:
+      scene.coating_layers.clear();
+      for (int count = 1 + dice.choice(2); count > 0; --count)
+        scene.coating_layers.push_back(second_layer(dice, scene, dice.log_uniform(0.03, 0.3) * scene.radius));
+      break;
+    default:
+      break;
+  }
+}
+
+/// Gives all layers materials with long memories, and the load that spreads the contact over the drawn width.
+void widen_spectra(Dice& dice, double nodes, RollingScene& scene) {
+  const double half_width = dice.log_uniform(scene.radius / 100, scene.radius / 3);
+  const double contact_time = half_width / scene.speed;
+  draw_layers(dice, scene);
+  draw_material(dice, contact_time, scene);
+  for (BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
+    for (BondedLayer& layer : *layers) draw_material(dice, contact_time, layer);
+  const double load = rounded(load_for(scene, std::abs(complex_modulus(scene, 1 / contact_time)), half_width));
+  if (scene.driving_torque) *scene.driving_torque = rounded(*scene.driving_torque * load / *scene.load);
+  scene.load = load;
+  scene.spacing = rounded(2 * estimate_contact(scene).half_width / nodes);
+}
+
 }  // namespace
 
-RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t number) {
+RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t number, Spectra spectra) {
   Dice dice(mixed(mixed(mixed(seed) + static_cast<std::uint64_t>(indenter)) + number));
   const bool sphere = indenter == Indenter::sphere;
   RollingScene scene;
@@ -77,7 +93,8 @@ RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t 
   scene.creep_time = dice.log_uniform(1e-5, 10);
   scene.speed = dice.log_uniform(1e-4, 30);
   scene.friction_coefficient = dice.log_uniform(0.005, 2);
-  scene.load = rounded(load_for(scene, dice.log_uniform(scene.radius / 100, scene.radius / 3)));
+  scene.load =
+      rounded(load_for(scene, *scene.static_shear_modulus, dice.log_uniform(scene.radius / 100, scene.radius / 3)));
   const double nodes = dice.log_uniform(sphere ? 12 : 20, sphere ? 24 : 60);
   switch (dice.choice(6)) {
     case 0:
@@ -103,27 +120,20 @@ RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t 
       scene.rotation_ratio = dice.signed_log_uniform(2, 100);
       break;
   }
-  const auto second_layer = [&](double thickness) {
-    BondedLayer layer;
-    layer.poisson_ratio = dice.choice(2) == 0 ? 0.5 : 0.3;
-    layer.static_shear_modulus = dice.log_uniform(0.3, 30) * *scene.static_shear_modulus;
-    layer.stiffening = dice.log_uniform(0.01, 100);
-    layer.creep_time = dice.log_uniform(0.01, 100) * scene.creep_time;
-    layer.layer_thickness = rounded(thickness);
-    return layer;
-  };
   switch (dice.choice(6)) {  // half of the scenes have one incompressible layer
     case 0:
       scene.poisson_ratio = rounded(dice.uniform(0, 0.49));
       break;
     case 1:
-      scene.lower_layers = {second_layer(dice.log_uniform(0.3, 3) * scene.layer_thickness)};
+      scene.lower_layers = {second_layer(dice, scene, dice.log_uniform(0.3, 3) * scene.layer_thickness)};
       break;
     case 2:
-      scene.coating_layers = {second_layer(dice.log_uniform(0.03, 0.3) * scene.radius)};
+      scene.coating_layers = {second_layer(dice, scene, dice.log_uniform(0.03, 0.3) * scene.radius)};
       break;
   }
   scene.spacing = rounded(2 * estimate_contact(scene).half_width / nodes);
+  const bool by_lot = dice.one_in(2);
+  if (spectra == Spectra::wide || (spectra == Spectra::both && by_lot)) widen_spectra(dice, nodes, scene);
   return scene;
 }
 

@@ -9,6 +9,9 @@
 /// / half-width. Each sixth of the scenes has another drive: top force, torque (uniform, up to 1.2 μ P R either way),
 /// free rolling, rotation about rolling (R Ω/V = 1 ± 1e-6 to 0.3), a locked body (0), full sliding (2 to 100 either
 /// way). A sixth has a compressible layer (ν up to 0.49), a sixth a second layer below the first, a sixth a coating.
+/// Every second scene has materials with wide spectra instead (random_material.hpp), in a half of them also other
+/// layers: a half-space, alone or below, two or three layers below, one or two coatings; its load is then that of the
+/// modulus at the contact's frequency.
 /// Numbers have four digits, so that the last bit of a machine's logarithm does not matter.
 
 #include <cstdint>
@@ -18,12 +21,25 @@
 
 namespace rollres {
 
-RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t number);
+/// Which materials random scenes have.
+enum class Spectra {
+  both,   ///< one or the other, by lot
+  zener,  ///< Zener solids, in all layers
+  wide    ///< materials with memories over many decades
+};
+template <>
+struct ChoiceNames<Spectra> {
+  static constexpr std::array<std::string_view, 3> names{"both", "zener", "wide"};
+};
+
+RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t number,
+                             Spectra spectra = Spectra::both);
 
 /// How many of them are tried, and how: each in a child process, so that one that crashes costs itself alone.
 struct RandomScenes {
   std::size_t cylinders = 0, spheres = 0;
   std::uint64_t seed = 1;
+  Spectra spectra = Spectra::both;
   int jobs = 0;                                           ///< child processes; 0: one for each core
   double time_limit = 600;                                ///< for one scene [s]
   const std::atomic<bool>* stop = nullptr;                ///< set from outside: return what there is

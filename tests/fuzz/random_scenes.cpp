@@ -3,27 +3,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <random>
 #include <type_traits>
 #include <vector>
 
 #include "core/messages/message_text.hpp"
 #include "core/surface/scene_rules.hpp"
+#include "studies/evidence/random_material.hpp"
 
 namespace rollres {
 
 namespace {
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : generator_(seed) {}
-  double unit() { return static_cast<double>(generator_() >> 11) * 0x1p-53; }
-  bool one_in(double count) { return unit() * count < 1; }
-  std::size_t below(std::size_t count) { return static_cast<std::size_t>(generator_() % count); }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 /// What an ordinary scene has in this unit; its own value says nothing where it is 0 or absent.
 double usual(std::string_view unit) {
@@ -206,6 +195,21 @@ void strain_finitely(RollingScene& scene) {
   if (!scene.coating_layers.empty() && scene.static_shear_modulus) scene.static_shear_modulus = 1e17;
 }
 
+/// Materials with memories over many decades, in all layers.
+void widen_spectra(Dice& dice, RollingScene& scene) {
+  const double contact_time = 0.1 * scene.radius / scene.speed;
+  const auto widen = [&](MaterialInputs& layer) {
+    MaterialInputs wide;
+    wide.poisson_ratio = layer.poisson_ratio;
+    wide.static_shear_modulus = layer.static_shear_modulus.value_or(1e6);
+    draw_material(dice, contact_time, wide);
+    layer = wide;
+  };
+  widen(scene);
+  for (BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
+    for (BondedLayer& layer : *layers) widen(layer);
+}
+
 }  // namespace
 
 RollingScene random_scene(std::uint64_t seed) {
@@ -214,6 +218,7 @@ RollingScene random_scene(std::uint64_t seed) {
     RollingScene scene = ordinary();
     const double every = dice.one_in(2) ? 2 : 6, decades = dice.one_in(3) ? 1.5 : 12;
     visit_inputs(scene, Change(dice, every, decades));
+    if (dice.one_in(4)) widen_spectra(dice, scene);
     if (dice.one_in(10)) strain_finitely(scene);
     scene.time_limit.reset();
     scene.memory_limit.reset();

@@ -8,6 +8,7 @@
 
 #include "core/estimate/contact_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
+#include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "tests/catch.hpp"
@@ -47,8 +48,8 @@ TEST_CASE("a random scene depends on its seed, its indenter and its number, and 
 }
 
 TEST_CASE("the random scenes of seed 1 begin with the same numbers on every machine", "[studies][stability]") {
-  const RollingScene first = stability_scene(Indenter::cylinder, 1, 0),
-                     second = stability_scene(Indenter::sphere, 1, 1);
+  const RollingScene first = stability_scene(Indenter::cylinder, 1, 0, Spectra::zener),
+                     second = stability_scene(Indenter::sphere, 1, 1, Spectra::zener);
   CHECK(first.radius == 0.07452);
   CHECK(first.layer_thickness == 0.008413);
   CHECK(first.speed == 0.006367);
@@ -58,12 +59,13 @@ TEST_CASE("the random scenes of seed 1 begin with the same numbers on every mach
   CHECK(second.creep_time == 0.1769);
 }
 
-TEST_CASE("random scenes keep the rules, cover their ranges and have every drive", "[studies][stability]") {
+TEST_CASE("random scenes of Zener solids keep the rules, cover their ranges and have every drive",
+          "[studies][stability]") {
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
     std::map<std::string, std::vector<double>> values;
     std::map<std::string, int> drives;
     for (std::size_t number = 0; number < 1000; ++number) {
-      const RollingScene scene = stability_scene(indenter, 1, number);
+      const RollingScene scene = stability_scene(indenter, 1, number, Spectra::zener);
       REQUIRE(check(scene).empty());
       CHECK(scene.indenter == indenter);
       values["radius"].push_back(scene.radius);
@@ -99,4 +101,44 @@ TEST_CASE("random scenes keep the rules, cover their ranges and have every drive
       CHECK(count > 100);  // a sixth of 1000 is 167
     }
   }
+}
+
+TEST_CASE("random scenes with wide spectra keep the rules and have every material, half-spaces and several layers",
+          "[studies][stability]") {
+  std::map<std::string, int> kinds;
+  std::size_t most_terms = 0;
+  double most_decades = 0;
+  for (std::size_t number = 0; number < 150; ++number) {
+    const RollingScene scene = stability_scene(Indenter::cylinder, 1, number, Spectra::wide);
+    REQUIRE(check(scene).empty());
+    ++kinds[std::string(name_of(scene.material))];
+    if (!has_rigid_base(scene)) ++kinds["half-space"];
+    if (scene.lower_layers.size() > 1) ++kinds["three layers"];
+    if (scene.coating_layers.size() > 1) ++kinds["two coatings"];
+    if (scene.temperature) ++kinds["temperature"];
+    const std::vector<double>& times = scene.relaxation_times;
+    most_terms = std::max(most_terms, times.size());
+    if (!times.empty()) most_decades = std::max(most_decades, std::log10(times.back() / times.front()));
+  }
+  // Each is expected in a sixteenth of the scenes at least, 9; the scenes are always the same.
+  for (const char* kind : {"elastic", "prony", "fractional_zener", "master_curve", "half-space", "three layers",
+                           "two coatings", "temperature"}) {
+    INFO(kind);
+    CHECK(kinds[kind] >= 4);
+  }
+  CHECK(most_terms >= 38);
+  CHECK(most_decades > 14);
+}
+
+TEST_CASE("every second random scene has wide spectra, the others what they have among Zener solids alone",
+          "[studies][stability]") {
+  int zener = 0;
+  for (std::size_t number = 0; number < 100; ++number) {
+    const std::string both = scene_json(stability_scene(Indenter::sphere, 3, number));
+    const bool same = both == scene_json(stability_scene(Indenter::sphere, 3, number, Spectra::zener));
+    zener += same;
+    if (!same) CHECK(both == scene_json(stability_scene(Indenter::sphere, 3, number, Spectra::wide)));
+  }
+  CHECK(zener > 30);  // of 100, 50 expected
+  CHECK(zener < 70);
 }

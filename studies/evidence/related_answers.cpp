@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/messages/message_text.hpp"
+#include "core/surface/scene_rules.hpp"
+#include "studies/evidence/relations.hpp"
+#include "studies/scene_io/solution_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// What an output is measured against where it may vanish, and what discretisation may do to it beyond the stated
+/// errors of R_r.
+struct ComparedOutput {
+  std::string_view key;
+  enum { own, resistance, force, torque, length, rotation, shear, power } scale = own;
+  double cells = 0;   ///< of a cell's share of the contact, where cells differ [1]
+  double smooth = 0;  ///< of its power of 3/2: what edges between nodes do to integrals over the contact [1]
+  double points = 0;  ///< with continuous edges, of a peak that is looked for between the points of a solution [1]
+};
+
+constexpr std::array<ComparedOutput, 16> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
+                                                           {"driving_force", ComparedOutput::force, 0, 1},
+                                                           {"driving_torque", ComparedOutput::torque, 0, 1},
+                                                           {"rotation_ratio", ComparedOutput::rotation, 5},
+                                                           {"approach", ComparedOutput::own, 0, 1},
+                                                           {"load", ComparedOutput::own, 0, 1},
+                                                           {"leading_edge", ComparedOutput::length, 1.5},
+                                                           {"trailing_edge", ComparedOutput::length, 1.5},
+                                                           {"half_width", ComparedOutput::own, 3},
+                                                           {"contact_area", ComparedOutput::own, 3},
+                                                           {"mean_pressure", ComparedOutput::own, 3},
+                                                           {"peak_pressure", ComparedOutput::own, 2, 0, 3e-4},
+                                                           {"peak_shear_x", ComparedOutput::shear, 5, 0, 3e-4},
+                                                           {"peak_shear_y", ComparedOutput::shear, 5, 0, 3e-4},
+                                                           {"viscous_loss", ComparedOutput::power, 1},
+                                                           {"frictional_loss", ComparedOutput::power, 1}}};
+
+double value_of(const RollingSolution& solution, std::string_view key) {
+  double found = RollingSolution::absent;
+  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+      if (quantity.key == key) found = value;
+  });
+  return found;
+}
+
+std::string_view unit_of(std::string_view key, Indenter indenter) {
+  const RollingSolution none;
+  std::string_view unit;
+  visit_outputs(none, [&](const Quantity& quantity, const auto&) {
+    if (quantity.key == key) unit = quantity.unit_for(indenter);
+  });
+  return unit;
+}
+
+/// Load times the longer half of the contact over the radius [N].
+double lever(const RollingScene& scene, const RollingSolution& s) {
+  return s.load * std::max(std::abs(s.leading_edge), std::abs(s.trailing_edge)) / scene.radius;
+}
+
+/// What R_r is measured against [N].
+double resistance_scale(const RollingScene& scene, const RollingSolution& s) {
+  constexpr double least_share = 1e-2;
+  return std::max(std::abs(s.rolling_resistance), least_share * lever(scene, s));
+}
+
+double scale_of(const ComparedOutput& output, const RollingScene& scene, const RollingSolution& s, double value) {
+  const double own = std::abs(value), resistance = resistance_scale(scene, s);
+  switch (output.scale) {
+    case ComparedOutput::resistance:
+      return resistance;
+    case ComparedOutput::force:
+      return std::max(own, resistance);
+    case ComparedOutput::torque:
+      return std::max(own, resistance * scene.radius);
+    case ComparedOutput::length:
+      return s.leading_edge - s.trailing_edge;
+    case ComparedOutput::rotation:
+      return std::max(std::abs(value - 1), 0.5 * (s.leading_edge - s.trailing_edge) / scene.radius);
+    case ComparedOutput::shear:
+      return std::max(own, 1e-3 * scene.friction_coefficient * s.peak_pressure);
+    case ComparedOutput::power:
+      return std::max(own, resistance * scene.speed);
+    default:
+      return own;
+  }
+}
+
+/// A mirror image changes the sign of what points along x, and its edges change places.
+double mirrored_value(const RollingSolution& solution, std::string_view key) {
+  if (key == "leading_edge") return -solution.trailing_edge;
+  if (key == "trailing_edge") return -solution.leading_edge;
+  const double value = value_of(solution, key);
+  return key == "driving_force" || key == "driving_torque" ? -value : value;
+}
+
+/// The answers as the comparison needs them.
+struct Compared {
+  const RelatedScenes& scenes;
+  const RollingSolution &one, &other;
+
+  /// Whether both solved as many equations on the same cells, and summed them up alike: memories shorter than a cell
+  /// are added to one layer's resistance, and not to that of several.
+  bool same_cells() const {
+    const auto slow = [](const RollingSolution& solution) {
+      return solution.model.find("slow rolling") != std::string::npos;
+    };
+    if (slow(one) != slow(other)) return false;
+    const double spacing = one.spacing * scenes.factors.length;
+    return on_grid(one.method) && one.method == other.method && one.contact_nodes == other.contact_nodes &&
+           one.slip_nodes == other.slip_nodes && std::abs(other.spacing - spacing) <= 1e-9 * spacing;
+  }
+  /// The larger share of a cell in the contact; 0 without a grid.
+  double cell_share() const {
+    double share = 0;
+    for (const RollingSolution* const solution : {&one, &other})
+      if (on_grid(solution->method) || solution->method == Method::finite_strain)
+        share = std::max(share, solution->spacing / (solution->leading_edge - solution->trailing_edge));
+    return share;
+  }
+  /// What both state as errors of R_r, over what it is measured against [1].
+  double stated() const {
+    const double factor = scenes.factors.of(unit_of("rolling_resistance", scenes.one.indenter));
+    return (one.rolling_resistance_error + other.rolling_resistance_error / factor) / resistance_scale(scenes.one, one);
+  }
+  double allowed(const ComparedOutput& output) const {
+    constexpr double beyond_stated = 1.5, of_tolerance = 3;
+    // The direction of shear is that of the slip, which vanishes at the border of the zone that sticks.
+    const double exact = scenes.exact * (output.scale == ComparedOutput::shear ? 30 : 1);
+    if (scenes.strict || same_cells()) return scenes.sensitivity * exact;
+    double left = beyond_stated * stated();
+    if (output.scale != ComparedOutput::resistance) {
+      const double share = cell_share();
+      left += of_tolerance * scenes.one.tolerance.value_or(1e-8) + output.cells * share +
+              output.smooth * std::pow(share, 1.5) + output.points;
+    } else {
+      left = std::max(left, scenes.resistance);
+    }
+    return scenes.sensitivity * (exact + left);
+  }
+};
+
+/// Compares one output, and keeps it if it is the worst until now.
+void compare_output(const Compared& compared, const ComparedOutput& output, RelationFinding& finding) {
+  const RelatedScenes& scenes = compared.scenes;
+  const double factor = scenes.factors.of(unit_of(output.key, scenes.one.indenter));
+  const double one = value_of(compared.one, output.key);
+  const double other =
+      (scenes.mirrored ? mirrored_value(compared.other, output.key) : value_of(compared.other, output.key)) / factor;
+  if (std::isnan(one) && std::isnan(other)) return;
+  const double scale = scale_of(output, scenes.one, compared.one, one);
+  const double difference = scale > 0 ? std::abs(other - one) / scale : one == other ? 0 : INFINITY;
+  const double allowed = compared.allowed(output);
+  const double ratio = std::isnan(difference) ? INFINITY : difference / allowed;
+  if (ratio < finding.worst) return;
+  finding.worst = ratio;
+  finding.output = output.key;
+  finding.difference = difference;
+  finding.words = message_text<8>(output.key, ": ", one, " and ", other) +
+                  message_text(", ", difference, " apart where ", allowed, " is allowed");
+}
+
+RelationFinding without_answer(RelationOutcome outcome, const std::string& which, const RollingSolution& without) {
+  RelationFinding finding;
+  finding.outcome = outcome;
+  finding.words = message_text(which, name_of(without.status), ": ", without.reason);
+  return finding;
+}
+
+RelationFinding compare_statuses(const RelatedScenes& scenes, const RollingSolution& one,
+                                 const RollingSolution& other) {
+  const bool first = one.status == Status::converged;
+  if (first && other.status == Status::converged) return compare(scenes, one, other);
+  if (!first && other.status != Status::converged) return without_answer(RelationOutcome::unanswered, "both: ", one);
+  const RelationOutcome outcome = scenes.strict ? RelationOutcome::broken : RelationOutcome::one_sided;
+  return first ? without_answer(outcome, "the first scene alone has an answer; the other: ", other)
+               : without_answer(outcome, "the other scene alone has an answer; the first: ", one);
+}
+
+RelationFinding solve_and_compare(const RelatedScenes& scenes, const Evaluate& evaluate, RollingScene& second) {
+  const RollingSolution one = evaluate(scenes.one);
+  second = scenes.other(one);
+  // Without a first answer there may be nothing to give to the second.
+  if (!check(second).empty()) return without_answer(RelationOutcome::unanswered, "the first: ", one);
+  return compare_statuses(scenes, one, evaluate(second));
+}
+
+}  // namespace
+
+RelationFinding compare(const RelatedScenes& scenes, const RollingSolution& one, const RollingSolution& other) {
+  RelationFinding finding;
+  const Compared compared{scenes, one, other};
+  for (const ComparedOutput& output : compared_outputs)
+    if (std::find(scenes.left_out.begin(), scenes.left_out.end(), output.key) == scenes.left_out.end())
+      compare_output(compared, output, finding);
+  finding.outcome = finding.worst <= 1 ? RelationOutcome::kept : RelationOutcome::broken;
+  return finding;
+}
+
+RelationFinding try_relation(const RelatedScenes& scenes, const Evaluate& evaluate) noexcept {
+  RelationFinding finding;
+  finding.outcome = RelationOutcome::broken;
+  finding.worst = INFINITY;
+  RollingScene second;
+  try {
+    finding = solve_and_compare(scenes, evaluate, second);
+  } catch (const std::exception& error) {
+    finding.words = error.what();
+  } catch (...) {
+    finding.words = "an exception of unknown type";
+  }
+  if (finding.outcome != RelationOutcome::kept) {
+    finding.one = scene_json(scenes.one);
+    finding.other = scene_json(second);
+  }
+  return finding;
+}
+
+}  // namespace rollres
