@@ -33,8 +33,8 @@ constexpr std::array<ComparedOutput, 16> compared_outputs{{{"rolling_resistance"
                                                            {"contact_area", ComparedOutput::own, 3},
                                                            {"mean_pressure", ComparedOutput::own, 3},
                                                            {"peak_pressure", ComparedOutput::own, 2, 0, 3e-4},
-                                                           {"peak_shear_x", ComparedOutput::shear, 5, 0, 3e-4},
-                                                           {"peak_shear_y", ComparedOutput::shear, 5, 0, 3e-4},
+                                                           {"peak_shear_x", ComparedOutput::shear, 5, 0, 1e-3},
+                                                           {"peak_shear_y", ComparedOutput::shear, 5, 0, 1e-3},
                                                            {"viscous_loss", ComparedOutput::power, 1},
                                                            {"frictional_loss", ComparedOutput::power, 1}}};
 
