@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <ostream>
+#include <stdexcept>
 
+#include "core/messages/message_text.hpp"
 #include "studies/evidence/accuracy.hpp"
-#include "studies/evidence/relation_run.hpp"
 #include "studies/evidence/stability.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/program/watched_run.hpp"
+#include "studies/relations/relation_run.hpp"
 #include "studies/scene_io/cells.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
@@ -30,6 +32,7 @@ struct StabilityArguments {
   double time_limit = 600;
   std::string materials = "both";
   std::size_t relations = 0;
+  std::vector<std::string> only;
   bool json = false;
 };
 
@@ -135,11 +138,22 @@ std::vector<std::string> write_broken(const RelationReport& report, const fs::pa
   return files;
 }
 
+/// @throws std::invalid_argument for a name that no relation has
+void require_known(const std::vector<std::string>& names) {
+  std::vector<std::string_view> known;
+  for (const Relation& relation : relations()) known.push_back(relation.name);
+  for (const std::string& name : names)
+    if (find_name(known, name) < 0)
+      throw std::invalid_argument("--only = \"" + name + "\": no relation has this name; there are " + joined(known));
+}
+
 /// Whether answers obey the relations that hold between them.
 void relate(const StabilityArguments& arguments, Session& session) {
+  require_known(arguments.only);
   make_directory(arguments.out);
   const std::size_t asked = arguments.relations;
   RelationPlan plan{random_scenes(arguments, asked, arguments.indenter == "sphere" ? asked : (asked + 9) / 10)};
+  plan.names = arguments.only;
   const RelationReport report = watched_run(plan, session, [&] { return run_relations(plan, session.evaluate); });
   const std::vector<std::string> broken = write_broken(report, arguments.out);
   const fs::path file = fs::path(arguments.out) / "relations.csv";
@@ -236,14 +250,23 @@ void add_stability(Command& program, Session& session) {
       ->add_option("--materials MATERIALS", arguments.materials,
                    "of the random scenes: zener; wide: spectra over many decades; or both (the default), by lot")
       ->one_of(ChoiceNames<Spectra>::names);
+  CommandOption* const related =
+      command
+          ->add_option(
+              "--relations N", arguments.relations,
+              "instead: whether answers obey the relations between them (a layer cut in two, other units, load "
+              "found and given back, ...), each on so many random cylinders and a tenth as many spheres; into "
+              "DIR/relations.csv, scenes that break one into DIR/broken")
+          ->between(1, 1'000'000)
+          ->excludes(scenes)
+          ->excludes(methods);
   command
-      ->add_option("--relations N", arguments.relations,
-                   "instead: whether answers obey the relations between them (a layer cut in two, other units, load "
-                   "found and given back, ...), each on so many random cylinders and a tenth as many spheres; into "
-                   "DIR/relations.csv, scenes that break one into DIR/broken")
-      ->between(1, 1'000'000)
-      ->excludes(scenes)
-      ->excludes(methods);
+      ->add_option(
+          "--only RELATION,...", arguments.only,
+          "the relations to try, by their names in the table (\"cut in two\"), with commas between; default: all")
+      ->delimiter(',')
+      ->one_value_each()
+      ->needs(related);
   command->add_option("--indenter INDENTER", arguments.indenter, "cylinder, sphere or both (the default)")
       ->one_of({"cylinder", "sphere", "both"});
   command->add_option("--jobs N", arguments.jobs, "processes; default: one for each core")->between(1, 1024);
@@ -256,7 +279,8 @@ void add_stability(Command& program, Session& session) {
       "2 % more and 2 % less than the method says it needs; unconfirmed: that is not so. wrong: says converged, and is "
       "not. Exit status 1 if any is wrong or crashed, or a relation is broken.\n"
       "Example: rollres stability --out stability --scenes 200 --methods newton,active_set\n"
-      "Example: rollres stability --out relations --relations 100");
+      "Example: rollres stability --out relations --relations 100\n"
+      "Example: rollres stability --out relations --relations 300 --only \"cut in two\" --indenter cylinder");
 }
 
 }  // namespace rollres

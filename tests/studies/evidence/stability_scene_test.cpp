@@ -13,6 +13,8 @@
 #include "studies/scene_io/solution_json.hpp"
 #include "tests/catch.hpp"
 
+// Covers random_material, too.
+
 using namespace rollres;
 
 namespace {

@@ -3,12 +3,14 @@
 /// Relations (relations.hpp) tried on many random scenes, each pair of scenes in a process of its own.
 
 #include "db/queries/table.hpp"
-#include "studies/evidence/relations.hpp"
+#include "studies/relations/relations.hpp"
 
 namespace rollres {
 
 /// So many scenes of each indenter for each relation. The time limit is that of both scenes of a pair.
-struct RelationPlan : RandomScenes {};
+struct RelationPlan : RandomScenes {
+  std::vector<std::string> names = {};  ///< of the relations to try; empty: all
+};
 
 /// What came of one pair of scenes.
 struct RelationTrial {

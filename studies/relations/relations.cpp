@@ -1,4 +1,4 @@
-#include "studies/evidence/relations.hpp"
+#include "studies/relations/relations.hpp"
 
 #include <algorithm>
 #include <array>

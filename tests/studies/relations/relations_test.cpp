@@ -1,11 +1,11 @@
-#include "studies/evidence/relations.hpp"
+#include "studies/relations/relations.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "studies/evidence/relation_run.hpp"
+#include "studies/relations/relation_run.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "tests/catch.hpp"
@@ -176,6 +176,10 @@ TEST_CASE("rollres stability --relations leaves a table and both scenes of what 
   CHECK(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')) == 1 + 2 * relations().size());
   CHECK_THAT(csv, Contains("speed and memories"));
 
+  const ProgramRun one = run(closed_form, {"--only", "cut in two,long period", "--json"});
+  CHECK(nlohmann::json::parse(one.out)["results"].size() == 2);
+  CHECK_THAT(run(closed_form, {"--only", "cut in to"}).err,
+             Contains("no relation has this name; there are cut in two"));
   const ProgramRun refused = run(solve, {"--scenes", "3"});
   CHECK(refused.status == ExitStatus::wrong_input);
 }

@@ -1,4 +1,4 @@
-#include "studies/evidence/relation_run.hpp"
+#include "studies/relations/relation_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,9 @@ std::vector<RelationTrial> planned(const RelationPlan& plan) {
   std::vector<RelationTrial> trials;
   for (std::size_t number = 0; number < std::max(plan.cylinders, plan.spheres); ++number)
     for (std::size_t relation = 0; relation < relations().size(); ++relation) {
+      const bool asked =
+          std::find(plan.names.begin(), plan.names.end(), relations()[relation].name) != plan.names.end();
+      if (!plan.names.empty() && !asked) continue;
       if (number < plan.cylinders) trials.push_back({relation, Indenter::cylinder, number});
       if (number < plan.spheres && relations()[relation].of_spheres)
         trials.push_back({relation, Indenter::sphere, number});
