@@ -69,8 +69,9 @@ bool coating_remembers(const RollingScene& scene) {
 
 /// As the scene's model has it.
 LayeredMedium modelled(const RollingScene& scene, LayeredMedium medium, const MemoryRange& told_apart) {
+  const bool inertia = inertia_included(scene);
   for (MediumLayer& layer : medium) {
-    if (!inertia_included(scene)) layer.density = 0;
+    if (!inertia) layer.density = 0;
     layer.material = lumped(layer.material, told_apart);
   }
   return medium;

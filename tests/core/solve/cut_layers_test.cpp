@@ -101,9 +101,10 @@ void check_cut(const RollingScene& scene, double accuracy) {
   sunk.approach = whole.approach;
   const RollingSolution again = converged(sunk), again_two = converged(cut(sunk, 0.37));
   CHECK(again.load == Approx(whole.load).epsilon(accuracy));
-  CHECK(again_two.load == Approx(whole.load).epsilon(accuracy));
-  CHECK(again.rolling_resistance == resistance(whole));
-  CHECK(again_two.rolling_resistance == resistance(whole));
+  CHECK(again_two.load == Approx(again.load).epsilon(accuracy));
+  CHECK(again_two.rolling_resistance == resistance(again));
+  // The edge of a sphere's contact is corrected where a load is given.
+  if (scene.indenter == Indenter::cylinder) CHECK(again.rolling_resistance == resistance(whole));
 }
 
 }  // namespace
