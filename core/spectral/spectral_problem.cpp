@@ -72,7 +72,7 @@ bool single_incompressible(const RollingScene& scene) { return !is_composite(sce
 }  // namespace
 
 SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double rough_half_width)
-    : scene(given), shape(given), half_width(rough_half_width) {
+    : scene(given), shape(given, share_of_coating(given)), half_width(rough_half_width) {
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const TidySpectrum tidy =
@@ -100,6 +100,10 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     relaxation_length.push_back(scene.speed * term.time);
     relaxation_modulus.push_back(term.modulus);
+  }
+  if (!scene.coating_layers.empty()) {
+    const RollingScene alone = coating_alone(scene);
+    coating = std::make_shared<SpectralProblem>(alone, near_spectrum(alone), half_width);
   }
   const auto count = static_cast<double>(terms());
   require_memory(8 * count * count, message_text("the memories of ", terms(), " retardation times"));
