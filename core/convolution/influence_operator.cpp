@@ -68,7 +68,8 @@ InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceT
       lateral_(dimensions(scene) == 3),
       friction_(friction),
       padded_(padded_size(half.columns, half.rows, 1)),
-      transform_(std::make_unique<PaddedConvolution<double>>(padded_)) {
+      transform_(std::make_unique<PaddedConvolution<double>>(padded_)),
+      coating_table_(table.coating) {
   spectra_ = transform_coefficients(table, half, lateral_, friction, *transform_);
   if (!friction) {
     transform_.reset();
@@ -80,6 +81,14 @@ InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceT
 }
 
 InfluenceOperator::~InfluenceOperator() = default;
+
+const InfluenceOperator* InfluenceOperator::part(std::unique_ptr<InfluenceOperator>& made,
+                                                 const std::shared_ptr<const InfluenceTable>& table,
+                                                 bool reversed) const {
+  if (table && !made)
+    made = std::make_unique<InfluenceOperator>(scene_, reversed ? table->reversed() : *table, grid_, friction_);
+  return made.get();
+}
 
 template <>
 KrylovOperator<float>& InfluenceOperator::krylov() const {

@@ -40,6 +40,11 @@ class InfluenceOperator {
   /// Tractions [Pa] on the grid. Empty shear: only w is computed; shear_y is empty for a cylinder.
   Displacements apply(const Vector& pressure, const Vector& shear_x, const Vector& shear_y) const;
 
+  /// The same of the coating's part, and what it does to those who move it: the coefficients with offsets the other
+  /// way. None without a coating; made when first asked for.
+  const InfluenceOperator* coating() const { return part(coating_, coating_table_, false); }
+  const InfluenceOperator* coating_transposed() const { return part(transposed_, coating_table_, true); }
+
   /// Displacement w at a node from unit pressure on its own cell, taken positive [m/Pa].
   double self_normal() const { return self_normal_; }
   /// Change of slip along x at a node for unit shear traction on its own cell, taken positive [1/Pa].
@@ -53,6 +58,9 @@ class InfluenceOperator {
   void demand_double_precision() const { single_precision_suffices_ = false; }
 
  private:
+  const InfluenceOperator* part(std::unique_ptr<InfluenceOperator>& made,
+                                const std::shared_ptr<const InfluenceTable>& table, bool reversed) const;
+
   RollingScene scene_;
   SurfaceGrid grid_;
   bool lateral_, friction_;
@@ -64,6 +72,8 @@ class InfluenceOperator {
   mutable std::unique_ptr<KrylovOperator<float>> single_;
   mutable std::unique_ptr<KrylovOperator<double>> double_;
   double self_normal_ = 0, self_slip_ = 0;
+  std::shared_ptr<const InfluenceTable> coating_table_;
+  mutable std::unique_ptr<InfluenceOperator> coating_, transposed_;
 };
 
 }  // namespace rollres

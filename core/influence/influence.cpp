@@ -98,6 +98,13 @@ std::shared_ptr<const InfluenceTable> sphere_table(const TableKey& key) {
   });
 }
 
+/// What a coating whose table alone is this one adds to that of a surface.
+std::shared_ptr<const InfluenceTable> part_of_coating(const RollingScene& scene, const InfluenceTable& alone) {
+  InfluenceTable part(alone.reach_x(), alone.reach_y());
+  part.add_coating(coating_remembers_ahead(scene) ? alone.reversed() : alone);
+  return std::make_shared<const InfluenceTable>(std::move(part));
+}
+
 /// Of whatever is more than one layer of one material without inertia (contact_surface.hpp).
 InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
   if (scene.indenter == Indenter::cylinder) return line_passage_table(scene, grid, reach_x);
@@ -109,6 +116,7 @@ InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& gri
   if (coating.empty()) return sum;
   const std::shared_ptr<const InfluenceTable> body = table_of(coating);
   sum.add_coating(coating_remembers_ahead(scene) ? body->reversed() : *body);
+  sum.coating = part_of_coating(scene, *body);
   return sum;
 }
 
@@ -133,7 +141,10 @@ InfluenceTable without_sinking(InfluenceTable table) {
 
 }  // namespace
 
-InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid) {
+namespace {
+
+/// All but a coating's part.
+InfluenceTable surface_table(const RollingScene& scene, const SurfaceGrid& grid) {
   const bool sphere = scene.indenter == Indenter::sphere;
   const int reach_x = grid.columns, reach_y = sphere ? grid.rows : 0;
   if (scene.period) {
@@ -146,6 +157,15 @@ InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& gri
   }
   InfluenceTable table = passage_table(scene, grid, reach_x, reach_y);
   return sphere || has_rigid_base(scene) ? table : without_sinking(std::move(table));
+}
+
+}  // namespace
+
+InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid) {
+  InfluenceTable table = surface_table(scene, grid);
+  if (!scene.coating_layers.empty() && !table.coating)
+    table.coating = part_of_coating(scene, surface_table(coating_alone(scene), grid));
+  return table;
 }
 
 double expansion_error(const RollingScene& scene) {

@@ -6,6 +6,7 @@
 /// loaded node only; they contain the layer, the material and the speed, so that a sum over nodes is the whole
 /// steady-state response of the layer (Zehil and Gavin 2013, eq. 5). Theory: core/influence/README.md.
 
+#include <memory>
 #include <vector>
 
 #include "core/scene/scene.hpp"
@@ -38,6 +39,9 @@ class InfluenceTable {
   InfluenceTable reversed() const;
   /// Adds those of a coating, whose cross terms are opposite (contact_surface.hpp).
   void add_coating(const InfluenceTable& coating);
+
+  /// What the body's coating has of these, if there is one.
+  std::shared_ptr<const InfluenceTable> coating;
 
  private:
   int reach_x_ = 0, reach_y_ = 0;

@@ -70,6 +70,7 @@ InteriorField::InteriorField(LayeredMedium medium, double speed, double flow, co
                              Detail detail)
     : medium_(std::move(medium)),
       speed_(flow < 0 ? -speed : speed),
+      flow_(std::abs(flow)),
       highest_(highest_wavenumber(half_length_of(fields), detail)),
       half_space_(std::isinf(medium_.back().thickness)),
       closed_form_(detail == Detail::surface),
@@ -241,7 +242,7 @@ class InteriorField::Sum {
           (std::conj(stress.x) * strain.x + std::conj(stress.z) * strain.z + std::conj(stress.xz) * strain.xz).imag();
       const auto column = static_cast<Index>(line);
       if (creeps_[layer])  // what does not loses nothing, no rounding either
-        f_.line_loss(column) += wave.weight / M_PI * field_.speed_ * k * lost;
+        f_.line_loss(column) += wave.weight / M_PI * field_.flow_ * field_.speed_ * k * lost;
       if (x_.size() == 0) continue;
       const double weight = wave.weight / M_PI * fade(line, k);
       add_memories(line, wave, stress, weight);
@@ -313,7 +314,7 @@ class InteriorField::Sum {
       const ArrayXd density = flow_loss(
           along, memories_[line], layer.material, x_(1) - x_(0), std::abs(field_.speed_),
           [&](const ArrayXd& stress) { return distortion(stress(0), stress(1), stress(2), layer.poisson_ratio); });
-      for (Index i = 0; i < points; ++i) f_.loss_density(place(i), column) = density(i);
+      for (Index i = 0; i < points; ++i) f_.loss_density(place(i), column) = field_.flow_ * density(i);
     }
   }
 

@@ -52,8 +52,8 @@ class InteriorField {
     inside    ///< what counts for sums over the layers; strains within a hundredth of the contact are blurred
   };
 
-  /// @param medium from the contact away   @param speed V [m/s]   @param flow direction: -1 where a coating flows
-  /// backwards
+  /// @param medium from the contact away, with the creep that it has at V   @param speed V [m/s]
+  /// @param flow  speed at which it flows over V, negative where a coating flows backwards: losses are as often
   /// @param reach up to which |x| fields are wanted [m]
   /// @throws std::domain_error if the fields hold no contact; BeyondLimits
   InteriorField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, double reach,
@@ -84,7 +84,7 @@ class InteriorField {
   void add_waves(double lowest, double widest);
 
   LayeredMedium medium_;
-  double speed_, highest_;
+  double speed_, flow_, highest_;  // flow_ without its sign
   bool half_space_, closed_form_;
   SurfaceTractions tractions_;
   std::vector<Wave> waves_;

@@ -39,7 +39,11 @@ double farthest_of(const std::vector<double>& values) {
 }  // namespace
 
 VolumeField::VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, Detail detail)
-    : medium_(std::move(medium)), speed_(flow < 0 ? -speed : speed), detail_(detail), grid_(fields.grid) {
+    : medium_(std::move(medium)),
+      speed_(flow < 0 ? -speed : speed),
+      flow_(std::abs(flow)),
+      detail_(detail),
+      grid_(fields.grid) {
   const auto on_grid = [&](const std::vector<double>& values) {
     return MatrixXd(Eigen::Map<const MatrixXd>(values.data(), grid_.columns, grid_.rows));
   };
@@ -261,7 +265,7 @@ class VolumeField::Sum {
       const std::size_t layer = lines_[line].layer;
       const double nu = field_.medium_[layer].poisson_ratio;
       const complex compliance = 1.0 / moduli[layer];
-      const double lost = creeps_[layer] ? weight * field_.speed_ * kx * compliance.imag() : 0;
+      const double lost = creeps_[layer] ? weight * field_.flow_ * field_.speed_ * kx * compliance.imag() : 0;
       lost_on_planes_(static_cast<Index>(line), row) *= lost;
       for (Index y = 0; y < ys; ++y) {
         const Index place = static_cast<Index>(line) * ys + y;
@@ -329,7 +333,7 @@ class VolumeField::Sum {
       const ArrayXd density =
           flow_loss(along, ahead_[line][y], layer.material, x_(1) - x_(0), field_.speed(),
                     [&](const ArrayXd& stress) { return distortion_of(stress, layer.poisson_ratio); });
-      for (Index i = 0; i < points; ++i) f_.loss_density(passed(i), place) = density(i);
+      for (Index i = 0; i < points; ++i) f_.loss_density(passed(i), place) = field_.flow_ * density(i);
     }
   }
 

@@ -50,8 +50,9 @@ class VolumeField {
   using Detail = InteriorField::Detail;
   using Wanted = InteriorField::Wanted;
 
-  /// @param medium from the contact away   @param speed V [m/s]   @param flow direction: -1 where a coating flows
-  /// backwards   @param fields of a sphere's solution
+  /// @param medium from the contact away, with the creep that it has at V   @param speed V [m/s]
+  /// @param flow  speed at which it flows over V, negative where a coating flows backwards: losses are as often @param
+  /// fields of a sphere's solution
   /// @throws std::domain_error if the fields hold no contact
   VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, Detail detail);
 
@@ -69,7 +70,7 @@ class VolumeField {
   class Sum;
 
   LayeredMedium medium_;
-  double speed_;
+  double speed_, flow_;  // flow_ without its sign
   Detail detail_;
   SurfaceGrid grid_;
   Eigen::MatrixXd pressure_, shear_x_, shear_y_;  // (column, row) [Pa]

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/newton/coating_power.hpp"
+
 namespace rollres {
 
 NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
@@ -61,7 +63,8 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
   }
   if (problem.friction && !problem.rotation_given()) {
     const double force = std::max(problem.load(x.pressure, x.shear_x), 1e-300);
-    count(problem.drive_surplus(x.pressure, x.shear_x) / force * scale);
+    if (problem.of_coating != 0) maps.coating = coating_moment(problem, influence, x);
+    count(problem.drive_surplus(x.pressure, x.shear_x, maps.coating) / force * scale);
   }
   return maps;
 }
@@ -94,7 +97,7 @@ void let_one_stick(const ContactProblem& problem, const ContactUnknowns& x, cons
     std::size_t place;
   };
   std::vector<Sliding> nodes;
-  double surplus = problem.drive.of_pressure.dot(x.pressure) - problem.drive_target;
+  double surplus = problem.drive.of_pressure.dot(x.pressure) + problem.of_coating * maps.coating - problem.drive_target;
   for (std::size_t i = 0; i < laws.contact.size(); ++i) {
     const Eigen::Index node = laws.contact[i];
     const double power = problem.drive.of_shear_x(node) * problem.law.bound(x.pressure(node));
@@ -163,7 +166,8 @@ LawResiduals law_residuals(const ContactProblem& problem, const InfluenceOperato
     if (problem.lateral && problem.on_axis(node)) right.shear_y(i) = -x.shear_y(node);
   }
   if (problem.load_given()) right.load = *problem.scene.load - problem.load(x.pressure, x.shear_x);
-  if (problem.friction && !problem.rotation_given()) right.drive = -problem.drive_surplus(x.pressure, x.shear_x);
+  if (problem.friction && !problem.rotation_given())
+    right.drive = -problem.drive_surplus(x.pressure, x.shear_x, maps.coating);
   return right;
 }
 

@@ -19,32 +19,43 @@ double share_of_losses(double resistance, double halves) {
 }
 
 /// What friction takes over V [N] where nodes slip, with the slip of its law.
-double friction_by_law(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
-                       const std::vector<Zone>& zone) {
+double friction_by_law(const ContactProblem& problem, const Displacements& moved, const Displacements& coating,
+                       const ContactUnknowns& unknowns, const std::vector<Zone>& zone) {
   const SurfaceGrid& grid = problem.grid;
   const Eigen::Index size = grid.size();
   Vector slip_x = Vector::Zero(size), slip_y = Vector::Zero(size);
   if (problem.lateral) problem.edge.add(unknowns.shear_x, unknowns.shear_y, slip_x, slip_y);
+  const double turning = problem.turning_ratio(unknowns.rotation_ratio);
   double sum = 0;
   for (Eigen::Index i = 0; i < size; ++i) {
     if (zone[static_cast<std::size_t>(i)] != Zone::slip) continue;
     const Eigen::Index at = i / grid.columns * (grid.columns + 1) + i % grid.columns;
     const auto slope = [&](const Vector& values) { return (values(at + 1) - values(at)) / grid.spacing_x; };
     const double weight = grid.cell_area() * problem.images(i);
-    sum += weight * unknowns.shear_x(i) * (slip_x(i) + problem.slip_x(i, slope(moved.u), unknowns.rotation_ratio));
-    if (problem.lateral) sum += weight * unknowns.shear_y(i) * (slip_y(i) + slope(moved.v));
+    if (coating.w.size() == 0) {
+      sum += weight * unknowns.shear_x(i) * (slip_x(i) + problem.slip_x(i, slope(moved.u), unknowns.rotation_ratio));
+      if (problem.lateral) sum += weight * unknowns.shear_y(i) * (slip_y(i) + slope(moved.v));
+      continue;
+    }
+    const double x = grid.x(static_cast<int>(i % grid.columns)), y = grid.y(static_cast<int>(i / grid.columns));
+    const RigidSlip rigid = problem.shape.slip(x + 0.5 * grid.spacing_x, y);
+    sum += weight * unknowns.shear_x(i) *
+           (slip_x(i) + rigid.forward - turning * rigid.turning + slope(moved.u) + (turning - 1) * slope(coating.u));
+    if (problem.lateral)
+      sum += weight * unknowns.shear_y(i) * (slip_y(i) + slope(moved.v) + (turning - 1) * slope(coating.v));
   }
   return sum;
 }
 
 }  // namespace
 
-ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
-                             const std::vector<Zone>& zone) {
+ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const Displacements& coating,
+                             const ContactUnknowns& unknowns, const std::vector<Zone>& zone) {
   const SurfaceGrid& grid = problem.grid;
   ContactPowers powers;
   const double turning = problem.turning_ratio(unknowns.rotation_ratio);
   powers.load_found = !problem.scene.load;
+  const bool coated = coating.w.size() > 0;
   double load = 0, nodes = 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
@@ -62,22 +73,27 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       const double force_u = problem.friction ? weight * unknowns.shear_x(i) : 0;
       const double force_v = problem.friction && problem.lateral ? weight * unknowns.shear_y(i) : 0;
       powers.halves += std::abs(force * x) / problem.shape.radius();
-      powers.layer += force * slope(moved.w);
+      const double pressed = coated ? slope(coating.w) : 0;
+      powers.coating += force * pressed;
+      powers.layer += force * (slope(moved.w) + (turning - 1) * pressed);
       powers.unbalanced += problem.shape.unbalanced_power(turning, x, y)(force, force_u);
       if (!problem.friction) continue;
-      const double along = slope(moved.u), across = problem.lateral ? slope(moved.v) : 0;
+      double along = slope(moved.u), across = problem.lateral ? slope(moved.v) : 0;
+      if (coated) along += (turning - 1) * slope(coating.u);
+      if (coated && problem.lateral) across += (turning - 1) * slope(coating.v);
       const RigidSlip rigid = problem.shape.slip(x, y);
       powers.layer -= force_u * along + force_v * across;
       powers.drawn += force_u;
       powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) + force_v * across;
     }
-  if (problem.friction) powers.by_law = friction_by_law(problem, moved, unknowns, zone);
+  powers.unbalanced += (problem.shape.of_coating() - 1) * (turning - 1) * powers.coating;
+  if (problem.friction) powers.by_law = friction_by_law(problem, moved, coating, unknowns, zone);
   if (load > 0) powers.sticking /= load;
   powers.drawn = load > 0 && problem.friction
                      ? std::min(1.0, std::abs(powers.drawn) / (problem.scene.friction_coefficient * load))
                      : 1;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
-  powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio);
+  powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio, powers.coating);
   powers.share = share_of_losses(powers.losses(), powers.halves);
   return powers;
 }

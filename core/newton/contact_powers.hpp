@@ -21,7 +21,9 @@ constexpr double negligible_resistance = 1e-3;
 
 /// Powers over V [N] (per metre for a cylinder).
 struct ContactPowers {
-  double layer = 0;         ///< what the layers take: p w' - tau . (u', v'), slopes by central differences
+  double layer = 0;         ///< what the layers take: p w' - tau . (u', v'), slopes by central differences; a coating
+                            ///< flows at R Omega
+  double coating = 0;       ///< M of (N3b): p times the coating's part of w'
   double friction = 0;      ///< what friction takes: tau . slip, with the same slopes
   double by_law = 0;        ///< the same with the slip of the law, by forward differences: 0 at nodes that stick
   double unbalanced = 0;    ///< of the kinematics, (N23): 0 where they are consistent
@@ -51,9 +53,10 @@ struct ContactPowers {
   double scale() const { return scale(resistance()); }
 };
 
+/// @param coating its part of the displacements; empty without one
 /// @param moved u and v may be empty without friction   @param zone of every node of the problem's (half) grid
-ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const ContactUnknowns& unknowns,
-                             const std::vector<Zone>& zone);
+ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const Displacements& coating,
+                             const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
 
 /// Changes a solution's rolling resistance, and what drives the body with it.
 void add_resistance(const RollingScene& scene, double change, RollingSolution& solution);

@@ -1,11 +1,13 @@
 #include "core/newton/contact_problem.hpp"
 
+#include "core/surface/contact_surface.hpp"
+
 namespace rollres {
 
 ContactProblem::ContactProblem(const RollingScene& given, const SurfaceGrid& half_grid)
     : scene(given),
       grid(half_grid),
-      shape(given),
+      shape(given, share_of_coating(given)),
       law{given.friction_coefficient},
       friction(given.friction_coefficient > 0),
       lateral(dimensions(given) == 3),
@@ -23,7 +25,7 @@ ContactProblem::ContactProblem(const RollingScene& given, const SurfaceGrid& hal
       const Eigen::Index i = grid.index(column, row);
       const double x = grid.x(column), y = grid.y(row), area = grid.cell_area() * images(i);
       profile(i) = shape.profile(x, y);
-      const RigidSlip rigid = shape.slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
+      const RigidSlip rigid = shape.law_slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
       forward(i) = rigid.forward;
       turning(i) = rigid.turning;
       const auto keep = [&](Resultant& resultant, LeverArm arm) {
@@ -34,6 +36,10 @@ ContactProblem::ContactProblem(const RollingScene& given, const SurfaceGrid& hal
       keep(driving_force, shape.driving_force(x, y));
       keep(torque, shape.torque(x, y));
     }
+  if (!given.coating_layers.empty()) {
+    idle_ratio = flow_of_coating(given);
+    if (friction && !rotation_given()) of_coating = coating_in_drive(given);
+  }
   drive = {drive_row(scene, torque.of_pressure, driving_force.of_pressure),
            drive_row(scene, torque.of_shear_x, driving_force.of_shear_x)};
 }

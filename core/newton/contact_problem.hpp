@@ -35,11 +35,13 @@ struct ContactProblem {
   FrictionLaw law;
   bool friction, lateral;                 // shear; tractions and displacements along y
   Vector profile;                         // height of the body's lower surface above its lowest point [m]
-  Vector forward, turning;                // of the slip (N2) [1]
+  Vector forward, turning;                // of the slip (N2) as the law of friction takes it [1]
   Resultant load, torque, driving_force;  // (N3): P [N], T [N m], Q [N] (per metre for a cylinder)
   Resultant drive;                        // row that the drive sets to `drive_target`; unused with drive "rotation"
   double drive_target = 0;
-  EdgeSlip edge;  // none where it is not known
+  double of_coating = 0;  // what a coating's M (N3b) adds to that row per unit; 0 without a row or a coating
+  double idle_ratio = 1;  // R Omega/V without friction [1]
+  EdgeSlip edge;          // none where it is not known
 
   /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the paper's.
   bool follows_edge() const {
@@ -52,8 +54,9 @@ struct ContactProblem {
 
   bool load_given() const { return scene.load.has_value(); }
   bool rotation_given() const { return scene.drive == Drive::rotation; }
-  double drive_surplus(const Vector& pressure, const Vector& shear_x) const {
-    return drive(pressure, shear_x) - drive_target;
+  /// @param coating M of (N3b) [N]
+  double drive_surplus(const Vector& pressure, const Vector& shear_x, double coating) const {
+    return drive(pressure, shear_x) + of_coating * coating - drive_target;
   }
   /// Unknown tractions at a node in contact: p; tau_x; tau_y.
   int components() const { return !friction ? 1 : lateral ? 3 : 2; }
@@ -61,17 +64,21 @@ struct ContactProblem {
   bool on_axis(Eigen::Index node) const { return grid.first_row + node / grid.columns == 0; }
   /// How often a node of the half grid stands on the whole one.
   int images(Eigen::Index node) const { return on_axis(node) ? 1 : 2; }
-  /// s_x of a node from du/dx [1]; s_y is dv/dx.
-  double slip_x(Eigen::Index node, double slope_u, double rotation_ratio) const {
-    return forward(node) + slope_u - rotation_ratio * turning(node);
+  /// s_x of a node, over what scales it in the law of friction, from du/dx and the law's ratio [1]; s_y is dv/dx.
+  double slip_x(Eigen::Index node, double slope_u, double law_ratio) const {
+    return forward(node) + slope_u - law_ratio * turning(node);
   }
   /// Rotation ratio by which the torque counts in the resistance Q + omega T/R: without friction that of rolling, as
-  /// the pressure must be overcome by one or the other.
-  double turning_ratio(double rotation_ratio) const { return friction ? rotation_ratio : 1; }
-  /// Rolling resistance [N] (per metre for a cylinder); empty shear is none.
-  double resistance(const Vector& pressure, const Vector& shear_x, double rotation_ratio) const {
-    return driving_force(pressure, shear_x) +
-           torque(pressure, shear_x) * turning_ratio(rotation_ratio) / shape.radius();
+  /// the pressure must be overcome by one or the other, or at which the coating flows.
+  double turning_ratio(double law_ratio) const {
+    if (!friction) return idle_ratio;
+    return rotation_given() ? *scene.rotation_ratio : shape.rotation_ratio(law_ratio);
+  }
+  /// Rolling resistance [N] (per metre for a cylinder); empty shear is none. @param coating M of (N3b) [N]
+  double resistance(const Vector& pressure, const Vector& shear_x, double law_ratio, double coating) const {
+    const double turning = turning_ratio(law_ratio);
+    return driving_force(pressure, shear_x) + torque(pressure, shear_x) * turning / shape.radius() +
+           shape.of_coating() * (turning - 1) * coating;
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/newton/coating_power.hpp"
 #include "core/newton/nested_newton.hpp"
 #include "core/surface/contact_surface.hpp"
 
@@ -27,12 +28,13 @@ class Surplus {
     turning.drive = Drive::rotation;
     turning.driving_torque.reset();
     turning.rotation_ratio = 1 + direction_ * excess;
-    if (last_) last_->outcome.unknowns.rotation_ratio = *turning.rotation_ratio;
+    if (last_) last_->outcome.unknowns.rotation_ratio = last_->problem->shape.law_ratio(*turning.rotation_ratio);
     ContactLevel level = solve_level(turning, grid_, last_ ? &*last_ : nullptr, Effort::start);
     if (!level.outcome.converged) return RollingSolution::absent;
     const ContactProblem wanted(scene_, level.problem->grid);
     const ContactUnknowns& x = level.outcome.unknowns;
-    const double value = direction_ * wanted.drive_surplus(x.pressure, x.shear_x);
+    const double value =
+        direction_ * wanted.drive_surplus(x.pressure, x.shear_x, coating_moment(wanted, *level.influence, x));
     last_ = std::move(level);
     return value;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/messages/message_text.hpp"
+#include "core/newton/coating_power.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"
@@ -21,7 +22,9 @@ class Assessment {
         edge_(edge),
         unknowns_(given),
         zone_(given_zone),
-        moved_(influence.apply(given.pressure, shear_or_zero(given.shear_x), lateral_shear(given))) {}
+        moved_(influence.apply(given.pressure, shear_or_zero(given.shear_x), lateral_shear(given))),
+        coating_(moved_coating(influence, given)),
+        powers_(contact_powers(given_problem, moved_, coating_, given, given_zone)) {}
 
   GridSolution run() {
     measure_contact();
@@ -80,16 +83,19 @@ class Assessment {
     const Vector &pressure = unknowns_.pressure, &shear = unknowns_.shear_x;
     s_.load = problem_.load(pressure, shear);
     s_.mean_pressure = s_.load / s_.contact_area;
-    s_.rolling_resistance = problem_.resistance(pressure, shear, unknowns_.rotation_ratio);
+    s_.rolling_resistance = powers_.resultants;
+    const double turning = problem_.turning_ratio(unknowns_.rotation_ratio), radius = problem_.scene.radius;
+    const double of_coating = problem_.shape.of_coating() * powers_.coating;
     if (problem_.friction) {
-      s_.driving_torque = problem_.torque(pressure, shear);
-      s_.driving_force = problem_.driving_force(pressure, shear);
-      s_.rotation_ratio = unknowns_.rotation_ratio;
-      s_.rotation_speed = unknowns_.rotation_ratio * problem_.scene.speed / problem_.scene.radius;
+      s_.driving_torque = problem_.torque(pressure, shear) + radius * of_coating;
+      s_.driving_force = problem_.driving_force(pressure, shear) - of_coating;
+      s_.rotation_ratio = turning;
+      s_.rotation_speed = turning * problem_.scene.speed / radius;
     } else {
-      // The pressure passes through the axis: it is the driving force alone that overcomes its horizontal part.
-      s_.driving_torque = 0;
-      s_.driving_force = s_.rolling_resistance;
+      // The pressure on the layers passes through the axis: it is the driving force alone that overcomes its horizontal
+      // part.
+      s_.driving_torque = radius * of_coating;
+      s_.driving_force = s_.rolling_resistance - turning * of_coating;
     }
     s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
   }
@@ -142,13 +148,12 @@ class Assessment {
     if (scene.load) violated(std::abs(s_.load - *scene.load) / *scene.load);
     if (scene.approach) violated(std::abs(unknowns_.approach - *scene.approach) / *scene.approach);
     if (problem_.friction && !problem_.rotation_given())
-      violated(std::abs(problem_.drive_surplus(unknowns_.pressure, unknowns_.shear_x)) / s_.load);
+      violated(std::abs(problem_.drive_surplus(unknowns_.pressure, unknowns_.shear_x, powers_.coating)) / s_.load);
     s_.law_violation = worst;
   }
 
   void balance_power() {
     const double speed = problem_.scene.speed;
-    powers_ = contact_powers(problem_, moved_, unknowns_, zone_);
     powers_.take(edge_);
     s_.viscous_loss = speed * powers_.layer;
     s_.frictional_loss = speed * powers_.friction;
@@ -193,10 +198,10 @@ class Assessment {
   const EdgeCorrection& edge_;
   const ContactUnknowns& unknowns_;
   const std::vector<Zone>& zone_;
-  Displacements moved_;
+  Displacements moved_, coating_;
+  ContactPowers powers_;
   Vector slip_x_, slip_y_;
   double half_length_ = 0;
-  ContactPowers powers_;
   RollingSolution s_;
 };
 

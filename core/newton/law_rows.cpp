@@ -26,6 +26,11 @@ LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
   load_shear_ = gathered(problem.load.of_shear_x, per_force);
   drive_ = gathered(problem.drive.of_pressure, per_force);
   drive_shear_ = gathered(problem.drive.of_shear_x, per_force);
+  if (laws.coating.of_pressure.size() > 0) {
+    drive_ += gathered(laws.coating.of_pressure, per_force);
+    drive_shear_ += gathered(laws.coating.of_shear_x, per_force);
+    if (components_ > 2) drive_shear_y_ = gathered(laws.coating.of_shear_y, per_force);
+  }
   turning_ = gathered(problem.turning, 1);
   direction_x_ = laws.direction_x.cast<Real>();
   direction_y_ = laws.direction_y.cast<Real>();
@@ -48,7 +53,10 @@ auto LawRows<Real>::border_rows(const VectorR& x) const -> VectorR {
   }
   const auto shear = x.segment(contacts_, contacts_);
   if (approach_unknown_) rows(at++) = load_.dot(pressure) + load_shear_.dot(shear);
-  if (rotation_unknown_) rows(at) = drive_.dot(pressure) + drive_shear_.dot(shear);
+  if (rotation_unknown_) {
+    rows(at) = drive_.dot(pressure) + drive_shear_.dot(shear);
+    if (drive_shear_y_.size() > 0) rows(at) += drive_shear_y_.dot(x.segment(2 * contacts_, contacts_));
+  }
   return rows;
 }
 

@@ -12,6 +12,11 @@
 
 namespace rollres {
 
+/// A row of the linearised laws, by traction at all nodes; for a cylinder without shear_y.
+struct TractionRow {
+  Vector of_pressure, of_shear_x, of_shear_y;
+};
+
 /// Which law holds at each node in contact, and its linearisation. The natural scale of displacements and slips is
 /// chosen such that every row is in pascal: normal and stick rows are divided by the response of a node to itself.
 struct ActiveLaws {
@@ -19,6 +24,7 @@ struct ActiveLaws {
   std::vector<Zone> zone;             // of those nodes: stick or slip (stick if frictionless)
   // At slipping nodes: direction of friction, and beta = mu p / |q| of the projection.
   Vector direction_x, direction_y, beta;
+  TractionRow coating;  // what the drive's row has of a coating's M (N3b); empty without
 };
 
 /// What the tractions of an increment do at the nodes in contact: w/kappa, slip/sigma [Pa].
@@ -57,7 +63,7 @@ class LawRows {
   double force_scale_;
   Real friction_;
   VectorR direction_x_, direction_y_, beta_, turning_;
-  VectorR load_, load_shear_, drive_, drive_shear_;  // over force_scale
+  VectorR load_, load_shear_, drive_, drive_shear_, drive_shear_y_;  // over force_scale
   std::vector<char> sticks_, on_axis_;
 };
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/newton/coating_power.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/friction_limit.hpp"
 #include "core/newton/newton_starts.hpp"
@@ -56,7 +57,8 @@ void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double bor
 /// What is asked of a level that is solved.
 void measure(ContactLevel& level) {
   const NewtonOutcome& outcome = level.outcome;
-  level.powers = contact_powers(*level.problem, outcome.moved, outcome.unknowns, outcome.zone);
+  level.powers = contact_powers(*level.problem, outcome.moved, moved_coating(*level.influence, outcome.unknowns),
+                                outcome.unknowns, outcome.zone);
   level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone, level.powers);
 }
 
@@ -70,6 +72,10 @@ EdgeCorrection correction_of(const ContactLevel& level) {
   const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
   PressedSphere sphere{scene, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};
   sphere.of_resistance = problem.driving_force.of_pressure + turning * problem.torque.of_pressure;
+  if (level.influence->coating()) {
+    const double part = problem.shape.of_coating() * (problem.turning_ratio(x.rotation_ratio) - 1);
+    sphere.of_resistance += part * moment_row(problem, *level.influence, x).of_pressure;
+  }
   if (problem.friction) {
     const SurfaceGrid& grid = problem.grid;
     const Vector none = Vector::Zero(grid.size());
@@ -77,8 +83,10 @@ EdgeCorrection correction_of(const ContactLevel& level) {
     for (Eigen::Index row = 0; row < grid.rows; ++row)
       sphere.height.segment(row * grid.columns, grid.columns) -=
           by_shear.w.segment(row * (grid.columns + 1), grid.columns);
-    sphere.resistance_of_shear = problem.resistance(none, x.shear_x, x.rotation_ratio);
+    sphere.resistance_of_shear = problem.resistance(none, x.shear_x, x.rotation_ratio, 0);
   }
+  if (level.influence->coating())  // of which M is no linear functional
+    sphere.resistance_of_shear = level.powers.resultants - sphere.of_resistance.dot(x.pressure);
   return edge_correction(sphere, x.pressure, x.approach);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/newton/coating_power.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -75,9 +76,9 @@ class NewtonIteration {
     if (following) follow_edge(chosen);
     if (release(base, chosen) || following) released = natural_maps(problem_, influence_, base, chosen);
     const NaturalMaps& base_maps = released ? *released : maps_;
-    const ActiveLaws laws =
-        choose_laws(problem_, influence_, base, base_maps, chosen, first_ && options_.first_all_stick);
+    ActiveLaws laws = choose_laws(problem_, influence_, base, base_maps, chosen, first_ && options_.first_all_stick);
     if (laws.contact.empty()) return false;
+    laws.coating = coating_in_drive_row(problem_, influence_, base);
     const std::optional<ContactUnknowns> increment = linear_step(base, base_maps, laws);
     if (!increment || !accept_part(base, *increment, chosen)) return false;
     contact_ = std::move(chosen);

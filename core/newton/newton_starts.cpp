@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/newton/coating_power.hpp"
 #include "core/newton/rotation_path.hpp"
 
 namespace rollres {
@@ -27,8 +28,8 @@ ContactUnknowns frictionless_start(const ContactProblem& problem, const ContactL
 NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
                          const NewtonOptions& options) {
   if (!problem.friction) return newton_contact(problem, *level.table, *level.influence, guess, options);
-  const ContactUnknowns start =
-      frictionless_start(problem, level, guess, problem.scene.rotation_ratio.value_or(1.0), options);
+  const ContactUnknowns start = frictionless_start(
+      problem, level, guess, problem.shape.law_ratio(problem.scene.rotation_ratio.value_or(1.0)), options);
   NewtonOptions sticking = options;
   sticking.first_all_stick = !problem.rotation_given();
   return newton_contact(problem, *level.table, *level.influence, start, sticking);
@@ -36,8 +37,9 @@ NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& leve
 
 namespace {
 
-double surplus(const ContactProblem& problem, const NewtonOutcome& at) {
-  return problem.drive_surplus(at.unknowns.pressure, at.unknowns.shear_x);
+double surplus(const ContactProblem& problem, const ContactLevel& level, const NewtonOutcome& at) {
+  const double coating = problem.of_coating != 0 ? coating_moment(problem, *level.influence, at.unknowns) : 0;
+  return problem.drive_surplus(at.unknowns.pressure, at.unknowns.shear_x, coating);
 }
 
 /// Solution with the drive's row between two neighbours on the path, where its surplus changes sign.
@@ -50,7 +52,7 @@ std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const 
     if (!outcome.converged) return {};
     return outcome;
   };
-  double low_value = surplus(problem, low), high_value = surplus(problem, high);
+  double low_value = surplus(problem, level, low), high_value = surplus(problem, level, high);
   ContactUnknowns between = low.unknowns;
   const double part = low_value / (low_value - high_value);
   between.add(part, high.unknowns).add(-part, low.unknowns);
@@ -69,7 +71,7 @@ std::optional<NewtonOutcome> solve_between(const ContactProblem& problem, const 
         path.solve_at(ratio, std::abs(low_value) < std::abs(high_value) ? low.unknowns : high.unknowns);
     if (!middle) return {};
     if (std::optional<NewtonOutcome> found = coupled(middle->unknowns)) return found;
-    const double value = surplus(problem, *middle);
+    const double value = surplus(problem, level, *middle);
     ((value < 0) == (low_value < 0) ? low : high) = std::move(*middle);
     ((value < 0) == (low_value < 0) ? low_value : high_value) = value;
   }
@@ -84,9 +86,9 @@ struct PathResult {
 
 /// Highest point of the drive's surplus (times `direction`) between two points on the path, or any where it is
 /// positive, the middle one of three being higher than its neighbours.
-NewtonOutcome maximise_surplus(const ContactProblem& problem, const RotationPath& path, int direction, double low,
-                               double high, NewtonOutcome middle) {
-  const auto height = [&](const NewtonOutcome& at) { return direction * surplus(problem, at); };
+NewtonOutcome maximise_surplus(const ContactProblem& problem, const ContactLevel& level, const RotationPath& path,
+                               int direction, double low, double high, NewtonOutcome middle) {
+  const auto height = [&](const NewtonOutcome& at) { return direction * surplus(problem, level, at); };
   for (int step = 0; step < 16 && height(middle) < 0; ++step) {
     const double at = middle.unknowns.rotation_ratio;
     constexpr double part = 0.381966;
@@ -108,26 +110,26 @@ NewtonOutcome maximise_surplus(const ContactProblem& problem, const RotationPath
 PathResult follow_path(const ContactProblem& problem, const ContactLevel& level, RotationPath& path,
                        const NewtonOptions& options) {
   if (problem.rotation_given()) {
-    const double wanted = *problem.scene.rotation_ratio;
+    const double wanted = problem.shape.law_ratio(*problem.scene.rotation_ratio);
     for (int point = 0; point < options.most_points; ++point) {
       if (path.ratio() == wanted) return {path.here()};
       if (std::abs(path.ratio()) > options.end_of_path || !path.advance(wanted)) break;
     }
     return {};
   }
-  const int sign = surplus(problem, path.here()) < 0 ? -1 : 1;
+  const int sign = surplus(problem, level, path.here()) < 0 ? -1 : 1;
   NewtonOutcome before = path.here(), last = before;
   for (int point = 0; point < options.most_points; ++point) {
     before = std::move(last);
     last = path.here();
     if (std::abs(path.ratio()) >= options.end_of_path) return {{}, path.direction() == -sign};
     if (!path.advance(path.direction() * options.end_of_path)) return {};
-    const double value = sign * surplus(problem, path.here()), last_value = sign * surplus(problem, last);
+    const double value = sign * surplus(problem, level, path.here()), last_value = sign * surplus(problem, level, last);
     if (value <= 0) return {solve_between(problem, level, path, last, path.here(), options)};
-    if (path.pivoting() || !(last_value < value && last_value < sign * surplus(problem, before))) continue;
+    if (path.pivoting() || !(last_value < value && last_value < sign * surplus(problem, level, before))) continue;
     const NewtonOutcome top =
-        maximise_surplus(problem, path, -sign, before.unknowns.rotation_ratio, path.ratio(), std::move(last));
-    if (sign * surplus(problem, top) <= 0) return {solve_between(problem, level, path, before, top, options)};
+        maximise_surplus(problem, level, path, -sign, before.unknowns.rotation_ratio, path.ratio(), std::move(last));
+    if (sign * surplus(problem, level, top) <= 0) return {solve_between(problem, level, path, before, top, options)};
     last = top;
   }
   return {};
@@ -137,8 +139,8 @@ NewtonOutcome solve_on_path(const ContactProblem& problem, const ContactLevel& l
                             const NewtonOptions& options, bool pivoting) {
   const RotationPath path(problem, level, frictionless_start(problem, level, guess, 1, options), options);
   if (!path.started()) return {};
-  const bool upwards =
-      problem.rotation_given() ? *problem.scene.rotation_ratio > path.ratio() : surplus(problem, path.here()) < 0;
+  const bool upwards = problem.rotation_given() ? problem.shape.law_ratio(*problem.scene.rotation_ratio) > path.ratio()
+                                                : surplus(problem, level, path.here()) < 0;
   NewtonOutcome failed;
   // On a part that is folded back the end looked for may lie the other way.
   for (const int direction : {upwards ? 1 : -1, upwards ? -1 : 1}) {

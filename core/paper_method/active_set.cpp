@@ -31,6 +31,28 @@ bool touches_rim(const RollingScene& scene, const SurfaceGrid& grid, const std::
   return false;
 }
 
+/// M of core/newton/README.md, (N3b), of a scene with a coating.
+class CoatingMoment {
+ public:
+  CoatingMoment(const InfluenceTable& table, const SurfaceGrid& grid, bool lateral) {
+    if (!table.coating) return;
+    for (const Direction force : {Direction::w, Direction::u, Direction::v})
+      if (force != Direction::v || lateral)
+        slopes_.push_back(slope_kernel(*table.coating, grid, Direction::w, force, SlipStencil::central));
+  }
+  double operator()(const NormalContact& normal, const Eigen::VectorXd& force_x, const Eigen::VectorXd& force_y) const {
+    if (slopes_.empty()) return 0;
+    Eigen::VectorXd slope = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(normal.contact.size()));
+    slopes_[0].add(normal.contact, normal.contact, normal.force, slope);
+    slopes_[1].add(normal.contact, normal.contact, force_x, slope);
+    if (slopes_.size() > 2) slopes_[2].add(normal.contact, normal.contact, force_y, slope);
+    return -normal.force(normal.contact).dot(slope);
+  }
+
+ private:
+  std::vector<OffsetKernel> slopes_;  // of w for each force
+};
+
 template <class StickSlipSolver>
 ContactState combined_loop(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid) {
   const bool frictionless = scene.friction_coefficient == 0, lateral = dimensions(scene) == 3;
@@ -38,6 +60,7 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
   std::optional<StickSlipSolver> stick_slip_solver;
   if (!frictionless) stick_slip_solver.emplace(scene, table, grid);
 
+  const CoatingMoment coating(table, grid, lateral);
   ContactState state;
   state.grid = grid;
   NormalContact normal;
@@ -65,7 +88,8 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
       state.status = Status::converged;
       break;
     }
-    StickSlip found = stick_slip_solver->solve(normal.contact, normal.force, inner_tolerance);
+    StickSlip found = stick_slip_solver->solve(normal.contact, normal.force, inner_tolerance,
+                                               coating(normal, tangential.force_x, tangential.force_y));
     state.iterations += found.iterations;
     change = std::max(change, (found.force_x - tangential.force_x).cwiseAbs().maxCoeff());
     if (lateral) change = std::max(change, (found.force_y - tangential.force_y).cwiseAbs().maxCoeff());

@@ -33,8 +33,8 @@ bool LineStickSlip::let_one_stick(StickSlip& state) {
 }
 
 StickSlip LineStickSlip::solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force,
-                               double /*tolerance*/) {
-  problem_.set_normal(contact, normal_force);
+                               double /*tolerance*/, double coating) {
+  problem_.set_normal(contact, normal_force, coating);
   if (const auto needed = problem_.friction_needed()) {
     std::fill(sense_.begin(), sense_.end(), 0);
     return problem_.all_sliding(*needed);

@@ -46,8 +46,8 @@ class TangentialProblem {
  public:
   TangentialProblem(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid);
 
-  /// Takes over the contact area and its normal forces.
-  void set_normal(const std::vector<int>& contact, const Eigen::VectorXd& normal_force);
+  /// Takes over the contact area and its normal forces. @param coating M of core/newton/README.md, (N3b) [N]
+  void set_normal(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double coating);
 
   /// s_x (component 0) or s_y (1) over V at the nodes, without the rotation, by the scene's difference or the forward
   /// one. Call it with the forces F_U, F_V of the nodes listed in `loaded`.
@@ -74,7 +74,7 @@ class TangentialProblem {
   SurfaceGrid grid;
   FrictionLaw law;
   double slip_threshold = 0;
-  std::optional<double> given_rotation;  // R Omega / V
+  std::optional<double> given_rotation;  // R Omega / V, as the law of friction takes it (indenter_shape.hpp)
   std::vector<int> contact;
   Eigen::VectorXd limit;       // of friction at every node, also in tension
   Eigen::VectorXd moment_arm;  // at every node, over R: sum(moment_arm F_U) = moment, the drive's row
@@ -84,7 +84,7 @@ class TangentialProblem {
 
  private:
   Eigen::VectorXd normal_force_;
-  double drive_target_ = 0;
+  double drive_target_ = 0, of_coating_ = 0;
   Eigen::VectorXd forward_slip_;               // s_x at every node, without displacements and rotation
   Eigen::VectorXd normal_arm_;                 // of every node, in the drive's row, over R
   OffsetKernel forward_[2][3], chosen_[2][3];  // slope of u, v (first index) for F_W, F_U, F_V (second)
@@ -101,8 +101,9 @@ class LineStickSlip {
   LineStickSlip(const LineStickSlip&) = delete;
   LineStickSlip& operator=(const LineStickSlip&) = delete;
 
-  /// @param tolerance unused: once the zones are found, the answer is exact
-  StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance = 0);
+  /// @param tolerance unused: once the zones are found, the answer is exact   @param coating M of (N3b) [N/m]
+  StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance = 0,
+                  double coating = 0);
   const SubsetSolver& system() const { return system_; }
 
  private:
@@ -132,7 +133,9 @@ class SurfaceStickSlip {
   SurfaceStickSlip& operator=(const SurfaceStickSlip&) = delete;
 
   /// @param tolerance largest change of friction at a node, relative to the largest limit, that counts as none
-  StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance);
+  /// @param coating M of (N3b) [N]
+  StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance,
+                  double coating = 0);
   const SubsetSolver& system() const { return system_; }
 
  private:

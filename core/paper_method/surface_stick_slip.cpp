@@ -18,8 +18,8 @@ SurfaceStickSlip::SurfaceStickSlip(const RollingScene& scene, const InfluenceTab
       system_(problem_.rotation_index() + 1, [this](int row, int column) { return problem_.element(row, column); }) {}
 
 StickSlip SurfaceStickSlip::solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force,
-                                  double tolerance) {
-  problem_.set_normal(contact, normal_force);
+                                  double tolerance, double coating) {
+  problem_.set_normal(contact, normal_force, coating);
   if (const auto needed = problem_.friction_needed()) return problem_.all_sliding(*needed);
   if (rule_ == SlipRule::printed) std::fill(slips_.begin(), slips_.end(), 0);
   StickSlip state;

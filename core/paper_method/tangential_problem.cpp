@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "core/paper_method/stick_slip.hpp"
+#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 
@@ -11,7 +12,9 @@ TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceT
       law{scene.friction_coefficient},
       slip_threshold(scene.slip_threshold),
       drive_target_(drive_target(scene)) {
-  if (scene.drive == Drive::rotation) given_rotation = scene.rotation_ratio;
+  const IndenterShape shape(scene, share_of_coating(scene));
+  if (scene.drive == Drive::rotation) given_rotation = shape.law_ratio(*scene.rotation_ratio);
+  if (!scene.coating_layers.empty()) of_coating_ = coating_in_drive(scene);
   const Direction directions[] = {Direction::w, Direction::u, Direction::v};
   for (int i = 0; i < components; ++i)
     for (int j = 0; j < components + 1; ++j) {
@@ -19,7 +22,6 @@ TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceT
       chosen_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], scene.slip_stencil);
     }
   scale = std::abs(forward_[0][1](0, 0));
-  const IndenterShape shape(scene);
   normal_arm_.resize(grid.size());
   forward_slip_.resize(grid.size());
   turning.resize(grid.size());
@@ -29,7 +31,7 @@ TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceT
       const int node = grid.index(column, row);
       const double x = grid.x(column), y = grid.y(row);
       const LeverArm torque = shape.torque(x, y), force = shape.driving_force(x, y);
-      const RigidSlip rigid = shape.slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
+      const RigidSlip rigid = shape.law_slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
       forward_slip_[node] = rigid.forward;
       turning[node] = rigid.turning;
       normal_arm_[node] = -drive_row(scene, torque.of_pressure, force.of_pressure);
@@ -37,11 +39,12 @@ TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceT
     }
 }
 
-void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eigen::VectorXd& normal_force) {
+void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eigen::VectorXd& normal_force,
+                                   double coating) {
   contact = in_contact;
   normal_force_ = normal_force;
   limit = normal_force.unaryExpr([&](double force) { return law.bound(force); });
-  moment = normal_arm_.dot(normal_force) - drive_target_;
+  moment = normal_arm_.dot(normal_force) + of_coating_ * coating - drive_target_;
 }
 
 double TangentialProblem::element(int row, int column) const {

@@ -21,11 +21,17 @@ LeverArm IndenterShape::torque(double x, double y) const {
 
 RigidSlip IndenterShape::slip(double x, double y) const {
   if (kinematics_ == Kinematics::consistent) {
-    const double slope_x = slope(x, y);
-    return {.forward = 1 + slope_x * slope_x, .turning = (height(x, y) + x * slope_x) / radius_};
+    const double slope_x = slope(x, y), turning = (height(x, y) + x * slope_x) / radius_;
+    return {.forward = 1 + (1 - share_) * slope_x * slope_x, .turning = turning - share_ * (turning - 1)};
   }
   if (flat_in_y_) return {};
   return {.turning = std::sqrt(std::max(1 - y * y / (radius_ * radius_), 1e-4))};
+}
+
+RigidSlip IndenterShape::law_slip(double x, double y) const {
+  const RigidSlip rigid = slip(x, y);
+  const double apart = rigid.forward - rigid.turning, turning = rigid.turning + share_ * apart;
+  return share_ == 0 ? rigid : RigidSlip{.forward = apart + turning, .turning = turning};
 }
 
 double IndenterShape::resisting_curvature(double x, double y) const {

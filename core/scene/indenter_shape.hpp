@@ -21,6 +21,15 @@
 /// slip is 1 + du/dx + b_x^2/2 - omega: the surface is longer by the arc. (Left out: b_x b_y (1 - omega q/R) in s_y,
 /// of fourth order where the body rolls.)
 ///
+/// With a coating the surface between body and layers has the slope w_x = b_x - c_x, c_x that of the coating's part of
+/// w, and the coating flows at R Omega. The pressure acts along the normal of that surface. It therefore adds what
+/// multiples of the integral M of p c_x (core/newton/README.md, (N3b)) add to the arms above:
+///   Q: -M   T: R M
+///   slip: s_x = forward + du/dx - omega turning + (omega - 1) times the coating's part of du/dx
+/// On a rigid plane all shear acts along it, at one height: forward = turning = 1. In between, with the coating's share
+/// k of b_x = w_x + c_x taken as one number (`coating_share`),
+///   forward = 1 + (1 - k) b_x^2,   turning = k + (1 - k) (R^2 - y^2)/(R q)
+///
 /// `printed` (Zehil and Gavin 2013, eqs. 12, 15, 17, 19, 21, 25, 26, 37): a cylinder's pressure and shear act normal to
 /// and along its arc, a sphere's vertically and horizontally, and the slip is that on a flat surface,
 ///              P                    Q                    T                forward   turning
@@ -44,15 +53,19 @@ struct LeverArm {
   double operator()(double pressure, double shear_x) const { return of_pressure * pressure + of_shear_x * shear_x; }
 };
 
-/// The slip s_x where the layer does not move along itself: forward - omega turning [1].
+/// The slip s_x where nothing moves along itself: forward - omega turning [1].
 struct RigidSlip {
   double forward = 1, turning = 1;
 };
 
 class IndenterShape {
  public:
-  explicit IndenterShape(const RollingScene& scene)
-      : radius_(scene.radius), flat_in_y_(dimensions(scene) == 2), kinematics_(scene.kinematics) {}
+  /// @param coating_share of the coating in what yields, for its terms of second order, 0 to 1
+  explicit IndenterShape(const RollingScene& scene, double coating_share = 0)
+      : radius_(scene.radius),
+        flat_in_y_(dimensions(scene) == 2),
+        kinematics_(scene.kinematics),
+        share_(kinematics_ == Kinematics::consistent ? coating_share : 0) {}
 
   double radius() const { return radius_; }  // R [m]
   /// Whether there is a lower surface above this place.
@@ -70,6 +83,20 @@ class IndenterShape {
   LeverArm driving_force(double x, double y = 0) const;  // Q
   LeverArm torque(double x, double y = 0) const;         // T
   RigidSlip slip(double x, double y = 0) const;
+  /// What M adds to T/R, and takes from Q [1]: 0 for a printed sphere, whose pressure is taken to act vertically.
+  double of_coating() const { return kinematics_ == Kinematics::consistent || flat_in_y_ ? 1 : 0; }
+
+  /// The law of friction as methods impose it, s_x/m = law_slip.forward + du/dx - law_ratio law_slip.turning, with the
+  /// coating's part of du/dx taken as the share k of it, m = 1 + k (omega - 1): exact where either side is rigid.
+  RigidSlip law_slip(double x, double y = 0) const;
+  /// omega from the ratio of the law, 1 + (omega - 1)/m, and back. Of a body that slides all over, m is at least a
+  /// tenth: it only tells the direction.
+  double rotation_ratio(double law_ratio) const {
+    return share_ == 0 ? law_ratio : 1 + (law_ratio - 1) / (1 - share_ * (law_ratio - 1));
+  }
+  double law_ratio(double omega) const {
+    return share_ == 0 ? omega : 1 + (omega - 1) / std::max(1 + share_ * (omega - 1), 0.1);
+  }
   /// Derivative along x of what a unit of pressure resists with where the body rolls, Q + T/R [1/m].
   double resisting_curvature(double x, double y = 0) const;
   /// Whether that is the same at every place.
@@ -82,6 +109,7 @@ class IndenterShape {
   double radius_;
   bool flat_in_y_;
   Kinematics kinematics_;
+  double share_;  // of the coating in what yields, 0 to 1
 };
 
 /// The row of the drive, from torques and driving forces (numbers or rows of a system): T/R, less Q if a force at the
@@ -90,6 +118,11 @@ template <class Value>
 Value drive_row(const RollingScene& scene, const Value& torque, const Value& driving_force) {
   if (scene.drive != Drive::top_force) return torque / scene.radius;
   return torque / scene.radius - driving_force;
+}
+/// What a coating's M (see above) adds to that row per unit [1].
+inline double coating_in_drive(const RollingScene& scene) {
+  const double part = scene.coating_layers.empty() ? 0 : IndenterShape(scene).of_coating();
+  return drive_row(scene, scene.radius * part, -part);
 }
 inline double drive_target(const RollingScene& scene) {
   return scene.drive == Drive::torque ? *scene.driving_torque / scene.radius : 0;

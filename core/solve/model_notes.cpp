@@ -113,18 +113,6 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
   if (across < 10)
     warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
   if (on_grid(solution.method) && solution.fields.grid.columns > 0) warn_of_peaks(solution, warnings);
-  if (const double apart = std::abs(1 - flow_of_coating(scene));
-      linear && !scene.coating_layers.empty() && apart > 0.1) {
-    // The coating's part of the pressure's horizontal force is a torque about the axis instead, int p w' of the
-    // coating, and the power of both is R Omega: R_r misses (R Omega/V - 1) times that, which is no more than all of
-    // the force.
-    const double force = std::abs(solution.driving_force + solution.driving_torque / scene.radius);
-    const double open = apart * force / std::abs(solution.rolling_resistance);
-    if (constexpr double noticeable = 0.01; open > noticeable)
-      warnings.push_back(message_text("a coated body at RΩ/V = ", flow_of_coating(scene),
-                                      ": pressure is taken to pass through its axis, which may change R_r by ",
-                                      100 * open, " %, and viscous_loss is that of a coating at RΩ = V"));
-  }
   if (linear && scene.kinematics == Kinematics::printed) {
     const double power = solution.rolling_resistance * scene.speed;
     const double left = std::abs(power - solution.viscous_loss - solution.frictional_loss) / std::abs(power);

@@ -355,6 +355,9 @@ RollingSolution solve_in_flow(const RollingScene& given, std::optional<FoundZone
   }
   if (solution.status == Status::converged) {
     bool missed_said = misses_tolerance(choice.scene, solution);  // by the method
+    // No passive layer gives power: what is negative is error.
+    if (-solution.rolling_resistance > solution.rolling_resistance_error)
+      set_error(-solution.rolling_resistance, solution);
     if (solution.energy_residual > trusted_balance && resists(model, solution)) {
       const double missed = solution.energy_residual * std::abs(solution.rolling_resistance);
       solution.error_estimate = std::max(solution.error_estimate, solution.energy_residual);
@@ -436,8 +439,10 @@ RollingSolution solve_freely(RollingScene scene) {
 void take_over_what_was_asked(const RollingScene& scene, RollingSolution& solution) {
   if (scene.load) solution.load = *scene.load;
   if (scene.approach) solution.approach = *scene.approach;
-  if (scene.drive == Drive::torque && scene.driving_torque) solution.driving_torque = *scene.driving_torque;
-  if (scene.drive == Drive::free && std::isfinite(solution.driving_torque)) solution.driving_torque = 0;
+  // Without friction a coating takes the torque that turns it, whatever drives the body.
+  const bool felt = scene.friction_coefficient > 0 || scene.coating_layers.empty();
+  if (felt && scene.drive == Drive::torque && scene.driving_torque) solution.driving_torque = *scene.driving_torque;
+  if (felt && scene.drive == Drive::free && std::isfinite(solution.driving_torque)) solution.driving_torque = 0;
   if (scene.drive == Drive::rotation && scene.rotation_ratio) solution.rotation_ratio = *scene.rotation_ratio;
 }
 

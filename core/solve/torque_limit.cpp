@@ -11,12 +11,12 @@
 namespace rollres {
 
 // In the contact |tau_x| <= mu p and p >= 0, and its places are no farther than r from the axis, where the body's
-// height q is at least q_r = sqrt(R^2 - r^2). Whatever p is,
+// height q is at least q_r = sqrt(R^2 - r^2). Whatever p is, without a coating, whose own part of T has no such bound,
 //   consistent   |T| = |int tau_x (R^2 - y^2)/q| <= mu int p R^2/q_r = mu P R^2/q_r,   as P = int p
 //   printed, sphere     |T| = |int x p - q tau_x| <= (r + mu R) P
 //   printed, cylinder   |T| = |R int tau_x| <= mu R int p, and P = int (q p - x tau_x)/R >= (q_r - mu r)/R int p
 double largest_torque(const RollingScene& scene) {
-  if (!scene.load || scene.adhesion_threshold > 0) return INFINITY;
+  if (!scene.load || scene.adhesion_threshold > 0 || !scene.coating_layers.empty()) return INFINITY;
   const IndenterShape shape(scene);
   const double radius = scene.radius, farthest = widest_window(scene), lowest = shape.height(farthest),
                friction = scene.friction_coefficient, load = *scene.load;

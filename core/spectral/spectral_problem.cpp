@@ -72,7 +72,7 @@ bool single_incompressible(const RollingScene& scene) { return !is_composite(sce
 }  // namespace
 
 SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double rough_half_width)
-    : scene(given), shape(given), half_width(rough_half_width) {
+    : scene(given), shape(given, share_of_coating(given)), half_width(rough_half_width) {
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const MemoryRange told_apart = memory_range(scene.speed, 1e-3 * half_width, 1e2 * largest);
@@ -101,6 +101,10 @@ SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum&
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     relaxation_length.push_back(scene.speed * term.time);
     relaxation_modulus.push_back(term.modulus);
+  }
+  if (!scene.coating_layers.empty()) {
+    const RollingScene alone = coating_alone(scene);
+    coating = std::make_shared<SpectralProblem>(alone, near_spectrum(alone), half_width);
   }
   const auto count = static_cast<double>(terms());
   require_memory(8 * count * count, message_text("the memories of ", terms(), " retardation times"));

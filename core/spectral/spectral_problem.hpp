@@ -35,6 +35,8 @@ struct SpectralProblem {
   std::shared_ptr<const DeepResponse> deep;                   // what short waves make of tractions
   bool inertia;                                               // of the layers, is part of it
   std::shared_ptr<const SlopeCorrection> correction;          // none for a half-space
+  std::shared_ptr<const SpectralProblem> coating;             // alone, if there is one (`coating_alone`)
+  double coating_moment = 0;                                  // M of (S18), as far as it is known [N/m]
 
   /// Whether pressure and shear, if there is any, are coupled in short waves, or these remember (section 9).
   bool graded(bool shear) const { return inertia || (shear && deep->cross() != 0); }

@@ -59,11 +59,11 @@ void ZonedSystem::prescribe_stick(const Stick& stick, const VectorXd& points) {
     column(stick.amplitude() + j) = -problem_.relaxation_modulus[static_cast<std::size_t>(j)] / problem_.rubbery;
   if (problem_.shape.slips_evenly()) return;
   const PrescribedSlope turning(problem_, stick.interval, points,
-                                [&](double x) { return problem_.shape.slip(x).turning - 1; });
+                                [&](double x) { return problem_.shape.law_slip(x).turning - 1; });
   column.segment(stick.first, points.size()) -= turning.elastic / problem_.rubbery;
   column.segment(stick.amplitude(), terms_) -= turning.amplitude / problem_.rubbery;
   const PrescribedSlope known(problem_, stick.interval, points, [&](double x) {
-    const RigidSlip rigid = problem_.shape.slip(x);
+    const RigidSlip rigid = problem_.shape.law_slip(x);
     return rigid.turning - rigid.forward;
   });
   right_.segment(stick.first, points.size()) += known.elastic;
@@ -75,7 +75,7 @@ std::pair<RowVectorXd, double> ZonedSystem::drive_row() const {
   const double half = edges_.contact.half_length();
   const RowVectorXd row =
       rollres::drive_row(scene, resultant(&IndenterShape::torque), resultant(&IndenterShape::driving_force));
-  return {row / half, drive_target(scene) / half};
+  return {row / half, (drive_target(scene) - coating_in_drive(scene) * problem_.coating_moment) / half};
 }
 
 void ZonedSystem::drive() {
@@ -83,7 +83,7 @@ void ZonedSystem::drive() {
   auto row = matrix_.row(rotation_);
   if (scene.drive == Drive::rotation) {
     row(rotation_) = 1;
-    right_(rotation_) = problem_.rubbery * (*scene.rotation_ratio - 1);
+    right_(rotation_) = problem_.rubbery * (problem_.shape.law_ratio(*scene.rotation_ratio) - 1);
   } else if (const std::optional<std::size_t> zone = redundant_slack(problem_, pattern_)) {
     row(sticks_[*zone].slack()) = 1;
   } else {
@@ -110,8 +110,9 @@ SpectralState ZonedSystem::state(double approach) const {
   state.edges = edges_;
   state.pressure = {solution_.head(slack_), solution_.segment(amplitude_, terms_)};
   state.load = resultant(&IndenterShape::load).dot(solution_);
-  state.driving_force = resultant(&IndenterShape::driving_force).dot(solution_);
-  state.driving_torque = resultant(&IndenterShape::torque).dot(solution_);
+  const double of_coating = problem_.shape.of_coating() * problem_.coating_moment;
+  state.driving_force = resultant(&IndenterShape::driving_force).dot(solution_) - of_coating;
+  state.driving_torque = resultant(&IndenterShape::torque).dot(solution_) + scene.radius * of_coating;
   state.approach = approach;
   state.edge_means = means_ * solution_;
   const double scale = state.load / edges_.contact.half_length();
@@ -119,10 +120,10 @@ SpectralState ZonedSystem::state(double approach) const {
   state.residuals(0) = solution_(slack_) / scale;
   state.residuals(1) =
       scene.load ? (state.load - *scene.load) / *scene.load : (approach - *scene.approach) / *scene.approach;
-  if (!sticks_.empty())
-    state.rotation_ratio = 1 + solution_(rotation_) / problem_.rubbery;
-  else if (scene.drive == Drive::rotation)
+  if (scene.drive == Drive::rotation)
     state.rotation_ratio = *scene.rotation_ratio;
+  else if (!sticks_.empty())
+    state.rotation_ratio = problem_.shape.rotation_ratio(1 + solution_(rotation_) / problem_.rubbery);
   const auto lacking_drive = [&] {
     const auto [row, wanted] = drive_row();
     return wanted - row.dot(solution_);

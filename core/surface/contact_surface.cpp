@@ -137,6 +137,45 @@ LayeredMedium coating_of(const RollingScene& scene, const MemoryRange& told_apar
   return modelled(scene, all_on(scene), told_apart);
 }
 
+RollingScene coating_alone(const RollingScene& scene) {
+  RollingScene alone = scene;
+  const double flow = std::abs(flow_of_coating(scene));
+  BondedLayers layers = scene.coating_layers;
+  if (flow == 0)
+    for (BondedLayer& layer : layers) {
+      BondedLayer resting;
+      resting.material = MaterialModel::elastic;
+      resting.static_shear_modulus = 1 / creep_spectrum(layer).at_rest();
+      resting.poisson_ratio = layer.poisson_ratio;
+      resting.layer_thickness = layer.layer_thickness;
+      resting.layer_density = 0;
+      layer = resting;
+    }
+  static_cast<MaterialInputs&>(alone) = layers.front();
+  alone.layer_thickness = layers.front().layer_thickness;
+  alone.layer_density = layers.front().layer_density;
+  alone.lower_layers.assign(layers.begin() + 1, layers.end());
+  alone.coating_layers.clear();
+  alone.coating_flow.reset();
+  alone.inertia = inertia_included(scene) ? Inertia::on : Inertia::off;
+  if (flow > 0) alone.speed *= flow;
+  return alone;
+}
+
+double share_of_coating(const RollingScene& scene) {
+  if (scene.coating_layers.empty()) return 0;
+  const double radius = scene.radius, compliance = 0.5 * near_spectrum(scene).at_rest();  // (1 - nu)/G
+  const double half_width = !scene.load ? std::sqrt(radius * *scene.approach)
+                            : scene.indenter == Indenter::sphere
+                                ? std::cbrt(0.375 * *scene.load * radius * compliance)
+                                : std::sqrt(2 / M_PI * *scene.load * radius * compliance);
+  const auto yields = [&](const LayeredMedium& medium) {
+    return std::abs(surface_compliance(medium, moduli_at(medium, 0), 1 / half_width, 0).normal);
+  };
+  const double coating = yields(coating_of(scene)), foundation = yields(foundation_of(scene));
+  return coating / (coating + foundation);
+}
+
 double total_thickness(const RollingScene& scene) {
   double sum = scene.layer_thickness;
   for (const BondedLayer& layer : scene.lower_layers) sum += layer.layer_thickness;

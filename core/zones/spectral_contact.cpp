@@ -15,6 +15,7 @@
 #include "core/zones/spectral_search.hpp"
 #include "core/zones/spectral_solution.hpp"
 #include "core/zones/spectral_start.hpp"
+#include "core/zones/surface_panels.hpp"
 
 namespace rollres {
 
@@ -96,11 +97,13 @@ class SpectralContact {
         problem_.creep_length.front() < shortest_with_inertia * problem_.half_width)
       return {{}, "inertia, and memories much shorter than the contact"};
     if (near && scene_.friction_coefficient > 0) {
+      problem_.coating_moment = near->coating_moment;
       if (refine(near->pattern, near->edges, &*near)) return finished();
       work_ = 0;
     }
-    const std::optional<SpectralState> smooth = frictionless_start(problem_);
+    std::optional<SpectralState> smooth = frictionless_start(problem_);
     if (!smooth) return {{}, "no contact found without friction"};
+    take_coating(*smooth);
     if (scene_.friction_coefficient == 0) {
       if (refine({}, smooth->edges)) return finished();
       return {{}, "no contact found within the laws"};
@@ -246,7 +249,7 @@ class SpectralContact {
       if (work_ + 3 * work > most) break;
       const int used = search.evaluations();
       std::optional<SpectralState> state =
-          search.find(edges, {order, order}, residual, static_cast<int>((most - work_) / work));
+          find_with_coating(search, edges, order, residual, static_cast<int>((most - work_) / work));
       evaluations_ += search.evaluations() - used;
       work_ += work * (search.evaluations() - used);
       if (!state) break;
@@ -314,6 +317,32 @@ class SpectralContact {
     return keep_best(assessed, told, search);
   }
 
+  /// Takes over what the tractions make of a coating's M (S18). @return by how much it changes the drive's row [N/m]
+  double take_coating(SpectralState& state) {
+    if (!problem_.coating) return 0;
+    const double moment = coating_moment(surface_panels(problem_, state, SpectralField(problem_, state)));
+    const double change = moment - problem_.coating_moment, part = problem_.shape.of_coating() * change;
+    problem_.coating_moment = moment;
+    state.driving_force -= part;
+    state.driving_torque += scene_.radius * part;
+    return coating_in_drive(scene_) * change;
+  }
+
+  /// The search, and again while the drive's row knows another M than the tractions make: these hardly depend on it.
+  std::optional<SpectralState> find_with_coating(EdgeSearch& search, SpectralEdges edges, int order, double residual,
+                                                 int most_evaluations) {
+    constexpr int most_passes = 8;
+    constexpr double negligible = 0.02 * largest_violation;  // of the load
+    const bool driven = scene_.friction_coefficient > 0 && scene_.drive != Drive::rotation;
+    for (int pass = 1;; ++pass) {
+      std::optional<SpectralState> state = search.find(edges, {order, order}, residual, most_evaluations);
+      if (!state) return {};
+      const double change = take_coating(*state);
+      if (!driven || std::abs(change) <= negligible * state->load || pass == most_passes) return state;
+      edges = state->edges;
+    }
+  }
+
   /// What an order told of the resistance.
   struct Told {
     int order = 0;
@@ -377,7 +406,7 @@ class SpectralContact {
     solution.error_estimate = solution.rolling_resistance_error / std::abs(told.resistance);
     scale_ = told.scale;
     best_ = std::move(assessed);
-    zones_ = {last_->pattern, last_->edges, static_cast<double>(told.order), search.slopes()};
+    zones_ = {last_->pattern, last_->edges, static_cast<double>(told.order), search.slopes(), problem_.coating_moment};
     return true;
   }
 

@@ -138,19 +138,21 @@ Zone SpectralField::zone(double x) const {
 }
 
 template <class Kernel>
-SpectralField::Slopes SpectralField::sum_of_sources(double x, Kernel kernel) const {
+SpectralField::Slopes SpectralField::sum_of_sources(const SpectralProblem& part, double x, Kernel kernel) const {
+  const double side = &part == problem_.coating.get() ? -1 : 1;
   Slopes sum{0, 0};
   for (Index q = 0; q < state_.sources.size(); ++q) {
-    const LayerSlopes k = kernel(x - state_.sources(q));
+    LayerSlopes k = kernel(x - state_.sources(q));
+    k(layer_slope::cross) *= side;
     sum.w -= k(layer_slope::normal) * state_.pressure_forces(q) + k(layer_slope::cross) * state_.shear_forces(q);
     sum.u += k(layer_slope::tangential) * state_.shear_forces(q) - k(layer_slope::cross) * state_.pressure_forces(q);
   }
   return sum;
 }
 
-SpectralField::Slopes SpectralField::added_slopes(double x) const {
-  if (!problem_.layered()) return {0, 0};
-  return sum_of_sources(x, [&](double r) { return problem_.correction->slope(r); });
+SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, double x) const {
+  if (!part.layered()) return {0, 0};
+  return sum_of_sources(part, x, [&](double r) { return part.correction->slope(r); });
 }
 
 SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& added) const {
@@ -178,23 +180,23 @@ SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& adde
   return g;
 }
 
-SpectralField::Slopes SpectralField::remembered_ahead(std::size_t term, double x) const {
-  const double length = problem_.creep_length[term];
-  return sum_of_sources(x, [&](double r) -> LayerSlopes {
-    LayerSlopes k = problem_.deep->mean(length, r);
-    if (problem_.layered()) k += problem_.correction->memory(term, r);
+SpectralField::Slopes SpectralField::remembered_ahead(const SpectralProblem& part, std::size_t term, double x) const {
+  const double length = part.creep_length[term];
+  return sum_of_sources(part, x, [&](double r) -> LayerSlopes {
+    LayerSlopes k = part.deep->mean(length, r);
+    if (part.layered()) k += part.correction->memory(term, r);
     return k;
   });
 }
 
 double SpectralField::displacement_ahead(double x) const {
   if (!problem_.layered() || !has_rigid_base(problem_.scene)) return 0;
-  const Slopes elastic = sum_of_sources(x, [&](double r) -> LayerSlopes {
+  const Slopes elastic = sum_of_sources(problem_, x, [&](double r) -> LayerSlopes {
     return problem_.correction->displacement(r) + problem_.deep->displacement(r);
   });
   double u = problem_.rubbery_compliance * elastic.u;
   for (std::size_t m = 0; m < problem_.creep_length.size(); ++m)
-    u += problem_.creep_compliance[m] * problem_.creep_length[m] * remembered_ahead(m, x).u;
+    u += problem_.creep_compliance[m] * problem_.creep_length[m] * remembered_ahead(problem_, m, x).u;
   return u;
 }
 

@@ -26,19 +26,21 @@ class SpectralField {
   struct Slopes {
     double w, u;
   };
-  Slopes elastic_slopes(double x) const { return elastic_slopes(x, added_slopes(x)); }
+  Slopes elastic_slopes(double x) const { return elastic_slopes(x, added_slopes(problem_, x)); }
   /// The same with what finite thickness adds, a smooth function of x, known.
   Slopes elastic_slopes(double x, const Slopes& added) const;
-  Slopes added_slopes(double x) const;
+  /// @param part of what yields: the field's problem, or its coating
+  Slopes added_slopes(const SpectralProblem& part, double x) const;
 
   /// Well ahead of the contact, where points stand for the tractions: means R_{T_term} of those slopes, and the
   /// displacement u of the surface [m], 0 over a half-space.
-  Slopes remembered_ahead(std::size_t term, double x) const;
+  Slopes remembered_ahead(const SpectralProblem& part, std::size_t term, double x) const;
   double displacement_ahead(double x) const;
 
  private:
+  /// By the kernel of a part; the cross terms of a coating are opposite (contact_surface.hpp).
   template <class Kernel>
-  Slopes sum_of_sources(double x, Kernel kernel) const;
+  Slopes sum_of_sources(const SpectralProblem& part, double x, Kernel kernel) const;
   struct Tails;  // what lies beyond a density's coefficients
   Eigen::VectorXd mixed_tail() const;
   double tail_density(const Tails& tails, double t) const;

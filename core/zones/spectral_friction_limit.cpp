@@ -5,6 +5,7 @@
 #include "core/numerics/bracketed_root.hpp"
 #include "core/zones/spectral_search.hpp"
 #include "core/zones/spectral_start.hpp"
+#include "core/zones/surface_panels.hpp"
 
 namespace rollres {
 
@@ -20,8 +21,12 @@ double sliding_surplus(const SpectralProblem& given, const Interval& contact, do
   const int order = first_order(problem, start, 1e-8, true);
   const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
   if (!state) return NAN;
-  return direction *
-         (drive_row(problem.scene, state->driving_torque, state->driving_force) - drive_target(problem.scene));
+  double surplus = drive_row(problem.scene, state->driving_torque, state->driving_force) - drive_target(problem.scene);
+  if (problem.coating) {
+    const double moment = coating_moment(surface_panels(problem, *state, SpectralField(problem, *state)));
+    surplus += coating_in_drive(problem.scene) * (moment - problem.coating_moment);
+  }
+  return direction * surplus;
 }
 
 }  // namespace

@@ -38,8 +38,20 @@ class SpectralAssessment {
  private:
   bool sheared() const { return state_.pattern.shear; }
   static bool contact(const SurfacePanel& panel) { return panel.zone != Zone::free; }
+  /// As the law of friction is imposed.
+  Eigen::ArrayXd law_slip(const SurfacePanel& panel) const {
+    const double ratio = problem_.shape.law_ratio(state_.rotation_ratio);
+    Eigen::ArrayXd values = panel.slope_u;
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      const RigidSlip rigid = problem_.shape.law_slip(panel.x(k));
+      values(k) += rigid.forward - ratio * rigid.turning;
+    }
+    return values;
+  }
+  /// Velocity of the body relative to the layers over V.
   Eigen::ArrayXd slip(const SurfacePanel& panel) const {
     Eigen::ArrayXd values = panel.slope_u;
+    if (panel.coating_u.size() > 0) values += (state_.rotation_ratio - 1) * panel.coating_u;
     for (Eigen::Index k = 0; k < values.size(); ++k) {
       const RigidSlip rigid = problem_.shape.slip(panel.x(k));
       values(k) += rigid.forward - state_.rotation_ratio * rigid.turning;
@@ -102,11 +114,10 @@ class SpectralAssessment {
     s_.mean_pressure = s_.load / s_.contact_area;
     s_.driving_torque = state_.driving_torque;
     s_.driving_force = state_.driving_force;
-    s_.rolling_resistance = s_.driving_force;
+    s_.rolling_resistance = s_.driving_force + s_.driving_torque * state_.rotation_ratio / scene.radius;
     if (sheared()) {
       s_.rotation_ratio = state_.rotation_ratio;
       s_.rotation_speed = state_.rotation_ratio * scene.speed / scene.radius;
-      s_.rolling_resistance += s_.driving_torque * s_.rotation_ratio / scene.radius;
     }
     s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
   }
@@ -123,7 +134,7 @@ class SpectralAssessment {
       if (!(amount <= assessed_.wrong_zone)) assessed_.wrong_zone = std::isnan(amount) ? INFINITY : amount;
     };
     for (const SurfacePanel& panel : panels_) {
-      const Eigen::ArrayXd sliding = slip(panel);
+      const Eigen::ArrayXd sliding = law_slip(panel);
       for (Eigen::Index k = 0; k < panel.x.size(); ++k) {
         const double x = panel.x(k), p = panel.pressure(k), shear = panel.shear(k);
         if (!contact(panel)) {
@@ -155,6 +166,9 @@ class SpectralAssessment {
         }
       }
     }
+    const double moment = problem_.shape.of_coating() * coating_moment(panels_);
+    torque += scene.radius * moment;
+    force -= moment;
     // The resultants once more, on the fine points.
     if (scene.load) violated(std::abs(load - *scene.load) / *scene.load);
     if (scene.approach) violated(std::abs(s_.approach - *scene.approach) / *scene.approach);
@@ -183,7 +197,7 @@ class SpectralAssessment {
 
   void balance_power() {
     const RollingScene& scene = problem_.scene;
-    const double turning = sheared() ? state_.rotation_ratio : 1;
+    const double turning = state_.rotation_ratio;
     double layer = 0, geometry = 0, friction = 0;  // powers over V
     for (const SurfacePanel& panel : panels_) {
       if (!contact(panel)) continue;
@@ -197,7 +211,11 @@ class SpectralAssessment {
         layer -= shear * panel.slope_u(k);
         friction += shear * sliding(k);
       }
+      if (panel.coating_w.size() > 0)  // which flows at R Omega
+        layer +=
+            (turning - 1) * (panel.weights * (panel.pressure * panel.coating_w - panel.shear * panel.coating_u)).sum();
     }
+    geometry += (problem_.shape.of_coating() - 1) * (turning - 1) * coating_moment(panels_);
     s_.viscous_loss = scene.speed * layer;
     s_.frictional_loss = scene.speed * friction;
     const double power = s_.rolling_resistance * scene.speed;

@@ -65,28 +65,29 @@ const PanelRule& panel_rule() {
 class AddedSlopes {
  public:
   /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.
-  AddedSlopes(const SpectralProblem& problem, const SpectralField& field, double from, double to, std::size_t most)
-      : field_(field), layered_(problem.layered()), from_(from), to_(to) {
+  AddedSlopes(const SpectralProblem& part, const SpectralField& field, double from, double to, std::size_t most)
+      : part_(part), field_(field), layered_(part.layered()), from_(from), to_(to) {
     if (!layered_) return;
-    const double panels = std::ceil((to - from) / problem.correction->depth());
+    const double panels = std::ceil((to - from) / part.correction->depth());
     if (panels * (degree + 1) > static_cast<double>(most)) return;
     std::vector<double> borders;
     for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(from + (to - from) * i / panels);
     table_.emplace(std::move(borders), degree, [&](double x) {
-      const SpectralField::Slopes value = field.added_slopes(x);
+      const SpectralField::Slopes value = field.added_slopes(part_, x);
       return Eigen::Array2d(value.w, value.u);
     });
   }
 
   SpectralField::Slopes operator()(double x) const {
     if (!layered_) return {0, 0};
-    if (!table_ || !(x >= from_ && x <= to_)) return field_.added_slopes(x);
+    if (!table_ || !(x >= from_ && x <= to_)) return field_.added_slopes(part_, x);
     const Eigen::Array2d sum = (*table_)(x);
     return {sum(0), sum(1)};
   }
 
  private:
   static constexpr int degree = 17;
+  const SpectralProblem& part_;
   const SpectralField& field_;
   bool layered_;
   double from_, to_;
@@ -176,6 +177,8 @@ SurfacePanel loaded_panel(const SpectralField& field, double from, double to) {
                      .shear = none,
                      .slope_w = {},
                      .slope_u = {},
+                     .coating_w = {},
+                     .coating_u = {},
                      .gap = {}};
   panel.x(0) = to;
   panel.x(PanelRule::last) = from;
@@ -190,11 +193,11 @@ SurfacePanel loaded_panel(const SpectralField& field, double from, double to) {
 /// Memories at a panel's leading end, term by term, of w and u.
 using Memories = Eigen::ArrayXXd;
 
-Memories memories_ahead(const SpectralProblem& problem, const SpectralField& field, double x) {
-  Memories memories = Memories::Zero(problem.terms(), 2);
-  if (from_points(problem))
-    for (Index m = 0; m < problem.terms(); ++m) {
-      const SpectralField::Slopes begin = field.remembered_ahead(static_cast<std::size_t>(m), x);
+Memories memories_ahead(const SpectralProblem& part, const SpectralField& field, double x, bool by_points) {
+  Memories memories = Memories::Zero(part.terms(), 2);
+  if (by_points)
+    for (Index m = 0; m < part.terms(); ++m) {
+      const SpectralField::Slopes begin = field.remembered_ahead(part, static_cast<std::size_t>(m), x);
       memories.row(m) << begin.w, begin.u;
     }
   return memories;
@@ -257,29 +260,68 @@ double SurfacePanel::at(const ArrayXd& values, double position) const {
   return numerator / denominator;
 }
 
+namespace {
+
+/// Slopes of the surface, or of its coating's part, panel by panel in the direction of time.
+class MarchedSlopes {
+ public:
+  MarchedSlopes(const SpectralProblem& problem, const SpectralProblem& part, const SpectralState& state,
+                const SpectralField& field, const std::vector<double>& borders)
+      : part_(part),
+        field_(field),
+        added_(part, field, state.edges.contact.from - 1.5 * state.edges.contact.half_length(),
+               state.edges.contact.to + 0.5 * state.edges.contact.half_length(),
+               (borders.size() - 1) * PanelRule::count / 2),
+        memories_(memories_ahead(part, field, borders.front(), from_points(problem))) {}
+
+  /// @return [node, w and u]
+  MatrixXd next(const SurfacePanel& panel) {
+    MatrixXd elastic(PanelRule::count, 2);
+    for (int k = 0; k < PanelRule::count; ++k) {
+      const SpectralField::Slopes g = field_.elastic_slopes(panel.x(k), added_(panel.x(k)));
+      elastic.row(k) << g.w, g.u;
+    }
+    return march_memories(part_, panel, elastic, memories_);
+  }
+
+ private:
+  const SpectralProblem& part_;
+  const SpectralField& field_;
+  AddedSlopes added_;
+  Memories memories_;
+};
+
+}  // namespace
+
 std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
                                          const SpectralField& field) {
-  const Interval& contact = state.edges.contact;
-  const double half = contact.half_length();
   const std::vector<double> borders = panel_borders(problem, state);
-  const AddedSlopes added(problem, field, contact.from - 1.5 * half, contact.to + 0.5 * half,
-                          (borders.size() - 1) * PanelRule::count / 2);
-  Memories memories = memories_ahead(problem, field, borders.front());
+  MarchedSlopes surface(problem, problem, state, field, borders);
+  std::optional<MarchedSlopes> coating;
+  if (problem.coating) coating.emplace(problem, *problem.coating, state, field, borders);
   std::vector<SurfacePanel> panels;
   for (std::size_t i = 1; i < borders.size(); ++i) {
     SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
-    MatrixXd elastic(PanelRule::count, 2);
-    for (int k = 0; k < PanelRule::count; ++k) {
-      const SpectralField::Slopes g = field.elastic_slopes(panel.x(k), added(panel.x(k)));
-      elastic.row(k) << g.w, g.u;
-    }
-    const MatrixXd slopes = march_memories(problem, panel, elastic, memories);
+    const MatrixXd slopes = surface.next(panel);
     panel.slope_w = slopes.col(0);
     panel.slope_u = slopes.col(1);
+    if (coating) {
+      const MatrixXd part = coating->next(panel);
+      panel.coating_w = part.col(0);
+      panel.coating_u = part.col(1);
+    }
     panels.push_back(std::move(panel));
   }
-  measure_gaps(problem, contact.to, panels);
+  measure_gaps(problem, state.edges.contact.to, panels);
   return panels;
+}
+
+double coating_moment(const std::vector<SurfacePanel>& panels) {
+  double sum = 0;
+  for (const SurfacePanel& panel : panels)
+    if (panel.zone != Zone::free && panel.coating_w.size() > 0)
+      sum += (panel.weights * panel.pressure * panel.coating_w).sum();
+  return sum;
 }
 
 }  // namespace rollres

@@ -18,7 +18,8 @@ struct SurfacePanel {
   double from, to;            // trailing and leading end [m]
   Eigen::ArrayXd x, weights;  // [m]; sum of weights times values is the integral
   Eigen::ArrayXd pressure, shear, slope_w, slope_u;
-  Eigen::ArrayXd gap;  // less that at the leading edge, integrated from there [m]
+  Eigen::ArrayXd coating_w, coating_u;  // the coating's part of the slopes, if there is one
+  Eigen::ArrayXd gap;                   // less that at the leading edge, integrated from there [m]
 
   /// Integral of values from the leading end to each node.
   Eigen::ArrayXd integrated(const Eigen::ArrayXd& values) const;
@@ -29,5 +30,8 @@ struct SurfacePanel {
 /// All panels, from ahead to behind.
 std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
                                          const SpectralField& field);
+
+/// M of (S18): int p c_x dx, the power over R Omega that the pressure gives to the coating [N/m]. 0 without one.
+double coating_moment(const std::vector<SurfacePanel>& panels);
 
 }  // namespace rollres

@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <complex>
-#include <string>
-#include <vector>
 
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/scene_rules.hpp"
@@ -51,12 +49,6 @@ RollingScene soft_tyre_on_layer() {
   return scene;
 }
 
-bool says(const std::vector<std::string>& lines, const std::string& words) {
-  for (const std::string& line : lines)
-    if (line.find(words) != std::string::npos) return true;
-  return false;
-}
-
 }  // namespace
 
 TEST_CASE("a locked coating answers with its modulus at rest", "[core][coating_flow]") {
@@ -66,10 +58,15 @@ TEST_CASE("a locked coating answers with its modulus at rest", "[core][coating_f
   const RollingSolution locked = converged(scene), elastic = converged(at_rest);
   CHECK(locked.rolling_resistance == Approx(elastic.rolling_resistance).epsilon(1e-9));
   CHECK(locked.model.find("the body is locked: its coating is at rest") != std::string::npos);
-  // By a program of another make; its peak is that of a node of a grid.
-  CHECK(locked.rolling_resistance == Approx(3872.96).epsilon(1e-5));
+  // By a program of another make; its peak is that of a node of a grid. (Its resistance takes all of the pressure's
+  // slope to be the road's.)
   CHECK(locked.peak_pressure == Approx(0.7437e6).epsilon(2e-4));
-  CHECK(says(locked.warnings, "pressure is taken to pass through its axis"));
+  // On a hard road the pressure is vertical: what draws the body is mu P. The road of 10 GPa yields 1e-4 as much.
+  RollingScene consistent = scene;
+  consistent.kinematics = Kinematics::consistent;
+  const RollingSolution drawn = converged(consistent);
+  CHECK(drawn.rolling_resistance == Approx(scene.friction_coefficient * *scene.load).epsilon(1e-4));
+  CHECK(drawn.rolling_resistance == Approx(drawn.driving_force).epsilon(1e-12));
 
   scene.method = Method::newton;
   scene.spacing = 0.025e-3;
@@ -110,8 +107,12 @@ TEST_CASE("a coating flowing at RΩ is one of RΩ/V as long memories flowing at 
     CAPTURE(name_of(method));
     given.method = scaled.method = method;
     const RollingSolution got = converged(given), expected = converged(scaled);
-    // A master curve is fitted twice.
-    CHECK(got.rolling_resistance == Approx(expected.rolling_resistance).epsilon(1e-6));
+    // A master curve is fitted twice. Tractions are the same, and with them force and torque; the torque turns at
+    // another rate.
+    CHECK(got.driving_force == Approx(expected.driving_force).epsilon(1e-6));
+    CHECK(got.driving_torque == Approx(expected.driving_torque).epsilon(1e-6));
+    CHECK(got.rolling_resistance ==
+          Approx(expected.driving_force + ratio * expected.driving_torque / given.radius).epsilon(1e-6));
     CHECK(got.peak_pressure == Approx(expected.peak_pressure).epsilon(1e-6));
   }
 }
@@ -137,7 +138,7 @@ TEST_CASE("where the drive leaves the rotation open the coating flows at the rot
     const RollingSolution given = converged(turning(tyre(), open.rotation_ratio));
     CHECK(given.rolling_resistance == Approx(open.rolling_resistance).epsilon(1e-8));
     CHECK(given.driving_torque == Approx(open.driving_torque).margin(1e-8 * scene.radius * *scene.load));
-    CHECK(open.model.find("the coating flows at 0.98") != std::string::npos);
+    CHECK(open.model.find("the coating flows at 0.97") != std::string::npos);
     // What is left of the search is in the estimate.
     CHECK(std::abs(given.rolling_resistance - open.rolling_resistance) <
           open.rolling_resistance_error + given.rolling_resistance_error);
@@ -176,7 +177,8 @@ TEST_CASE("spectral and newton agree on the friction that a drive of a coated bo
     CHECK(refused.status == Status::no_steady_state);
     CHECK(refused.reason.find("more traction than friction can give") != std::string::npos);
   }
-  CHECK(newton.friction_needed == Approx(spectral.friction_needed).epsilon(1e-3));
+  // What the coating takes is a sum over nodes, whose edges are known to a cell's share.
+  CHECK(newton.friction_needed == Approx(spectral.friction_needed).epsilon(3e-3));
 }
 
 TEST_CASE("a coating that flows backwards remembers ahead of the contact", "[core][coating_flow]") {
