@@ -118,8 +118,12 @@ class ResultStore {
 
   /// Records that a study starts (again) with these points, in this order, in place of those it had.
   /// @param variants  of the points, one for each; empty: they have none
-  void start_study(const StudyRecord& study, std::span<const std::string> keys,
-                   std::span<const std::string> variants = {});
+  /// @return the number of its row
+  std::int64_t start_study(const StudyRecord& study, std::span<const std::string> keys,
+                           std::span<const std::string> variants = {});
+  /// @throws std::runtime_error saying what another process did to a study that was started: it deleted or renamed it,
+  /// or took points of these away
+  void require_study(std::int64_t id, const std::string& name, std::span<const std::string> keys);
 
   /// Makes `keys` the next points of a study that has been started, but for those that are its points already.
   void add_points(const std::string& study, std::span<const std::string> keys,
