@@ -24,9 +24,10 @@ namespace rollres {
 
 namespace {
 
-constexpr std::size_t longest_line = 1'000'000;   // as much is kept of it
-constexpr std::size_t most_in_work_per_job = 32;  // lines that are read ahead
-constexpr std::size_t most_bytes = 64'000'000;    // of such lines, of all clients; each has one line in any case
+constexpr std::size_t longest_line = 1'000'000;       // as much is kept of it
+constexpr std::size_t most_in_work_per_job = 32;      // lines that are read ahead
+constexpr std::size_t most_bytes_of_one = 4'000'000;  // of such lines
+constexpr std::size_t most_bytes = 64'000'000;        // of such lines, of all clients; each has one line in any case
 constexpr auto at_times = std::chrono::milliseconds(50);  // whether a client has gone
 
 /// The next line, or nothing at the end; what is beyond the longest is left out.
@@ -102,6 +103,7 @@ struct SceneService::Client {
   std::deque<Answer> waiting;        // nobody works on these
   std::size_t in_work = 0;
   std::deque<Line> lines;  // that are not written, in their order
+  std::size_t bytes = 0;   // of these
   bool at_end = false;
   std::condition_variable changed;  // the first line is answered, nothing is in work, or the input has ended
 };
@@ -189,12 +191,14 @@ bool SceneService::ask(Client& client, std::size_t line, std::string text) {
   Answer question([this, line, text = std::move(text)] { return answer(line, text); });
   std::unique_lock lock(mutex_);
   const auto has_room = [&] {
-    return client.is_over() || client.lines.empty() || (client.lines.size() < most && bytes_ + bytes <= most_bytes);
+    return client.is_over() || client.lines.empty() ||
+           (client.lines.size() < most && client.bytes + bytes <= most_bytes_of_one && bytes_ + bytes <= most_bytes);
   };
   while (!written_.wait_for(lock, at_times, has_room)) {
   }
   if (client.is_over()) return false;
   bytes_ += bytes;
+  client.bytes += bytes;
   client.lines.push_back({question.get_future(), bytes});
   client.waiting.push_back(std::move(question));
   asked_.notify_one();
@@ -233,6 +237,7 @@ bool SceneService::write_next(Client& client, std::ostream& out) {
   for (std::size_t still = most_in_work_per_job * threads_.size(); still > 0 && client.first_is_ready(); --still) {
     written += client.lines.front().answer.get() + '\n';
     bytes_ -= client.lines.front().bytes;
+    client.bytes -= client.lines.front().bytes;
     client.lines.pop_front();
   }
   lock.unlock();

@@ -133,7 +133,7 @@ def a_column_of_a_merged_database_is_sql():
     os.mkdir("folder")
     shutil.copy("theirs.db", "folder/results.db")
     for words in (["merge", "theirs.db", "--db", "mine.db"], ["import", "folder", "--db", "mine.db"],
-                  ["export", "other", "--db", "theirs.db", "--out", "exported"],
+                  ["export", "--db", "theirs.db", "--out", "exported"],
                   ["query", "--db", "mine.db", "--db", "theirs.db"], ["list", "--db", "theirs.db"],
                   ["query", "--db", "theirs.db", "--columns", planted, "--format", "csv"],
                   ["merge", "mine.db", "--db", "theirs.db"]):
@@ -172,13 +172,13 @@ def a_small_blob_takes_all_memory():
     swept("a.db", points=1)
     header = bytes(32) + (0).to_bytes(4, "little") * 2 + (20000).to_bytes(4, "little") * 2 + (0).to_bytes(4, "little")
     press = zlib.compressobj(6)
-    packed = press.compress(header) + b"".join(press.compress(bytes(1 << 20)) for _ in range(150)) + press.flush()
+    packed = press.compress(header) + b"".join(press.compress(bytes(1 << 20)) for _ in range(100)) + press.flush()
     connection = sqlite3.connect("a.db")
     connection.execute("INSERT INTO fields SELECT key, 1, ? FROM evaluation", (packed,))
     connection.commit()
     connection.close()
     status, most = memory_of("show", "1", "--db", "a.db", "--fields", "folder")
-    return None if status == 3 and most < 120e6 else f"{len(packed)} bytes took {most / 1e6:.0f} MB, status {status}"
+    return None if status == 3 and most < 100e6 else f"{len(packed)} bytes took {most / 1e6:.0f} MB, status {status}"
 
 
 def an_answer_under_a_limit_is_recalled():
@@ -196,13 +196,15 @@ def an_answer_under_a_limit_is_recalled():
 
 def a_pipe_is_replaced_by_a_file():
     swept("a.db")
-    os.mkfifo("pipe")
+    os.mkdir("folder")
+    pipe = "folder/README.txt"
+    os.mkfifo(pipe)
     heard = []
-    listener = threading.Thread(target=lambda: heard.append(open("pipe", encoding="utf-8").read()), daemon=True)
+    listener = threading.Thread(target=lambda: heard.append(open(pipe, encoding="utf-8").read()), daemon=True)
     listener.start()
-    done = run("report", "--db", "a.db", "--out", "pipe")
+    done = run("export", "--db", "a.db", "--out", "folder")
     listener.join(5)
-    if not os.path.exists("pipe") or os.path.isfile("pipe"):
+    if os.path.isfile(pipe):
         return "replaced"
     return None if heard and heard[0] and done.returncode == 0 else f"not written to: {done.stderr}"
 
@@ -210,8 +212,10 @@ def a_pipe_is_replaced_by_a_file():
 def a_link_laid_in_wait_is_written_through():
     swept("a.db")
     write("victim", "kept")
-    code = "import os, sys; os.symlink('victim', f'report.html.{os.getpid()}.part'); os.execv(sys.argv[1], sys.argv[1:])"
-    subprocess.run([sys.executable, "-c", code, PROGRAM, "report", "--db", "a.db", "--out", "report.html"],
+    os.mkdir("folder")
+    code = ("import os, sys; os.symlink('../victim', f'folder/README.txt.{os.getpid()}.part'); "
+            "os.execv(sys.argv[1], sys.argv[1:])")
+    subprocess.run([sys.executable, "-c", code, PROGRAM, "export", "--db", "a.db", "--out", "folder"],
                    capture_output=True, timeout=60, check=False)
     return None if open("victim", encoding="utf-8").read() == "kept" else "the file behind it is lost"
 
@@ -224,7 +228,7 @@ def a_cell_is_a_formula():
 
 def a_file_that_may_not_grow_ends_in_silence():
     swept("a.db")
-    done = run("report", "--db", "a.db", "--out", "report.html",
+    done = run("export", "--db", "a.db", "--out", "folder",
                before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
     return None if done.returncode == 3 and done.stderr else f"status {done.returncode}: {done.stderr}"
 
@@ -260,12 +264,9 @@ def a_pipe_beside_the_database_holds_a_sweep():
 
 def a_small_stack_crashes():
     scene = write("scene.json", {**CYLINDER, "interior": "on"})
-    for kilobytes in (128, 192):
-        stack = kilobytes * 1024
-        done = run("solve", scene, before=lambda: resource.setrlimit(resource.RLIMIT_STACK, (stack, stack)))
-        if done.returncode < 0:
-            return f"signal {-done.returncode} with {kilobytes} kB"
-    return None
+    stack = 128 * 1024
+    done = run("solve", scene, before=lambda: resource.setrlimit(resource.RLIMIT_STACK, (stack, stack)))
+    return f"signal {-done.returncode}" if done.returncode < 0 else None
 
 
 def sigterm_leaves_folders_behind():
@@ -412,8 +413,7 @@ def no_threads_are_left():
 
 def many_clients_take_all_memory():
     with Server("--jobs", "1") as server:
-        ask(server.clients[0], DEAR)
-        line = b'{"comment": "' + b"x" * 900_000 + b'"}\n'
+        line = b'{"id": "' + b"x" * 900_000 + b'"}\n'  # which comes back, and is not read
 
         def flood():
             client = server.connect()
@@ -423,7 +423,7 @@ def many_clients_take_all_memory():
             except OSError:
                 pass
 
-        for _ in range(24):
+        for _ in range(12):
             threading.Thread(target=flood, daemon=True).start()
         most, before = 0, -1
         while most > before:
@@ -431,7 +431,7 @@ def many_clients_take_all_memory():
             time.sleep(0.5)
             with open(f"/proc/{server.process.pid}/status", encoding="ascii") as file:
                 most = next(int(one.split()[1]) for one in file if one.startswith("VmHWM")) / 1000
-        return None if most < 500 else f"{most:.0f} MB"
+        return None if most < 250 else f"{most:.0f} MB"
 
 
 def a_nested_line_ends_the_server():
