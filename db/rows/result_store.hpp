@@ -21,9 +21,8 @@ namespace rollres {
 
 /// What makes two evaluations the same: all inputs, numbers rounded to 12 significant digits (so that 0.1 + 0.2 is
 /// 0.3), and the solver; the method is the one that solves the scene, named or not. An input at its default value is
-/// left out, so that a scene keeps its key when inputs are added; so are memory_limit and, but for a scene with a
-/// tolerance, whose best answer within the time it is, time_limit: what ended at a limit is a failed answer, which
-/// --retry solves again.
+/// left out, so that a scene keeps its key when inputs are added. Limits of time and memory count: what one of them cut
+/// short is no answer to a scene without it.
 /// @param solver  Provenance::solver
 /// @return digest of 32 hexadecimal digits
 std::string evaluation_key(const RollingScene& scene, std::string_view solver = this_program().solver);
