@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/numerics/bracketed_root.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -38,6 +39,7 @@ CreepSpectrum creep_spectrum(const PronySeries& series) {
   // With s = -1/lambda the modulus has its poles at lambda = time_j and one zero above each. Written with
   // u = lambda / time_j - 1 for the pole below the zero, u has all its digits even when zero and pole nearly coincide.
   for (std::size_t j = 0; j < terms.size(); ++j) {
+    require_time();
     const double pole = terms[j].time;
     // G(lambda) without this pole and the next one.
     const auto others = [&](double u) {

@@ -8,6 +8,7 @@
 
 #include "core/material/prony_series.hpp"
 #include "core/numerics/dense_algebra.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -84,6 +85,7 @@ double RelativeRows::loss_at(double omega) const {
 }
 
 Eigen::VectorXd nonnegative_moduli(const RelativeRows& rows, const std::vector<double>& times) {
+  require_time();
   const Eigen::MatrixXd responses = rows.responses(times);
   Eigen::MatrixXd a(responses.rows(), responses.cols() + 1);
   a << responses, rows.wanted();
@@ -97,6 +99,7 @@ Eigen::VectorXd nonnegative_moduli(const RelativeRows& rows, const std::vector<d
 }
 
 TermSlopes::TermSlopes(const RelativeRows& rows, const PronySeries& series) {
+  require_time();
   const Eigen::Index count = std::ssize(series.terms);
   moduli.resize(count + (rows.free_rest() ? 1 : 0));
   for (const PronySeries::Term& term : series.terms) {

@@ -52,6 +52,7 @@ bool is_read_only(SQLite::Database& connection) { return sqlite3_db_readonly(con
 Connection open_for_reading(const std::filesystem::path& file) {
   try {
     auto connection = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE, patience_in_ms);
+    distrust(*connection);
     connection->exec("PRAGMA query_only = ON");
     connection->exec("PRAGMA schema_version");
     return connection;
@@ -61,13 +62,16 @@ Connection open_for_reading(const std::filesystem::path& file) {
         code == SQLITE_CANTOPEN || code == SQLITE_READONLY || code == SQLITE_IOERR || code == SQLITE_FULL;
     const std::filesystem::path log = file.string() + "-wal";
     if (!log_impossible || !std::filesystem::exists(file) || std::filesystem::exists(log)) throw;
-    return std::make_unique<SQLite::Database>(immutable_uri(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+    auto connection = std::make_unique<SQLite::Database>(immutable_uri(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+    distrust(*connection);
+    return connection;
   }
 }
 
 Connection open_for_writing(const std::filesystem::path& file, const std::string& name) {
   auto connection =
       std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience_in_ms);
+  distrust(*connection);
   if (is_read_only(*connection)) throw std::runtime_error(name + ": the file is read-only");
   return connection;
 }
@@ -119,6 +123,24 @@ void migrate(SQLite::Database& connection, const std::string& name, std::span<co
 }
 
 }  // namespace
+
+void distrust(SQLite::Database& connection) {
+  sqlite3* const handle = connection.getHandle();
+  constexpr int off = 0, on = 1;
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, off, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, off, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, on, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+}
+
+void vacuum(SQLite::Database& connection, const std::filesystem::path& into) {
+  constexpr int the_copy = 1;
+  sqlite3_limit(connection.getHandle(), SQLITE_LIMIT_ATTACHED, the_copy);
+  SQLite::Statement statement(connection, into.empty() ? "VACUUM" : "VACUUM INTO ?");
+  if (!into.empty()) statement.bind(1, into.string());
+  statement.exec();
+  sqlite3_limit(connection.getHandle(), SQLITE_LIMIT_ATTACHED, 0);
+}
 
 Database::Database(const std::filesystem::path& file, Access access, const Schema& schema) : name_(file.string()) {
   if (file.empty() || file.native().find('\0') != std::string::npos)

@@ -5,11 +5,20 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/Savepoint.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace rollres {
+
+/// A file may be a stranger's: its triggers do not run, its views and columns call no function that does more than
+/// compute, its tables are changed by ordinary statements alone, and no other file is opened beside it. For every
+/// connection, before its first statement (sqlite.org, "Defense Against The Dark Arts").
+void distrust(SQLite::Database& connection);
+
+/// Writes the file anew without what was deleted, or such a copy `into` a new file, for which SQLite attaches it.
+void vacuum(SQLite::Database& connection, const std::filesystem::path& into = {});
 
 /// Does `work`, and puts the file's name before SQLite's own words where it fails.
 template <class Work>

@@ -57,12 +57,6 @@ std::vector<std::string> tables_by_reference(SQLite::Database& connection) {
   return ordered;
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char letter : text) result += letter == '\'' ? "''" : std::string(1, letter);
-  return result + "'";
-}
-
 CopiedTable::CopiedTable(const std::string& name, SQLite::Database& source, SQLite::Database& into, RowNumbers& numbers)
     : name_(name), source_(source), into_(into), numbers_(numbers), number_column_(number_column(source, name)) {
   read_columns();
@@ -87,7 +81,7 @@ void CopiedTable::read_columns() {
 }
 
 std::string CopiedTable::list() const {
-  return joined(columns_, ", ", [](const CopiedColumn& column) { return column.name; });
+  return joined(columns_, ", ", [](const CopiedColumn& column) { return quoted_name(column.name); });
 }
 
 /// Columns that tell one row from another, wherever it is.
@@ -118,7 +112,8 @@ bool CopiedTable::bind(SQLite::Statement& to, int index, const CopiedColumn& col
     to.bind(index, found->second);
     return true;
   }
-  SQLite::Statement parent(into_, "SELECT 1 FROM " + reference.parent + " WHERE " + reference.column + " = ?");
+  SQLite::Statement parent(
+      into_, "SELECT 1 FROM " + quoted_name(reference.parent) + " WHERE " + quoted_name(reference.column) + " = ?");
   bind_value(parent, 1, value);
   bind_value(to, index, value);
   return parent.executeStep();
@@ -133,7 +128,9 @@ bool CopiedTable::bind_row(SQLite::Statement& to, SQLite::Statement& from) {
 }
 
 SQLite::Statement& CopiedTable::source_row(std::int64_t number) {
-  if (!select_) select_.emplace(source_, "SELECT " + list() + " FROM " + name_ + " WHERE " + number_column_ + " = ?");
+  if (!select_)
+    select_.emplace(
+        source_, "SELECT " + list() + " FROM " + quoted_name(name_) + " WHERE " + quoted_name(number_column_) + " = ?");
   select_->reset();
   select_->bind(1, number);
   select_->executeStep();
@@ -143,7 +140,7 @@ SQLite::Statement& CopiedTable::source_row(std::int64_t number) {
 std::optional<std::int64_t> CopiedTable::insert(SQLite::Statement& from) {
   if (!insert_) {
     const std::string values = joined(columns_, ", ", [](const CopiedColumn&) { return "?"; });
-    insert_.emplace(into_, "INSERT INTO " + name_ + "(" + list() + ") VALUES (" + values + ")");
+    insert_.emplace(into_, "INSERT INTO " + quoted_name(name_) + "(" + list() + ") VALUES (" + values + ")");
   }
   if (!bind_row(*insert_, from)) return std::nullopt;
   insert_->exec();
@@ -158,8 +155,10 @@ void CopiedTable::add(std::int64_t number) {
 
 void CopiedTable::replace(std::int64_t number, std::int64_t row) {
   if (!update_) {
-    const std::string values = joined(columns_, ", ", [](const CopiedColumn& column) { return column.name + " = ?"; });
-    update_.emplace(into_, "UPDATE " + name_ + " SET " + values + " WHERE " + number_column_ + " = ?");
+    const std::string values =
+        joined(columns_, ", ", [](const CopiedColumn& column) { return quoted_name(column.name) + " = ?"; });
+    update_.emplace(
+        into_, "UPDATE " + quoted_name(name_) + " SET " + values + " WHERE " + quoted_name(number_column_) + " = ?");
   }
   bind_row(*update_, source_row(number));
   update_->bind(static_cast<int>(columns_.size()) + 1, row);
@@ -173,15 +172,16 @@ void CopiedTable::keep(std::int64_t number, std::int64_t row) const { numbers_[n
 
 void CopiedTable::copy_all(const std::string& condition) {
   if (columns_.empty()) return;  // the destination has no such table
-  SQLite::Statement row(source_, "SELECT " + list() + (number_column_.empty() ? ", NULL" : ", " + number_column_) +
-                                     " FROM " + name_ + (condition.empty() ? "" : " WHERE " + condition));
+  SQLite::Statement row(source_, "SELECT " + list() +
+                                     (number_column_.empty() ? ", NULL" : ", " + quoted_name(number_column_)) +
+                                     " FROM " + quoted_name(name_) + (condition.empty() ? "" : " WHERE " + condition));
   const int number = static_cast<int>(columns_.size());
   const auto keep_number = [&](std::int64_t there) {
     if (!number_column_.empty()) keep(row.getColumn(number).getInt64(), there);
   };
   if (owner_) {
     std::unordered_set<std::string> owners;
-    SQLite::Statement present(into_, "SELECT DISTINCT " + owner_->name + " FROM " + name_);
+    SQLite::Statement present(into_, "SELECT DISTINCT " + quoted_name(owner_->name) + " FROM " + quoted_name(name_));
     while (present.executeStep()) owners.insert(present.getColumn(0).getString());
     SQLite::Statement translated(into_, "SELECT ?");
     const int owner = static_cast<int>(owner_ - columns_.data());
@@ -200,9 +200,10 @@ void CopiedTable::copy_all(const std::string& condition) {
     at.push_back(static_cast<int>(std::find_if(columns_.begin(), columns_.end(),
                                                [&](const CopiedColumn& column) { return column.name == name; }) -
                                   columns_.begin()));
-  SQLite::Statement same(into_, "SELECT " + (number_column_.empty() ? "1" : number_column_) + " FROM " + name_ +
-                                    " WHERE " +
-                                    joined(names, " AND ", [](const std::string& name) { return name + " IS ?"; }));
+  SQLite::Statement same(
+      into_, "SELECT " + (number_column_.empty() ? "1" : quoted_name(number_column_)) + " FROM " + quoted_name(name_) +
+                 " WHERE " +
+                 joined(names, " AND ", [](const std::string& name) { return quoted_name(name) + " IS ?"; }));
   while (row.executeStep()) {
     same.reset();
     bool complete = true;

@@ -19,9 +19,6 @@ using RowNumbers = std::map<std::string, std::unordered_map<std::int64_t, std::i
 /// Tables of a database, those that others refer to before those.
 std::vector<std::string> tables_by_reference(SQLite::Database& connection);
 
-/// `name` as an SQL text.
-std::string quoted(const std::string& text);
-
 /// One table of both databases; columns that the destination lacks are left out. References to numbered rows are
 /// translated by `numbers`, which must hold the tables referred to.
 class CopiedTable {

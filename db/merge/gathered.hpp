@@ -3,10 +3,13 @@
 /// Several databases read as one.
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "db/file/temporary_folder.hpp"
 
 namespace rollres {
 
@@ -16,8 +19,6 @@ class GatheredDatabases {
   /// @param files  at least one
   /// @throws as merge
   explicit GatheredDatabases(std::span<const std::string> files);
-  ~GatheredDatabases();
-  GatheredDatabases(const GatheredDatabases&) = delete;
 
   const std::filesystem::path& file() const { return file_; }
   /// Studies of one name that are defined otherwise: the file, the name there, and the name here.
@@ -27,7 +28,8 @@ class GatheredDatabases {
   const std::vector<Renamed>& renamed() const { return renamed_; }
 
  private:
-  std::filesystem::path file_, folder_;  ///< folder: empty if there is none
+  std::optional<TemporaryFolder> folder_;
+  std::filesystem::path file_;
   std::vector<Renamed> renamed_;
 };
 

@@ -20,6 +20,19 @@ struct Output {
   bool relative = false;  // unit 1
 };
 
+/// Refuses a column that no version of rollres would give a table: its names are those of quantities.
+void require_quantity(const std::string& table, const Column& column) {
+  constexpr std::size_t longest = 64;
+  const bool named = !column.name.empty() && column.name.size() <= longest && column.name[0] >= 'a' &&
+                     column.name[0] <= 'z' &&
+                     column.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+  const bool typed = column.type == "REAL" || column.type == "INTEGER" || column.type == "TEXT";
+  if (named && typed) return;
+  const std::string text = "table " + table + ": column \"" + column.name.substr(0, longest) + "\"";
+  throw std::invalid_argument(named ? text + " is " + column.type.substr(0, longest) + ": must be REAL, INTEGER or TEXT"
+                                    : text + ": must have a name of at most 64 of a-z, 0-9 and _, a letter first");
+}
+
 /// Real outputs that two solutions of one scene have in common.
 std::vector<Output> compared_outputs(SQLite::Database& one, SQLite::Database& other) {
   const std::set<std::string> present = column_names(one, "evaluation");
@@ -65,15 +78,18 @@ class Merge {
 
  private:
   std::string of_study() const {
-    return "key IN (SELECT key FROM study_point JOIN study ON study.id = study WHERE name = " + quoted(*study_) + ")";
+    return "key IN (SELECT key FROM study_point JOIN study ON study.id = study WHERE name = " + quoted_text(*study_) +
+           ")";
   }
 
   /// A source written by a program with more quantities.
   void add_missing_columns_of_source() {
     const std::set<std::string> present = column_names(into_, "evaluation");
-    for (const Column& column : columns_of(source_, "evaluation"))
-      if (!present.contains(column.name))
-        into_.exec("ALTER TABLE evaluation ADD COLUMN \"" + column.name + "\" " + column.type);
+    for (const Column& column : columns_of(source_, "evaluation")) {
+      if (present.contains(column.name)) continue;
+      require_quantity("evaluation", column);
+      into_.exec("ALTER TABLE evaluation ADD COLUMN " + quoted_name(column.name) + " " + column.type);
+    }
   }
 
   void copy_evaluations(CopiedTable& table) {
@@ -214,7 +230,7 @@ class Merge {
 
   void copy_studies(CopiedTable& table) {
     SQLite::Statement here(source_, "SELECT id, name, started, created FROM study" +
-                                        (study_ ? " WHERE name = " + quoted(*study_) : std::string()));
+                                        (study_ ? " WHERE name = " + quoted_text(*study_) : std::string()));
     bool found = false;
     while (here.executeStep()) {
       found = true;

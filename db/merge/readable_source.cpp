@@ -1,10 +1,7 @@
 #include "db/merge/readable_source.hpp"
 
-#include <stdlib.h>
-
 #include <array>
 #include <fstream>
-#include <stdexcept>
 
 #include "db/file/sqlite.hpp"
 #include "db/rows/schema.hpp"
@@ -27,38 +24,20 @@ bool of_older_schema(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::filesystem::path temporary_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "rollres_XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw std::runtime_error(name + ": cannot be made a directory");
-  return name;
-}
-
 ReadableSource::ReadableSource(const std::filesystem::path& file) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(file, none) || !of_older_schema(file)) {  // a pipe is refused when it is opened
     database_.emplace(open_database(file, Access::read));
     return;
   }
-  copy_ = temporary_folder();
-  try {
-    naming(file.string(), [&] {
-      SQLite::Database old(file.string(), SQLite::OPEN_READONLY,
-                           static_cast<int>(std::chrono::milliseconds(Database::patience).count()));
-      SQLite::Statement copy(old, "VACUUM INTO ?");
-      copy.bind(1, (copy_ / "copy.db").string());
-      copy.exec();
-    });
-    database_.emplace(open_database(copy_ / "copy.db", Access::read));
-  } catch (...) {
-    std::filesystem::remove_all(copy_);
-    throw;
-  }
-}
-
-ReadableSource::~ReadableSource() {
-  database_.reset();
-  std::error_code none;
-  if (!copy_.empty()) std::filesystem::remove_all(copy_, none);
+  const std::filesystem::path copy = folder_.emplace() / "copy.db";
+  naming(file.string(), [&] {
+    SQLite::Database old(file.string(), SQLite::OPEN_READONLY,
+                         static_cast<int>(std::chrono::milliseconds(Database::patience).count()));
+    distrust(old);
+    vacuum(old, copy);
+  });
+  database_.emplace(open_database(copy, Access::read));
 }
 
 }  // namespace rollres

@@ -11,13 +11,6 @@ namespace rollres {
 
 namespace {
 
-/// A text as SQL quotes it.
-std::string quoted_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char letter : text) quoted += letter == '\'' ? std::string("''") : std::string(1, letter);
-  return quoted + '\'';
-}
-
 /// What the table of parameters says of one of a fit.
 std::string of_parameter(const std::string& name, const std::string& value) {
   return "(SELECT " + value +

@@ -117,7 +117,7 @@ double number_in(const Filter& filter) {
 
 /// SQL of a condition; appends what it binds.
 std::string condition(const Filter& filter, const Column& column, std::vector<Cell>& bound) {
-  const std::string& name = column.sql();
+  const std::string name = column.sql();
   const bool equal = filter.comparison == Comparison::equal, differs = filter.comparison == Comparison::not_equal;
   if (filter.value.empty()) {
     const std::string absent = "(" + name + " IS NULL" + (column.type == "TEXT" ? " OR " + name + " = '')" : ")");
@@ -195,8 +195,6 @@ std::string order_terms(const std::vector<std::string>& sort, const Columns& kno
   }
   return terms;
 }
-
-std::string quoted_name(const std::string& name) { return '"' + name + '"'; }
 
 std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound) {
   if (!limit) return "";

@@ -31,9 +31,6 @@ bool any_of_study(const std::vector<Filter>& filters);
 /// How many studies are named, each by a filter study=NAME.
 std::ptrdiff_t studies_named(const std::vector<Filter>& filters);
 
-/// A name as SQL quotes it.
-std::string quoted_name(const std::string& name);
-
 /// " WHERE ...", or nothing; appends what it binds.
 std::string where_clause(const std::vector<Filter>& filters, const Columns& known, std::vector<Cell>& bound);
 

@@ -52,8 +52,6 @@ std::string evaluation_key(const RollingScene& scene, std::string_view solver) {
   std::size_t input = 0;
   const auto add = [&](const Quantity& quantity, const auto& value) {
     const std::size_t at = input++;
-    // Limits decide whether there is an answer, not which: but a tolerance takes the best within the time.
-    if (quantity.key == "memory_limit" || (quantity.key == "time_limit" && !scene.tolerance)) return;
     if (value == *static_cast<const std::decay_t<decltype(value)>*>(defaults.places[at])) return;
     if (const std::string here = canonical(value); here != defaults.texts[at])
       text.append("\n").append(quantity.key).append("=").append(here);

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -45,6 +46,12 @@ auto arrays_of(Fields& fields) {
 
 [[noreturn]] void refuse() { throw std::runtime_error("the stored fields are damaged"); }
 
+/// What so many bytes may hold at most: displacements are never as regular as what zlib makes a thousandth of.
+std::size_t most_inflated(std::size_t bytes) {
+  constexpr std::size_t always = 16'000'000, times = 64;
+  return std::max(always, times * bytes);
+}
+
 /// Inflates step by step, so that no number in damaged bytes decides how much memory is taken.
 std::string inflated(std::string_view bytes) {
   z_stream stream{};
@@ -54,7 +61,7 @@ std::string inflated(std::string_view bytes) {
   stream.avail_in = static_cast<uInt>(bytes.size());
   int state = Z_OK;
   std::array<char, 65536> part;
-  while (state == Z_OK) {
+  while (state == Z_OK && content.size() <= most_inflated(bytes.size())) {
     stream.next_out = reinterpret_cast<Bytef*>(part.data());
     stream.avail_out = static_cast<uInt>(part.size());
     state = inflate(&stream, Z_NO_FLUSH);
@@ -63,6 +70,16 @@ std::string inflated(std::string_view bytes) {
   inflateEnd(&stream);
   if (state != Z_STREAM_END) refuse();
   return content;
+}
+
+std::string deflated(const std::string& content, int level) {
+  uLongf length = compressBound(content.size());
+  std::string bytes(length, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &length, reinterpret_cast<const Bytef*>(content.data()),
+                content.size(), level) != Z_OK)
+    throw std::bad_alloc();
+  bytes.resize(length);
+  return bytes;
 }
 
 }  // namespace
@@ -118,13 +135,8 @@ std::string packed(const SurfaceFields& fields) {
   assert(fields.zone.size() == nodes);
   arrays.append(reinterpret_cast<const char*>(fields.zone.data()), nodes);
   const std::string content = std::string(reinterpret_cast<const char*>(&header), header_size) + arrays;
-  uLongf length = compressBound(content.size());
-  std::string bytes(length, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &length, reinterpret_cast<const Bytef*>(content.data()),
-                content.size(), compression_level) != Z_OK)
-    throw std::bad_alloc();
-  bytes.resize(length);
-  return bytes;
+  const std::string bytes = deflated(content, compression_level);
+  return content.size() <= most_inflated(bytes.size()) ? bytes : deflated(content, Z_NO_COMPRESSION);
 }
 
 SurfaceFields unpacked_fields(int format, std::string_view bytes) {

@@ -1,5 +1,8 @@
 #include "db/rows/result_store.hpp"
 
+#include <algorithm>
+#include <unordered_set>
+
 #include "core/messages/message_text.hpp"
 #include "db/file/sqlite.hpp"
 #include "db/rows/evaluation_row.hpp"
@@ -264,9 +267,9 @@ std::optional<StoredEvaluation> ResultStore::find(std::int64_t id) {
   return naming(database().name(), [&] { return parts_->find("evaluation.id = ?", id); });
 }
 
-void ResultStore::start_study(const StudyRecord& study, std::span<const std::string> keys,
-                              std::span<const std::string> variants) {
-  naming(database().name(), [&] {
+std::int64_t ResultStore::start_study(const StudyRecord& study, std::span<const std::string> keys,
+                                      std::span<const std::string> variants) {
+  return naming(database().name(), [&] {
     SQLite::Database& connection = parts_->connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
     SQLite::Statement record(connection,
@@ -283,7 +286,7 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
     record.reset();
     if (parts_->has_points(id, keys, variants)) {
       transaction.commit();
-      return;
+      return id;
     }
     const LargeCache cache(connection);
     SQLite::Statement remove(connection, "DELETE FROM study_point WHERE study = ?");
@@ -306,7 +309,24 @@ void ResultStore::start_study(const StudyRecord& study, std::span<const std::str
     add.reset();
     if (anew) connection.exec(study_point_index);
     transaction.commit();
+    return id;
   });
+}
+
+void ResultStore::require_study(std::int64_t id, const std::string& name, std::span<const std::string> keys) {
+  const auto change = naming(database().name(), [&]() -> std::string {
+    SQLite::Statement row(parts_->connection(), "SELECT name FROM study WHERE id = ?");
+    row.bind(1, id);
+    if (!row.executeStep()) return "deleted";
+    if (const std::string now = row.getColumn(0).getString(); now != name) return "renamed to " + now;
+    const std::vector<std::string> points = parts_->of_points(name, "key");
+    const std::unordered_set<std::string_view> present(points.begin(), points.end());
+    const auto left = std::count_if(keys.begin(), keys.end(), [&](const auto& key) { return !present.contains(key); });
+    return left == 0 ? "" : "defined anew, without " + std::to_string(left) + " of its points,";
+  });
+  if (!change.empty())
+    throw std::runtime_error(database().name() + ": study = " + name + ": was " + change +
+                             " by another process meanwhile; all answers are stored");
 }
 
 void ResultStore::add_points(const std::string& study, std::span<const std::string> keys,

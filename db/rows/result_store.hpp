@@ -21,9 +21,8 @@ namespace rollres {
 
 /// What makes two evaluations the same: all inputs, numbers rounded to 12 significant digits (so that 0.1 + 0.2 is
 /// 0.3), and the solver; the method is the one that solves the scene, named or not. An input at its default value is
-/// left out, so that a scene keeps its key when inputs are added; so are memory_limit and, but for a scene with a
-/// tolerance, whose best answer within the time it is, time_limit: what ended at a limit is a failed answer, which
-/// --retry solves again.
+/// left out, so that a scene keeps its key when inputs are added. Limits of time and memory count: what one of them cut
+/// short is no answer to a scene without it.
 /// @param solver  Provenance::solver
 /// @return digest of 32 hexadecimal digits
 std::string evaluation_key(const RollingScene& scene, std::string_view solver = this_program().solver);
@@ -118,8 +117,12 @@ class ResultStore {
 
   /// Records that a study starts (again) with these points, in this order, in place of those it had.
   /// @param variants  of the points, one for each; empty: they have none
-  void start_study(const StudyRecord& study, std::span<const std::string> keys,
-                   std::span<const std::string> variants = {});
+  /// @return the number of its row
+  std::int64_t start_study(const StudyRecord& study, std::span<const std::string> keys,
+                           std::span<const std::string> variants = {});
+  /// @throws std::runtime_error saying what another process did to a study that was started: it deleted or renamed it,
+  /// or took points of these away
+  void require_study(std::int64_t id, const std::string& name, std::span<const std::string> keys);
 
   /// Makes `keys` the next points of a study that has been started, but for those that are its points already.
   void add_points(const std::string& study, std::span<const std::string> keys,

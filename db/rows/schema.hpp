@@ -33,6 +33,7 @@
 
 #include "core/scene/quantity.hpp"
 #include "db/file/database.hpp"
+#include "db/file/sql_text.hpp"
 
 namespace rollres {
 
@@ -42,9 +43,9 @@ std::string input_column(std::string_view key);
 struct Column {
   std::string name;
   std::string type;             ///< "REAL", "INTEGER" or "TEXT"
-  std::string expression = {};  ///< SQL of its value; empty: the name
+  std::string expression = {};  ///< SQL of its value; empty: the name, quoted
 
-  const std::string& sql() const { return expression.empty() ? name : expression; }
+  std::string sql() const { return expression.empty() ? quoted_name(name) : expression; }
 };
 
 struct QuantityColumn : Column {

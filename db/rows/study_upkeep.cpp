@@ -55,7 +55,7 @@ std::int64_t rows_of_no_study(const Database& database) {
 void delete_rows_of_no_study(const Database& database) {
   naming(database.name(), [&] {
     database.connection().exec(std::string("DELETE FROM evaluation WHERE ") + of_no_study);
-    database.connection().exec("VACUUM");
+    vacuum(database.connection());
   });
 }
 

@@ -1,6 +1,7 @@
 #include "fitting/descent/least_squares.hpp"
 
 #include <dlfcn.h>
+#include <stdlib.h>
 
 #include <stdexcept>
 
@@ -10,6 +11,9 @@ namespace {
 
 /// From the folders that the program names (RPATH). Never unloaded: a fit may run in any thread till the end.
 MinimiseByCeres load_ceres() {
+  // Its linear algebra (OpenBLAS) would start threads as it is loaded. Fits have small matrices and need none, and one
+  // that gets no memory spins for ever.
+  ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
   void* const library = dlopen("librollres_ceres.so", RTLD_NOW | RTLD_LOCAL);
   void* const function = library ? dlsym(library, "rollres_minimise_by_ceres") : nullptr;
   if (!function)

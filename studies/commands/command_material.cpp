@@ -1,8 +1,10 @@
 #include <numbers>
+#include <optional>
 #include <ostream>
 
 #include "core/material/material_functions.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_file.hpp"
@@ -124,7 +126,17 @@ std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, co
 
 void run_material(const MaterialArguments& arguments, Session& session) {
   const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
-  const CreepSpectrum creep = creep_spectrum(scene);
+  const SolutionLimits limits(scene.memory_limit.value_or(usual_memory_limit()),
+                              scene.time_limit.value_or(usual_time_limit));
+  std::optional<CreepSpectrum> found;
+  try {
+    found = creep_spectrum(scene);
+  } catch (const BeyondLimits& limit) {
+    session.err << arguments.scene << ": " << limit.what() << '\n';
+    session.status = ExitStatus::no_answer;
+    return;
+  }
+  const CreepSpectrum& creep = *found;
   if (arguments.format == "table") {
     print_words(session.out, scene, creep);
     session.out << '\n';

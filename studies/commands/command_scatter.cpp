@@ -57,7 +57,7 @@ SweepReport solve(const Study& study, const ScatterArguments& arguments, Session
   SweepOptions options{.jobs = arguments.jobs, .stop = &StopSignal::requested()};
   std::optional<StopSignal> signal;
   options.ready = [&] { signal.emplace(); };
-  options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, arguments.retry));
+  options.retry = retry_named(arguments.retry);
   options.fields = study.fields ? Fields::kept : Fields::dropped;
   options.replace = arguments.replace;
   options.redefined = [&](const Redefinition& redefined) {

@@ -2,6 +2,7 @@
 
 #include <istream>
 #include <optional>
+#include <stdexcept>
 
 #include "studies/program/command_line.hpp"
 #include "studies/program/commands.hpp"
@@ -16,13 +17,21 @@ namespace rollres {
 namespace {
 
 struct ServeArguments {
-  std::optional<std::string> scene, database, socket;
+  std::optional<std::string> scene, database, socket, files;
+  std::string retry = "nothing";
   int jobs = 0;
 };
 
 void serve(const ServeArguments& arguments, Session& session) {
-  const ReadScene read = arguments.scene ? replacing_inputs_of(*arguments.scene) : read_whole_scene;
-  StoredEvaluations evaluations = arguments.database ? StoredEvaluations(session.evaluate, *arguments.database)
+  const Retry retry = retry_named(arguments.retry);
+  if (arguments.scene && arguments.files)
+    throw std::invalid_argument("--files = " + *arguments.files +
+                                ": a line that replaces inputs of SCENE names no files");
+  if (retry != Retry::nothing && !arguments.database)
+    throw std::invalid_argument("--retry = " + arguments.retry + ": needs --db");
+  const ReadScene read =
+      arguments.scene ? replacing_inputs_of(*arguments.scene) : whole_scenes(arguments.files.value_or(""));
+  StoredEvaluations evaluations = arguments.database ? StoredEvaluations(session.evaluate, *arguments.database, retry)
                                                      : StoredEvaluations(session.evaluate);
   SceneService service(evaluations, read, arguments.jobs);
   if (!arguments.socket) {
@@ -31,8 +40,9 @@ void serve(const ServeArguments& arguments, Session& session) {
     return service.serve(in, session.out);
   }
   const StopSignal signal;
-  serve_socket(*arguments.socket, StopSignal::requested(),
-               [&](std::istream& in, std::ostream& out) { service.serve(in, out); });
+  serve_socket(
+      *arguments.socket, StopSignal::requested(),
+      [&](std::istream& in, std::ostream& out, const std::atomic<bool>& gone) { service.serve(in, out, gone); });
 }
 
 }  // namespace
@@ -44,6 +54,12 @@ void add_serve(Command& program, Session& session) {
                       "scene file; a line then replaces inputs of it, as --set does, and is a whole scene otherwise");
   command->add_option("--db FILE", arguments.database,
                       "recall answers that are stored here, store the others before they are written");
+  command
+      ->add_option("--retry WHICH", arguments.retry,
+                   "with --db: solve again what is stored whenever it is asked for: failed, not_converged, or all")
+      ->one_of({"failed", "not_converged", "all"});
+  command->add_option("--files FOLDER", arguments.files,
+                      "lines may name files of this folder (master_curve_file, ...); without it, none");
   command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--socket PATH", arguments.socket,
                       "listen at this Unix socket, for several programs at once, until interrupted; default: standard "

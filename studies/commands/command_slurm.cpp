@@ -1,4 +1,6 @@
 #include <ostream>
+#include <stdexcept>
+#include <utility>
 
 #include "studies/program/commands.hpp"
 #include "studies/run/progress.hpp"
@@ -27,9 +29,15 @@ void write_script(const std::filesystem::path& file, const std::string& text) {
 
 void slurm(const SlurmArguments& arguments, Session& session) {
   const Study study = read_study(arguments.study);
-  for (const std::string* const text : {&arguments.job.time, &arguments.job.partition})
+  const std::pair<const char*, const std::string*> in_lines[] = {{"--time", &arguments.job.time},
+                                                                 {"--partition", &arguments.job.partition},
+                                                                 {"--out", &arguments.folder},
+                                                                 {"--db", &arguments.database},
+                                                                 {"--program", &arguments.program}};
+  for (const auto& [option, text] : in_lines)
     for (const unsigned char letter : *text)
-      if (letter < 0x20) throw std::invalid_argument("time and partition must be one line");
+      if (letter < 0x20)
+        throw std::invalid_argument(std::string(option) + ": must be one line, without control characters");
   SlurmJob job = arguments.job;
   job.name = study.name;
   job.folder = std::filesystem::absolute(arguments.folder).lexically_normal();

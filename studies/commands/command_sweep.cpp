@@ -78,7 +78,7 @@ void sweep(const SweepArguments& arguments, Session& session) {
   options.ready = [&] { signal.emplace(); };
   options.stop = &StopSignal::requested();
   if (!arguments.shard.empty()) options.shard = parse_shard(arguments.shard);
-  options.retry = static_cast<Retry>(find_name(ChoiceNames<Retry>::names, arguments.retry));
+  options.retry = retry_named(arguments.retry);
   options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;
   options.replace = arguments.replace;
   options.redefined = [&](const Redefinition& redefined) {

@@ -1,15 +1,17 @@
 #include "studies/drawing/gnuplot.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 extern char** environ;
 
@@ -29,13 +31,29 @@ std::string last_line(std::string text) {
   return start == std::string::npos ? text : text.substr(start + 1);
 }
 
-struct SpawnActions {
-  posix_spawn_file_actions_t actions;
-  SpawnActions() { posix_spawn_file_actions_init(&actions); }
-  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions); }
-  SpawnActions(const SpawnActions&) = delete;
-  SpawnActions& operator=(const SpawnActions&) = delete;
-};
+/// The environment without what would choose another terminal.
+std::vector<char*> environment() {
+  std::vector<char*> variables;
+  for (char** one = environ; *one; ++one)
+    if (!std::string_view(*one).starts_with("GNUTERM=")) variables.push_back(*one);
+  variables.push_back(nullptr);
+  return variables;
+}
+
+/// In the child: becomes the program, which ends with the thread that waits for it, whatever ends that. Writes the
+/// system's error where that fails.
+[[noreturn]] void become(const char* program, char* const* words, char* const* variables, const char* folder,
+                         int output, int failure) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  const int input = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (::chdir(folder) == 0 && ::dup2(input, STDIN_FILENO) >= 0 && ::dup2(output, STDOUT_FILENO) >= 0 &&
+      ::dup2(output, STDERR_FILENO) >= 0)
+    ::execvpe(program, words, variables);
+  const int error = errno;
+  if (::write(failure, &error, sizeof error) < 0) {
+  }  // nobody reads it
+  ::_exit(127);
+}
 
 /// Reads a descriptor to its end and closes it.
 std::string drain(int descriptor) {
@@ -112,32 +130,35 @@ std::string symbol(std::string_view text) {
 }
 
 void run(const std::filesystem::path& script, const std::string& program) {
-  std::array<int, 2> pipe_ends;
-  if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0)
-    throw std::runtime_error(program + ": cannot be started (" + std::strerror(errno) + ")");
-
+  const auto refuse = [&](int error) {
+    const std::string hint = error == ENOENT ? "; is it installed (Debian: gnuplot-nox)?" : "";
+    throw std::runtime_error(program + ": cannot be started (" + std::strerror(error) + ")" + hint);
+  };
+  std::array<int, 2> output, failure;
+  if (pipe2(output.data(), O_CLOEXEC) != 0) refuse(errno);
+  if (pipe2(failure.data(), O_CLOEXEC) != 0) {
+    const int error = errno;
+    close(output[0]);
+    close(output[1]);
+    refuse(error);
+  }
   const std::filesystem::path parent = script.parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   std::string words[] = {program, "--default-settings", "./" + script.filename().string()};
   char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
-
-  SpawnActions spawn;
-  posix_spawn_file_actions_addchdir_np(&spawn.actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&spawn.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&spawn.actions, pipe_ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&spawn.actions, pipe_ends[1], STDERR_FILENO);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, program.c_str(), &spawn.actions, nullptr, arguments, environ);
-  close(pipe_ends[1]);
-  const std::string said = drain(pipe_ends[0]);
-  if (error != 0) {
-    std::string hint = error == ENOENT ? "; is it installed (Debian: gnuplot-nox)?" : "";
-    throw std::runtime_error(program + ": cannot be started (" + std::strerror(error) + ")" + hint);
-  }
+  const std::vector<char*> variables = environment();
+  const pid_t child = ::_Fork();
+  if (child == 0) become(program.c_str(), arguments, variables.data(), folder.c_str(), output[1], failure[1]);
+  int error = child < 0 ? errno : 0;
+  close(output[1]);
+  close(failure[1]);
+  const std::string said = drain(output[0]), told = drain(failure[0]);
+  if (told.size() == sizeof error) std::memcpy(&error, told.data(), sizeof error);
 
   int state = 0;
-  while (waitpid(child, &state, 0) < 0 && errno == EINTR) {
+  while (child > 0 && waitpid(child, &state, 0) < 0 && errno == EINTR) {
   }
+  if (error != 0) refuse(error);
   if (WIFEXITED(state) && WEXITSTATUS(state) == 0) return;
   const std::string how = WIFEXITED(state) ? "exit status " + std::to_string(WEXITSTATUS(state))
                                            : "signal " + std::to_string(WTERMSIG(state));

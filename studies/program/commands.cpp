@@ -28,8 +28,12 @@ constexpr AddCommand* commands[] = {
 
 constexpr const char* unwritable = "standard output: cannot be written";
 
-/// A message as one line.
+/// A message as one line, without what a library puts before its own.
 int complain(Session& session, std::string message, int status) {
+  constexpr std::size_t longest = 4000;
+  if (message.size() > longest) message = message.substr(0, longest) + "...";
+  for (std::size_t tag; (tag = message.find("[json.exception")) != std::string::npos;)
+    message.erase(tag, std::min(message.find("] ", tag), message.size() - 2) + 2 - tag);
   std::replace_if(
       message.begin(), message.end(), [](char letter) { return letter == '\n' || letter == '\r' || letter == '\t'; },
       ' ');

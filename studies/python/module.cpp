@@ -292,6 +292,16 @@ RollingScene read(const py::args& base, const py::kwargs& inputs) {
   return scene_from(overridden(own, replacing_entries(given_inputs(inputs), "--set")), file + " with --set");
 }
 
+/// Objects whose __init__ was not called (Scene.__new__(Scene)) hold nothing: pybind11 would take memory for one of
+/// them where it is used, and read what stands there.
+template <class... Types>
+void refuse_unmade() {
+  const auto refuse = [](std::size_t) -> void* {
+    throw py::type_error("the object was never made: its __init__ was not called");
+  };
+  ((py::detail::get_type_info(typeid(Types), true)->operator_new = refuse), ...);
+}
+
 void add_scene(py::module_& module) {
   py::class_<RollingScene> scene(module, "Scene");
   scene.def(py::init(&read))
@@ -621,6 +631,7 @@ PYBIND11_MODULE(_rollres, module) {
   add_fields(module);
   add_result(module);
   add_objective(module);
+  refuse_unmade<RollingScene, FieldArrays, Variable, Function>();
   module.def("solve", [](const RollingScene& scene) {
     return std::make_shared<Answer>(Answer{scene, solve_here(scene)});
   });

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "db/file/temporary_folder.hpp"
 #include "studies/charts/scatter_chart.hpp"
 #include "studies/charts/study_chart.hpp"
 #include "studies/drawing/chart_frame.hpp"
@@ -42,7 +43,7 @@ class Pictures {
   std::size_t count() const { return count_; }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
   std::string html_;
   std::size_t count_ = 0;
 };

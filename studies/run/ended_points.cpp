@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <stdexcept>
 
 namespace rollres {
 
@@ -38,7 +39,7 @@ PointSlot* slots = nullptr;               // null: nobody waits for the end by t
 // threads (signal-safety(7)).
 
 void note(const char* key, int signal) {
-  const int file = ::open(notes_file.data(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const int file = ::open(notes_file.data(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
   if (file < 0) return;
   const std::size_t length = std::strlen(key);
   const char number[] = {' ', static_cast<char>('0' + signal / 10), static_cast<char>('0' + signal % 10), '\n'};
@@ -143,6 +144,11 @@ PointInWork::~PointInWork() {
 
 std::vector<EndedPoint> ended_points(const std::filesystem::path& database) {
   std::vector<EndedPoint> points;
+  std::error_code none;
+  const auto kind = std::filesystem::symlink_status(notes_beside(database), none).type();
+  if (kind == std::filesystem::file_type::not_found) return points;
+  if (kind != std::filesystem::file_type::regular)  // a pipe would be waited for
+    throw std::runtime_error(notes_beside(database).string() + ": not a regular file");
   std::ifstream notes(notes_beside(database));
   for (EndedPoint point; notes >> point.key >> point.signal;) points.push_back(point);
   return points;

@@ -47,7 +47,7 @@ struct EndedPoint {
   int signal = 0;
 };
 
-/// What was noted beside a database.
+/// What was noted beside a database. @throws std::runtime_error if that is no regular file
 std::vector<EndedPoint> ended_points(const std::filesystem::path& database);
 
 /// Puts these in its place.

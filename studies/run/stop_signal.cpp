@@ -6,6 +6,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "db/file/temporary_folder.hpp"
+
 namespace rollres {
 
 namespace {
@@ -23,6 +25,7 @@ extern "C" void end_in_words(int signal) {
   const std::string_view line = signal == SIGINT ? "rollres: interrupted\n" : "rollres: terminated\n";
   if (::write(STDERR_FILENO, line.data(), line.size()) < 0) {
   }  // whoever listened has gone
+  remove_temporary_folders();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -36,6 +39,7 @@ extern "C" void note_wish(int signal) {
 
 void end_in_words_at_signals() {
   says_so = true;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, told as others are
   for (const int signal : signals)
     if (std::signal(signal, end_in_words) == SIG_IGN) std::signal(signal, SIG_IGN);
 }

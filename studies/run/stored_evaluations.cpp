@@ -20,7 +20,7 @@ struct StoredEvaluations::Store {
       known = writing.points(study);
       known_variants = writing.variants(study);
     }
-    writing.start_study(record, known, known_variants);
+    started = writing.start_study(record, known, known_variants);
     points.insert(known.begin(), known.end());
   }
 
@@ -43,17 +43,22 @@ struct StoredEvaluations::Store {
 
   void save(const std::vector<Evaluation>& answers) {
     const std::lock_guard lock(writing_mutex);
-    if (!answers.empty()) writing.save(answers);
+    if (!answers.empty()) writing.save(answers, existing);
     add_new_points();
   }
 
   void flush() {
     writer.flush();
     save({});  // points that were recalled, behind the last that was solved
+    if (study.empty()) return;
+    const std::lock_guard lock(writing_mutex);
+    writing.require_study(started, study, std::vector<std::string>(points.begin(), points.end()));
   }
 
   ResultStore writing, reading;
-  std::mutex writing_mutex, mutex;                    // of `writing`; of `reading` and all below
+  Existing existing = Existing::kept;
+  std::mutex writing_mutex, mutex;  // of `writing`; of `reading` and all below
+  std::int64_t started = 0;
   std::string study, variant;                         // variant: of new points
   std::unordered_set<std::string> points;             // of the study
   std::vector<std::string> new_points, new_variants;  // to become such
@@ -63,8 +68,10 @@ struct StoredEvaluations::Store {
 StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::atomic<bool>* stop)
     : evaluate_(std::move(evaluate)), stop_(stop) {}
 
-StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database)
-    : evaluate_(std::move(evaluate)), store_(std::make_unique<Store>(database)) {}
+StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, Retry retry)
+    : evaluate_(std::move(evaluate)), retry_(retry), store_(std::make_unique<Store>(database)) {
+  if (retry != Retry::nothing) store_->existing = Existing::replaced;
+}
 
 StoredEvaluations::StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, const StudyRecord& study,
                                      const std::atomic<bool>* stop, const StudyStart& start)
@@ -79,10 +86,12 @@ StoredEvaluations::~StoredEvaluations() {
   }
 }
 
-std::optional<RollingSolution> StoredEvaluations::stored(const std::string& key) {
-  if (!store_) return std::nullopt;
+std::optional<RollingSolution> StoredEvaluations::recalled(const std::string& key) {
+  if (!store_ || retry_ == Retry::all) return std::nullopt;
   const std::lock_guard lock(store_->mutex);
-  return store_->reading.solution(key);
+  std::optional<RollingSolution> answer = store_->reading.solution(key);
+  if (answer && is_retried(retry_, answer->status)) answer.reset();
+  return answer;
 }
 
 RollingSolution StoredEvaluations::operator()(const RollingScene& scene) {
@@ -96,14 +105,14 @@ RollingSolution StoredEvaluations::operator()(const RollingScene& scene) {
   }
   lock.unlock();
   std::optional<RollingSolution> answer;
-  bool recalled = false;
+  bool known = false;
   try {
-    answer = stored(key);
-    recalled = answer.has_value();
-    if (!recalled && stop_ && stop_->load()) throw Interrupted();
-    if (!recalled) answer = evaluate_safely(evaluate_, scene);
+    answer = recalled(key);
+    known = answer.has_value();
+    if (!known && stop_ && stop_->load()) throw Interrupted();
+    if (!known) answer = evaluate_safely(evaluate_, scene);
     if (store_) store_->add_point(key);
-    if (store_ && !recalled) store_->writer.add({key, scene, *answer});
+    if (store_ && !known) store_->writer.add({key, scene, *answer});
   } catch (...) {
     lock.lock();
     answers_.erase(key);
@@ -111,7 +120,7 @@ RollingSolution StoredEvaluations::operator()(const RollingScene& scene) {
     throw;
   }
   lock.lock();
-  ++(recalled ? count_.recalled : count_.solved);
+  ++(known ? count_.recalled : count_.solved);
   if (answer->status != Status::converged) ++count_.failed;
   answers_[key] = answer;
   answered_.notify_all();

@@ -17,6 +17,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/run/result_writer.hpp"
+#include "studies/run/retry.hpp"
 #include "studies/stored/study_redefinition.hpp"
 
 namespace rollres {
@@ -47,7 +48,8 @@ class StoredEvaluations {
  public:
   /// Evaluates without a store. @param stop set from outside: throws Interrupted in place of the next solution
   explicit StoredEvaluations(Evaluate evaluate, const std::atomic<bool>* stop = nullptr);
-  StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database);
+  /// @param retry  stored answers that are solved again whenever they are asked for
+  StoredEvaluations(Evaluate evaluate, const std::filesystem::path& database, Retry retry = Retry::nothing);
   /// Makes every scene a point of the study, too. Starts it; it keeps its points if it was defined by the same text
   /// before. If it was defined otherwise, it is defined anew where that is asked for.
   /// @throws std::invalid_argument saying what changed and what to do, where it is not (start_again)
@@ -64,7 +66,7 @@ class StoredEvaluations {
   /// From here on new points of the study are of this variant; of none if it is empty.
   void be_of_variant(const std::string& variant);
 
-  /// Waits until everything is stored. @throws std::runtime_error if the store failed
+  /// Waits until everything is stored. @throws std::runtime_error if the store failed, or has lost the study
   void flush();
 
   /// Forgets the answers that it has: a question asked again is looked for in the store. After `flush`, it loses none.
@@ -75,9 +77,10 @@ class StoredEvaluations {
  private:
   struct Store;
 
-  std::optional<RollingSolution> stored(const std::string& key);
+  std::optional<RollingSolution> recalled(const std::string& key);
 
   Evaluate evaluate_;
+  Retry retry_ = Retry::nothing;
   const std::atomic<bool>* stop_ = nullptr;
   mutable std::mutex mutex_;
   std::condition_variable answered_;

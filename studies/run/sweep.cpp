@@ -45,9 +45,8 @@ struct Run {
 
 bool is_wanted_again(const StoredAnswer& answer, const SweepOptions& options) {
   const bool converged = answer.status == Status::converged;
-  const bool retried = options.retry == Retry::all || (options.retry == Retry::failed && !converged) ||
-                       (options.retry == Retry::not_converged && answer.status == Status::not_converged);
-  return retried || (converged && options.fields == Fields::kept && !answer.has_fields);
+  return is_retried(options.retry, answer.status) ||
+         (converged && options.fields == Fields::kept && !answer.has_fields);
 }
 
 /// Answers as they were at the start that are to be solved again, by their keys: any change is the new answer.
@@ -160,7 +159,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   ResultStore store(database), reader(database, Access::read);
   const std::optional<Redefinition> redefined = start_again(store, record, all_keys, options.replace);
   if (redefined && options.redefined) options.redefined(*redefined);
-  store.start_study(record, all_keys, plan.variants());
+  const std::int64_t started = store.start_study(record, all_keys, plan.variants());
   const std::vector<std::string> again_alone = store_ended_points(store, database, all_keys, plan);
   const FatalSignalNotes notes(database);
   const Part part = part_of(plan, std::move(all_keys), options.shard);
@@ -226,6 +225,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
   }
   if (run.first_error) std::rethrow_exception(run.first_error);
   store.database().require_present();  // what is counted below is in the file
+  store.require_study(started, study.name, keys);
 
   SweepReport report;
   report.study = store.study(study.name).value_or(StudySummary{});

@@ -6,7 +6,6 @@
 /// again, and several processes may work on one study in one database. Answers that come faster than twenty times a
 /// second are stored in groups: no more than about 0.1 s of them can be lost.
 
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -17,24 +16,12 @@
 #include "db/rows/result_store.hpp"
 #include "studies/run/evaluate.hpp"
 #include "studies/run/progress.hpp"
+#include "studies/run/retry.hpp"
 #include "studies/stored/study_redefinition.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/study/study.hpp"
 
 namespace rollres {
-
-/// Which stored answers are solved again. The new one takes the place of the old one, in one transaction and under the
-/// same key; what converged never gives way to what did not.
-enum class Retry {
-  nothing,
-  not_converged,  ///< those with this status
-  failed,         ///< all that did not converge: those without a steady state, too
-  all
-};
-template <>
-struct ChoiceNames<Retry> {
-  static constexpr std::array<std::string_view, 4> names{"nothing", "not_converged", "failed", "all"};
-};
 
 struct SweepOptions {
   int jobs = 0;                                           ///< threads that solve; 0: one for each core

@@ -1,9 +1,9 @@
 #include "studies/text/files.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -26,6 +26,31 @@ void require_name(const std::filesystem::path& path) {
 
 std::string last_error() { return std::generic_category().message(errno != 0 ? errno : EIO); }
 
+/// Where links lead to, also if nothing is there.
+std::filesystem::path end_of_links(std::filesystem::path file) {
+  constexpr int most = 40;  // as the system follows
+  std::error_code error;
+  for (int link = 0; link < most && std::filesystem::is_symlink(file, error); ++link)
+    file = file.parent_path() / std::filesystem::read_symlink(file, error);
+  return file;
+}
+
+/// Opens `file` and writes it whole. @return why that failed; empty if it did not
+std::string written(const std::filesystem::path& file, int flags, std::string_view content) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  if (descriptor < 0) return last_error();
+  std::string why;
+  while (!content.empty() && why.empty()) {
+    const ssize_t some = ::write(descriptor, content.data(), content.size());
+    if (some >= 0)
+      content.remove_prefix(static_cast<std::size_t>(some));
+    else if (errno != EINTR)
+      why = last_error();
+  }
+  if (::close(descriptor) != 0 && why.empty()) why = last_error();
+  return why;
+}
+
 }  // namespace
 
 std::string whole_file(const std::filesystem::path& file, std::size_t largest) {
@@ -43,30 +68,31 @@ std::string whole_file(const std::filesystem::path& file, std::size_t largest) {
   if (!stream.eof() && !stream.good()) fail(file, "cannot be read", last_error());
   if (text.size() > largest)
     fail(file, "cannot be read", "it is larger than " + std::to_string(largest / 1'000'000) + " MB");
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    fail(file, "cannot be read", "it is UTF-16; save it as UTF-8");
   return text;
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
   require_name(file);
-  std::filesystem::path part = file;
-  part += "." + std::to_string(::getpid()) + ".part";
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  if (!stream) fail(file, "cannot be written", last_error());
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
   std::error_code error;
-  if (!stream) {
-    const std::string why = last_error();
-    std::filesystem::remove(part, error);
-    fail(file, "cannot be written", why);
+  const auto kind = std::filesystem::status(file, error).type();  // of what a link leads to
+  if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found) {
+    if (const std::string why = written(file, 0, content); !why.empty()) fail(file, "cannot be written", why);
+    return;
   }
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    const std::string why = error.message();
-    std::filesystem::remove(part, error);
-    fail(file, "cannot be written", why);
+  const std::filesystem::path place = end_of_links(file);
+  std::filesystem::path part = place;
+  part += "." + std::to_string(::getpid()) + ".part";
+  std::filesystem::remove(part, error);  // whatever stands there: it is never written through
+  std::string why = written(part, O_CREAT | O_EXCL, content);
+  if (why.empty()) {
+    std::filesystem::rename(part, place, error);
+    if (error) why = error.message();
   }
+  if (why.empty()) return;
+  std::filesystem::remove(part, error);
+  fail(file, "cannot be written", why);
 }
 
 void make_directory(const std::filesystem::path& directory) {
@@ -75,24 +101,6 @@ void make_directory(const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory, error);
   if (!error && !std::filesystem::is_directory(directory)) error = std::make_error_code(std::errc::not_a_directory);
   if (error) fail(directory, "cannot be made a directory", error.message());
-}
-
-ScratchFolder::ScratchFolder() {
-  std::error_code error;
-  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-  if (error) {
-    const char* const given = std::getenv("TMPDIR");
-    throw std::runtime_error("TMPDIR = " + std::string(given ? given : "") + ": " + error.message());
-  }
-  std::string name = (parent / "rollres_XXXXXX").string();
-  if (!::mkdtemp(name.data()))
-    throw std::runtime_error(name + ": cannot be made a directory: " + std::generic_category().message(errno));
-  path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace rollres

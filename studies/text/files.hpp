@@ -14,27 +14,13 @@ namespace rollres {
 /// @throws std::runtime_error "path: cannot be read: why"
 std::string whole_file(const std::filesystem::path& file, std::size_t largest);
 
-/// Writes a whole file: to a temporary name beside it, then renamed, so that nobody ever sees half of it.
+/// Writes a whole file: to a temporary name beside it, then renamed, so that nobody ever sees half of it. A link stays,
+/// and the file it leads to is replaced; a device or a pipe is written to.
 /// @throws std::runtime_error with the path and the system's words; the old file is then still there
 void write_file(const std::filesystem::path& file, std::string_view content);
 
 /// Creates a directory and those above it.
 /// @throws std::runtime_error with the path and the system's words
 void make_directory(const std::filesystem::path& directory);
-
-/// A folder of its own among the temporary files, removed with all that is in it.
-class ScratchFolder {
- public:
-  /// @throws std::runtime_error naming the path if it cannot be made
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace rollres

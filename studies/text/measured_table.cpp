@@ -50,11 +50,12 @@ MeasuredColumn column_of(const std::string& name, const std::string& place) {
     if (name.empty()) fail(place, "a column has no name");
     return {name, "", {}};
   }
-  if (name.back() != ']') fail(place, "\"" + name + "\": must be a name with its unit in brackets: \"speed [m/s]\"");
+  if (name.back() != ']')
+    fail(place, "\"" + shortened(name) + "\": must be a name with its unit in brackets: \"speed [m/s]\"");
   MeasuredColumn column{std::string(trimmed(name.substr(0, open))),
                         std::string(trimmed(name.substr(open + 1, name.size() - open - 2))),
                         {}};
-  if (column.name.empty()) fail(place, "\"" + name + "\": a column has no name");
+  if (column.name.empty()) fail(place, "\"" + shortened(name) + "\": a column has no name");
   return column;
 }
 
@@ -124,7 +125,7 @@ MeasuredTable read_measured_table(const std::filesystem::path& file) {
       separator = separator_of(content);
       for (const std::string& name : cells_of(content, separator, place)) {
         MeasuredColumn column = column_of(name, place);
-        if (table.find(column.name)) fail(place, "\"" + column.name + "\": column given twice");
+        if (table.find(column.name)) fail(place, "\"" + shortened(column.name) + "\": column given twice");
         table.columns.push_back(std::move(column));
       }
       continue;
@@ -146,7 +147,7 @@ double measured_number(const MeasuredTable& table, const MeasuredColumn& column,
   const std::string place = table.place(row);
   if (cell.empty()) fail(place, heading(column) + " is missing");
   const auto plain = plain_number(cell);
-  if (!plain) fail(place, heading(column) + " = " + cell + ": must be a finite number");
+  if (!plain) fail(place, heading(column) + " = " + shortened(cell) + ": must be a finite number");
   if (column.unit.empty() || column.unit == "1") {
     if (unit != "1") fail(place, heading(column) + ": the first line must name " + unit_in_words(unit));
     return *plain;
@@ -166,7 +167,8 @@ std::vector<double> measured_numbers(const MeasuredTable& table, const MeasuredC
   for (std::size_t row = 0; row < table.rows(); ++row) {
     numbers.push_back(measured_number(table, column, row, unit));
     if (!range.contains(numbers.back()))
-      fail(table.place(row), heading(column) + " = " + column.cells[row] + ": " + (rule.empty() ? range.rule() : rule));
+      fail(table.place(row),
+           heading(column) + " = " + shortened(column.cells[row]) + ": " + (rule.empty() ? range.rule() : rule));
   }
   return numbers;
 }

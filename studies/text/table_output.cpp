@@ -7,6 +7,7 @@
 
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
+#include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -25,12 +26,19 @@ std::string in_words(const Cell& cell, std::string_view absent) {
   return std::string(absent);
 }
 
+/// Whether a spreadsheet would compute a text: it begins like a formula and is no number.
+bool is_formula(std::string_view text) {
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+         !plain_number(text);
+}
+
 std::string csv_cell(const Cell& cell) {
   if (std::holds_alternative<std::monostate>(cell)) return "";
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);
   if (const auto* number = std::get_if<double>(&cell))
     return std::isinf(*number) ? (*number > 0 ? "inf" : "-inf") : shortest(*number);
   const std::string& text = std::get<std::string>(cell);
+  if (is_formula(text)) return "\"'" + replaced(text, {{'"', "\"\""}}) + '"';
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   return '"' + replaced(text, {{'"', "\"\""}}) + '"';
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "db/file/temporary_folder.hpp"
 #include "db/merge/merge.hpp"
 #include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
@@ -34,7 +35,7 @@ namespace {
 
 /// A folder with what the files under test name: scene.json, data.csv, moduli.csv, shifts.csv.
 const std::filesystem::path& folder() {
-  static const ScratchFolder scratch;
+  static const TemporaryFolder scratch;
   static const std::filesystem::path path = [] {
     std::ofstream(scratch / "scene.json")
         << R"({"indenter":"cylinder","radius":0.02,"layer_thickness":0.005,"static_shear_modulus":3e6,"stiffening":1,)"
@@ -83,7 +84,7 @@ void read_fit_bytes(std::string_view bytes) {
 void read_line_bytes(std::string_view bytes) {
   static const ReadScene read = replacing_inputs_of((folder() / "scene.json").string());
   const Json line = parse_object(bytes, "line 1");
-  each([&] { read(line, "line 1"); }, [&] { read_whole_scene(line, "line 1"); });
+  each([&] { read(line, "line 1"); }, [&] { whole_scenes()(line, "line 1"); });
 }
 
 void read_csv_bytes(std::string_view bytes) {

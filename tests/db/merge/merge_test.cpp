@@ -3,6 +3,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include "db/file/provenance.hpp"
+#include "db/file/sql_text.hpp"
+#include "db/file/sqlite.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "tests/catch.hpp"
@@ -239,4 +241,46 @@ TEST_CASE("a study of the same name with other points is kept beside the first",
   CHECK(merge_into(folder / "all", folder / "2").studies == 1);
   CHECK(all.points("speeds 2").size() == 4);
   CHECK(all.points("speeds").size() == 2);
+}
+
+TEST_CASE("names of tables and columns of a stranger's file are names, never SQL", "[db][merge]") {
+  const TemporaryDirectory folder;
+  const std::string planted = (folder / "planted").string();
+  const std::string hostile = "x\" TEXT; COMMIT; ATTACH '" + planted + "' AS w; CREATE TABLE w.t(a); BEGIN; --";
+  fill(folder / "all", {evaluation_at(1)});
+  for (const std::string& name : {hostile, std::string("Speed of it"), std::string("_x"), std::string(65, 'a')}) {
+    const auto source = folder / "source";
+    std::filesystem::remove(source);
+    fill(source, {evaluation_at(2)});
+    execute(source, "ALTER TABLE evaluation ADD COLUMN " + quoted_name(name) + " TEXT");
+    const std::string before = dump(folder / "all"), message = message_of([&] { merge_into(folder / "all", source); });
+    CHECK(message == source.string() + ": table evaluation: column \"" + name.substr(0, 64) +
+                         "\": must have a name of at most 64 of a-z, 0-9 and _, a letter first");
+    CHECK(dump(folder / "all") == before);
+  }
+  fill(folder / "newer", {evaluation_at(3)});
+  execute(folder / "newer",
+          "ALTER TABLE evaluation ADD COLUMN \"select\" TEXT DEFAULT 'kept'");  // a key of a later version
+  merge_into(folder / "all", folder / "newer");
+  CHECK(count(folder / "all", "SELECT count(*) FROM evaluation WHERE \"select\" = 'kept'") == 1);
+  for (const char* const file : {"all", "newer"})
+    execute(folder / file, "CREATE TABLE " + quoted_name(hostile) + "(id INTEGER PRIMARY KEY, " +
+                               quoted_name("a \"b\"") + " TEXT UNIQUE)");
+  execute(folder / "newer", "INSERT INTO " + quoted_name(hostile) + " VALUES (7, 'text')");
+  for (int i = 0; i < 2; ++i) merge_into(folder / "all", folder / "newer");
+  CHECK(count(folder / "all", "SELECT count(*) FROM " + quoted_name(hostile)) == 1);
+  CHECK_FALSE(std::filesystem::exists(planted));
+}
+
+TEST_CASE("triggers of a stranger's file do not run, and no other file is opened beside it", "[db][database]") {
+  const TemporaryDirectory folder;
+  fill(folder / "a", {evaluation_at(1)});
+  execute(folder / "a",
+          "CREATE TRIGGER changes AFTER INSERT ON evaluation BEGIN UPDATE evaluation SET rolling_resistance = 7; END");
+  fill(folder / "a", {evaluation_at(2)});
+  CHECK(count(folder / "a", "SELECT count(*) FROM evaluation WHERE rolling_resistance = 7") == 0);
+  const Database file = open_database(folder / "a", Access::write);
+  CHECK_THROWS(file.connection().exec("ATTACH " + quoted_text((folder / "b").string()) + " AS other"));
+  vacuum(file.connection());  // which needs that for a moment
+  CHECK_THROWS(file.connection().exec("ATTACH " + quoted_text((folder / "b").string()) + " AS other"));
 }

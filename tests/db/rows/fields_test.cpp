@@ -156,3 +156,31 @@ TEST_CASE("a failed answer gives way to any, a converged one only to a converged
   CHECK(stored(Status::not_converged, 5, Existing::replaced) == 4);
   CHECK(stored(Status::converged, 6, Existing::replaced) == 6);
 }
+
+TEST_CASE("bytes that would grow beyond what fields are made of are refused before they do", "[db][fields]") {
+  // A stream that holds the beginning of fields and then zeros, a thousand of them in a byte.
+  std::string bytes;
+  z_stream stream{};
+  REQUIRE(deflateInit(&stream, 1) == Z_OK);
+  std::string zeros(1 << 20, '\0'), part(1 << 20, '\0');
+  constexpr int megabytes = 32;
+  for (int i = 0; i <= megabytes; ++i) {
+    stream.next_in = reinterpret_cast<Bytef*>(zeros.data());
+    stream.avail_in = static_cast<uInt>(i < megabytes ? zeros.size() : 0);
+    stream.next_out = reinterpret_cast<Bytef*>(part.data());
+    stream.avail_out = static_cast<uInt>(part.size());
+    deflate(&stream, i < megabytes ? Z_NO_FLUSH : Z_FINISH);
+    bytes.append(part.data(), part.size() - stream.avail_out);
+  }
+  deflateEnd(&stream);
+  CHECK(bytes.size() < 200'000);
+  CHECK_THROWS_WITH(unpacked_fields(fields_format, bytes), "the stored fields are damaged");
+
+  // Fields as regular as that are stored as they are, and return.
+  SurfaceFields still;
+  still.grid = {.spacing_x = 1, .spacing_y = 1, .columns = 1500, .rows = 1500};
+  still.w.assign(1500 * 1500, 0.0);
+  still.zone.assign(1500 * 1500, Zone::free);
+  const std::string stored = packed(still);
+  CHECK(same(unpacked_fields(fields_format, stored), still));
+}

@@ -103,6 +103,10 @@ def hostile():
     assert "NUL" in refusal(lambda: rollres.solve("a\0b"))
     assert "surrogates" in refusal(lambda: rollres.solve(CYLINDER, load="\ud800"))
     refusal(lambda: rollres.sweep({"study": {1}}, "no.db"), TypeError)
+    unmade = rollres.Scene.__new__(rollres.Scene)  # whose __init__ was never called
+    for use in (lambda: unmade.load, lambda: unmade.json(), lambda: rollres.solve(unmade),
+                lambda: rollres.Fields.__new__(rollres.Fields).pressure):
+        assert "never made" in refusal(use, TypeError)
     with tempfile.TemporaryDirectory() as folder:
         rollres.solve_many([CYLINDER], db=folder + "/a.db")
         stored = rollres.open(folder + "/a.db")

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "db/rows/schema.hpp"
+#include "db/rows/study_upkeep.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
@@ -129,4 +131,37 @@ TEST_CASE("a study that stands there defined otherwise is replaced only where th
                                 {true, [&](const Redefinition& redefined) { told = redefined.in_words(); }});
   CHECK(told == "scene.radius 1 -> 2; 1 point of it leaves the study, their rows stay");
   CHECK(ResultStore(file, Access::read).points("study").empty());
+}
+
+TEST_CASE("what did not converge is solved again where that is asked for", "[studies][stored_evaluations]") {
+  const TemporaryDirectory folder;
+  int solved = 0;
+  const auto answer = [&](Retry retry, Status status) {
+    StoredEvaluations evaluations(
+        [&](const RollingScene& scene) {
+          ++solved;
+          RollingSolution solution = closed_form(scene);
+          solution.status = status;
+          return solution;
+        },
+        folder / "results.db", retry);
+    return evaluations(scene_at(0.1)).status;
+  };
+  CHECK(answer(Retry::nothing, Status::not_converged) == Status::not_converged);
+  CHECK(answer(Retry::nothing, Status::converged) == Status::not_converged);
+  CHECK(answer(Retry::failed, Status::converged) == Status::converged);
+  CHECK(solved == 2);
+  CHECK(answer(Retry::failed, Status::not_converged) == Status::converged);
+  CHECK(solved == 2);
+}
+
+TEST_CASE("a study of points that are added one by one and is deleted meanwhile is told",
+          "[studies][stored_evaluations]") {
+  const TemporaryDirectory folder;
+  StoredEvaluations evaluations(closed_form, folder / "results.db", StudyRecord{"mine", {}, "{}"});
+  evaluations(scene_at(0.1));
+  evaluations.flush();
+  delete_study(open_database(folder / "results.db", Access::write), "mine");
+  evaluations(scene_at(0.2));
+  CHECK_THROWS_WITH(evaluations.flush(), Contains("study = mine: was deleted by another process"));
 }

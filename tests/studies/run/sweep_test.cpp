@@ -317,3 +317,24 @@ TEST_CASE("a sweep says that it is ready when its points are recorded and none i
   CHECK(run_sweep(study_of(3), moody(milliseconds(0)), file, options).answered == 6);
   CHECK(told == 1);
 }
+
+TEST_CASE("a study that another process deletes, renames or defines anew meanwhile is told, its answers are stored",
+          "[studies][sweep]") {
+  const std::pair<std::string, std::string> changes[] = {
+      {"DELETE FROM study", "was deleted by another process"},
+      {"UPDATE study SET name = 'theirs'", "was renamed to theirs by another process"},
+      {"DELETE FROM study_point WHERE position > 4", "was defined anew, without 2 of its points, by another process"}};
+  for (const auto& [change, words] : changes) {
+    const TemporaryDirectory folder;
+    const std::filesystem::path file = folder / "a.db";
+    SweepOptions options;
+    options.ready = [&] {
+      SQLite::Database other(file.string(), SQLite::OPEN_READWRITE, 10'000);
+      other.exec("PRAGMA foreign_keys = ON");
+      other.exec(change);
+    };
+    const std::string message = message_of([&] { run_sweep(study_of(3), closed_form, file, options); });
+    CHECK(message.find(file.string() + ": study = speed and load: " + words) == 0);
+    CHECK(count(file, "SELECT count(*) FROM evaluation") == 6);
+  }
+}

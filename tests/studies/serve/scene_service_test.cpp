@@ -1,6 +1,7 @@
 #include "studies/serve/scene_service.hpp"
 
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -8,9 +9,11 @@
 #include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <thread>
 
+#include "core/numerics/solution_limits.hpp"
 #include "studies/serve/unix_socket.hpp"
 #include "studies/text/words.hpp"
 #include "tests/catch.hpp"
@@ -61,6 +64,24 @@ std::string heard(const std::filesystem::path& socket, const std::string& lines)
     text.append(buffer, static_cast<std::size_t>(got));
   ::close(connection);
   return text;
+}
+
+ServeStream served_by(SceneService& service) {
+  return [&](std::istream& in, std::ostream& out, const std::atomic<bool>& gone) { service.serve(in, out, gone); };
+}
+
+/// Solves as long as the wish to stop, which it asks for as solvers do, lets it; then `released` if nobody wishes.
+Evaluate endless(std::atomic<int>& begun, const std::atomic<bool>& released) {
+  return [&](const RollingScene& scene) {
+    if (scene.speed < 1) return closed_form(scene);
+    ++begun;
+    const SolutionLimits limits(1e9);
+    while (!released) {
+      require_time(1);  // asks at once
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return closed_form(scene);
+  };
 }
 
 }  // namespace
@@ -158,8 +179,7 @@ TEST_CASE("programs that connect to a socket are served side by side until the s
   StoredEvaluations evaluations(closed_form);
   SceneService service(evaluations, replacing_inputs_of(cylinder), 2);
   std::atomic<bool> stop = false;
-  std::jthread listening(
-      [&] { serve_socket(socket, stop, [&](std::istream& in, std::ostream& out) { service.serve(in, out); }); });
+  std::jthread listening([&] { serve_socket(socket, stop, served_by(service)); });
   std::string first, second;
   {
     const std::jthread one([&] { first = heard(socket, "{\"id\": 1, \"speed\": 1}\n{\"id\": 2}\n"); });
@@ -169,11 +189,88 @@ TEST_CASE("programs that connect to a socket are served side by side until the s
   CHECK(lines_of(first)[1]["id"] == 2);
   CHECK(lines_of(second)[0].contains("error"));
   CHECK(lines_of(second)[1]["id"] == 4);
-  CHECK_THAT(message_of([&] { serve_socket(socket, stop, [](std::istream&, std::ostream&) {}); }),
+  CHECK_THAT(message_of([&] { serve_socket(socket, stop, served_by(service)); }),
              Contains(socket.string() + ": cannot be listened at: Address already in use"));
   stop = true;
   listening.join();
   CHECK_FALSE(std::filesystem::exists(socket));
+}
+
+TEST_CASE("a client whose scenes take long holds up no other, and they end with it", "[studies][serve]") {
+  std::atomic<int> begun = 0;
+  std::atomic<bool> released = false, gone = false;
+  StoredEvaluations evaluations(endless(begun, released));
+  SceneService service(evaluations, replacing_inputs_of(cylinder), 1);
+  std::istringstream dear_lines("{\"speed\": 1}\n{\"speed\": 2}\n{\"speed\": 3}\n"), cheap_line("{\"speed\": 0.1}\n");
+  std::ostringstream none, answers;
+  std::jthread dear([&] { service.serve(dear_lines, none, gone); });
+  while (begun == 0) std::this_thread::yield();
+  service.serve(cheap_line, answers);
+  CHECK(lines_of(answers.str()).at(0)["status"] == "converged");
+  gone = true;
+  dear.join();
+  CHECK(none.str().empty());
+  CHECK(begun == 1);  // neither of the other two lines
+}
+
+TEST_CASE("a server that is stopped ends what it solves and removes its socket; a dead socket is replaced",
+          "[studies][serve]") {
+  const TemporaryDirectory folder;
+  const std::filesystem::path socket = folder / "rollres.socket";
+  {
+    sockaddr_un address{};  // what a server left behind that was killed
+    address.sun_family = AF_UNIX;
+    std::strcpy(address.sun_path, socket.c_str());
+    const int dead = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    REQUIRE(::bind(dead, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+    ::close(dead);
+  }
+  std::atomic<int> begun = 0;
+  const std::atomic<bool> never = false;
+  std::atomic<bool> stop = false;
+  StoredEvaluations evaluations(endless(begun, never));
+  SceneService service(evaluations, replacing_inputs_of(cylinder), 1);
+  std::jthread listening([&] { serve_socket(socket, stop, served_by(service)); });
+  std::jthread client([&] { heard(socket, "{\"speed\": 1}\n"); });
+  while (begun == 0) std::this_thread::yield();
+  stop = true;
+  listening.join();
+  client.join();
+  CHECK_FALSE(std::filesystem::exists(socket));
+  folder.write("rollres.socket", "no socket");  // any other file stays
+  CHECK_THAT(message_of([&] { serve_socket(socket, stop, served_by(service)); }), Contains("Address already in use"));
+  CHECK(file_text(socket) == "no socket");
+}
+
+TEST_CASE("a line names files of the folder that is given, and no other", "[studies][serve]") {
+  const TemporaryDirectory folder;
+  folder.write("secret.csv", "the secret");
+  const auto files = folder.path / "files";
+  std::filesystem::create_directory(files);
+  std::ofstream(files / "rubber.csv") << "frequency [Hz],storage_modulus [MPa],loss_modulus [MPa]\n1,1,0.2\n10,2,0.5\n";
+  std::filesystem::create_symlink(folder / "secret.csv", files / "link.csv");
+  REQUIRE(::mkfifo((files / "pipe.csv").c_str(), 0600) == 0);
+  const auto read = [](const ReadScene& reader, const std::string& name) {
+    return message_of([&] {
+      reader({{"indenter", "cylinder"},
+              {"radius", 0.1},
+              {"layer_thickness", 0.01},
+              {"speed", 1},
+              {"load", 1000},
+              {"material", "master_curve"},
+              {"master_curve_file", name}},
+             "line 1");
+    });
+  };
+  CHECK(read(whole_scenes(files), "rubber.csv") == "nothing");
+  CHECK(read(whole_scenes(files), (files / "rubber.csv").string()) == "nothing");
+  for (const std::string& name :
+       {(folder / "secret.csv").string(), std::string("../secret.csv"), std::string("link.csv"),
+        std::string("pipe.csv"), std::string("absent.csv"), std::string("/dev/zero")})
+    CHECK(read(whole_scenes(files), name) ==
+          "line 1: master_curve_file = \"" + name + "\": must be a file in the folder of --files");
+  CHECK_THAT(read(whole_scenes(), "rubber.csv"), Contains("only where --files gives a folder"));
+  CHECK_THROWS_WITH(whole_scenes(folder.path / "nowhere"), Contains("--files = ") && Contains("must be a folder"));
 }
 
 TEST_CASE("Dakota's batch of parameters comes back as its results file, in the order of the batch",

@@ -1,9 +1,13 @@
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <thread>
 
+#include "db/file/temporary_folder.hpp"
 #include "db/merge/merge.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
@@ -13,6 +17,7 @@
 #include "studies/text/files.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/table_output.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
@@ -67,13 +72,13 @@ TEST_CASE("names of files that are empty or have a NUL are refused, not cut off"
   CHECK_THROWS_WITH(make_directory(nul), Contains("NUL"));
 }
 
-TEST_CASE("a folder for scratch files that is missing is named", "[studies][hostile]") {
+TEST_CASE("a folder for temporary files that is missing is named", "[studies][hostile]") {
   const char* const before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";
   ::setenv("TMPDIR", "/nowhere/at/all", 1);
   std::string said;
   try {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
   } catch (const std::runtime_error& error) {
     said = error.what();
   }
@@ -112,19 +117,55 @@ TEST_CASE("a database that was deleted takes no more results", "[studies][hostil
   CHECK_THROWS_WITH(store.save({&one, 1}), Contains("a.db: was deleted or replaced"));
 }
 
-TEST_CASE("limits are no part of what an answer is found by, but for the time beside a tolerance",
-          "[studies][hostile]") {
+TEST_CASE("an answer found under a limit is recalled for a scene of this limit alone", "[studies][hostile]") {
   RollingScene scene = plain_scene(1.0);
-  scene.tolerance.reset();
-  const std::string key = evaluation_key(scene);
+  std::set<std::string> keys{evaluation_key(scene)};
   scene.time_limit = 10;
+  keys.insert(evaluation_key(scene));
   scene.memory_limit = 1e9;
-  CHECK(evaluation_key(scene) == key);
-  scene.spacing.reset();
-  scene.tolerance = 1e-3;
-  const std::string limited = evaluation_key(scene);
+  keys.insert(evaluation_key(scene));
   scene.time_limit.reset();
-  CHECK(evaluation_key(scene) != limited);
+  keys.insert(evaluation_key(scene));
+  CHECK(keys.size() == 4);
+}
+
+TEST_CASE("only regular files are replaced: pipes and what links lead to are written to", "[studies][hostile]") {
+  const TemporaryDirectory folder;
+  const auto pipe = folder.path / "pipe", link = folder.path / "link", file = folder.path / "file";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  std::string heard;
+  {
+    const std::jthread listener([&] { heard = whole_file(pipe, 1000); });
+    write_file(pipe, "words");
+  }
+  CHECK(heard == "words");
+  CHECK(std::filesystem::is_fifo(pipe));
+  for (const char* const content : {"one", "another"}) {  // a link that leads nowhere, then to a file
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(file, link);
+    write_file(link, content);
+    CHECK(whole_file(file, 1000) == content);
+    CHECK(std::filesystem::is_symlink(link));
+  }
+  CHECK_THROWS_WITH(write_file(folder.path, "x"),
+                    Contains(folder.path.string() + ": cannot be written: Is a directory"));
+  CHECK_THROWS_WITH(write_file("/dev/full", "x"), Contains("/dev/full: cannot be written: No space left"));
+  // What somebody laid where the temporary file would stand is not written through.
+  const auto part = folder.path / ("file." + std::to_string(::getpid()) + ".part"), victim = folder.path / "victim";
+  write_file(victim, "kept");
+  std::filesystem::create_symlink(victim, part);
+  write_file(file, "new");
+  CHECK(whole_file(victim, 1000) == "kept");
+  CHECK(whole_file(file, 1000) == "new");
+}
+
+TEST_CASE("a text that a spreadsheet would compute is marked as text in CSV, a number stays one",
+          "[studies][hostile]") {
+  Table table;
+  table.columns = {"a", "b"};
+  for (const char* const text : {"=1+2", "+cmd", "-x", "@a", "\tb"}) table.rows.push_back({std::string(text), -1.5});
+  table.rows.push_back({std::string("-1e-3"), std::int64_t{-2}});
+  CHECK(csv_of(table) == "a,b\n\"'=1+2\",-1.5\n\"'+cmd\",-1.5\n\"'-x\",-1.5\n\"'@a\",-1.5\n\"'\tb\",-1.5\n-1e-3,-2\n");
 }
 
 TEST_CASE("a chart bears any name, and a picture that is cut off is an error", "[studies][hostile]") {
