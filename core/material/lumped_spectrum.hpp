@@ -24,8 +24,8 @@ MemoryRange memory_range(double speed, double smallest, double largest);
 /// whose slope under a line force is 1/x, a mean of (ln(V time/x) - 0.577)/(V time) as well. Up to one term either way
 /// is left as it is.
 ///
-/// At frequencies near 1/time of the long ones, and at rest, the compliance is another one. Quotients of compliances must
-/// have the same one on both sides.
+/// At frequencies near 1/time of the long ones, and at rest, the compliance is another one. Quotients of compliances
+/// must have the same one on both sides.
 CreepSpectrum lumped(const CreepSpectrum& spectrum, const MemoryRange& range);
 
 }  // namespace rollres

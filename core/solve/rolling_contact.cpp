@@ -322,6 +322,26 @@ void add_error(double error, RollingSolution& solution) {
   solution.rolling_resistance_error += error * std::abs(solution.rolling_resistance);
 }
 
+/// Why an answer that holds the laws says nothing of the rolling resistance; empty if it does, or where the resistance
+/// is none beside the lever of the load, as an elastic layer's.
+std::string unknown_resistance(const RollingScene& scene, const RollingSolution& solution) {
+  const double resistance = std::abs(solution.rolling_resistance), error = solution.rolling_resistance_error;
+  if (error <= resistance || !resists(scene, solution)) return {};
+  const char* advice = scene.spacing     ? "give a smaller spacing, or a tolerance in its place"
+                       : scene.tolerance ? "give a larger time_limit or memory_limit"
+                                         : "give a tolerance, such as 0.01";
+  return message_text("the rolling resistance, ", solution.rolling_resistance, ", has an estimated error of ", error,
+                      ", more than itself: ", advice);
+}
+
+/// An answer that is none, for a reason.
+RollingSolution without_answer(Method method, std::string reason) {
+  RollingSolution solution;
+  solution.method = method;
+  solution.reason = std::move(reason);
+  return solution;
+}
+
 /// What the expansion of memories in fixed times, on grids of composite surfaces, changes R_r by at most [1].
 double expansion_share(const RollingScene& scene, const RollingSolution& solution) {
   constexpr double amplified = 3;  // phases, of which R_r is made, are worse than compliances
@@ -347,12 +367,8 @@ RollingSolution solve_in_flow(const RollingScene& given, std::optional<FoundZone
     solution.method = resolved_method(model);
     solution.reason = refused;
   }
-  if (const std::string why = solution.status == Status::converged ? doubt(model, solution) : ""; !why.empty()) {
-    const Method method = solution.method;
-    solution = {};
-    solution.method = method;
-    solution.reason = why;
-  }
+  if (const std::string why = solution.status == Status::converged ? doubt(model, solution) : ""; !why.empty())
+    solution = without_answer(solution.method, why);
   if (solution.status == Status::converged) {
     bool missed_said = misses_tolerance(choice.scene, solution);  // by the method
     // No passive layer gives power: what is negative is error.
@@ -367,6 +383,8 @@ RollingSolution solve_in_flow(const RollingScene& given, std::optional<FoundZone
     solution.model = model_of(choice.scene, solution) + note;
     for (const std::string& decision : choice.decisions) solution.model += "; " + decision;
     add_error(choice.left_out + expansion_share(choice.scene, solution), solution);
+    if (std::string why = unknown_resistance(given, solution); !why.empty())
+      return without_answer(solution.method, std::move(why));
     const double half_width = 0.5 * (solution.leading_edge - solution.trailing_edge);
     if (const double error = spectrum_error(choice.scene, half_width); error > 0) {
       add_error(error, solution);

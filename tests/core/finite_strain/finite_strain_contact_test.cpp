@@ -149,7 +149,8 @@ TEST_CASE("an elastic layer at finite strain resists with nothing, whatever its 
   }
 }
 
-TEST_CASE("Yeoh's layer is stiffer or softer than a neo-Hookean one, and the same at small loads", "[core][finite][long]") {
+TEST_CASE("Yeoh's layer is stiffer or softer than a neo-Hookean one, and the same at small loads",
+          "[core][finite][long]") {
   const auto with_yeoh = [](double load, double friction, double second, double third) {
     RollingScene scene = finite_cylinder(load, friction);
     scene.yeoh_second = second;
@@ -363,7 +364,8 @@ TEST_CASE("a body ten thousand contacts wide meets small strains: gaps are no di
   CHECK(relative(finite.approach, small.approach) < 2e-3);
 }
 
-TEST_CASE("a slip zone of few nodes counts in the error of a resistance that is a small difference", "[core][finite][long]") {
+TEST_CASE("a slip zone of few nodes counts in the error of a resistance that is a small difference",
+          "[core][finite][long]") {
   RollingScene scene = finite_cylinder(4.41, 0.28);
   scene.radius = 2.865e-3;
   scene.layer_thickness = 27.22e-6;

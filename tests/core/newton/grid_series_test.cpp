@@ -43,7 +43,8 @@ double roughness(const RollingScene& given, double RollingScene::*input, int ste
 
 }  // namespace
 
-TEST_CASE("a sphere's rolling resistance on tied grids is a smooth function of the inputs", "[core][grid_series][long]") {
+TEST_CASE("a sphere's rolling resistance on tied grids is a smooth function of the inputs",
+          "[core][grid_series][long]") {
   // A node that enters a fixed grid's contact moves R_r by 1e-4 to 1e-3.
   for (double RollingScene::*input :
        {&RollingScene::speed, &RollingScene::layer_thickness, &RollingScene::friction_coefficient})

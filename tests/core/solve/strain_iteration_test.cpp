@@ -89,7 +89,8 @@ TEST_CASE("without a drop the answer is the linear one to all digits, and at a s
   }
 }
 
-TEST_CASE("under a sphere, too, the moduli are those of the strains, and a small load leaves them", "[core][strain][long]") {
+TEST_CASE("under a sphere, too, the moduli are those of the strains, and a small load leaves them",
+          "[core][strain][long]") {
   RollingScene scene = soft_scene(20);
   scene.indenter = Indenter::sphere;
   scene.friction_coefficient = 0.2;

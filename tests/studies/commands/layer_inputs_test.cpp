@@ -308,7 +308,8 @@ TEST_CASE("sensitivities of a scene are also those by its further layers' inputs
   CHECK_THAT(sobol.out, Contains(thickness));
 }
 
-TEST_CASE("a fit finds a coating's modulus from tests on coatings of several thicknesses", "[studies][fit][layers][long]") {
+TEST_CASE("a fit finds a coating's modulus from tests on coatings of several thicknesses",
+          "[studies][fit][layers][long]") {
   const Workshop shop;
   std::string table = "coating_layers[0].layer_thickness [mm],rolling_resistance [N/m]\n";
   for (const double millimetres : {2.0, 4.0, 6.0, 9.0, 13.0, 18.0}) {
