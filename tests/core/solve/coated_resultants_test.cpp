@@ -16,7 +16,7 @@ using namespace rollres;
 
 namespace {
 
-BondedLayer rubber(double thickness) {
+BondedLayer tyre_rubber(double thickness) {
   BondedLayer layer;
   layer.layer_thickness = thickness;
   layer.static_shear_modulus = 1.5e6;
@@ -26,7 +26,7 @@ BondedLayer rubber(double thickness) {
 }
 
 /// A tyre that rolls freely on a hard road.
-RollingScene tyre() {
+RollingScene thin_tyre() {
   RollingScene scene;
   scene.radius = 0.05;
   scene.layer_thickness = 0.01;
@@ -36,39 +36,39 @@ RollingScene tyre() {
   scene.load = 400;
   scene.friction_coefficient = 0.4;
   scene.drive = Drive::free;
-  scene.coating_layers = {rubber(5e-3)};
+  scene.coating_layers = {tyre_rubber(5e-3)};
   return scene;
 }
 
 RollingScene soft_tyre_on_rubber() {
-  RollingScene scene = tyre();
-  static_cast<MaterialInputs&>(scene) = rubber(0.01);
+  RollingScene scene = thin_tyre();
+  static_cast<MaterialInputs&>(scene) = tyre_rubber(0.01);
   scene.static_shear_modulus = 2e6;
   scene.creep_time = 5e-3;
   return scene;
 }
 
-RollingScene sphere(RollingScene scene) {
+RollingScene as_ball(RollingScene scene) {
   scene.indenter = Indenter::sphere;
   scene.load = *scene.load * 5e-3;
   scene.spacing = 0.25e-3;
   return scene;
 }
 
-RollingScene turning(RollingScene scene, double ratio) {
+RollingScene turning_at(RollingScene scene, double ratio) {
   scene.drive = Drive::rotation;
   scene.rotation_ratio = ratio;
   return scene;
 }
 
-double power(const RollingScene& scene, const RollingSolution& solution) {
+double rolling_power(const RollingScene& scene, const RollingSolution& solution) {
   return solution.rolling_resistance * scene.speed;
 }
 
 }  // namespace
 
 TEST_CASE("all resistance of a tyre on a hard road passes through friction", "[core][coated_resultants]") {
-  const RollingScene scene = tyre();
+  const RollingScene scene = thin_tyre();
   const RollingSolution free = converged(scene);
   // By method "finite_strain" with 96 cells in the contact: deformed positions and normals, a cover bent around its
   // core, which makes R_r 2.6 % more; its mesh does not resolve the peak at the edge (15.6 kPa with half as many
@@ -77,7 +77,7 @@ TEST_CASE("all resistance of a tyre on a hard road passes through friction", "[c
   CHECK(free.rotation_ratio - 1 == Approx(-1.3273e-3).epsilon(0.01));
   CHECK(free.frictional_loss == Approx(135.5e-6).epsilon(0.12));
   CHECK(free.peak_shear_x == Approx(17.11e3).epsilon(0.17));
-  CHECK(free.viscous_loss + free.frictional_loss == Approx(power(scene, free)).epsilon(1e-7));
+  CHECK(free.viscous_loss + free.frictional_loss == Approx(rolling_power(scene, free)).epsilon(1e-7));
 
   RollingScene slippery = scene;
   slippery.friction_coefficient = 0.003;
@@ -90,7 +90,7 @@ TEST_CASE("all resistance of a tyre on a hard road passes through friction", "[c
 TEST_CASE("a coated cylinder on a rigid plane is a rigid one on layers, with action and reaction exchanged",
           "[core][coated_resultants]") {
   RollingScene layered;
-  static_cast<MaterialInputs&>(layered) = rubber(5e-3);
+  static_cast<MaterialInputs&>(layered) = tyre_rubber(5e-3);
   layered.layer_thickness = 5e-3;
   layered.radius = 0.05;
   layered.speed = 0.8;
@@ -101,7 +101,7 @@ TEST_CASE("a coated cylinder on a rigid plane is a rigid one on layers, with act
   CAPTURE(name_of(method));
   layered.method = method;
   const RollingSolution expected = converged(layered);
-  RollingScene coated = tyre();
+  RollingScene coated = thin_tyre();
   coated.static_shear_modulus = 1e14;
   coated.load = layered.load;
   coated.kinematics = layered.kinematics;
@@ -110,7 +110,7 @@ TEST_CASE("a coated cylinder on a rigid plane is a rigid one on layers, with act
   coated.speed = layered.speed * expected.rotation_ratio;
   const RollingSolution got = converged(coated);
   CHECK(got.rotation_ratio - 1 == Approx(1 / expected.rotation_ratio - 1).epsilon(2e-3));
-  CHECK(power(coated, got) == Approx(power(layered, expected)).epsilon(1e-4));
+  CHECK(rolling_power(coated, got) == Approx(rolling_power(layered, expected)).epsilon(1e-4));
   CHECK(got.driving_force == Approx(expected.driving_torque / layered.radius).epsilon(1e-4));
   CHECK(got.peak_shear_x == Approx(expected.peak_shear_x).epsilon(1e-3));
   CHECK(got.leading_edge == Approx(expected.leading_edge).epsilon(1e-4));
@@ -118,9 +118,9 @@ TEST_CASE("a coated cylinder on a rigid plane is a rigid one on layers, with act
 
 TEST_CASE("a body whose coating hardly yields is a rigid body", "[core][coated_resultants]") {
   const bool round = GENERATE(false, true);
-  RollingScene coated = round ? sphere(soft_tyre_on_rubber()) : soft_tyre_on_rubber();
+  RollingScene coated = round ? as_ball(soft_tyre_on_rubber()) : soft_tyre_on_rubber();
   const double ratio = GENERATE(1.0, -0.7);
-  if (ratio != 1) coated = turning(coated, ratio);
+  if (ratio != 1) coated = turning_at(coated, ratio);
   CAPTURE(round, ratio);
   if (ratio < 0) coated.method = Method::newton;
   coated.coating_layers[0].static_shear_modulus = 1.5e16;
@@ -136,32 +136,32 @@ TEST_CASE("a body whose coating hardly yields is a rigid body", "[core][coated_r
 TEST_CASE("what drives a coated body is lost inside its layers and in friction", "[core][coated_resultants]") {
   // Layer by layer from strains, each at its own speed of flow; nothing there knows of resultants.
   const auto [ratio, hard] = GENERATE(std::pair(1.0, true), std::pair(0.5, false), std::pair(-0.8, false));
-  RollingScene scene = hard ? tyre() : soft_tyre_on_rubber();
-  if (ratio != 1) scene = turning(scene, ratio);
+  RollingScene scene = hard ? thin_tyre() : soft_tyre_on_rubber();
+  if (ratio != 1) scene = turning_at(scene, ratio);
   if (ratio < 0) scene.method = Method::newton;
   scene.interior = Interior::on;
   CAPTURE(ratio, hard);
   const RollingSolution solution = converged(scene);
   const double tolerance = ratio == 1 ? 1e-4 : 1e-3;
   CHECK(solution.interior_loss == Approx(solution.viscous_loss).epsilon(ratio == 1 ? 1e-4 : 5e-3));
-  CHECK(solution.interior_loss + solution.frictional_loss == Approx(power(scene, solution)).epsilon(tolerance));
+  CHECK(solution.interior_loss + solution.frictional_loss == Approx(rolling_power(scene, solution)).epsilon(tolerance));
 }
 
 TEST_CASE("a turning coated sphere without friction loses what its layers do", "[core][coated_resultants]") {
   const double ratio = GENERATE(-0.8, 0.3);
-  RollingScene scene = turning(sphere(soft_tyre_on_rubber()), ratio);
+  RollingScene scene = turning_at(as_ball(soft_tyre_on_rubber()), ratio);
   scene.friction_coefficient = 0;
   scene.interior = Interior::on;
   CAPTURE(ratio);
   const RollingSolution solution = converged(scene);
   // Of a coarse grid, as the inside of it.
-  CHECK(solution.interior_loss == Approx(power(scene, solution)).epsilon(0.02));
+  CHECK(solution.interior_loss == Approx(rolling_power(scene, solution)).epsilon(0.02));
   CHECK(solution.rolling_resistance > 0);
 }
 
 TEST_CASE("the derivative of a coating's moment is that of its differences", "[core][coated_resultants]") {
   const bool round = GENERATE(false, true);
-  RollingScene scene = round ? sphere(soft_tyre_on_rubber()) : soft_tyre_on_rubber();
+  RollingScene scene = round ? as_ball(soft_tyre_on_rubber()) : soft_tyre_on_rubber();
   if (!round) scene.spacing = 0.1e-3;
   scene.method = Method::newton;
   scene.coating_layers[0].poisson_ratio = 0.3;  // with a cross term in short waves
