@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/convolution/influence_operator.hpp"
 #include "core/edge/edge_correction.hpp"
 #include "core/newton/contact_problem.hpp"
+#include "core/newton/law_rows.hpp"
 #include "core/newton/newton_system.hpp"
 
 namespace rollres {
@@ -57,6 +59,21 @@ struct ContactPowers {
 /// @param moved u and v may be empty without friction   @param zone of every node of the problem's (half) grid
 ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const Displacements& coating,
                              const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
+
+// What a coating takes: M of (N3b), and what the linearised drive has of it.
+
+/// The coating's part of the displacements; empty without one.
+Displacements moved_coating(const InfluenceOperator& influence, const ContactUnknowns& x);
+
+/// M = sum A p c_x, c_x by central differences, so that an elastic coating takes nothing by itself [N]; 0 without one.
+double coating_moment(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x);
+
+/// The derivative of M times what the drive's row has of it; empty where it has nothing.
+TractionRow coating_in_drive_row(const ContactProblem& problem, const InfluenceOperator& influence,
+                                 const ContactUnknowns& x);
+
+/// The same of M alone. @pre there is a coating
+TractionRow moment_row(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x);
 
 /// Changes a solution's rolling resistance, and what drives the body with it.
 void add_resistance(const RollingScene& scene, double change, RollingSolution& solution);

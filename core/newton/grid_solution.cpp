@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/messages/message_text.hpp"
-#include "core/newton/coating_power.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/surface/contact_surface.hpp"
 #include "core/surface/scene_rules.hpp"

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
-#include "core/newton/coating_power.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/friction_limit.hpp"
 #include "core/newton/newton_starts.hpp"

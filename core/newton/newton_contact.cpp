@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/newton/coating_power.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {

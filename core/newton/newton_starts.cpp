@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/newton/coating_power.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/newton/rotation_path.hpp"
 
 namespace rollres {

@@ -192,8 +192,12 @@ Pair other_words(Dice& dice, RollingScene scene) {
 
 double power_of_two(Dice& dice, int most) { return std::ldexp(1.0, dice.choice(2 * most + 1) - most); }
 
+/// Equal but for rounding of logarithms of times, which memories many decades apart amplify: up to 8e-7 of an approach.
 Pair scaled(const RollingScene& scene, const UnitFactors& factors) {
-  return RelatedScenes{.one = scene, .other = known(in_units(scene, factors)), .factors = factors, .strict = true};
+  RelatedScenes pair{.one = scene, .other = known(in_units(scene, factors)), .factors = factors};
+  pair.exact = 1e-6;
+  pair.strict = true;
+  return pair;
 }
 
 Pair all_scaled(Dice& dice, RollingScene scene) {

@@ -193,27 +193,27 @@ TEST_CASE("the edge's slip is trusted the less the more compressible what meets 
 }
 
 TEST_CASE("a slip zone narrower than its cells is in the estimate, though grids agree on it", "[core][grid_error]") {
-  RollingScene scene;  // a coated sphere that resists with 4e-4 of its load's lever, nearly all of it sticking
+  RollingScene scene;  // a sphere on two layers that resists with 1e-3 of its load's lever, nearly all of it sticking
   scene.indenter = Indenter::sphere;
   scene.radius = 0.361;
-  scene.layer_thickness = 3.53e-3;
-  scene.static_shear_modulus = 2.52e6;
-  scene.stiffening = 1.79;
-  scene.creep_time = 16;
+  scene.material = MaterialModel::elastic;
+  scene.layer_thickness = 6.64e-3;
+  scene.static_shear_modulus = 5.07e5;
+  scene.poisson_ratio = 0.28;
   scene.speed = 6.74e-3;
   scene.load = 2512;
   scene.friction_coefficient = 0.179;
   scene.inertia = Inertia::off;
-  BondedLayer coating;
-  coating.material = MaterialModel::elastic;
-  coating.static_shear_modulus = 5.07e5;
-  coating.poisson_ratio = 0.28;
-  coating.layer_thickness = 6.64e-3;
-  scene.coating_layers = {coating};
+  BondedLayer lower;
+  lower.layer_thickness = 3.53e-3;
+  lower.static_shear_modulus = 2.52e6;
+  lower.stiffening = 1.79;
+  lower.creep_time = 16;
+  scene.lower_layers = {lower};
   const RollingSolution solution = solve(scene);
-  constexpr double limit = 0.1286;  // by cells of a third of these, certain to 0.3 %
+  constexpr double limit = 0.3419;  // by cells of a quarter of these, 0.34114, whose own error is a quarter or less
   const double error = std::abs(solution.rolling_resistance - limit);
-  CHECK(error > 0.02 * limit);
+  CHECK(error > 0.01 * limit);
   CHECK(error < solution.rolling_resistance_error);
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/newton/coating_power.hpp"
+#include "core/newton/contact_powers.hpp"
 #include "core/newton/nested_newton.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/contact_surface.hpp"
