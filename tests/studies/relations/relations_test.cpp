@@ -55,7 +55,7 @@ constexpr Spectra tried_spectra = Spectra::wide;
 
 TEST_CASE("answers to random cylinders obey the relations that hold between them", "[studies][relations]") {
   for (const Relation& one : relations())
-    for (const std::uint64_t seed : {2, 3, 5, 6})  // of which none takes long
+    for (const std::uint64_t seed : {2, 6})  // which take some seconds
       check_relation(one, Indenter::cylinder, seed, tried_spectra);
 }
 

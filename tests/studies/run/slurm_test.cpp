@@ -17,7 +17,7 @@ namespace {
 const char* const both_bodies = R"({"study": "both bodies", "scene":
   {"indenter": "sphere", "radius": "2 cm", "layer_thickness": "5 mm", "static_shear_modulus": "3 MPa", "stiffening": 1,
    "creep_time": "0.25 s", "speed": "5 cm/s", "load": 300, "friction_coefficient": 0.2, "spacing": "0.25 mm"},
-  "axes": {"indenter": ["sphere", "cylinder"], "load": [600, 900],
+  "axes": {"indenter": ["sphere", "cylinder"], "load": [1200, 2000],
            "speed": {"from": "1 mm/s", "to": "10 m/s", "points": 10, "spacing": "logarithmic"}}})";
 
 /// Some tenths of a second for each point.
