@@ -53,7 +53,7 @@ RollingSolution dimensional(const RollingScene& scene, double bias) {
 /// The materials of the scenes below.
 constexpr Spectra tried_spectra = Spectra::wide;
 
-TEST_CASE("answers to random cylinders obey the relations that hold between them", "[studies][relations]") {
+TEST_CASE("answers to random cylinders obey the relations that hold between them", "[studies][relations][long]") {
   for (const Relation& one : relations())
     for (const std::uint64_t seed : {2, 6})  // which take some seconds
       check_relation(one, Indenter::cylinder, seed, tried_spectra);
