@@ -19,6 +19,7 @@ struct Row {
       spacing;
   Drive drive;
   double given;
+  bool resistance_known = true;  // false: less than its error, so that the answer is refused after the contact is found
 };
 
 RollingScene scene_of(Indenter indenter, const Row& row) {
@@ -40,11 +41,9 @@ RollingScene scene_of(Indenter indenter, const Row& row) {
   return scene;
 }
 
-/// Where the contact is found, but resists with a small difference of large forces, the reason says so.
 void check_converged(const RollingScene& scene) {
   const RollingSolution s = solve(scene);
   INFO("friction " << scene.friction_coefficient << ", radius " << scene.radius << ": " << s.reason);
-  if (s.reason.find("has an estimated error of") != std::string::npos) return;
   CHECK(s.status == Status::converged);
   CHECK(s.law_violation < 1e-8);
 }
@@ -122,7 +121,8 @@ TEST_CASE("a cylinder whose friction draws a thin layer aside is solved at any r
        .friction_coefficient = 1.008,
        .spacing = 0.002443,
        .drive = Drive::top_force,
-       .given = 0},
+       .given = 0,
+       .resistance_known = false},
       {.radius = 0.1063,
        .layer_thickness = 0.001699,
        .static_shear_modulus = 1.768e5,
@@ -134,7 +134,13 @@ TEST_CASE("a cylinder whose friction draws a thin layer aside is solved at any r
        .spacing = 0.001406,
        .drive = Drive::rotation,
        .given = -8.497}};
-  for (const Row& row : rows) check_converged(scene_of(Indenter::cylinder, row));
+  for (const Row& row : rows) {
+    const RollingScene scene = scene_of(Indenter::cylinder, row);
+    if (row.resistance_known)
+      check_converged(scene);
+    else
+      CHECK(solve(scene).reason.find("has an estimated error of") != std::string::npos);
+  }
 }
 
 TEST_CASE(
