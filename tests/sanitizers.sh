@@ -8,7 +8,10 @@
 # undefined-behaviour sanitizer has besides, half of the compiler's time, are off. Needs what tests/run.sh has installed
 # and built. The last line says what was found; the exit status is 0 if nothing was.
 set -u
+script=tests/sanitizers.sh
 cd "$(dirname "$0")/.." || exit 1
+. ./studies/setup.sh
+temporary_files_in_memory
 trouble=
 
 # Builds a preset's program and tests, and shows the compiler's words if that fails.
@@ -34,15 +37,44 @@ export ROLLRES_THIN=1 UBSAN_OPTIONS=print_stacktrace=1
 export ASAN_OPTIONS=detect_stack_use_after_return=0:allocator_may_return_null=0:detect_leaks=0
 export TSAN_OPTIONS="exitcode=66:suppressions='$PWD/tests/tsan.txt'"
 
+# Prints what a run said that matters.
 reports='ERROR: AddressSanitizer\|runtime error\|Assertion .* failed'
+show() { sed -n "/$reports\|tests passed\|FAILED:\$/p;/The following tests FAILED/,\$p" "$@"; }
+
+# The tests of Catch2 in processes of some thirty tests each, as a process takes half a second to start with the address
+# sanitizer. Of a process that fails, each test runs once more, alone: what fails then is shown, and the status is 1. With a
+# report in the first run it is 1, too.
+suite() {
+  tests=$PWD/build/asan/tests/rollres_tests parts=build/asan/parts
+  rm -rf "$parts" && mkdir "$parts"
+  "$tests" --list-test-names-only "~[python]~[long]" >"$parts/names"
+  [ -s "$parts/names" ] || return
+  split --number=r/$(($(wc -l <"$parts/names") / 30 + 1)) "$parts/names" "$parts/part."
+  run='timeout 1800 "$0" --input-file "$1" >"$1.log" 2>&1 || mv "$1" "$1.failed"'
+  ls "$parts"/part.* | xargs -n 1 -P "$(nproc)" sh -c "$run" "$tests"
+  printf '%s tests in %s processes\n' "$(wc -l <"$parts/names")" "$(ls "$parts"/*.log | wc -l)"
+  ended=0
+  for part in "$parts"/*.failed; do
+    [ -e "$part" ] || continue
+    ! grep -q "$reports" "${part%.failed}.log" || ended=1
+    show "${part%.failed}.log"
+    while read -r name; do
+      printf '%s\n' "$name" >"$parts/alone"
+      timeout 1800 "$tests" --input-file "$parts/alone" >"$parts/alone.log" 2>&1 </dev/null && continue
+      printf 'failed: %s\n' "$name"
+      show "$parts/alone.log"
+      ended=1
+    done <"$part"
+  done
+  return $ended
+}
+
 if build asan rollres_fuzz; then
   say_time "address and undefined behaviour built"
-  suite() { ctest --test-dir build/asan --timeout 1800 --output-on-failure "$@" >>build/asan-tests.log 2>&1; }
-  : >build/asan-tests.log
-  # What fails without a report may have been late: it runs once more, alone.
-  suite --parallel "$(nproc)" --no-tests=error || { ! grep -q "$reports" build/asan-tests.log && suite --rerun-failed; } ||
-    trouble="$trouble the suite fails under address and undefined-behaviour sanitizers;"
-  sed -n "/$reports\|tests passed\|FAILED:\$/p;/The following tests FAILED/,\$p" build/asan-tests.log
+  suite || trouble="$trouble the suite fails under address and undefined-behaviour sanitizers;"
+  ctest --test-dir build/asan --parallel "$(nproc)" --no-tests=error --timeout 1800 --output-on-failure \
+    >build/asan-tests.log 2>&1 || trouble="$trouble random input fails under address and undefined-behaviour sanitizers;"
+  show build/asan-tests.log
   say_time "suite run"
 fi
 
@@ -59,12 +91,17 @@ if build tsan; then
   say_time "threads built"
   folder=$(mktemp -d) || exit 1
   trap 'rm -rf "$folder"' EXIT
-  for tests in "[parallel]" "~[python]~[limits]*threads*" "*thread that*"; do
-    $plain_addresses build/tsan/tests/rollres_tests "$tests" >"$folder/out" 2>&1 && tail -n 2 "$folder/out" || {
-      cat "$folder/out"
-      trouble="$trouble the tests $tests fail under the thread sanitizer;"
-    }
-  done
+  # Beside the commands, as they seldom use all cores.
+  (
+    ended=0
+    for tests in "[parallel]" "~[python]~[limits]*threads*" "*thread that*"; do
+      $plain_addresses build/tsan/tests/rollres_tests "$tests" >"$folder/test" 2>&1 && tail -n 2 "$folder/test" || {
+        cat "$folder/test"
+        ended=1
+      }
+    done
+    exit $ended
+  ) >"$folder/tests" &
   cat >"$folder/study.json" <<'STUDY'
 {"study": "threads", "scene": {"indenter": "cylinder", "radius": 0.02, "layer_thickness": 0.005, "static_shear_modulus": 3e6,
   "stiffening": 1, "creep_time": 0.25, "speed": 0.05, "load": 100, "friction_coefficient": 0.2},
@@ -76,8 +113,10 @@ STUDY
   threads solve studies/examples/paper_sphere.json --set "spacing=0.08 mm"
   threads fit studies/examples/fit_cylinder.json --db "$folder/f.db" --jobs 8
   threads gradient studies/examples/paper_cylinder.json --inputs speed,layer_thickness --jobs 8
+  wait $! || trouble="$trouble tests of threads fail under the thread sanitizer;"
+  cat "$folder/tests"
   say_time "threads run"
 fi
 
-[ -n "$trouble" ] && echo "SANITIZERS FOUND:$trouble see above and build/asan-tests.log" && exit 1
+[ -n "$trouble" ] && echo "SANITIZERS FOUND:$trouble see above, build/asan/parts and build/asan-tests.log" && exit 1
 echo "sanitizers: nothing found"

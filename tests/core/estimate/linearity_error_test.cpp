@@ -29,7 +29,7 @@ std::string warnings_text(const RollingSolution& solution) {
 
 }  // namespace
 
-TEST_CASE("what the linear theory misses is told within its scatter", "[core][estimate][linearity_error]") {
+TEST_CASE("what the linear theory misses is told within its scatter", "[core][estimate][linearity_error][long]") {
   // The reference is method finite_strain; none of the scenes was used for the formula's factors. A wrong factor, a
   // wrong loss modulus or a formula used at another load fails it.
   struct Case {

@@ -294,7 +294,7 @@ TEST_CASE("friction at finite strain obeys the drive, and braking balances its p
   CHECK(relative(locked.driving_torque, -0.2 * 20e3 * 0.02) < 0.2);
 }
 
-TEST_CASE("loads and approaches agree, up to a third of the layer", "[core][finite]") {
+TEST_CASE("loads and approaches agree, up to a third of the layer", "[core][finite][long]") {
   for (const double share : {0.1, 0.3}) {
     RollingScene scene = finite_cylinder(1, 0);
     scene.load.reset();

@@ -131,7 +131,7 @@ TEST_CASE("an elastic half-space answers a moving load in each direction as wave
   }
 }
 
-TEST_CASE("a line of moving forces is a moving line load", "[core][moving_load]") {
+TEST_CASE("a line of moving forces is a moving line load", "[core][moving_load][long]") {
   for (const bool viscoelastic : {false, true}) {
     CAPTURE(viscoelastic);
     RollingScene scene = with_inertia(0.7);
@@ -157,7 +157,7 @@ TEST_CASE("a line of moving forces is a moving line load", "[core][moving_load]"
   }
 }
 
-TEST_CASE("a moving force is one of a train far apart", "[core][moving_load]") {
+TEST_CASE("a moving force is one of a train far apart", "[core][moving_load][long]") {
   // A train has the exact compliance of every wave, without expansions to 1e-5; its sum is truncated, which tells at
   // the loaded cell and along the axes through it.
   RollingScene scene = with_inertia(0.5);
@@ -193,7 +193,7 @@ TEST_CASE("a moving force is one of a train far apart", "[core][moving_load]") {
 }
 
 TEST_CASE("moving loads: a layer on a half-space of its own material is that half-space, two equal layers are one",
-          "[core][moving_load]") {
+          "[core][moving_load][long]") {
   RollingScene half_space = with_inertia(0.6);
   half_space.material = MaterialModel::zener;
   half_space.stiffening = 4;

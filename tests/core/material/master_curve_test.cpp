@@ -118,7 +118,7 @@ RollingScene on_rows(RollingScene scene, MasterCurve curve, double noise, std::u
 }  // namespace
 
 TEST_CASE("the rolling resistance on the exact master curve of a Prony solid is the solid's own, within the estimate",
-          "[core][material][rolling_contact]") {
+          "[core][material][rolling_contact][long]") {
   for (const PronySeries& series : known_solids())
     for (const double speed : {0.001, 0.03, 0.5, 20.0}) {
       const RollingScene solid = on_solid(series, speed);
@@ -160,7 +160,7 @@ struct Coverage {
 
 TEST_CASE(
     "on rows with 2 % noise 95 % of all rolling resistances lie within the estimate, which is of their error's size",
-    "[core][material][rolling_contact]") {
+    "[core][material][rolling_contact][long]") {
   Coverage coverage;
   for (const PronySeries& series : known_solids())
     for (const double speed : {0.001, 0.5, 20.0}) {
@@ -175,7 +175,7 @@ TEST_CASE(
 }
 
 TEST_CASE("ten terms of a solid, which noise makes look like a smooth spectrum, lie within the estimate",
-          "[core][material][rolling_contact]") {
+          "[core][material][rolling_contact][long]") {
   PronySeries series{1e6, {}};
   for (int j = 0; j < 10; ++j)
     series.terms.push_back({2e6 * std::pow(10.0, -0.12 * j), std::pow(10.0, -4.5 + 0.9 * j)});
@@ -193,7 +193,7 @@ TEST_CASE("ten terms of a solid, which noise makes look like a smooth spectrum, 
 }
 
 TEST_CASE("a rubber's few rows over fifteen decades, with 5 % noise, give the rolling resistance within the estimate",
-          "[core][material][rolling_contact]") {
+          "[core][material][rolling_contact][long]") {
   const MaterialInputs rubber = filled_rubber();
   const FractionalZener fractional{2e6, 300, 1e-3, 0.3};  // stiffens and loses about as that rubber
   Coverage coverage;

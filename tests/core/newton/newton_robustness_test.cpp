@@ -222,7 +222,7 @@ TEST_CASE("a sphere that slides all over, but not everywhere one way, is solved"
 }
 
 TEST_CASE("a cylinder that friction makes dig itself in is refused down to the friction that it bears",
-          "[core][newton_robustness]") {
+          "[core][newton_robustness][long]") {
   RollingScene scene = scene_of(Indenter::cylinder, {.radius = 0.06227,
                                                      .layer_thickness = 0.003358,
                                                      .static_shear_modulus = 1.02e5,

@@ -42,7 +42,7 @@ TEST_CASE("the paper's algorithm with projected friction solves the paper's sphe
   CHECK(found.law_violation < 1e-9);
 }
 
-TEST_CASE("without friction the paper's examples resist with 371.2 N/m and 3.026 N", "[core][active_set]") {
+TEST_CASE("without friction the paper's examples resist with 371.2 N/m and 3.026 N", "[core][active_set][long]") {
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
     RollingScene scene = paper_scene(indenter);
     scene.friction_coefficient = 0;

@@ -147,7 +147,7 @@ TEST_CASE("what drives a coated body is lost inside its layers and in friction",
   CHECK(solution.interior_loss + solution.frictional_loss == Approx(rolling_power(scene, solution)).epsilon(tolerance));
 }
 
-TEST_CASE("a turning coated sphere without friction loses what its layers do", "[core][coated_resultants]") {
+TEST_CASE("a turning coated sphere without friction loses what its layers do", "[core][coated_resultants][long]") {
   const double ratio = GENERATE(-0.8, 0.3);
   RollingScene scene = turning_at(as_ball(soft_tyre_on_rubber()), ratio);
   scene.friction_coefficient = 0;

@@ -138,7 +138,7 @@ TEST_CASE("a hard core of a coating is taken as the body's, and layers that matt
   CHECK(change_of_resistance(soft, choose_model(soft).scene) < choose_model(soft).left_out);
 }
 
-TEST_CASE("layers left out of random scenes change the resistance by less than is said", "[core][model_choice]") {
+TEST_CASE("layers left out of random scenes change the resistance by less than is said", "[core][model_choice][long]") {
   std::mt19937_64 random(20);
   const auto between = [&](double low, double high) {
     return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random));

@@ -38,7 +38,7 @@ TEST_CASE("the cylinder of Zehil and Gavin has the resistance of two independent
 }
 
 TEST_CASE("the estimate itself meets a tolerance, also with a given rotation and compressible layers",
-          "[core][spectral]") {
+          "[core][spectral][long]") {
   RollingScene scene = gridless_cylinder(0.2);
   scene.drive = Drive::rotation;
   scene.poisson_ratio = 0.3;
@@ -250,7 +250,7 @@ TEST_CASE("on an elastic layer a driven cylinder has the edges and the borders o
 }
 
 TEST_CASE("memories that a tolerance lets count as elastic cost what is said under layers that differ",
-          "[core][spectral]") {
+          "[core][spectral][long]") {
   RollingScene scene;
   scene.radius = 0.116;
   scene.layer_thickness = 4.5e-3;

@@ -19,7 +19,7 @@ std::vector<MeasuredScene> thirty_values() {
 
 }  // namespace
 
-TEST_CASE("95 % intervals of 200 noisy data sets hold the truth in 90 to 98 %", "[fitting][coverage]") {
+TEST_CASE("95 % intervals of 200 noisy data sets hold the truth in 90 to 98 %", "[fitting][coverage][long]") {
   // A quick closed form in place of the solver. 3 sigma of a count of 200 at 95 % is 4.6 %.
   FitProblem problem = resistance_problem(thirty_values(), zener_inputs(), quick_resistance, {.jobs = 1});
   for (const bool known : {true, false}) {

@@ -57,7 +57,7 @@ Eigen::VectorXd largest_move(const FitReport& report) {
 }  // namespace
 
 TEST_CASE("data of a fine grid give a cylinder's material back within that grid's stated error",
-          "[fitting][resistance_fit][solver]") {
+          "[fitting][resistance_fit][solver][long]") {
   std::vector<RollingScene> scenes;
   for (const double load : {1e4, 2e4})
     for (const double speed : spread_speeds(0.008, 2, 6))

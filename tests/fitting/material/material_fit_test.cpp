@@ -69,7 +69,7 @@ TEST_CASE("non-negative least squares obey the conditions of Kuhn and Tucker", "
   }
 }
 
-TEST_CASE("moduli of a fractional Zener solid give it back, with a WLF shift", "[fitting][material_fit]") {
+TEST_CASE("moduli of a fractional Zener solid give it back, with a WLF shift", "[fitting][material_fit][long]") {
   const FractionalZener truth{1e6, 300, 2, 0.5};
   const TemperatureShift shift{ShiftLaw::wlf, 293.15, 8.86, 101.6, 0};
   const auto data = measured_moduli(truth, 0.02, {273.15, 293.15, 313.15}, shift);
@@ -84,7 +84,7 @@ TEST_CASE("moduli of a fractional Zener solid give it back, with a WLF shift", "
 }
 
 TEST_CASE("a Prony series with a number of terms of its own follows a fractional solid to the noise",
-          "[fitting][material_fit]") {
+          "[fitting][material_fit][long]") {
   const FractionalZener truth{1e6, 300, 2, 0.5};
   const auto data = measured_moduli(truth, 0.01);
   const MaterialFit found = fit_material(data, {.options = {.profiles = false}});
@@ -134,7 +134,7 @@ TEST_CASE("a Zener solid's moduli at two temperatures give it back with Arrheniu
 }
 
 TEST_CASE("a Zener solid is found from moduli at several temperatures whatever its time and its shift",
-          "[fitting][material_fit]") {
+          "[fitting][material_fit][long]") {
   const TemperatureShift wlf{ShiftLaw::wlf, 293.15, 12, 80, 0};
   const TemperatureShift vft{.law = ShiftLaw::vft, .reference = 293.15, .vft_b = 900, .vft_temperature = 230};
   TemperatureShift table{.law = ShiftLaw::table, .reference = 293.15};

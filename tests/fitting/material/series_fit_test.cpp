@@ -40,7 +40,7 @@ TEST_CASE("relaxation times lie in the middle of even steps over the frequencies
   CHECK(wide.back() == Approx(std::pow(10, 2.5)));
 }
 
-TEST_CASE("a wide curve has as many terms as it asks for, found in few evaluations", "[fitting][material_fit]") {
+TEST_CASE("a wide curve has as many terms as it asks for, found in few evaluations", "[fitting][material_fit][long]") {
   const auto data = drawn_moduli(FractionalZener{1e6, 1000, 1e-3, 0.25}, 0.02, 1e-10, 1e16, 206);
   const MaterialFit found = fit_material(data, {});
   CHECK(found.prony.terms.size() > 20);
@@ -53,7 +53,7 @@ TEST_CASE("a wide curve has as many terms as it asks for, found in few evaluatio
   }
 }
 
-TEST_CASE("a hundred terms cost as few evaluations as ten", "[fitting][material_fit]") {
+TEST_CASE("a hundred terms cost as few evaluations as ten", "[fitting][material_fit][long]") {
   const auto data = drawn_moduli(FractionalZener{1e6, 1000, 1e-3, 0.25}, 0.02, 1e-10, 1e16, 206);
   for (const int terms : {10, 100}) CHECK(fit_material(data, {.terms = terms}).report.evaluations < 100);
 }
@@ -74,7 +74,7 @@ TEST_CASE("few terms that are asked for have free times, and come back", "[fitti
              Catch::Contains("need a number of terms from 1 to 10"));
 }
 
-TEST_CASE("intervals of a series' moduli hold the truth as often as they say", "[fitting][material_fit]") {
+TEST_CASE("intervals of a series' moduli hold the truth as often as they say", "[fitting][material_fit][long]") {
   // Times as the series has them, so that it is the true model; 60 draws of 5 moduli, 95 % of 300.
   const auto frequencies = drawn_moduli(PronySeries{1e6, {{1e6, 1}}}, 0, 1e-2, 1e3, 25);
   PronySeries truth{1e6, {}};

@@ -50,7 +50,7 @@ TEST_CASE("the example of measured moduli is fitted", "[studies][fit]") {
   CHECK_THAT(answer["warnings"].dump(), Catch::Contains("leave the loss modulus between them open"));
 }
 
-TEST_CASE("a fitted material is written as a scene with all digits, and kept in the store", "[studies][fit]") {
+TEST_CASE("a fitted material is written as a scene with all digits, and kept in the store", "[studies][fit][long]") {
   const TemporaryDirectory directory;
   const std::string file = (source_directory() / "studies/examples/fit_rubber.json").string();
   const std::string database = (directory / "m.db").string(), scene = (directory / "new/scene.json").string();

@@ -107,7 +107,7 @@ TEST_CASE("a scene without an answer says so and ends with exit status 1", "[stu
   }
 }
 
-TEST_CASE("fields are written for each node with units in the header", "[studies][commands]") {
+TEST_CASE("fields are written for each node with units in the header", "[studies][commands][long]") {
   const TemporaryDirectory directory;
   const auto out = directory.path / "a" / "b";
   CHECK(run_rollres({"solve", cylinder, "--fields", out.string()}, made_up).status == 0);

@@ -106,7 +106,7 @@ TEST_CASE("random scenes of Zener solids keep the rules, cover their ranges and 
 }
 
 TEST_CASE("random scenes with wide spectra keep the rules and have every material, half-spaces and several layers",
-          "[studies][stability]") {
+          "[studies][stability][long]") {
   std::map<std::string, int> kinds;
   std::size_t most_terms = 0;
   double most_decades = 0;
@@ -133,7 +133,7 @@ TEST_CASE("random scenes with wide spectra keep the rules and have every materia
 }
 
 TEST_CASE("every second random scene has wide spectra, the others what they have among Zener solids alone",
-          "[studies][stability]") {
+          "[studies][stability][long]") {
   int zener = 0;
   for (std::size_t number = 0; number < 100; ++number) {
     const std::string both = scene_json(stability_scene(Indenter::sphere, 3, number));

@@ -198,7 +198,7 @@ TEST_CASE("a stability run that is stopped keeps what was solved until then", "[
   CHECK(spheres <= 5);
 }
 
-TEST_CASE("a failed scene is a scene file that reads back as the same scene", "[studies][stability]") {
+TEST_CASE("a failed scene is a scene file that reads back as the same scene", "[studies][stability][long]") {
   for (std::size_t number = 0; number < 40; ++number)
     for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
       Trial trial;

@@ -74,7 +74,7 @@ TEST_CASE("commands, options, choices, keys and stored studies are completed", "
   CHECK(offered({"film", "--db", file, "--study", "w"}) == "words;wheel 2;");
 }
 
-TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][completion]") {
+TEST_CASE("bash, fish and zsh offer what the program tells them", "[studies][completion][long]") {
   const TemporaryDirectory directory;
   std::filesystem::create_symlink(rollres_program(), directory / "rollres");
   const std::string path = "PATH=" + directory.path.string() + ":$PATH HOME=" + directory.path.string() + " ";

@@ -59,7 +59,7 @@ TEST_CASE("answers to random cylinders obey the relations that hold between them
       check_relation(one, Indenter::cylinder, seed, tried_spectra);
 }
 
-TEST_CASE("answers to random spheres obey the relations that hold between them", "[studies][relations]") {
+TEST_CASE("answers to random spheres obey the relations that hold between them", "[studies][relations][long]") {
   for (const char* name : {"cut in two", "term split", "term unseen", "scaled", "given back"})
     check_relation(relation(name), Indenter::sphere, 2, tried_spectra);
 }

@@ -39,7 +39,7 @@ TEST_CASE("what is inside the layers is written as tables and as a grid for Para
   CHECK_FALSE(has_interior(scene, solution));
 }
 
-TEST_CASE("a sphere's inside is written as a section at y = 0 and as faces", "[studies][fields]") {
+TEST_CASE("a sphere's inside is written as a section at y = 0 and as faces", "[studies][fields][long]") {
   RollingScene scene = paper_sphere();
   scene.spacing = 0.5e-3;
   const RollingSolution solution = solve(scene);
