@@ -96,15 +96,85 @@ SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half)
 }
 
 double amplitude_of(const ArrayXXd& states) {
-  const auto farthest = [&](Index first, const auto& from) {
-    ArrayXd distance = ArrayXd::Zero(states.rows() - first);
-    for (Index c = 0; c < states.cols(); ++c) distance += (states.col(c).tail(distance.size()) - from(c)).square();
-    return distance.maxCoeff();
+  ArrayXXd all(states.rows() + 1, states.cols());
+  all << states, ArrayXXd::Zero(1, states.cols());
+  const auto squares_from = [&](const Eigen::Array<double, 1, Eigen::Dynamic>& from) {
+    ArrayXd squares = ArrayXd::Zero(all.rows());
+    for (Index c = 0; c < all.cols(); ++c) squares += (all.col(c) - from(c)).square();
+    return squares;
   };
-  double largest = farthest(0, [](Index) { return 0.0; });
-  for (Index i = 0; i + 1 < states.rows(); ++i)
-    largest = std::max(largest, farthest(i + 1, [&](Index c) { return states(i, c); }));
-  return 0.5 * std::sqrt(largest);
+  Index one = 0, other = 0;
+  squares_from(all.bottomRows(1)).maxCoeff(&one);
+  double largest = std::sqrt(squares_from(all.row(one)).maxCoeff(&other));
+  // A farther pair has a state this far from the middle, whose farthest partner is no farther than any.
+  const ArrayXd radii = squares_from(0.5 * (all.row(one) + all.row(other))).sqrt();
+  const double widest = radii.maxCoeff();
+  for (Index i = 0; i < all.rows(); ++i)
+    if (radii(i) + widest > largest) largest = std::max(largest, std::sqrt(squares_from(all.row(i)).maxCoeff()));
+  return 0.5 * largest;
+}
+
+ArrayXXd denser(const ArrayXXd& states) {
+  constexpr Index parts = 4;
+  const Index last = states.rows() - 1;
+  if (last < 3) return states;
+  ArrayXXd dense(parts * last + 1, states.cols());
+  for (Index part = 0; part < parts; ++part) {
+    const double t = static_cast<double>(part) / parts;
+    const double before = -t * (t - 1) * (t - 2) / 6, here = (t + 1) * (t - 1) * (t - 2) / 2,
+                 next = -(t + 1) * t * (t - 2) / 2, beyond = (t + 1) * t * (t - 1) / 6;
+    for (Index i = 0; i < last; ++i)
+      if (i == 0 || i + 1 == last)
+        dense.row(parts * i + part) = (1 - t) * states.row(i) + t * states.row(i + 1);
+      else
+        dense.row(parts * i + part) =
+            before * states.row(i - 1) + here * states.row(i) + next * states.row(i + 1) + beyond * states.row(i + 2);
+  }
+  dense.row(parts * last) = states.row(last);
+  return dense;
+}
+
+void CycleSums::add(double width, double loss, double strain_energy, double amplitude) {
+  lost += width * std::abs(loss);
+  by_loss += width * std::abs(loss) * amplitude;
+  energy += width * strain_energy;
+  by_energy += width * strain_energy * amplitude;
+}
+
+double CycleSums::mean() const { return lost > 0 ? by_loss / lost : energy > 0 ? by_energy / energy : 0; }
+
+LinesBetween::LinesBetween(int per_panel) {
+  const QuadratureRule& rule = gauss_rule(per_panel);
+  from_gauss_.resize(per_panel, count);
+  for (int line = 0; line < count; ++line) {
+    const double place = static_cast<double>(line) / (count - 1);
+    for (int i = 0; i < per_panel; ++i) {
+      double basis = 1;
+      for (int j = 0; j < per_panel; ++j)
+        if (j != i)
+          basis *= (place - rule.nodes[static_cast<std::size_t>(j)]) /
+                   (rule.nodes[static_cast<std::size_t>(i)] - rule.nodes[static_cast<std::size_t>(j)]);
+      from_gauss_(i, line) = basis;
+    }
+  }
+}
+
+std::vector<WeightedLine> LinesBetween::lines(std::span<const WeightedLine> panel) const {
+  double width = 0;
+  ArrayXXd depths(1, from_gauss_.rows());
+  for (Index i = 0; i < depths.cols(); ++i) {
+    const WeightedLine& line = panel[static_cast<std::size_t>(i)];
+    width += line.weight;
+    depths(0, i) = line.line.depth;
+  }
+  const Eigen::MatrixXd depth = (*this)(depths);
+  std::vector<WeightedLine> between;
+  for (int line = 0; line < count; ++line) {
+    const bool end = line == 0 || line + 1 == count;
+    const double share = (end ? 1.0 : line % 2 == 0 ? 2.0 : 4.0) / (3 * (count - 1));
+    between.push_back({{panel.front().line.layer, depth(line)}, share * width});
+  }
+  return between;
 }
 
 Largest largest_of(const std::vector<double>& x, const Eigen::ArrayXd& values) {
