@@ -83,7 +83,8 @@ class CylinderSummary {
   /// @param normal strain along x less that along z   @param fields of Gauss's lines
   void add_lines_between(const Part& part, const std::vector<WeightedLine>& weighted, int per_panel,
                          const ArrayXXd& normal, const InteriorFields& fields) {
-    const LinesBetween between(per_panel);
+    constexpr int in_panel = 17;
+    const LinesBetween between(per_panel, in_panel);
     const std::size_t layers_before = sums_.size();
     sums_.resize(layers_before + part.field.medium().size());
     const double shallowest = std::max(shallowest_, weighted.front().line.depth);
@@ -96,7 +97,7 @@ class CylinderSummary {
       CycleSums& sums = sums_[layers_before + lines.front().line.layer];
       for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto column = static_cast<Index>(i);
-        const double cycle = amplitude_of(denser(states_of(normals, shears, column)));
+        const double cycle = amplitude_between_points(states_of(normals, shears, column));
         sums.add(lines[i].weight, losses(column), cycle * cycle, cycle);
         if (part.field.depth_of(lines[i].line) >= shallowest) sums.peak = std::max(sums.peak, cycle);
       }

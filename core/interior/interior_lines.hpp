@@ -62,9 +62,8 @@ SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half)
 /// @param states (point, coordinate), whose distances are those of the strain's cycle (interior_summary.hpp)
 double amplitude_of(const Eigen::ArrayXXd& states);
 
-/// States at three more points between two neighbours, by the cubic through four points.
-/// @param states (point, coordinate) at even distances
-Eigen::ArrayXXd denser(const Eigen::ArrayXXd& states);
+/// The same of states at even distances, with three more between two of them.
+double amplitude_between_points(const Eigen::ArrayXXd& states);
 
 /// What a layer's amplitude is the mean of, summed over its lines of flow.
 struct CycleSums {
@@ -83,10 +82,8 @@ struct CycleSums {
 /// fields are smooth over the depth, the amplitude of their cycle has kinks, where other states become the farthest.
 class LinesBetween {
  public:
-  static constexpr int count = 17;
-
-  /// @param per_panel lines of Gauss's rule
-  explicit LinesBetween(int per_panel);
+  /// @param per_panel lines of Gauss's rule   @param count of these lines, odd
+  LinesBetween(int per_panel, int count);
 
   /// Values on these lines (point, line) from those on the panel's lines of Gauss's rule.
   template <class Values>

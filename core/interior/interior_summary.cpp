@@ -8,7 +8,7 @@
 
 namespace rollres {
 
-void add_totals(InteriorSummary& s, const std::vector<CycleSums>& between) {
+void add_totals(InteriorSummary& s, const std::vector<CycleSums>& between, double missed) {
   constexpr double left = 0.5;  // of what lines between those of Gauss's rule change in the mean
   std::vector<CycleSums> on_lines;
   for (const LineOfFlow& line : s.lines) {
@@ -24,7 +24,8 @@ void add_totals(InteriorSummary& s, const std::vector<CycleSums>& between) {
   for (std::size_t i = 0; i < s.layers.size(); ++i) {
     LayerLoss& layer = s.layers[i];
     layer.strain_amplitude = between[i].mean();
-    layer.amplitude_error = left * std::abs(on_lines[i].mean() - layer.strain_amplitude);
+    layer.amplitude_error =
+        left * std::abs(on_lines[i].mean() - layer.strain_amplitude) + missed * layer.strain_amplitude;
     layer.peak_strain_amplitude = between[i].peak;
     s.peak_strain_amplitude = std::max(s.peak_strain_amplitude, layer.peak_strain_amplitude);
     const double lost = std::abs(layer.loss);

@@ -63,8 +63,9 @@ struct InteriorSummary {
 InteriorSummary interior_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail);
 
 /// Losses and amplitudes of layers and of all of them, from the lines and from those between them.
-/// @param between of each layer, in the order of the lines
-void add_totals(InteriorSummary& summary, const std::vector<CycleSums>& between);
+/// @param between of each layer, in the order of the lines   @param missed  of amplitudes, between the points of a line
+/// [1]
+void add_totals(InteriorSummary& summary, const std::vector<CycleSums>& between, double missed = 0);
 
 /// The outputs of a solution that come from the inside.
 void add_interior(const RollingScene& scene, RollingSolution& solution);

@@ -69,7 +69,8 @@ class SphereSummary {
       add_lines(side);
       if (detail_ == Detail::surface) add_faces(side);
     }
-    add_totals(s_, sums_);
+    constexpr double of_points = 5e-4;  // what amplitudes between points along x are larger
+    add_totals(s_, sums_, of_points);
     if (detail_ == Detail::surface && peak_side_) sharpen_peak();
     s_.half_length = extent_.x.half;
     if (peak_side_) {
@@ -117,7 +118,8 @@ class SphereSummary {
   /// @param states of each coordinate (point, place)   @param fields of Gauss's lines
   void add_lines_between(const Side& side, const std::vector<WeightedLine>& weighted, int per_panel,
                          const std::array<ArrayXXd, 5>& states, const VolumeFields& fields) {
-    const LinesBetween between(per_panel);
+    constexpr int lines_in_panel = 9;
+    const LinesBetween between(per_panel, lines_in_panel);
     const auto in_panel = static_cast<std::size_t>(per_panel), ys = y_.size();
     const std::size_t layers_before = sums_.size();
     sums_.resize(layers_before + side.field.medium().size());
@@ -140,7 +142,7 @@ class SphereSummary {
           const auto column = static_cast<Index>(i);
           ArrayXXd of_place(moved[0].rows(), 5);
           for (std::size_t c = 0; c < moved.size(); ++c) of_place.col(static_cast<Index>(c)) = moved[c].col(column);
-          const double cycle = amplitude_of(denser(of_place));
+          const double cycle = amplitude_of(of_place);
           of_line[i].add(width_[y], losses(column), cycle * cycle, cycle);
           of_line[i].peak = std::max(of_line[i].peak, cycle);
         }
