@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/interior/interior_lines.hpp"
 #include "core/interior/layers_inside.hpp"
@@ -26,10 +27,9 @@ Extent extent_of(const SurfaceFields& fields) {
 }
 
 /// States of a line of flow in its plane.
-ArrayXXd states_of(const InteriorFields& f, Index line) {
-  ArrayXXd states(f.strain_x.rows(), 2);
-  states.col(0) = f.strain_x.col(line) - f.strain_z.col(line);
-  states.col(1) = f.shear_strain.col(line);
+ArrayXXd states_of(const auto& normal, const auto& shear, Index line) {
+  ArrayXXd states(normal.rows(), 2);
+  states << normal.col(line), shear.col(line);
   return states;
 }
 
@@ -63,17 +63,44 @@ class CylinderSummary {
 
  private:
   void add_lines(const Part& part) {
-    const std::vector<WeightedLine> weighted = lines_across(part.field.medium(), part.field.speed(), extent_.half,
-                                                            detail_ == InteriorField::Detail::surface ? 6 : 4);
+    const int per_panel = detail_ == InteriorField::Detail::surface ? 6 : 4;
+    const std::vector<WeightedLine> weighted =
+        lines_across(part.field.medium(), part.field.speed(), extent_.half, per_panel);
     std::vector<InteriorLine> lines;
     for (const WeightedLine& line : weighted) lines.push_back(line.line);
     const InteriorFields fields = part.field.at(x_, lines, InteriorField::Wanted::strains);
+    const ArrayXXd normal = fields.strain_x - fields.strain_z;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto column = static_cast<Index>(i);
-      const double cycle = amplitude_of(states_of(fields, column));
+      const double cycle = amplitude_of(states_of(normal, fields.shear_strain, column));
       s_.lines.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), weighted[i].weight,
                           fields.line_loss(column), cycle, cycle, cycle * cycle});
       take_peak(part, lines[i], largest_of(x_, shear_strains(fields, column)));
+    }
+    add_lines_between(part, weighted, per_panel, normal, fields);
+  }
+
+  /// @param normal strain along x less that along z   @param fields of Gauss's lines
+  void add_lines_between(const Part& part, const std::vector<WeightedLine>& weighted, int per_panel,
+                         const ArrayXXd& normal, const InteriorFields& fields) {
+    constexpr int in_panel = 17;
+    const LinesBetween between(per_panel, in_panel);
+    const std::size_t layers_before = sums_.size();
+    sums_.resize(layers_before + part.field.medium().size());
+    const double shallowest = std::max(shallowest_, weighted.front().line.depth);
+    for (Index first = 0; first < normal.cols(); first += per_panel) {
+      const std::vector<WeightedLine> lines = between.lines(
+          std::span(weighted).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(per_panel)));
+      const auto of_panel = [&](const ArrayXXd& values) { return between(values.middleCols(first, per_panel)); };
+      const Eigen::MatrixXd normals = of_panel(normal), shears = of_panel(fields.shear_strain),
+                            losses = of_panel(fields.line_loss.transpose());
+      CycleSums& sums = sums_[layers_before + lines.front().line.layer];
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto column = static_cast<Index>(i);
+        const double cycle = amplitude_between_points(states_of(normals, shears, column));
+        sums.add(lines[i].weight, losses(column), cycle * cycle, cycle);
+        if (part.field.depth_of(lines[i].line) >= shallowest) sums.peak = std::max(sums.peak, cycle);
+      }
     }
   }
 
@@ -120,7 +147,7 @@ class CylinderSummary {
   }
 
   void finish() {
-    add_totals(s_, shallowest_);
+    add_totals(s_, sums_);
     if (detail_ == InteriorField::Detail::surface && peak_part_) sharpen_peak();
     s_.peak_shear_strain = peak_.value;
     s_.half_length = extent_.half;
@@ -134,6 +161,7 @@ class CylinderSummary {
   static constexpr int bond_points = 401;
   std::vector<double> x_, at_bonds_;
   std::vector<Part> parts_;
+  std::vector<CycleSums> sums_;  // of each layer
   InteriorSummary s_;
   Largest peak_;
   const Part* peak_part_ = nullptr;

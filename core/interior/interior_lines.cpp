@@ -95,16 +95,156 @@ SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half)
   return rows;
 }
 
-double amplitude_of(const ArrayXXd& states) {
-  const auto farthest = [&](Index first, const auto& from) {
-    ArrayXd distance = ArrayXd::Zero(states.rows() - first);
-    for (Index c = 0; c < states.cols(); ++c) distance += (states.col(c).tail(distance.size()) - from(c)).square();
-    return distance.maxCoeff();
+namespace {
+
+using State = Eigen::Array<double, 1, Eigen::Dynamic>;
+
+ArrayXd squares_from(const ArrayXXd& states, const State& from) {
+  ArrayXd squares = (states.col(0) - from(0)).square();
+  for (Index c = 1; c < states.cols(); ++c) squares += (states.col(c) - from(c)).square();
+  return squares;
+}
+
+/// A distant pair of states, and where all lie, seen from its middle. No pair is farther apart than two radii.
+struct DistantPair {
+  double distance, widest;
+  ArrayXd radii, along;  ///< from the middle, and along the line through the pair
+
+  explicit DistantPair(const ArrayXXd& states) {
+    Index one = 0, other = 0;
+    squares_from(states, states.bottomRows(1)).maxCoeff(&one);
+    distance = std::sqrt(squares_from(states, states.row(one)).maxCoeff(&other));
+    const State middle = 0.5 * (states.row(one) + states.row(other)),
+                axis = (states.row(other) - states.row(one)) / std::max(distance, 1e-300);
+    radii = squares_from(states, middle).sqrt();
+    along = (states.rowwise() - middle).matrix() * axis.matrix().transpose();
+    widest = radii.maxCoeff();
+  }
+};
+
+/// States that may belong to a farther pair, on one side of the middle.
+struct FarStates {
+  struct Place {
+    Index state;
+    double along, beside;  // the line through the pair
   };
-  double largest = farthest(0, [](Index) { return 0.0; });
-  for (Index i = 0; i + 1 < states.rows(); ++i)
-    largest = std::max(largest, farthest(i + 1, [&](Index c) { return states(i, c); }));
-  return 0.5 * std::sqrt(largest);
+  std::vector<Place> places = {};
+  double nearest = INFINITY, farthest = 0, widest = 0;
+
+  void add(Index state, const DistantPair& pair) {
+    const double along = std::abs(pair.along(state));
+    const double beside = std::sqrt(std::max(std::pow(pair.radii(state), 2) - along * along, 0.0));
+    places.push_back({state, along, beside});
+    nearest = std::min(nearest, along);
+    farthest = std::max(farthest, along);
+    widest = std::max(widest, beside);
+  }
+  /// No other of them is farther away.
+  double reach(const Place& from) const {
+    return std::hypot(std::max(from.along - nearest, farthest - from.along), from.beside + widest);
+  }
+  /// The same from the other side.
+  double reach_across(const Place& from) const { return std::hypot(from.along + farthest, from.beside + widest); }
+};
+
+/// Of many states near one end (at rest, far from the contact) only those at the other end are compared with all.
+double largest_distance(const ArrayXXd& states) {
+  const DistantPair pair(states);
+  FarStates few, many;
+  for (Index i = 0; i < states.rows(); ++i)
+    if (pair.radii(i) + pair.widest > pair.distance) (pair.along(i) > 0 ? few : many).add(i, pair);
+  if (few.places.size() > many.places.size()) std::swap(few, many);
+  double largest = pair.distance;
+  const auto compare = [&](Index state) {
+    largest = std::max(largest, std::sqrt(squares_from(states, states.row(state)).maxCoeff()));
+  };
+  for (const FarStates::Place& place : few.places)
+    if (std::max(few.reach(place), many.reach_across(place)) > largest) compare(place.state);
+  for (const FarStates::Place& place : many.places)
+    if (many.reach(place) > largest) compare(place.state);
+  return largest;
+}
+
+/// With the unstrained state at the end.
+ArrayXXd with_rest(const ArrayXXd& states) {
+  ArrayXXd all(states.rows() + 1, states.cols());
+  all << states, ArrayXXd::Zero(1, states.cols());
+  return all;
+}
+
+/// Between two states, at a part of their distance, by the cubic through four; at the ends by a line.
+State state_between(const ArrayXXd& states, Index i, double t) {
+  if (i == 0 || i + 2 >= states.rows()) return (1 - t) * states.row(i) + t * states.row(i + 1);
+  const double before = -t * (t - 1) * (t - 2) / 6, here = (t + 1) * (t - 1) * (t - 2) / 2,
+               next = -(t + 1) * t * (t - 2) / 2, beyond = (t + 1) * t * (t - 1) / 6;
+  return before * states.row(i - 1) + here * states.row(i) + next * states.row(i + 1) + beyond * states.row(i + 2);
+}
+
+}  // namespace
+
+double amplitude_of(const ArrayXXd& states) { return 0.5 * largest_distance(with_rest(states)); }
+
+double amplitude_between_points(const ArrayXXd& states) {
+  constexpr Index parts = 4;
+  constexpr double margin = 0.03;  // by which states between points may lie farther out than these
+  const ArrayXXd all = with_rest(states);
+  const DistantPair pair(all);
+  const double least = (1 - margin) * pair.distance - (1 + margin) * pair.widest;
+  const Index last = states.rows() - 1;
+  ArrayXXd far(parts * last + 2, states.cols());
+  Index count = 0;
+  for (Index i = 0; i < last; ++i)
+    if (std::max(pair.radii(i), pair.radii(i + 1)) >= least)
+      for (Index part = 0; part < parts; ++part)
+        far.row(count++) =
+            part == 0 ? State(states.row(i)) : state_between(states, i, static_cast<double>(part) / parts);
+  for (const Index end : {last, last + 1})
+    if (pair.radii(end) >= least) far.row(count++) = all.row(end);
+  return 0.5 * largest_distance(far.topRows(count));
+}
+
+void CycleSums::add(double width, double loss, double strain_energy, double amplitude) {
+  lost += width * std::abs(loss);
+  by_loss += width * std::abs(loss) * amplitude;
+  energy += width * strain_energy;
+  by_energy += width * strain_energy * amplitude;
+}
+
+double CycleSums::mean() const { return lost > 0 ? by_loss / lost : energy > 0 ? by_energy / energy : 0; }
+
+LinesBetween::LinesBetween(int per_panel, int count) {
+  const QuadratureRule& rule = gauss_rule(per_panel);
+  from_gauss_.resize(per_panel, count);
+  for (int line = 0; line < count; ++line) {
+    const double place = static_cast<double>(line) / (count - 1);
+    for (int i = 0; i < per_panel; ++i) {
+      double basis = 1;
+      for (int j = 0; j < per_panel; ++j)
+        if (j != i)
+          basis *= (place - rule.nodes[static_cast<std::size_t>(j)]) /
+                   (rule.nodes[static_cast<std::size_t>(i)] - rule.nodes[static_cast<std::size_t>(j)]);
+      from_gauss_(i, line) = basis;
+    }
+  }
+}
+
+std::vector<WeightedLine> LinesBetween::lines(std::span<const WeightedLine> panel) const {
+  double width = 0;
+  ArrayXXd depths(1, from_gauss_.rows());
+  for (Index i = 0; i < depths.cols(); ++i) {
+    const WeightedLine& line = panel[static_cast<std::size_t>(i)];
+    width += line.weight;
+    depths(0, i) = line.line.depth;
+  }
+  const Eigen::MatrixXd depth = (*this)(depths);
+  std::vector<WeightedLine> between;
+  const auto count = static_cast<int>(from_gauss_.cols());
+  for (int line = 0; line < count; ++line) {
+    const bool end = line == 0 || line + 1 == count;
+    const double share = (end ? 1.0 : line % 2 == 0 ? 2.0 : 4.0) / (3 * (count - 1));
+    between.push_back({{panel.front().line.layer, depth(line)}, share * width});
+  }
+  return between;
 }
 
 Largest largest_of(const std::vector<double>& x, const Eigen::ArrayXd& values) {

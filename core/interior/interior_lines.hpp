@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/interior/interior_field.hpp"
@@ -60,6 +61,42 @@ SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half)
 /// Half of the largest distance between two states of a line of flow, 0 among them.
 /// @param states (point, coordinate), whose distances are those of the strain's cycle (interior_summary.hpp)
 double amplitude_of(const Eigen::ArrayXXd& states);
+
+/// The same of states at even distances, with three more between two of them.
+double amplitude_between_points(const Eigen::ArrayXXd& states);
+
+/// What a layer's amplitude is the mean of, summed over its lines of flow.
+struct CycleSums {
+  double lost = 0, by_loss = 0;
+  double energy = 0, by_energy = 0;
+  double peak = 0;  ///< [1]
+
+  /// @param width that a line stands for   @param loss of the line, of either sign
+  /// @param strain_energy  of the line, in any unit
+  void add(double width, double loss, double strain_energy, double amplitude);
+  /// By the loss of the lines; where nothing is lost, by their strain energy [1].
+  double mean() const;
+};
+
+/// Evenly spaced lines from one end of a panel to the other, for fields that are known on its lines of Gauss's rule:
+/// fields are smooth over the depth, the amplitude of their cycle has kinks, where other states become the farthest.
+class LinesBetween {
+ public:
+  /// @param per_panel lines of Gauss's rule   @param count of these lines, odd
+  LinesBetween(int per_panel, int count);
+
+  /// Values on these lines (point, line) from those on the panel's lines of Gauss's rule.
+  template <class Values>
+  Eigen::MatrixXd operator()(const Values& on_gauss_lines) const {
+    return on_gauss_lines.matrix() * from_gauss_;
+  }
+  /// The lines, each with its share of the panel's width by Simpson's rule.
+  /// @param panel its lines of Gauss's rule
+  std::vector<WeightedLine> lines(std::span<const WeightedLine> panel) const;
+
+ private:
+  Eigen::MatrixXd from_gauss_;  // (line of Gauss's rule, line)
+};
 
 /// The largest of values at evenly spaced places, by the parabola through its neighbours.
 struct Largest {

@@ -8,37 +8,26 @@
 
 namespace rollres {
 
-namespace {
-
-/// By the loss of its lines; of an elastic layer by their strain energy, about as the amplitude squared.
-double mean_amplitude(const InteriorSummary& summary, const LayerLoss& layer) {
-  double lost = 0, by_loss = 0, energy = 0, by_energy = 0;
-  for (const LineOfFlow& line : summary.lines) {
-    if (line.layer != layer.layer || line.on_body != layer.on_body) continue;
-    lost += line.thickness * std::abs(line.loss);
-    by_loss += line.thickness * std::abs(line.loss) * line.strain_amplitude;
-    energy += line.thickness * line.energy;
-    by_energy += line.thickness * line.energy * line.strain_amplitude;
-  }
-  return lost > 0 ? by_loss / lost : energy > 0 ? by_energy / energy : 0;
-}
-
-}  // namespace
-
-void add_totals(InteriorSummary& s, double shallowest) {
+void add_totals(InteriorSummary& s, const std::vector<CycleSums>& between, double missed) {
+  constexpr double left = 0.5;  // of what lines between those of Gauss's rule change in the mean
+  std::vector<CycleSums> on_lines;
   for (const LineOfFlow& line : s.lines) {
-    if (s.layers.empty() || s.layers.back().layer != line.layer || s.layers.back().on_body != line.on_body)
-      s.layers.push_back({line.on_body, line.layer, 0, 0, 0});
-    LayerLoss& layer = s.layers.back();
-    layer.loss += line.thickness * line.loss;
+    if (s.layers.empty() || s.layers.back().layer != line.layer || s.layers.back().on_body != line.on_body) {
+      s.layers.push_back({line.on_body, line.layer, 0, 0, 0, 0});
+      on_lines.emplace_back();
+    }
+    s.layers.back().loss += line.thickness * line.loss;
     s.loss += line.thickness * line.loss;
-    if (std::abs(line.z) < shallowest) continue;
-    layer.peak_strain_amplitude = std::max(layer.peak_strain_amplitude, line.peak_strain_amplitude);
-    s.peak_strain_amplitude = std::max(s.peak_strain_amplitude, line.peak_strain_amplitude);
+    on_lines.back().add(line.thickness, line.loss, line.energy, line.strain_amplitude);
   }
   double weights = 0, plain = 0;
-  for (LayerLoss& layer : s.layers) {
-    layer.strain_amplitude = mean_amplitude(s, layer);
+  for (std::size_t i = 0; i < s.layers.size(); ++i) {
+    LayerLoss& layer = s.layers[i];
+    layer.strain_amplitude = between[i].mean();
+    layer.amplitude_error =
+        left * std::abs(on_lines[i].mean() - layer.strain_amplitude) + missed * layer.strain_amplitude;
+    layer.peak_strain_amplitude = between[i].peak;
+    s.peak_strain_amplitude = std::max(s.peak_strain_amplitude, layer.peak_strain_amplitude);
     const double lost = std::abs(layer.loss);
     weights += lost;
     s.strain_amplitude += lost * layer.strain_amplitude;
@@ -92,8 +81,11 @@ void add_interior(const RollingScene& scene, RollingSolution& solution) {
   solution.peak_shear_strain_x = s.peak_x;
   if (scene.indenter == Indenter::sphere) solution.peak_shear_strain_y = s.peak_y;
   solution.peak_shear_strain_z = s.peak_z;
-  solution.strain_amplitude = s.strain_amplitude;
-  solution.peak_strain_amplitude = s.peak_strain_amplitude;
+  // Where moduli depend on it, the amplitude is the one that they were found with.
+  if (!std::isfinite(solution.strain_amplitude)) {
+    solution.strain_amplitude = s.strain_amplitude;
+    solution.peak_strain_amplitude = s.peak_strain_amplitude;
+  }
   solution.interior_loss = s.loss;
   if (s.bonds.empty()) return;
   solution.bond_shear = solution.bond_tension = 0;

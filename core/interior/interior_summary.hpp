@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "core/interior/interior_lines.hpp"
 #include "core/interior/volume_field.hpp"
 #include "core/scene/scene.hpp"
 
@@ -34,7 +35,8 @@ struct LayerLoss {
   std::size_t layer;
   double loss;                   ///< [W/m]; sphere [W]
   double strain_amplitude;       ///< mean over its lines by their loss, or by strain energy where nothing is lost [1]
-  double peak_strain_amplitude;  ///< [1]
+  double amplitude_error;        ///< estimated, of that mean by its quadrature [1]
+  double peak_strain_amplitude;  ///< of lines from one face to the other, without the first of Gauss's rule [1]
 };
 
 /// The bond on the far side of a layer.
@@ -60,9 +62,10 @@ struct InteriorSummary {
 /// @param scene a single passage   @param fields of its solution
 InteriorSummary interior_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail);
 
-/// Losses and amplitudes of layers and of all of them, from the lines.
-/// @param shallowest depth of lines whose amplitudes are not those of a grid's cells [m]
-void add_totals(InteriorSummary& summary, double shallowest);
+/// Losses and amplitudes of layers and of all of them, from the lines and from those between them.
+/// @param between of each layer, in the order of the lines   @param missed  of amplitudes, between the points of a line
+/// [1]
+void add_totals(InteriorSummary& summary, const std::vector<CycleSums>& between, double missed = 0);
 
 /// The outputs of a solution that come from the inside.
 void add_interior(const RollingScene& scene, RollingSolution& solution);

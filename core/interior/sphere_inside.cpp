@@ -1,7 +1,9 @@
 #include "core/interior/sphere_inside.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "core/interior/interior_lines.hpp"
 #include "core/interior/layers_inside.hpp"
@@ -36,16 +38,11 @@ struct SphereExtent {
   }
 };
 
-/// States of a line of flow, whose distances are sqrt(2 e : e): (point, coordinate).
-ArrayXXd states_of(const VolumeFields& f, Index place) {
-  const auto strain = [&](Component c) { return f.strain_of(c).col(place); };
-  ArrayXXd states(f.strain_of(Component::x).rows(), 5);
-  states.col(0) = strain(Component::x) - strain(Component::z);
-  states.col(1) = (2 * strain(Component::y) - strain(Component::x) - strain(Component::z)) / std::sqrt(3.0);
-  states.col(2) = strain(Component::xz);
-  states.col(3) = strain(Component::yz);
-  states.col(4) = strain(Component::xy);
-  return states;
+/// States of all lines of flow, whose distances are sqrt(2 e : e): of each coordinate (point, place).
+std::array<ArrayXXd, 5> states_of(const VolumeFields& f) {
+  const ArrayXXd &x = f.strain_of(Component::x), &y = f.strain_of(Component::y), &z = f.strain_of(Component::z);
+  return {x - z, (2 * y - x - z) / std::sqrt(3.0), f.strain_of(Component::xz), f.strain_of(Component::yz),
+          f.strain_of(Component::xy)};
 }
 
 class SphereSummary {
@@ -72,7 +69,8 @@ class SphereSummary {
       add_lines(side);
       if (detail_ == Detail::surface) add_faces(side);
     }
-    add_totals(s_, shallowest_);
+    constexpr double of_points = 5e-4;  // what amplitudes between points along x are larger
+    add_totals(s_, sums_, of_points);
     if (detail_ == Detail::surface && peak_side_) sharpen_peak();
     s_.half_length = extent_.x.half;
     if (peak_side_) {
@@ -93,35 +91,70 @@ class SphereSummary {
   }
 
   void add_lines(const Side& side) {
+    const int per_panel = detail_ == Detail::surface ? 6 : 4;
     const std::vector<WeightedLine> weighted =
-        lines_across(side.field.medium(), side.field.speed(), extent_.x.half, detail_ == Detail::surface ? 6 : 4);
+        lines_across(side.field.medium(), side.field.speed(), extent_.x.half, per_panel);
     std::vector<InteriorLine> lines;
     for (const WeightedLine& line : weighted) lines.push_back(line.line);
     const VolumeFields fields = side.field.at(x_, y_, lines, Wanted::strains);
+    const std::array<ArrayXXd, 5> states = states_of(fields);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      LineOfFlow all{side.on_body,
-                     lines[i].layer,
-                     side.height_of(lines[i]),
-                     weighted[i].weight,
-                     fields.plane_loss(static_cast<Index>(i)),
-                     0,
-                     0,
-                     0};
-      double lost = 0, by_loss = 0, by_energy = 0;
+      CycleSums sums;
       for (std::size_t y = 0; y < y_.size(); ++y) {
         const auto place = static_cast<Index>(i * y_.size() + y);
-        const double cycle = amplitude_of(states_of(fields, place)),
-                     loss = width_[y] * std::abs(fields.line_loss(place));
-        lost += loss;
-        by_loss += loss * cycle;
-        all.energy += width_[y] * cycle * cycle;
-        by_energy += width_[y] * cycle * cycle * cycle;
-        all.peak_strain_amplitude = std::max(all.peak_strain_amplitude, cycle);
+        ArrayXXd of_place(states[0].rows(), 5);
+        for (Index c = 0; c < 5; ++c) of_place.col(c) = states[static_cast<std::size_t>(c)].col(place);
+        const double cycle = amplitude_of(of_place);
+        sums.add(width_[y], fields.line_loss(place), cycle * cycle, cycle);
+        sums.peak = std::max(sums.peak, cycle);
       }
-      all.strain_amplitude = lost > 0 ? by_loss / lost : all.energy > 0 ? by_energy / all.energy : 0;
-      s_.lines.push_back(all);
+      s_.lines.push_back({side.on_body, lines[i].layer, side.height_of(lines[i]), weighted[i].weight,
+                          fields.plane_loss(static_cast<Index>(i)), sums.mean(), sums.peak, sums.energy});
     }
+    add_lines_between(side, weighted, per_panel, states, fields);
     if (detail_ == Detail::surface) take_peak(side, lines, x_, y_, fields);
+  }
+
+  /// @param states of each coordinate (point, place)   @param fields of Gauss's lines
+  void add_lines_between(const Side& side, const std::vector<WeightedLine>& weighted, int per_panel,
+                         const std::array<ArrayXXd, 5>& states, const VolumeFields& fields) {
+    constexpr int lines_in_panel = 9;
+    const LinesBetween between(per_panel, lines_in_panel);
+    const auto in_panel = static_cast<std::size_t>(per_panel), ys = y_.size();
+    const std::size_t layers_before = sums_.size();
+    sums_.resize(layers_before + side.field.medium().size());
+    const double shallowest = std::max(shallowest_, weighted.front().line.depth);
+    for (std::size_t first = 0; first < weighted.size(); first += in_panel) {
+      const std::vector<WeightedLine> lines = between.lines(std::span(weighted).subspan(first, in_panel));
+      // Of a panel's lines at one y.
+      const auto at_y = [&](const auto& values, std::size_t y) {
+        ArrayXXd of_panel(values.rows(), per_panel);
+        for (std::size_t i = 0; i < in_panel; ++i)
+          of_panel.col(static_cast<Index>(i)) = values.col(static_cast<Index>((first + i) * ys + y));
+        return between(of_panel);
+      };
+      std::vector<CycleSums> of_line(lines.size());
+      for (std::size_t y = 0; y < ys; ++y) {
+        const Eigen::MatrixXd losses = at_y(fields.line_loss.transpose(), y);
+        std::array<Eigen::MatrixXd, 5> moved;
+        for (std::size_t c = 0; c < moved.size(); ++c) moved[c] = at_y(states[c], y);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+          const auto column = static_cast<Index>(i);
+          ArrayXXd of_place(moved[0].rows(), 5);
+          for (std::size_t c = 0; c < moved.size(); ++c) of_place.col(static_cast<Index>(c)) = moved[c].col(column);
+          const double cycle = amplitude_of(of_place);
+          of_line[i].add(width_[y], losses(column), cycle * cycle, cycle);
+          of_line[i].peak = std::max(of_line[i].peak, cycle);
+        }
+      }
+      const Eigen::MatrixXd losses =
+          between(fields.plane_loss.segment(static_cast<Index>(first), per_panel).transpose());
+      CycleSums& sums = sums_[layers_before + lines.front().line.layer];
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        sums.add(lines[i].weight, losses(static_cast<Index>(i)), of_line[i].energy, of_line[i].mean());
+        if (side.field.depth_of(lines[i].line) >= shallowest) sums.peak = std::max(sums.peak, of_line[i].peak);
+      }
+    }
   }
 
   /// Both faces of each layer: bonds, and strains that are the largest there.
@@ -202,6 +235,7 @@ class SphereSummary {
   double beside_ = 0;              // the contact, up to where bonds are looked at [m]
   std::vector<double> x_;          // [m]
   std::vector<double> y_, width_;  // of lines of flow, those at -y included [m]
+  std::vector<CycleSums> sums_;    // of each layer
   InteriorSummary s_;
   const Side* peak_side_ = nullptr;
   InteriorLine peak_line_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/edge/contact_outline.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/surface/contact_surface.hpp"
@@ -53,8 +54,7 @@ class Assessment {
 
   void measure_contact() {
     const SurfaceGrid& grid = problem_.grid;
-    double leading = -INFINITY, trailing = INFINITY, half_width = 0;
-    s_.peak_pressure = 0;
+    double leading = -INFINITY, trailing = INFINITY;
     if (problem_.friction) s_.peak_shear_x = 0;
     if (problem_.friction && problem_.lateral) s_.peak_shear_y = 0;
     for (Eigen::Index i = 0; i < grid.size(); ++i) {
@@ -64,18 +64,27 @@ class Assessment {
       const double x = grid.x(static_cast<int>(i % grid.columns));
       leading = std::max(leading, x);
       trailing = std::min(trailing, x);
-      if (problem_.lateral) half_width = std::max(half_width, grid.y(static_cast<int>(i / grid.columns)));
-      s_.peak_pressure = std::max(s_.peak_pressure, unknowns_.pressure(i));
       if (problem_.friction) s_.peak_shear_x = std::max(s_.peak_shear_x, std::abs(shear_x(i)));
       if (problem_.friction && problem_.lateral) s_.peak_shear_y = std::max(s_.peak_shear_y, std::abs(shear_y(i)));
     }
-    s_.leading_edge = leading;
-    s_.trailing_edge = trailing;
-    if (problem_.lateral) s_.half_width = half_width;
-    s_.contact_area = s_.contact_nodes * grid.cell_area();
+    take_outline();
     s_.spacing = grid.spacing_x;
     half_length_ = std::max(0.5 * (leading - trailing + grid.spacing_x), grid.spacing_x);
     s_.approach = why_absent(problem_.scene, "approach").empty() ? unknowns_.approach : RollingSolution::absent;
+  }
+
+  void take_outline() {
+    s_.peak_pressure = 0;
+    if (!(unknowns_.pressure.maxCoeff() > 0)) return;
+    const ContactOutline outline = contact_outline(problem_.scene, problem_.grid, unknowns_.pressure);
+    s_.leading_edge = outline.leading;
+    s_.trailing_edge = outline.trailing;
+    if (problem_.lateral) s_.half_width = outline.half_width;
+    s_.edge_error = outline.edge_error;
+    s_.contact_area = outline.area;
+    s_.contact_area_error = outline.area_error;
+    s_.peak_pressure = outline.peak;
+    s_.peak_pressure_error = outline.peak_error;
   }
 
   void sum_forces() {

@@ -75,8 +75,9 @@ struct RollingSolution {
   double approach = absent;
   double load = absent;
   double leading_edge = absent, trailing_edge = absent, half_width = absent;
-  double contact_area = absent;
-  double mean_pressure = absent, peak_pressure = absent;
+  double edge_error = absent;
+  double contact_area = absent, contact_area_error = absent;
+  double mean_pressure = absent, peak_pressure = absent, peak_pressure_error = absent;
   double peak_shear_x = absent, peak_shear_y = absent;
   int contact_nodes = 0, slip_nodes = 0;
   double viscous_loss = absent, frictional_loss = absent;
@@ -124,13 +125,19 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed"}, s.rotation_ratio);
   visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface"}, s.approach);
   visitor(Q{"load", "P", "N", "vertical load", any_number, "N/m"}, s.load);
-  visitor(Q{"leading_edge", "x+", "m", "largest x of a contact node"}, s.leading_edge);
-  visitor(Q{"trailing_edge", "x-", "m", "smallest x of a contact node"}, s.trailing_edge);
-  visitor(Q{"half_width", "b", "m", "largest y of a contact node (sphere)"}, s.half_width);
+  visitor(Q{"leading_edge", "x+", "m", "largest x of the contact"}, s.leading_edge);
+  visitor(Q{"trailing_edge", "x-", "m", "smallest x of the contact"}, s.trailing_edge);
+  visitor(Q{"half_width", "b", "m", "largest y of the contact (sphere)"}, s.half_width);
+  visitor(Q{"edge_error", "", "m", "estimated error of leading_edge, trailing_edge and half_width on a grid"},
+          s.edge_error);
   visitor(Q{"contact_area", "A", "m2", "area of contact (cylinder: its length along x)", any_number, "m"},
           s.contact_area);
+  visitor(Q{"contact_area_error", "", "m2", "estimated error of the area of contact on a grid", any_number, "m"},
+          s.contact_area_error);
   visitor(Q{"mean_pressure", "p_m", "Pa", "load over area of contact"}, s.mean_pressure);
   visitor(Q{"peak_pressure", "p_0", "Pa", "largest pressure"}, s.peak_pressure);
+  visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure on a grid"},
+          s.peak_pressure_error);
   visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
   visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere)"}, s.peak_shear_y);
   visitor(Q{"contact_nodes", "", "1", "nodes in contact"}, s.contact_nodes);

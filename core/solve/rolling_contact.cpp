@@ -290,12 +290,25 @@ bool misses_tolerance(const RollingScene& scene, const RollingSolution& solution
   return scene.tolerance && solution.rolling_resistance_error > *scene.tolerance * scale;
 }
 
+/// From the first node in contact along x to the last [m].
+double length_of_nodes(const SurfaceFields& fields) {
+  int first = fields.grid.columns, last = -1;
+  for (std::size_t i = 0; i < fields.zone.size(); ++i) {
+    const auto column = static_cast<int>(i) % fields.grid.columns;
+    if (fields.zone[i] == Zone::free) continue;
+    first = std::min(first, column);
+    last = std::max(last, column);
+  }
+  return (last - first) * fields.grid.spacing_x;
+}
+
 /// Why an answer that its method calls converged is none; empty if it is one.
 std::string doubt(const RollingScene& scene, const RollingSolution& solution) {
   if (!(solution.law_violation <= trusted_violation))
     return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);
   if (!(solution.rolling_resistance_error >= 0)) return "the error of the rolling resistance cannot be estimated";
-  const double length = solution.leading_edge - solution.trailing_edge;
+  const double length =
+      on_grid(solution.method) ? length_of_nodes(solution.fields) : solution.leading_edge - solution.trailing_edge;
   if (on_grid(solution.method) && !(length >= 1.5 * solution.spacing))
     return message_text("the contact has only ", solution.contact_nodes, " nodes: take a spacing below ",
                         std::min(solution.spacing, length + solution.spacing) / 8, " m");

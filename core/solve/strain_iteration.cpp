@@ -247,8 +247,47 @@ class StrainIteration {
     return answer;
   }
 
+  /// What the error of the amplitudes does to the rolling resistance [1]. That goes as G" and at most as G'^(-3/2) (a
+  /// Hertz line under a given load), and the amplitude follows as G'^(-1/2).
+  double error_of_amplitudes(const Answered& answer) const {
+    constexpr double of_storage = 1.5, difference = 1e-3, strongest = 0.8;
+    double error = 0;
+    const double unseen = unseen_loss(answer);
+    for (std::size_t i = 0; i < soft_.size(); ++i) {
+      const LayerLoss& layer = answer.inside.layers[soft_[i].place];
+      if (!(layer.strain_amplitude > 0)) continue;
+      const auto at = [&](double step) {
+        return softening_at(soft_[i].inputs, layer.strain_amplitude * std::exp(step));
+      };
+      const Softening low = at(-difference), high = at(difference);
+      const double by_storage = std::abs(std::log(high.storage / low.storage)) / (2 * difference);
+      const double by_loss = std::abs(std::log(high.loss / low.loss)) / (2 * difference);
+      error += (by_loss + of_storage * by_storage) / (1 - std::min(0.5 * by_storage, strongest)) *
+               (layer.amplitude_error / layer.strain_amplitude + unseen);
+    }
+    return error;
+  }
+
+  /// What the lines miss of the loss, which is at depths below the shortest waves: its strains are missing in the mean.
+  static double unseen_loss(const Answered& answer) {
+    const double whole = std::abs(answer.solution.viscous_loss), seen = std::abs(answer.inside.loss);
+    return on_grid(answer.solution.method) || seen == 0 ? 0 : std::abs(whole - seen) / std::max(whole, seen);
+  }
+
+  void add_error_of_amplitudes(const Answered& answer, RollingSolution& solution) const {
+    const double error = error_of_amplitudes(answer);
+    const bool missed = scene_.tolerance && solution.error_estimate > *scene_.tolerance;
+    solution.error_estimate += error;
+    solution.rolling_resistance_error += error * std::abs(solution.rolling_resistance);
+    if (scene_.tolerance && !missed && solution.error_estimate > *scene_.tolerance)
+      solution.warnings.push_back(message_text("the tolerance ", *scene_.tolerance,
+                                               " was not reached: estimated error ", solution.error_estimate,
+                                               ", of which the strain amplitudes are ", error));
+  }
+
   RollingSolution finished(Answered answer, const Factors& factors) const {
     RollingSolution& solution = answer.solution;
+    add_error_of_amplitudes(answer, solution);
     const double omega = std::exp(answer.logarithms(answer.logarithms.size() - 1));
     solution.strain_amplitude = answer.inside.strain_amplitude;
     solution.peak_strain_amplitude = answer.inside.peak_strain_amplitude;

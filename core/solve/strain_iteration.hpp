@@ -13,6 +13,9 @@
 /// Where a solution costs many times one on the usual grid (a grid stands in for continuous edges, or is as fine as a
 /// tolerance asks), the factors are found on that grid: its logarithms plus what they missed of the last answer asked
 /// for, until that answer agrees to 1e-8 itself.
+///
+/// The estimated error of R_r counts that of the amplitudes, by their quadrature (LayerLoss::amplitude_error) and by
+/// the loss that the lines miss of the whole: R_r goes as G" and at most as G'^(-3/2), as of a Hertz line under a load.
 
 #include <functional>
 

@@ -126,8 +126,13 @@ class Film {
       add(fields.grid.x(i), fields.pressure[node], fields.shear_x.empty() ? 0 : fields.shear_x[node]);
       lowest_ = std::min({lowest_, rows.back()[2], rows.back()[4]});
     }
-    const double half = exact_edges(s) ? 0 : 0.5 * fields.grid.spacing_x;
-    for (const double edge : {s.trailing_edge - half, s.leading_edge + half}) add(edge, 0, 0);
+    if (exact_edges(s)) {
+      for (const double edge : {s.trailing_edge, s.leading_edge}) add(edge, 0, 0);
+    } else if (!rows.empty()) {  // where the cells end
+      const double cell = fields.grid.spacing_x, first = rows.front()[0] * length_.factor,
+                   last = rows.back()[0] * length_.factor;
+      for (const double edge : {first - 0.5 * cell, last + 0.5 * cell}) add(edge, 0, 0);
+    }
     for (const double end : {x_.lowest, x_.highest}) add(end * length_.factor, 0, 0);
     std::sort(rows.begin(), rows.end());
     block(frame.words, "x [" + length_.name + "], p, tau_xz, mu p, -mu p [" + traction_.name + "]");

@@ -71,6 +71,30 @@ TEST_CASE("a scene with moduli at its strains is the linear scene of those modul
   check_moduli(scene, twin, scene.speed / (0.5 * s.contact_area));
 }
 
+// The whole of the inside, up to the surface, is another quadrature of the same strains; what it finds for the moduli
+// is followed by the slope of R_r between two amplitudes.
+TEST_CASE("the estimate contains the quadrature of the amplitude, which interior: on leaves as it is",
+          "[core][strain]") {
+  for (const double speed : {0.05, 1.0}) {
+    RollingScene scene = soft_scene();
+    scene.speed = speed;
+    const RollingSolution s = converged(scene);
+    const InteriorSummary fine = interior_summary(solved_scene(scene, s), s.fields, InteriorField::Detail::surface);
+    const double missed = std::log(fine.strain_amplitude / s.strain_amplitude);
+    CHECK(std::abs(missed) < 1e-3);
+    RollingScene softer = scene;  // as if the strains were 1 % larger
+    *softer.payne_strain /= 1.01;
+    const double slope = std::log(converged(softer).rolling_resistance / s.rolling_resistance) / std::log(1.01);
+    CHECK(std::abs(slope * missed) < s.error_estimate);
+    CHECK(s.error_estimate < 1e-3);
+    scene.interior = Interior::on;
+    const RollingSolution inside = converged(scene);
+    CHECK(inside.strain_amplitude == s.strain_amplitude);
+    CHECK(inside.peak_strain_amplitude == s.peak_strain_amplitude);
+    CHECK(inside.error_estimate == s.error_estimate);
+  }
+}
+
 TEST_CASE("without a drop the answer is the linear one to all digits, and at a small load it comes near it",
           "[core][strain]") {
   RollingScene none = soft_scene();
