@@ -1,6 +1,7 @@
 #include "core/derivatives/calibration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,12 +13,14 @@ namespace rollres {
 
 namespace {
 
-constexpr double wide_spacing = 0.03, fine_spacing = 2e-5, rescue = 100;
-constexpr std::size_t wide_size = 9, fine_size = 7;  // values of a table
+constexpr double wide_spacing = 0.03, narrowing = 6;  // of the tables' spacing
+constexpr int most_tables = 4;
+constexpr std::size_t values_of_table = 9;
 
 struct ValueTable {
   double spacing = 0;  // about
   std::vector<double> points = {}, values = {};
+  double relative_error = 0;  // the largest of the solutions
 
   bool empty() const { return values.empty(); }
 };
@@ -48,6 +51,7 @@ ValueTable tabulate(SampledLine& line, std::size_t size, double spacing) {
         if (!sample) break;
         table.points.push_back(sample->offset);
         table.values.push_back(sample->value);
+        table.relative_error = std::max(table.relative_error, sample->relative_error);
       }
       if (table.values.size() == size) return table;
     }
@@ -80,34 +84,7 @@ NoiseEstimate table_noise(const ValueTable& table) {
 /// What is below the last levels cannot be told from the smooth part.
 double last_level(const NoiseEstimate& estimate) {
   const std::vector<double>& levels = estimate.levels;
-  return std::max(levels[levels.size() - 1], levels[levels.size() - 2]);
-}
-
-/// Noise that only shows at a fine spacing, at most `noise`.
-double fine_noise(SampledLine& line, double wide, double noise) {
-  double spacing = std::min(fine_spacing, wide / rescue);
-  for (int attempt = 0; attempt < 2 && spacing < wide / 2; ++attempt) {
-    const ValueTable table = tabulate(line, fine_size, spacing);
-    if (table.empty()) break;
-    const NoiseEstimate estimate = table_noise(table);
-    if (estimate.outcome == NoiseOutcome::found) return estimate.noise;
-    if (!estimate.levels.empty()) noise = std::min(noise, last_level(estimate));
-    spacing *= estimate.outcome == NoiseOutcome::spacing_too_small ? rescue : 1 / rescue;
-  }
-  return noise;
-}
-
-double noise_along(SampledLine& line, const ValueTable& wide) {
-  const NoiseEstimate estimate = table_noise(wide);
-  switch (estimate.outcome) {
-    case NoiseOutcome::found:
-      return estimate.noise;
-    case NoiseOutcome::spacing_too_small:  // a constant, or a staircase: its steps are the noise
-      return largest_change(wide.values);
-    case NoiseOutcome::spacing_too_large:
-      return fine_noise(line, wide.spacing, last_level(estimate));
-  }
-  return RollingSolution::absent;
+  return *std::max_element(levels.end() - 3, levels.end());  // a difference or two alone are small by chance
 }
 
 double root_mean_square(const std::vector<double>& numbers) {
@@ -156,13 +133,70 @@ std::array<double, 4> derivative_bounds(const ValueTable& table, double centre, 
   return bounds;
 }
 
-InputCalibration calibrated(SampledLine line) {
+/// What one table says of the function.
+struct TableReading {
+  FunctionSize size = {};
+  double slope = 0, change = 0;  // of the function: its derivative, and by how much it changes over the table
+  bool constant = false, rough = false,
+       settled = false;  // nothing but equal values; jumps or noise, or what is not resolved; noise as the
+                         // solutions' own error, below which none is seen
+  double error = 0;      // that the best formula promises of the derivative, noise as it is counted
+};
+
+TableReading read(const ValueTable& table, const SampledLine& line) {
+  constexpr double largest_noise =
+      1e-8;  // of solutions; a larger error hardly changes with the input, which is no noise
+  const double least_noise =
+      std::max(std::min(table.relative_error, largest_noise), std::numeric_limits<double>::epsilon()) *
+      std::abs(line.centre_value());
+  const NoiseEstimate estimate = table_noise(table);
+  TableReading reading;
+  reading.constant = estimate.outcome == NoiseOutcome::spacing_too_small;
+  reading.rough = reading.constant || estimate.outcome == NoiseOutcome::found;
+  const double noise = reading.constant ? largest_change(table.values)  // a constant, or a staircase: its steps
+                       : reading.rough  ? estimate.noise
+                                        : last_level(estimate);
+  FunctionSize& size = reading.size;
+  size.noise = std::max(noise, least_noise);
+  reading.settled = noise <= least_noise;
+  size.derivatives = derivative_bounds(table, line.centre_value(), size.noise);
+  size.reach = std::max(std::abs(table.points.front()), std::abs(table.points.back()));
+  reading.slope = derivative_size(table, 1, 0).size;
+  const auto [least, most] = std::minmax_element(table.values.begin(), table.values.end());
+  reading.change = *most - *least;
+  constexpr int order = 4;
+  const std::vector<DifferenceFormula> found = formulas(order, size, size.reach, line.room_below(), line.room_above());
+  reading.error = found.empty() ? INFINITY : found.front().expected_error;
+  return reading;
+}
+
+/// Whether a narrower table may tell more: this one's derivative is not as good as rounding allows, and what disturbs
+/// it is not jumps as a grid makes them.
+bool unresolved(const TableReading& reading, double value, double solution_error) {
+  constexpr double good = 1e-13, good_if_settled = 1e-5, of_grid = 0.004, of_error = 3;
+  if (reading.error <= (reading.settled ? good_if_settled : good) * std::max(reading.slope, 0.1 * std::abs(value)))
+    return false;
+  const double noise = reading.size.noise;
+  return !reading.rough || noise > std::max(of_grid * reading.change, of_error * solution_error);
+}
+
+InputCalibration calibrated(SampledLine line, double relative_error) {
   InputCalibration calibration;
-  const ValueTable wide = tabulate(line, wide_size, wide_spacing);
-  if (!wide.empty()) {
-    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(line.centre_value());
-    calibration.noise = std::max(noise_along(line, wide), rounding);
-    calibration.derivatives = derivative_bounds(wide, line.centre_value(), calibration.noise);
+  double spacing = wide_spacing, error = INFINITY;
+  for (int tables = 0; tables < most_tables; ++tables) {
+    const ValueTable table = tabulate(line, values_of_table, spacing);
+    if (table.empty()) break;
+    const TableReading reading = read(table, line);
+    if (tables > 0 && reading.constant) break;
+    if (reading.error < error || tables == 0) {
+      calibration.size = reading.size;
+      error = reading.error;
+    }
+    constexpr double worse = 3;  // than before, where what disturbs does not grow narrower with the table
+    if ((!reading.rough && reading.error > worse * error) ||
+        !unresolved(reading, line.centre_value(), relative_error * std::abs(line.centre_value())))
+      break;
+    spacing = table.spacing / narrowing;
   }
   calibration.evaluations = line.evaluations();
   calibration.failures = line.failures();
@@ -177,7 +211,8 @@ Calibration calibrate(const Objective& objective, std::span<const double> point,
   calibration.inputs.resize(point.size());
   if (!calibration.centre.found()) return calibration;
   for_each_piece(point.size(), jobs, [&](std::size_t input) {
-    calibration.inputs[input] = calibrated(SampledLine(objective, point, input, calibration.centre.value));
+    calibration.inputs[input] =
+        calibrated(SampledLine(objective, point, input, calibration.centre.value), calibration.centre.relative_error);
   });
   return calibration;
 }

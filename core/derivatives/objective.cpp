@@ -33,6 +33,18 @@ double natural_size(const RollingScene& scene, const Quantity& quantity) {
   return 1;
 }
 
+/// Over which an input changes an answer [SI], where its value says nothing of that: Poisson's ratio ends at 1/2,
+/// creepage counts from rolling, temperature from the origin of its law, a torque from free rolling.
+std::optional<double> length_of_change(const RollingScene& scene, std::string_view key, double value) {
+  constexpr double least_of_ratio = 0.05, least_creepage = 0.01, kelvins = 10, of_friction = 0.2;
+  if (key.ends_with("poisson_ratio")) return std::max(0.5 - value, least_of_ratio);
+  if (key == "rotation_ratio") return std::clamp(std::abs(1 - value), least_creepage, std::max(std::abs(value), 1.0));
+  if (is_temperature(key)) return kelvins;
+  const double torque = of_friction * scene.friction_coefficient * scene.load.value_or(0) * scene.radius;
+  if (key == "driving_torque" && torque > 0) return std::max(std::abs(value), torque);
+  return std::nullopt;
+}
+
 Variable variable_of(const RollingScene& base, const Quantity& quantity, const std::optional<double>& value,
                      const InputChoice& choice) {
   if (!value) throw std::invalid_argument(choice.key + ": must be in the scene to be varied");
@@ -55,6 +67,7 @@ Variable variable_of(const RollingScene& base, const Quantity& quantity, const s
   require(!logarithmic || (*value > 0 && variable.lowest >= 0), choice.key, *value,
           "must be > 0 within its bounds to be varied in its logarithm");
   variable.size = *value != 0 ? std::abs(*value) : natural_size(base, quantity);
+  variable.own_length = length_of_change(base, quantity.key, *value);
   return variable;
 }
 
@@ -194,6 +207,7 @@ ObjectiveValue value_at(const Objective& objective, std::span<const double> poin
     const RollingSolution solution = objective.evaluate(scene_at(objective, point));
     answer.status = solution.status;
     answer.reason = solution.reason;
+    if (std::isfinite(solution.error_estimate)) answer.relative_error = solution.error_estimate;
     if (solution.status == Status::converged) {
       visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
@@ -213,10 +227,10 @@ std::optional<SampledLine::Sample> SampledLine::at(double offset) {
   if (offset == 0) return Sample{0, centre_};
   std::vector<double> point = point_;
   double& input = point[input_];
-  input = variable().value(variable().scaled(centre_input()) + offset);
+  input = variable().value(variable().scaled(centre_input()) + offset * length_);
   ++evaluations_;
   const ObjectiveValue answer = value_at(objective_, point);
-  if (answer.found()) return Sample{variable().scaled_step(centre_input(), input), answer.value};
+  if (answer.found()) return Sample{distance_to(input), answer.value, answer.relative_error};
   failures_.push_back({input, answer.status, answer.reason});
   return std::nullopt;
 }

@@ -39,7 +39,8 @@ struct Variable {
   Quantity quantity;
   double lowest, highest;  ///< values from lowest to highest [SI] are allowed, both included
   Scaling scaling;
-  double size;  ///< [SI] the base scene's value, or a natural unit where that is zero
+  double size;                            ///< [SI] the base scene's value, or a natural unit where that is zero
+  std::optional<double> own_length = {};  ///< [SI] over which answers change, where that is no change of `scaled` by 1
 
   double scaled(double value) const;
   double value(double scaled) const;
@@ -84,6 +85,7 @@ void require_inside(const Objective& objective, std::span<const double> point);
 /// The output at one point, or why there is none.
 struct ObjectiveValue {
   double value = RollingSolution::absent;  ///< [SI]; NaN without an answer
+  double relative_error = 0;               ///< as the solution estimates it of its rolling resistance [1]
   Status status = Status::not_converged;
   std::string reason = {};  ///< empty for an answer
 
@@ -101,26 +103,33 @@ struct FailedPoint {
   std::string reason;
 };
 
-/// An objective along one of its inputs, the others fixed: evaluates points at scaled distances from a centre inside
-/// the bounds, and keeps count.
+/// An objective along one of its inputs, the others fixed: evaluates points at distances from a centre inside the
+/// bounds, in units of the variable's own length, and keeps count.
 class SampledLine {
  public:
   struct Sample {
-    double offset;  ///< distance from the centre in the scaled variable, as the rounded input has it
+    double offset;  ///< distance from the centre, as the rounded input has it
     double value;
+    double relative_error = 0;  ///< of ObjectiveValue
   };
 
   /// @param objective must outlive the line
   /// @param centre    the objective's value at `point`
   SampledLine(const Objective& objective, std::span<const double> point, std::size_t input, double centre)
-      : objective_(objective), point_(point.begin(), point.end()), input_(input), centre_(centre) {}
+      : objective_(objective), point_(point.begin(), point.end()), input_(input), centre_(centre) {
+    if (const auto own = variable().own_length) length_ = *own / variable().slope(centre_input());
+  }
 
   const Variable& variable() const { return objective_.variables[input_]; }
   double centre_input() const { return point_[input_]; }  ///< [SI]
   double centre_value() const { return centre_; }
-  /// Scaled distance from the centre to the lower bound, and to the upper.
-  double room_below() const { return -variable().scaled_step(centre_input(), variable().lowest); }
-  double room_above() const { return variable().scaled_step(centre_input(), variable().highest); }
+  /// Distance from the centre to the lower bound, and to the upper.
+  double room_below() const { return -distance_to(variable().lowest); }
+  double room_above() const { return distance_to(variable().highest); }
+  /// d input / d distance [SI].
+  double slope() const { return variable().slope(centre_input()) * length_; }
+  /// The unit of distance [scaled].
+  double length() const { return length_; }
 
   /// The value at an offset inside the room, or nothing: then the failure is kept.
   std::optional<Sample> at(double offset);
@@ -129,10 +138,13 @@ class SampledLine {
   const std::vector<FailedPoint>& failures() const { return failures_; }
 
  private:
+  double distance_to(double value) const { return variable().scaled_step(centre_input(), value) / length_; }
+
   const Objective& objective_;
   std::vector<double> point_;
   std::size_t input_;
   double centre_;
+  double length_ = 1;
   int evaluations_ = 0;
   std::vector<FailedPoint> failures_;
 };
