@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/numerics/finite_difference.hpp"
 #include "core/numerics/parallel.hpp"
@@ -13,8 +14,8 @@ namespace rollres {
 
 namespace {
 
-constexpr double wide_spacing = 0.03, narrowing = 6;  // of the tables' spacing
-constexpr int most_tables = 4;
+constexpr double wide_spacing = 0.03, narrowing = 10;  // of the tables' spacing
+constexpr int most_tables = 5;
 constexpr std::size_t values_of_table = 9;
 
 struct ValueTable {
@@ -37,6 +38,7 @@ ValueTable tabulate(SampledLine& line, std::size_t size, double spacing) {
   const double below = line.room_below(), above = line.room_above();
   const int intervals = static_cast<int>(size) - 1;
   spacing = std::min(spacing, (below + above) / (intervals + 1));  // one more: the centre is a point of the table
+  constexpr int strict = 2;  // of the attempts: with points as well known as the centre
   for (int shrinking = 0; shrinking < 3; ++shrinking, spacing /= 4) {
     const int lowest_first = -std::min(intervals, static_cast<int>(std::min<double>(intervals, below / spacing)));
     const int highest_first = static_cast<int>(std::min<double>(intervals, above / spacing)) - intervals;
@@ -48,7 +50,7 @@ ValueTable tabulate(SampledLine& line, std::size_t size, double spacing) {
       ValueTable table{.spacing = spacing};
       for (int i = 0; i <= intervals; ++i) {
         const auto sample = line.at(std::clamp(uneven(first + i) * spacing, -below, above));
-        if (!sample) break;
+        if (!sample || (shrinking < strict && line.is_poor(*sample))) break;
         table.points.push_back(sample->offset);
         table.values.push_back(sample->value);
         table.relative_error = std::max(table.relative_error, sample->relative_error);
@@ -136,68 +138,112 @@ std::array<double, 4> derivative_bounds(const ValueTable& table, double centre, 
 /// What one table says of the function.
 struct TableReading {
   FunctionSize size = {};
-  double slope = 0, change = 0;  // of the function: its derivative, and by how much it changes over the table
-  bool constant = false, rough = false,
-       settled = false;  // nothing but equal values; jumps or noise, or what is not resolved; noise as the
-                         // solutions' own error, below which none is seen
-  double error = 0;      // that the best formula promises of the derivative, noise as it is counted
+  double slope = 0, slope_error = 0;  // of the function in the centre, by the points of the table next to it
+  double change = 0;                  // largest value minus smallest
+  double formula_error = 0;           // that the best formula promises of the derivative
+  bool at_floor = false;              // the noise seen is below what the solutions' own error may hide
+  bool falls = false;                 // the noise falls from order to order: a function that is not resolved
+  NoiseOutcome outcome = {};
+
+  bool constant() const { return outcome == NoiseOutcome::spacing_too_small; }
+  bool smooth() const { return outcome == NoiseOutcome::spacing_too_large; }
+  bool agrees_with(const TableReading& other) const {
+    constexpr double deviations = 3;
+    return std::abs(slope - other.slope) <= deviations * (slope_error + other.slope_error);
+  }
 };
 
+/// The derivative in the centre by the five points next to it.
+void read_slope(const ValueTable& table, double centre, TableReading& reading) {
+  constexpr std::size_t count = 5;
+  std::vector<std::size_t> places(table.points.size());
+  std::iota(places.begin(), places.end(), 0);
+  std::sort(places.begin(), places.end(),
+            [&](std::size_t a, std::size_t b) { return std::abs(table.points[a]) < std::abs(table.points[b]); });
+  std::vector<double> offsets;
+  for (std::size_t j = 0; j < count; ++j) offsets.push_back(table.points[places[j]]);
+  const std::vector<double> weights = first_derivative_weights(offsets);
+  for (std::size_t j = 0; j < count; ++j) reading.slope += weights[j] * (table.values[places[j]] - centre);
+  const FormulaError error = FormulaSize(weights, offsets).error(1, reading.size);
+  reading.slope_error = error.truncation + error.noise;
+}
+
 TableReading read(const ValueTable& table, const SampledLine& line) {
-  constexpr double largest_noise =
-      1e-8;  // of solutions; a larger error hardly changes with the input, which is no noise
-  const double least_noise =
-      std::max(std::min(table.relative_error, largest_noise), std::numeric_limits<double>::epsilon()) *
-      std::abs(line.centre_value());
+  const double centre = line.centre_value();
   const NoiseEstimate estimate = table_noise(table);
-  TableReading reading;
-  reading.constant = estimate.outcome == NoiseOutcome::spacing_too_small;
-  reading.rough = reading.constant || estimate.outcome == NoiseOutcome::found;
-  const double noise = reading.constant ? largest_change(table.values)  // a constant, or a staircase: its steps
-                       : reading.rough  ? estimate.noise
-                                        : last_level(estimate);
+  TableReading reading{.outcome = estimate.outcome};
+  const double noise = reading.constant() ? largest_change(table.values)  // a constant, or a staircase: its steps
+                       : reading.smooth() ? last_level(estimate)
+                                          : estimate.noise;
+  // Solutions may differ by their own error over any distance; a larger one is nearly the same at neighbouring points.
+  constexpr double largest_floor = 1e-9;
+  const double rounding = std::numeric_limits<double>::epsilon() * std::abs(centre),
+               floor = std::max(rounding, std::min(table.relative_error, largest_floor) * std::abs(centre));
   FunctionSize& size = reading.size;
-  size.noise = std::max(noise, least_noise);
-  reading.settled = noise <= least_noise;
-  size.derivatives = derivative_bounds(table, line.centre_value(), size.noise);
+  size.noise = std::max(noise, floor);
+  reading.at_floor = noise <= floor;
+  constexpr double unlike_jumps = 4;  // over two or three orders, in which those of jumps hardly fall
+  const std::vector<double>& levels = estimate.levels;
+  reading.falls = levels.size() > 6 && levels[3] > unlike_jumps * std::max(levels[5], levels[6]);
+  size.derivatives = derivative_bounds(table, centre, std::max(noise, rounding));
   size.reach = std::max(std::abs(table.points.front()), std::abs(table.points.back()));
-  reading.slope = derivative_size(table, 1, 0).size;
+  read_slope(table, centre, reading);
   const auto [least, most] = std::minmax_element(table.values.begin(), table.values.end());
   reading.change = *most - *least;
   constexpr int order = 4;
   const std::vector<DifferenceFormula> found = formulas(order, size, size.reach, line.room_below(), line.room_above());
-  reading.error = found.empty() ? INFINITY : found.front().expected_error;
+  reading.formula_error = found.empty() ? INFINITY : found.front().expected_error;
   return reading;
 }
 
-/// Whether a narrower table may tell more: this one's derivative is not as good as rounding allows, and what disturbs
-/// it is not jumps as a grid makes them.
-bool unresolved(const TableReading& reading, double value, double solution_error) {
-  constexpr double good = 1e-13, good_if_settled = 1e-5, of_grid = 0.004, of_error = 3;
-  if (reading.error <= (reading.settled ? good_if_settled : good) * std::max(reading.slope, 0.1 * std::abs(value)))
-    return false;
-  const double noise = reading.size.noise;
-  return !reading.rough || noise > std::max(of_grid * reading.change, of_error * solution_error);
+/// Whether the derivative is as good as it gets: a narrower table is not worth its evaluations.
+bool good(const TableReading& reading, double relative_error, double centre) {
+  constexpr double by_rounding = 1e-13, least = 1e-8, most = 1e-6, of_error = 1e3, by_floor = 1e-5;
+  const double wanted = relative_error == 0 ? by_rounding
+                        : reading.at_floor  ? by_floor
+                                            : std::clamp(of_error * relative_error, least, most);
+  return reading.formula_error <= wanted * std::max(std::abs(reading.slope), 0.1 * std::abs(centre));
 }
 
-InputCalibration calibrated(SampledLine line, double relative_error) {
+/// Whether the solutions are those of continuous edges, which make no jumps: grids hardly ever state errors so small.
+bool is_continuous(double relative_error) { return relative_error > 0 && relative_error < 1e-6; }
+
+/// Whether what a table shows beside a smooth function are the jumps of a grid: small against the error that the
+/// solutions state, or against what the function does over the table.
+bool jumps_as_grids(const TableReading& reading, double relative_error, double centre) {
+  constexpr double of_change = 0.01, of_error = 3;
+  if (reading.smooth() || reading.falls || is_continuous(relative_error)) return false;
+  return reading.size.noise <= std::max(of_change * reading.change, of_error * relative_error * std::abs(centre));
+}
+
+InputCalibration calibrated(SampledLine line) {
   InputCalibration calibration;
-  double spacing = wide_spacing, error = INFINITY;
+  const double centre = line.centre_value(), relative_error = line.centre_error();
+  std::optional<TableReading> best;
+  double spacing = wide_spacing, widest_change = 0;
   for (int tables = 0; tables < most_tables; ++tables) {
     const ValueTable table = tabulate(line, values_of_table, spacing);
     if (table.empty()) break;
     const TableReading reading = read(table, line);
-    if (tables > 0 && reading.constant) break;
-    if (reading.error < error || tables == 0) {
-      calibration.size = reading.size;
-      error = reading.error;
+    if (best && reading.constant() && reading.change <= 0.5 * widest_change) {
+      // between the steps of a grid, or where the input has no effect
+      if (is_continuous(relative_error)) best = reading;
+      break;
     }
-    constexpr double worse = 3;  // than before, where what disturbs does not grow narrower with the table
-    if ((!reading.rough && reading.error > worse * error) ||
-        !unresolved(reading, line.centre_value(), relative_error * std::abs(line.centre_value())))
+    constexpr double worse = 3;
+    const bool only_rounding_grows = best && (best->smooth() || reading.at_floor) &&
+                                     reading.formula_error > worse * best->formula_error && reading.agrees_with(*best);
+    if (!best || reading.formula_error < best->formula_error || !reading.agrees_with(*best))
+      best = reading;
+    else if (!reading.smooth())  // a wider table may take the function for noise, and noise for the function
+      best->size.noise = best->smooth() ? std::min(best->size.noise, reading.size.noise)
+                                        : std::max(best->size.noise, reading.size.noise);
+    if (tables == 0) widest_change = reading.change;
+    if (only_rounding_grows || good(reading, relative_error, centre) || jumps_as_grids(reading, relative_error, centre))
       break;
     spacing = table.spacing / narrowing;
   }
+  if (best) calibration.size = best->size;
   calibration.evaluations = line.evaluations();
   calibration.failures = line.failures();
   return calibration;
@@ -211,8 +257,7 @@ Calibration calibrate(const Objective& objective, std::span<const double> point,
   calibration.inputs.resize(point.size());
   if (!calibration.centre.found()) return calibration;
   for_each_piece(point.size(), jobs, [&](std::size_t input) {
-    calibration.inputs[input] =
-        calibrated(SampledLine(objective, point, input, calibration.centre.value), calibration.centre.relative_error);
+    calibration.inputs[input] = calibrated(SampledLine(objective, point, input, calibration.centre));
   });
   return calibration;
 }

@@ -24,11 +24,15 @@ struct Calibration {
 };
 
 /// Finds the noise (estimate_noise) and bounds of the higher derivatives along each input from a table of 9 values, at
-/// first from -12 % to 12 % of the variable's own length. Where that does not resolve the function, further tables,
-/// each a sixth as wide, are tried, four at most, and the one that promises the best derivative is taken; steps then
-/// stay inside it. Jumps that are small against what the function does over the table, or against the error that the
-/// solution states, are a grid's, and noise: the wide table is taken. 8 evaluations for each input and table, and one
-/// for the centre. A grid that changes only farther away than the table reaches is not seen.
+/// first from -12 % to 12 % of the variable's own length. While that does not resolve the function or the noise,
+/// further tables follow, each a tenth as wide, five at most. The one that promises the best derivative is taken, or,
+/// where its derivative disagrees with that of wider ones, the narrower; steps then stay inside it. Jumps that are
+/// small against what the function does over the table, or against the error that the solution states, are those of a
+/// grid, and noise: then the wide table is taken, but not where solutions state errors below 1e-6, as continuous edges
+/// do. Points known much worse than the centre are avoided where others are there.
+///
+/// 8 evaluations for each input and table, and one for the centre; mostly one table is enough. What changes only
+/// farther away than the tables reach, or over less than a ten-thousandth of the own length, is not seen.
 /// @param jobs threads, each with an input of its own; 0: one for each core
 /// @throws std::invalid_argument if the point is outside the bounds
 Calibration calibrate(const Objective& objective, std::span<const double> point, int jobs = 1);

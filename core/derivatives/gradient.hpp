@@ -4,7 +4,7 @@
 ///
 ///     const Objective f = objective(scene, {{"load"}, {"speed"}}, "rolling_resistance", solve);
 ///     const std::vector<double> x = base_point(f);
-///     const Calibration calibration = calibrate(f, x);      // once: 8 to 32 evaluations for each input
+///     const Calibration calibration = calibrate(f, x);      // once: 8 to 40 evaluations for each input
 ///     const Gradient there = gradient(f, x, calibration);   // often: 1, 2 or 4 evaluations for each input
 ///
 /// The calibration holds the noise sigma and bounds of f'' to f^(5); scheme and step are those with the smallest error
@@ -33,7 +33,7 @@ struct InputGradient {
   double elasticity = RollingSolution::absent;        ///< d ln output / d ln input [1]; NaN where one of them is 0
   double truncation_error = RollingSolution::absent;  ///< of the derivative [SI]
   double noise_error = RollingSolution::absent;       ///< of the derivative [SI]: three standard deviations
-  double solution_error = RollingSolution::absent;    ///< of the derivative [SI]: by the error of the solution itself
+  double solution_error = RollingSolution::absent;    ///< of the derivative [SI]: by the error of the solutions
   double step = RollingSolution::absent;              ///< distance of neighbouring points in the scaled variable [1]
   Scheme scheme = Scheme::none;
   int evaluations = 0;

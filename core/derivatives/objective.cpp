@@ -177,14 +177,19 @@ RollingScene scene_at(const Objective& objective, std::span<const double> point)
   assert(point.size() == objective.variables.size());
   RollingScene scene = objective.base;
   for (std::size_t i = 0; i < point.size(); ++i) assign_real(scene, objective.variables[i].quantity.key, point[i]);
-  // One method for all points: under a coating the spectral one takes incompressible surfaces only.
-  const bool varies_compressibility =
-      std::any_of(objective.variables.begin(), objective.variables.end(), [](const Variable& variable) {
-        const std::string_view key = variable.quantity.key;
-        return key == "poisson_ratio" || key == "coating_layers[0].poisson_ratio";
-      });
-  if (varies_compressibility && !scene.coating_layers.empty() && scene.method == Method::automatic)
-    scene.method = Method::newton;
+  const auto varies = [&](std::string_view key) {
+    return std::any_of(objective.variables.begin(), objective.variables.end(),
+                       [key](const Variable& variable) { return variable.quantity.key == key; });
+  };
+  // One method for all points: under a coating the spectral one takes incompressible surfaces only, and without one it
+  // solves other equations at a ratio of 1/2, which differ by the error of either.
+  if (!scene.coating_layers.empty()) {
+    if (scene.method == Method::automatic && (varies("poisson_ratio") || varies("coating_layers[0].poisson_ratio")))
+      scene.method = Method::newton;
+  } else if (scene.indenter == Indenter::cylinder && !scene.spacing && varies("poisson_ratio")) {
+    constexpr double nearly_incompressible = 0.5 - 1e-13;
+    scene.poisson_ratio = std::min(scene.poisson_ratio, nearly_incompressible);
+  }
   return scene;
 }
 
@@ -224,15 +229,19 @@ ObjectiveValue value_at(const Objective& objective, std::span<const double> poin
 }
 
 std::optional<SampledLine::Sample> SampledLine::at(double offset) {
-  if (offset == 0) return Sample{0, centre_};
+  if (offset == 0) return Sample{0, centre_, centre_error_};
+  if (const auto found = known_.find(offset); found != known_.end()) return found->second;
   std::vector<double> point = point_;
   double& input = point[input_];
   input = variable().value(variable().scaled(centre_input()) + offset * length_);
   ++evaluations_;
   const ObjectiveValue answer = value_at(objective_, point);
-  if (answer.found()) return Sample{distance_to(input), answer.value, answer.relative_error};
-  failures_.push_back({input, answer.status, answer.reason});
-  return std::nullopt;
+  std::optional<Sample>& sample = known_[offset];
+  if (answer.found())
+    sample = {distance_to(input), answer.value, answer.relative_error};
+  else
+    failures_.push_back({input, answer.status, answer.reason});
+  return sample;
 }
 
 }  // namespace rollres

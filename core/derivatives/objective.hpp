@@ -5,7 +5,9 @@
 /// A point is the list of the inputs' values in SI units. Steps are taken in scaled variables, in which a change by 1
 /// is a large one: ln x for quantities that cannot be zero, x over its size for the others (fits have a third).
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -114,15 +116,27 @@ class SampledLine {
   };
 
   /// @param objective must outlive the line
-  /// @param centre    the objective's value at `point`
-  SampledLine(const Objective& objective, std::span<const double> point, std::size_t input, double centre)
-      : objective_(objective), point_(point.begin(), point.end()), input_(input), centre_(centre) {
+  /// @param centre    the objective at `point`
+  SampledLine(const Objective& objective, std::span<const double> point, std::size_t input,
+              const ObjectiveValue& centre)
+      : objective_(objective),
+        point_(point.begin(), point.end()),
+        input_(input),
+        centre_(centre.value),
+        centre_error_(centre.relative_error) {
     if (const auto own = variable().own_length) length_ = *own / variable().slope(centre_input());
   }
 
   const Variable& variable() const { return objective_.variables[input_]; }
+  std::string_view output() const { return objective_.output.key; }
   double centre_input() const { return point_[input_]; }  ///< [SI]
   double centre_value() const { return centre_; }
+  double centre_error() const { return centre_error_; }  ///< relative, of ObjectiveValue
+  /// Whether a sample is known so much worse than the centre that their difference may be that of two methods.
+  bool is_poor(const Sample& sample) const {
+    constexpr double ratio = 30, least = 1e-6;
+    return centre_error_ > 0 && sample.relative_error > std::max(least, ratio * centre_error_);
+  }
   /// Distance from the centre to the lower bound, and to the upper.
   double room_below() const { return -distance_to(variable().lowest); }
   double room_above() const { return distance_to(variable().highest); }
@@ -143,10 +157,11 @@ class SampledLine {
   const Objective& objective_;
   std::vector<double> point_;
   std::size_t input_;
-  double centre_;
+  double centre_, centre_error_;
   double length_ = 1;
   int evaluations_ = 0;
   std::vector<FailedPoint> failures_;
+  std::map<double, std::optional<Sample>> known_;  // by offset
 };
 
 }  // namespace rollres
