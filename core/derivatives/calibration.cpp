@@ -168,6 +168,13 @@ void read_slope(const ValueTable& table, double centre, TableReading& reading) {
   reading.slope_error = error.truncation + error.noise;
 }
 
+/// What the best formula promises of the derivative.
+double promised_error(const FunctionSize& size, const SampledLine& line) {
+  constexpr int order = 4;
+  const std::vector<DifferenceFormula> found = formulas(order, size, size.reach, line.room_below(), line.room_above());
+  return found.empty() ? std::numeric_limits<double>::infinity() : found.front().expected_error;
+}
+
 TableReading read(const ValueTable& table, const SampledLine& line) {
   const double centre = line.centre_value();
   const NoiseEstimate estimate = table_noise(table);
@@ -190,9 +197,7 @@ TableReading read(const ValueTable& table, const SampledLine& line) {
   read_slope(table, centre, reading);
   const auto [least, most] = std::minmax_element(table.values.begin(), table.values.end());
   reading.change = *most - *least;
-  constexpr int order = 4;
-  const std::vector<DifferenceFormula> found = formulas(order, size, size.reach, line.room_below(), line.room_above());
-  reading.formula_error = found.empty() ? INFINITY : found.front().expected_error;
+  reading.formula_error = promised_error(size, line);
   return reading;
 }
 
@@ -216,6 +221,17 @@ bool jumps_as_grids(const TableReading& reading, double relative_error, double c
   return reading.size.noise <= std::max(of_change * reading.change, of_error * relative_error * std::abs(centre));
 }
 
+/// What a narrower table that agrees tells of the noise: a wider one may take the function for noise, and noise for the
+/// function.
+void take_noise(const TableReading& narrower, const SampledLine& line, TableReading& wider) {
+  double& noise = wider.size.noise;
+  if (wider.smooth())
+    noise = std::min(noise, narrower.size.noise);
+  else if (!narrower.smooth())
+    noise = std::max(noise, narrower.size.noise);
+  wider.formula_error = promised_error(wider.size, line);
+}
+
 InputCalibration calibrated(SampledLine line) {
   InputCalibration calibration;
   const double centre = line.centre_value(), relative_error = line.centre_error();
@@ -230,17 +246,14 @@ InputCalibration calibrated(SampledLine line) {
       if (is_continuous(relative_error)) best = reading;
       break;
     }
-    constexpr double worse = 3;
-    const bool only_rounding_grows = best && (best->smooth() || reading.at_floor) &&
-                                     reading.formula_error > worse * best->formula_error && reading.agrees_with(*best);
-    if (!best || reading.formula_error < best->formula_error || !reading.agrees_with(*best))
+    const bool agrees = best && reading.agrees_with(*best);
+    if (agrees) take_noise(reading, line, *best);
+    if (!agrees || reading.formula_error < best->formula_error)
       best = reading;
-    else if (!reading.smooth())  // a wider table may take the function for noise, and noise for the function
-      best->size.noise = best->smooth() ? std::min(best->size.noise, reading.size.noise)
-                                        : std::max(best->size.noise, reading.size.noise);
+    else if (best->smooth() || reading.at_floor)
+      break;  // only what rounding does grows
     if (tables == 0) widest_change = reading.change;
-    if (only_rounding_grows || good(reading, relative_error, centre) || jumps_as_grids(reading, relative_error, centre))
-      break;
+    if (good(*best, relative_error, centre) || jumps_as_grids(reading, relative_error, centre)) break;
     spacing = table.spacing / narrowing;
   }
   if (best) calibration.size = best->size;
