@@ -147,6 +147,10 @@ struct TableReading {
 
   bool constant() const { return outcome == NoiseOutcome::spacing_too_small; }
   bool smooth() const { return outcome == NoiseOutcome::spacing_too_large; }
+  bool resolved() const {
+    constexpr double of_change = 1e-4;
+    return smooth() || size.noise <= of_change * change;
+  }
   bool agrees_with(const TableReading& other) const {
     constexpr double deviations = 3;
     return std::abs(slope - other.slope) <= deviations * (slope_error + other.slope_error);
@@ -204,7 +208,7 @@ TableReading read(const ValueTable& table, const SampledLine& line) {
 /// Whether the derivative is as good as it gets: a narrower table is not worth its evaluations.
 bool good(const TableReading& reading, double relative_error, double centre) {
   constexpr double by_rounding = 1e-13, least = 1e-8, most = 1e-6, of_error = 1e3, by_floor = 1e-5;
-  const double wanted = relative_error == 0 ? by_rounding
+  const double wanted = relative_error == 0 ? (reading.smooth() ? by_rounding : most)
                         : reading.at_floor  ? by_floor
                                             : std::clamp(of_error * relative_error, least, most);
   return reading.formula_error <= wanted * std::max(std::abs(reading.slope), 0.1 * std::abs(centre));
@@ -250,10 +254,14 @@ InputCalibration calibrated(SampledLine line) {
     if (agrees) take_noise(reading, line, *best);
     if (!agrees || reading.formula_error < best->formula_error)
       best = reading;
-    else if (best->smooth() || reading.at_floor)
+    else if (best->resolved() || reading.at_floor)
       break;  // only what rounding does grows
     if (tables == 0) widest_change = reading.change;
-    if (good(*best, relative_error, centre) || jumps_as_grids(reading, relative_error, centre)) break;
+    if (jumps_as_grids(reading, relative_error, centre)) {  // wide steps average them
+      best->size.reach = std::numeric_limits<double>::infinity();
+      break;
+    }
+    if (good(*best, relative_error, centre)) break;
     spacing = table.spacing / narrowing;
   }
   if (best) calibration.size = best->size;
