@@ -257,11 +257,7 @@ InputCalibration calibrated(SampledLine line) {
     else if (best->resolved() || reading.at_floor)
       break;  // only what rounding does grows
     if (tables == 0) widest_change = reading.change;
-    if (jumps_as_grids(reading, relative_error, centre)) {  // wide steps average them
-      best->size.reach = std::numeric_limits<double>::infinity();
-      break;
-    }
-    if (good(*best, relative_error, centre)) break;
+    if (good(*best, relative_error, centre) || jumps_as_grids(reading, relative_error, centre)) break;
     spacing = table.spacing / narrowing;
   }
   if (best) calibration.size = best->size;

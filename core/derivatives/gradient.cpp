@@ -14,8 +14,8 @@ namespace {
 constexpr double largest_step = 0.1;
 constexpr double deviations = 3;  // of the noise that an error estimate covers
 
-/// The relative error of an output where that of the rolling resistance is known. Largest tractions converge as a root
-/// of it where they stand at the border of a zone; measured on random cylinders with continuous edges.
+/// The relative error of an output where that of the rolling resistance is known. Largest tractions at the border of a
+/// zone converge as a root of it: measured with continuous edges on random compressible cylinders.
 double error_of_output(std::string_view output, double relative_error) {
   constexpr double measured = 0.6, largest = 3e-4;
   if (!output.starts_with("peak_")) return relative_error;
@@ -23,8 +23,9 @@ double error_of_output(std::string_view output, double relative_error) {
 }
 
 /// What the error of the solutions does to a derivative, all in units of the variable's own length. It changes with the
-/// input as smoothly as they do, but a derivative that is small is known less well than the value: on random spheres
-/// against finer grids its relative error goes about with the power -2/3 of the two's ratio.
+/// input as smoothly as they do, but a derivative that is small is known less well than the value: its relative error
+/// goes about with the power -2/3 of the two's ratio. Measured on random spheres against grids half as wide: 94 % of
+/// 306 derivatives are within their error with this factor.
 double of_solutions(double relative_error, double derivative, double value) {
   constexpr double measured = 1.3;
   const double slope = std::abs(derivative), size = std::max(slope, std::abs(value));
