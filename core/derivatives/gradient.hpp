@@ -4,29 +4,23 @@
 ///
 ///     const Objective f = objective(scene, {{"load"}, {"speed"}}, "rolling_resistance", solve);
 ///     const std::vector<double> x = base_point(f);
-///     const Calibration calibration = calibrate(f, x);      // once: 8 or 14 evaluations for each input
+///     const Calibration calibration = calibrate(f, x);      // once: 8 to 40 evaluations for each input
 ///     const Gradient there = gradient(f, x, calibration);   // often: 1, 2 or 4 evaluations for each input
 ///
-/// A formula with weights w_j at the scaled offsets o_j errs by the noise, of deviation sigma |w|, and by truncation,
-/// at most sum_k |sum_j w_j o_j^k| |f^(k)| / k!. The calibration holds sigma and bounds of f'' to f^(5);
-/// scheme and step are those with the smallest sum. For two central points that is h = (3 sigma / |f'''|)^(1/3), the
-/// counterpart of the forward difference of Moré and Wild (2012, ACM Trans. Math. Softw. 38, 19).
+/// The calibration holds the noise sigma and bounds of f'' to f^(5); scheme and step are those with the smallest error
+/// by them (formula.hpp). For two central points that is h = (3 sigma / |f'''|)^(1/3), the counterpart of the forward
+/// difference of Moré and Wild (2012, ACM Trans. Math. Softw. 38, 19). What the solutions themselves err by is no
+/// noise where it changes smoothly with the input: it is counted apart, as `solution_error`.
 
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/derivatives/calibration.hpp"
+#include "core/derivatives/formula.hpp"
 #include "core/derivatives/objective.hpp"
 
 namespace rollres {
-
-/// Where the points of a formula lie; those of `forward` and `backward` begin in the centre.
-enum class Scheme { central, forward, backward, none };
-template <>
-struct ChoiceNames<Scheme> {
-  static constexpr std::array<std::string_view, 4> names{"central", "forward", "backward", "none"};
-};
 
 struct GradientOptions {
   int order = 4;  ///< of the truncation error in the step: 1 (one evaluation for each input), 2 (two) or 4 (four)
@@ -39,12 +33,13 @@ struct InputGradient {
   double elasticity = RollingSolution::absent;        ///< d ln output / d ln input [1]; NaN where one of them is 0
   double truncation_error = RollingSolution::absent;  ///< of the derivative [SI]
   double noise_error = RollingSolution::absent;       ///< of the derivative [SI]: three standard deviations
-  double step = RollingSolution::absent;              ///< distance of neighbouring points, scaled [1]
+  double solution_error = RollingSolution::absent;    ///< of the derivative [SI]: by the error of the solutions
+  double step = RollingSolution::absent;              ///< distance of neighbouring points in the scaled variable [1]
   Scheme scheme = Scheme::none;
   int evaluations = 0;
   std::vector<FailedPoint> failures = {};
 
-  double error() const { return truncation_error + noise_error; }
+  double error() const { return truncation_error + noise_error + solution_error; }
 };
 
 struct Gradient {

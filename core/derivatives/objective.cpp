@@ -33,6 +33,18 @@ double natural_size(const RollingScene& scene, const Quantity& quantity) {
   return 1;
 }
 
+/// Over which an input changes an answer [SI], where its value says nothing of that: Poisson's ratio ends at 1/2,
+/// creepage counts from rolling, temperature from the origin of its law, a torque from free rolling.
+std::optional<double> length_of_change(const RollingScene& scene, std::string_view key, double value) {
+  constexpr double least_of_ratio = 0.05, least_creepage = 0.01, kelvins = 10, of_friction = 0.2;
+  if (key.ends_with("poisson_ratio")) return std::max(0.5 - value, least_of_ratio);
+  if (key == "rotation_ratio") return std::clamp(std::abs(1 - value), least_creepage, std::max(std::abs(value), 1.0));
+  if (is_temperature(key)) return kelvins;
+  const double torque = of_friction * scene.friction_coefficient * scene.load.value_or(0) * scene.radius;
+  if (key == "driving_torque" && torque > 0) return std::max(std::abs(value), torque);
+  return std::nullopt;
+}
+
 Variable variable_of(const RollingScene& base, const Quantity& quantity, const std::optional<double>& value,
                      const InputChoice& choice) {
   if (!value) throw std::invalid_argument(choice.key + ": must be in the scene to be varied");
@@ -55,6 +67,7 @@ Variable variable_of(const RollingScene& base, const Quantity& quantity, const s
   require(!logarithmic || (*value > 0 && variable.lowest >= 0), choice.key, *value,
           "must be > 0 within its bounds to be varied in its logarithm");
   variable.size = *value != 0 ? std::abs(*value) : natural_size(base, quantity);
+  variable.own_length = length_of_change(base, quantity.key, *value);
   return variable;
 }
 
@@ -164,14 +177,19 @@ RollingScene scene_at(const Objective& objective, std::span<const double> point)
   assert(point.size() == objective.variables.size());
   RollingScene scene = objective.base;
   for (std::size_t i = 0; i < point.size(); ++i) assign_real(scene, objective.variables[i].quantity.key, point[i]);
-  // One method for all points: under a coating the spectral one takes incompressible surfaces only.
-  const bool varies_compressibility =
-      std::any_of(objective.variables.begin(), objective.variables.end(), [](const Variable& variable) {
-        const std::string_view key = variable.quantity.key;
-        return key == "poisson_ratio" || key == "coating_layers[0].poisson_ratio";
-      });
-  if (varies_compressibility && !scene.coating_layers.empty() && scene.method == Method::automatic)
-    scene.method = Method::newton;
+  const auto varies = [&](std::string_view key) {
+    return std::any_of(objective.variables.begin(), objective.variables.end(),
+                       [key](const Variable& variable) { return variable.quantity.key == key; });
+  };
+  // One method for all points: under a coating the spectral one takes incompressible surfaces only, and without one it
+  // solves other equations at a ratio of 1/2, which differ by the error of either.
+  if (!scene.coating_layers.empty()) {
+    if (scene.method == Method::automatic && (varies("poisson_ratio") || varies("coating_layers[0].poisson_ratio")))
+      scene.method = Method::newton;
+  } else if (scene.indenter == Indenter::cylinder && !scene.spacing && varies("poisson_ratio")) {
+    constexpr double nearly_incompressible = 0.5 - 1e-13;
+    scene.poisson_ratio = std::min(scene.poisson_ratio, nearly_incompressible);
+  }
   return scene;
 }
 
@@ -194,6 +212,7 @@ ObjectiveValue value_at(const Objective& objective, std::span<const double> poin
     const RollingSolution solution = objective.evaluate(scene_at(objective, point));
     answer.status = solution.status;
     answer.reason = solution.reason;
+    if (std::isfinite(solution.error_estimate)) answer.relative_error = solution.error_estimate;
     if (solution.status == Status::converged) {
       visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
@@ -210,15 +229,19 @@ ObjectiveValue value_at(const Objective& objective, std::span<const double> poin
 }
 
 std::optional<SampledLine::Sample> SampledLine::at(double offset) {
-  if (offset == 0) return Sample{0, centre_};
+  if (offset == 0) return Sample{0, centre_, centre_error_};
+  if (const auto found = known_.find(offset); found != known_.end()) return found->second;
   std::vector<double> point = point_;
   double& input = point[input_];
-  input = variable().value(variable().scaled(centre_input()) + offset);
+  input = variable().value(variable().scaled(centre_input()) + offset * length_);
   ++evaluations_;
   const ObjectiveValue answer = value_at(objective_, point);
-  if (answer.found()) return Sample{variable().scaled_step(centre_input(), input), answer.value};
-  failures_.push_back({input, answer.status, answer.reason});
-  return std::nullopt;
+  std::optional<Sample>& sample = known_[offset];
+  if (answer.found())
+    sample = {distance_to(input), answer.value, answer.relative_error};
+  else
+    failures_.push_back({input, answer.status, answer.reason});
+  return sample;
 }
 
 }  // namespace rollres

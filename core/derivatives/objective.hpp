@@ -5,7 +5,9 @@
 /// A point is the list of the inputs' values in SI units. Steps are taken in scaled variables, in which a change by 1
 /// is a large one: ln x for quantities that cannot be zero, x over its size for the others (fits have a third).
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,7 +41,8 @@ struct Variable {
   Quantity quantity;
   double lowest, highest;  ///< values from lowest to highest [SI] are allowed, both included
   Scaling scaling;
-  double size;  ///< [SI] the base scene's value, or a natural unit where that is zero
+  double size;                            ///< [SI] the base scene's value, or a natural unit where that is zero
+  std::optional<double> own_length = {};  ///< [SI] over which answers change, where that is no change of `scaled` by 1
 
   double scaled(double value) const;
   double value(double scaled) const;
@@ -84,6 +87,7 @@ void require_inside(const Objective& objective, std::span<const double> point);
 /// The output at one point, or why there is none.
 struct ObjectiveValue {
   double value = RollingSolution::absent;  ///< [SI]; NaN without an answer
+  double relative_error = 0;               ///< as the solution estimates it of its rolling resistance [1]
   Status status = Status::not_converged;
   std::string reason = {};  ///< empty for an answer
 
@@ -101,26 +105,45 @@ struct FailedPoint {
   std::string reason;
 };
 
-/// An objective along one of its inputs, the others fixed: evaluates points at scaled distances from a centre inside
-/// the bounds, and keeps count.
+/// An objective along one of its inputs, the others fixed: evaluates points at distances from a centre inside the
+/// bounds, in units of the variable's own length, and keeps count.
 class SampledLine {
  public:
   struct Sample {
-    double offset;  ///< distance from the centre in the scaled variable, as the rounded input has it
+    double offset;  ///< distance from the centre, as the rounded input has it
     double value;
+    double relative_error = 0;  ///< of ObjectiveValue
   };
 
   /// @param objective must outlive the line
-  /// @param centre    the objective's value at `point`
-  SampledLine(const Objective& objective, std::span<const double> point, std::size_t input, double centre)
-      : objective_(objective), point_(point.begin(), point.end()), input_(input), centre_(centre) {}
+  /// @param centre    the objective at `point`
+  SampledLine(const Objective& objective, std::span<const double> point, std::size_t input,
+              const ObjectiveValue& centre)
+      : objective_(objective),
+        point_(point.begin(), point.end()),
+        input_(input),
+        centre_(centre.value),
+        centre_error_(centre.relative_error) {
+    if (const auto own = variable().own_length) length_ = *own / variable().slope(centre_input());
+  }
 
   const Variable& variable() const { return objective_.variables[input_]; }
+  std::string_view output() const { return objective_.output.key; }
   double centre_input() const { return point_[input_]; }  ///< [SI]
   double centre_value() const { return centre_; }
-  /// Scaled distance from the centre to the lower bound, and to the upper.
-  double room_below() const { return -variable().scaled_step(centre_input(), variable().lowest); }
-  double room_above() const { return variable().scaled_step(centre_input(), variable().highest); }
+  double centre_error() const { return centre_error_; }  ///< relative, of ObjectiveValue
+  /// Whether a sample is known so much worse than the centre that their difference may be that of two methods.
+  bool is_poor(const Sample& sample) const {
+    constexpr double ratio = 30, least = 1e-6;
+    return centre_error_ > 0 && sample.relative_error > std::max(least, ratio * centre_error_);
+  }
+  /// Distance from the centre to the lower bound, and to the upper.
+  double room_below() const { return -distance_to(variable().lowest); }
+  double room_above() const { return distance_to(variable().highest); }
+  /// d input / d distance [SI].
+  double slope() const { return variable().slope(centre_input()) * length_; }
+  /// The unit of distance [scaled].
+  double length() const { return length_; }
 
   /// The value at an offset inside the room, or nothing: then the failure is kept.
   std::optional<Sample> at(double offset);
@@ -129,12 +152,16 @@ class SampledLine {
   const std::vector<FailedPoint>& failures() const { return failures_; }
 
  private:
+  double distance_to(double value) const { return variable().scaled_step(centre_input(), value) / length_; }
+
   const Objective& objective_;
   std::vector<double> point_;
   std::size_t input_;
-  double centre_;
+  double centre_, centre_error_;
+  double length_ = 1;
   int evaluations_ = 0;
   std::vector<FailedPoint> failures_;
+  std::map<double, std::optional<Sample>> known_;  // by offset
 };
 
 }  // namespace rollres

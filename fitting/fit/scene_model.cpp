@@ -74,7 +74,7 @@ Slopes SceneModel::differentiate(const FitPoint& point, const Prediction& predic
         if (is_smooth(column) == smooth_ones) columns.push_back(column);
       if (columns.empty()) continue;
       const Objective along = rows_[i].along(columns, point);
-      Calibration calibration{base_point(along), {centre, Status::converged}, {}};
+      Calibration calibration{base_point(along), {.value = centre, .status = Status::converged}, {}};
       for (const std::size_t column : columns) calibration.inputs.push_back(calibrations_[column].of(centre));
       const Gradient found = gradient(along, calibration.point, calibration, {.order = smooth_ones ? 1 : 2, .jobs = 1});
       for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -116,7 +116,7 @@ void SceneModel::calibrate_at(const FitPoint& point) {
   }
   calibrate_pieces(middle, point);
   const bool smooth_there = std::all_of(unknown.begin(), unknown.end(),
-                                        [&](std::size_t column) { return calibrations_[column].noise < smooth; });
+                                        [&](std::size_t column) { return calibrations_[column].size.noise < smooth; });
   if (!smooth_there || *on_grid_) calibrate_pieces(others, point);
 }
 
@@ -127,7 +127,7 @@ Eigen::VectorXd SceneModel::noise_of(const Prediction& prediction) const {
 double SceneModel::largest_noise() const {
   double relative = 0;
   for (const RelativeCalibration& calibration : calibrations_)
-    if (calibration.known()) relative = std::max(relative, calibration.noise);
+    if (calibration.known()) relative = std::max(relative, calibration.size.noise);
   return relative;
 }
 

@@ -55,24 +55,23 @@ struct SceneRow {
 
 /// What calibrations on some rows say of every row: all over the size of the output.
 struct RelativeCalibration {
-  double noise = RollingSolution::absent;
-  std::array<double, 4> derivatives{RollingSolution::absent, RollingSolution::absent, RollingSolution::absent,
-                                    RollingSolution::absent};
+  FunctionSize size;
 
-  void include(const InputCalibration& known, double output) {
+  void include(const InputCalibration& found, double output) {
     const auto raise = [&](double& bound, double value) {
       if (std::isfinite(value) && !(bound >= value / std::abs(output))) bound = value / std::abs(output);
     };
     // Other rows may be noisier; one-sided differences bear that much.
     constexpr double least_noise = 1e-9;
-    raise(noise, std::max(known.noise, least_noise * std::abs(output)));
-    for (std::size_t k = 0; k < derivatives.size(); ++k) raise(derivatives[k], known.derivatives[k]);
+    raise(size.noise, std::max(found.size.noise, least_noise * std::abs(output)));
+    for (std::size_t k = 0; k < size.derivatives.size(); ++k) raise(size.derivatives[k], found.size.derivatives[k]);
+    size.reach = std::min(size.reach, found.size.reach);
   }
-  bool known() const { return std::isfinite(noise); }
+  bool known() const { return std::isfinite(size.noise); }
   InputCalibration of(double output) const {
-    InputCalibration calibration;
-    calibration.noise = noise * std::abs(output);
-    for (std::size_t k = 0; k < derivatives.size(); ++k) calibration.derivatives[k] = derivatives[k] * std::abs(output);
+    InputCalibration calibration{size};
+    calibration.size.noise *= std::abs(output);
+    for (double& derivative : calibration.size.derivatives) derivative *= std::abs(output);
     return calibration;
   }
 };
@@ -104,7 +103,7 @@ class SceneModel {
     std::size_t column, row;
   };
 
-  bool is_smooth(std::size_t column) const { return calibrations_[column].noise < smooth && !*on_grid_; }
+  bool is_smooth(std::size_t column) const { return calibrations_[column].size.noise < smooth && !*on_grid_; }
 
   double largest_noise() const;
 

@@ -277,11 +277,10 @@ void add_gradient(Command& program, Session& session) {
   command->add_option("--jobs N", arguments.options.jobs, "Threads; default: one for each core")->between(1, 1024);
   command->add_flag("--json", arguments.json, "Print one JSON object");
   command->footer(
-      "Derivatives are by finite differences whose steps suit the noise of the output, which is measured first (8 or "
-      "14\n"
-      "evaluations for each input, then 2 or 4). \"+-\" is the estimated error: truncation and three standard "
-      "deviations "
-      "of\nthe noise. Steps are relative, noise is relative to the output; elasticity is d ln output / d ln input.\n"
+      "Derivatives are by finite differences whose steps suit the noise of the output and the scale over which an\n"
+      "input acts. These are measured first: mostly 8 evaluations for each input, 40 at most; then 2 or 4. \"+-\" is\n"
+      "the estimated error: truncation, three standard deviations of the noise, and the error of the solutions.\n"
+      "Steps are relative, noise is relative to the output; elasticity is d ln output / d ln input.\n"
       "Example: rollres gradient studies/examples/paper_cylinder.json --inputs load,speed,creep_time");
 }
 

@@ -14,7 +14,7 @@
 
 namespace rollres {
 
-double InputReport::relative_noise() const { return calibration.noise / std::abs(output); }
+double InputReport::relative_noise() const { return calibration.size.noise / std::abs(output); }
 
 double InputReport::elasticity_error() const {
   return std::isnan(gradient.elasticity) ? RollingSolution::absent : gradient.error() * std::abs(value / output);
@@ -117,9 +117,10 @@ Json json_of(const GradientReport& report) {
                                 {"error", finite_or_null(gradient.error())},
                                 {"truncation_error", finite_or_null(gradient.truncation_error)},
                                 {"noise_error", finite_or_null(gradient.noise_error)},
+                                {"solution_error", finite_or_null(gradient.solution_error)},
                                 {"elasticity", finite_or_null(gradient.elasticity)},
                                 {"elasticity_error", finite_or_null(input.elasticity_error())},
-                                {"noise", finite_or_null(input.calibration.noise)},
+                                {"noise", finite_or_null(input.calibration.size.noise)},
                                 {"relative_noise", finite_or_null(input.relative_noise())},
                                 {"step", finite_or_null(gradient.step)},
                                 {"scheme", name_of(gradient.scheme)},

@@ -172,7 +172,7 @@ class Objective:
     def value_and_gradient(self, x):
         """The value, the derivatives and their estimated errors.
 
-        The first call measures the noise: 8 or 14 solutions for each input.
+        The first call measures the noise: 8 to 40 solutions for each input.
         """
         return self._function.gradient([float(value) for value in x], self._order, self._threads)
 
