@@ -288,6 +288,7 @@ class InteriorField::Sum {
     const double nu = field_.medium_.front().poisson_ratio;
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       if (!near_surface(line)) continue;
+      require_time();
       const auto column = static_cast<Index>(line);
       for (Index i = 0; i < x_.size(); ++i) {
         const PlaneStress deep = field_.tractions_.stresses(x_(i), depth_[line]);
