@@ -205,8 +205,8 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
     object["inputs"] = json_of(findings.table);
     session.out << text_of(object, 2) << '\n';
   } else {
-    session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + unit + "]") << ", "
-                << arguments.indices << ": " << in_words(count) << "\n\n";
+    session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + unit + "]") << ", " << arguments.indices
+                << ": " << in_words(count) << "\n\n";
     write_aligned(session.out, findings.table);
   }
   if (arguments.out.empty()) return;

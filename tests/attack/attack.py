@@ -288,7 +288,7 @@ def sigterm_leaves_folders_behind():
 
 
 def a_study_that_is_taken_away_is_swept():
-    speeds = {"from": 0.001, "to": 1, "points": 400}
+    speeds = {"from": 0.001, "to": 1, "points": 20_000}
     study = write("study.json", {"study": "mine", "scene": {**CYLINDER, "tolerance": 1e-5}, "axes": {"speed": speeds}})
     for change, words in ((["delete", "mine"], "deleted"), (["rename", "mine", "theirs"], "renamed to theirs")):
         database = change[0] + ".db"
