@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/numerics/bracketed_root.hpp"
+
 namespace rollres {
 
 namespace {
@@ -46,9 +48,11 @@ constexpr double unknown_end = 0.6;
 /// Of the outermost pressure and the next; larger ones have a peak that the cells do not resolve.
 constexpr double largest_ratio = 0.72;
 
-double polynomial(const std::array<double, 5>& coefficients, double t) {
+/// @param coefficients of 1, t, t^2, ...
+template <class Coefficients>
+double value_at(const Coefficients& coefficients, double t) {
   double value = 0;
-  for (std::size_t k = coefficients.size(); k-- > 0;) value = value * t + coefficients[k];
+  for (auto k = coefficients.size(); k-- > 0;) value = value * t + coefficients[k];
   return value;
 }
 
@@ -61,9 +65,9 @@ LineEnd end_of(const LoadedLine& line, bool from_last, double wedge) {
   if (line.count() < 2) return {0.5 * (least + most), unknown_end};
   const auto ratio_at = [&](int node) { return line.inwards(from_last, node) / line.inwards(from_last, node + 1); };
   const double ratio = ratio_at(0), r = std::min(ratio, largest_ratio);
-  const double even = std::clamp(polynomial(place, r), least, most);
+  const double even = std::clamp(value_at(place, r), least, most);
   if (line.count() < fewest || !(ratio <= largest_ratio)) return {even, unknown_end};
-  const double by_second = ratio_at(1) - polynomial(second, r), by_third = ratio_at(2) - polynomial(third, r);
+  const double by_second = ratio_at(1) - value_at(second, r), by_third = ratio_at(2) - value_at(third, r);
   const double bend = std::max(std::abs(by_second), std::abs(by_third));
   if (!(bend < bent)) return {even, unknown_end};
   const double moved = even - 7.41 * r * r * by_second + (2.01 * r - 0.28) * by_third;
@@ -256,24 +260,16 @@ class Outline {
 
   /// @param error of the curve [cells]
   void take_curve(const Vector& squares, const Vector& centre, double error) {
-    const auto value = [](const Vector& c, double t) {
-      double sum = 0;
-      for (Eigen::Index k = c.size(); k-- > 0;) sum = sum * t + c(k);
-      return sum;
-    };
-    const auto squared_half = [&](double y) { return value(squares, y * y) + std::pow(value(centre, y * y), 2); };
+    const auto middle_at = [&](double y) { return value_at(centre, y * y); };
+    const auto squared_half = [&](double y) { return value_at(squares, y * y) + std::pow(middle_at(y), 2); };
     constexpr double from = 0.8, to = 1.3;
-    double inside = from, outside = to;
-    if (!(squared_half(inside) > 0 && squared_half(outside) < 0)) return;
-    for (int i = 0; i < 40; ++i) {
-      const double between = 0.5 * (inside + outside);
-      (squared_half(between) > 0 ? inside : outside) = between;
-    }
+    if (!(squared_half(from) > 0 && squared_half(to) < 0)) return;
+    const double inside = bracketed_root(squared_half, from, to);
     constexpr int lines = 64;
     double area = 0, leading = -INFINITY, trailing = INFINITY;
     for (int i = 0; i < lines; ++i) {
       const double angle = M_PI / 2 * (i + 0.5) / lines, y = inside * std::sin(angle);
-      const double half = std::sqrt(std::max(squared_half(y), 0.0)), middle = value(centre, y * y);
+      const double half = std::sqrt(std::max(squared_half(y), 0.0)), middle = middle_at(y);
       area += half * inside * std::cos(angle);
       leading = std::max(leading, middle + half);
       trailing = std::min(trailing, middle - half);

@@ -74,7 +74,7 @@ class CylinderSummary {
       const auto column = static_cast<Index>(i);
       const double cycle = amplitude_of(states_of(normal, fields.shear_strain, column));
       s_.lines.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), weighted[i].weight,
-                          fields.line_loss(column), cycle, cycle, cycle * cycle});
+                          fields.line_loss(column), cycle, cycle * cycle});
       take_peak(part, lines[i], largest_of(x_, shear_strains(fields, column)));
     }
     add_lines_between(part, weighted, per_panel, normal, fields);

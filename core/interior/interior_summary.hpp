@@ -21,13 +21,12 @@ namespace rollres {
 /// Lines of flow at one depth: under a cylinder one, under a sphere those of all y.
 struct LineOfFlow {
   bool on_body;
-  std::size_t layer;             ///< counted from the contact, from 0
-  double z;                      ///< height over the undeformed surface [m]
-  double thickness;              ///< that it stands for [m]
-  double loss;                   ///< of a metre of depth: [W/m2], per metre of a cylinder's length; sphere [W/m]
-  double strain_amplitude;       ///< of a sphere's, mean by their loss (of what loses nothing, by strain energy) [1]
-  double peak_strain_amplitude;  ///< [1]
-  double energy;                 ///< amplitude squared, of a sphere's summed over y [1], [m]
+  std::size_t layer;        ///< counted from the contact, from 0
+  double z;                 ///< height over the undeformed surface [m]
+  double thickness;         ///< that it stands for [m]
+  double loss;              ///< of a metre of depth: [W/m2], per metre of a cylinder's length; sphere [W/m]
+  double strain_amplitude;  ///< of a sphere's, mean by their loss (of what loses nothing, by strain energy) [1]
+  double energy;            ///< amplitude squared, of a sphere's summed over y [1], [m]
 };
 
 struct LayerLoss {

@@ -45,6 +45,14 @@ std::array<ArrayXXd, 5> states_of(const VolumeFields& f) {
           f.strain_of(Component::xy)};
 }
 
+/// Of one line of flow (point, coordinate).
+template <class States>
+ArrayXXd at_place(const States& states, Index place) {
+  ArrayXXd of_place(states[0].rows(), static_cast<Index>(states.size()));
+  for (std::size_t c = 0; c < states.size(); ++c) of_place.col(static_cast<Index>(c)) = states[c].col(place);
+  return of_place;
+}
+
 class SphereSummary {
  public:
   SphereSummary(const RollingScene& scene, const SurfaceFields& fields, Detail detail)
@@ -102,14 +110,11 @@ class SphereSummary {
       CycleSums sums;
       for (std::size_t y = 0; y < y_.size(); ++y) {
         const auto place = static_cast<Index>(i * y_.size() + y);
-        ArrayXXd of_place(states[0].rows(), 5);
-        for (Index c = 0; c < 5; ++c) of_place.col(c) = states[static_cast<std::size_t>(c)].col(place);
-        const double cycle = amplitude_of(of_place);
+        const double cycle = amplitude_of(at_place(states, place));
         sums.add(width_[y], fields.line_loss(place), cycle * cycle, cycle);
-        sums.peak = std::max(sums.peak, cycle);
       }
       s_.lines.push_back({side.on_body, lines[i].layer, side.height_of(lines[i]), weighted[i].weight,
-                          fields.plane_loss(static_cast<Index>(i)), sums.mean(), sums.peak, sums.energy});
+                          fields.plane_loss(static_cast<Index>(i)), sums.mean(), sums.energy});
     }
     add_lines_between(side, weighted, per_panel, states, fields);
     if (detail_ == Detail::surface) take_peak(side, lines, x_, y_, fields);
@@ -140,9 +145,7 @@ class SphereSummary {
         for (std::size_t c = 0; c < moved.size(); ++c) moved[c] = at_y(states[c], y);
         for (std::size_t i = 0; i < lines.size(); ++i) {
           const auto column = static_cast<Index>(i);
-          ArrayXXd of_place(moved[0].rows(), 5);
-          for (std::size_t c = 0; c < moved.size(); ++c) of_place.col(static_cast<Index>(c)) = moved[c].col(column);
-          const double cycle = amplitude_of(of_place);
+          const double cycle = amplitude_of(at_place(moved, column));
           of_line[i].add(width_[y], losses(column), cycle * cycle, cycle);
           of_line[i].peak = std::max(of_line[i].peak, cycle);
         }
