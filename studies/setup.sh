@@ -1,5 +1,5 @@
-# Sourced by studies/quickstart.sh and tests/run.sh, from the top of the repository: what installing and building need.
-# `script` is the name of the one that runs.
+# Sourced by studies/quickstart.sh, tests/run.sh and tests/sanitizers.sh, from the top of the repository: what
+# installing, building and testing need. `script` is the name of the one that runs.
 
 # The one list of Debian packages, each with what includes, links or runs it. Essential ones (bash, gzip) are left out.
 packages=$(sed 's/:.*//' <<'LIST'

@@ -15,7 +15,7 @@ temporary_files_in_memory
 trouble=
 
 # Builds a preset's program and tests, and shows the compiler's words if that fails.
-build() {
+build_sanitized() {
   log=build/$1.log
   { cmake --preset "$1" && ninja -C "build/$1" rollres rollres_tests ${2-}; } >"$log" 2>&1 || {
     grep -E -A 5 'error:|Error|FAILED' "$log" | head -n 60
@@ -69,7 +69,7 @@ suite() {
   return $ended
 }
 
-if build asan rollres_fuzz; then
+if build_sanitized asan rollres_fuzz; then
   say_time "address and undefined behaviour built"
   suite || trouble="$trouble the suite fails under address and undefined-behaviour sanitizers;"
   ctest --test-dir build/asan --parallel "$(nproc)" --no-tests=error --timeout 1800 --output-on-failure \
@@ -87,7 +87,7 @@ threads() {
   cat "$folder/err"
   trouble="$trouble rollres $1 ends with $ended under the thread sanitizer;"
 }
-if build tsan; then
+if build_sanitized tsan; then
   say_time "threads built"
   folder=$(mktemp -d) || exit 1
   trap 'rm -rf "$folder"' EXIT
