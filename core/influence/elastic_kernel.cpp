@@ -53,6 +53,7 @@ double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std:
 
 ElasticKernel::ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y)
     : indenter_(indenter), cell_x_(cell_x), cell_y_(cell_y), deep_(half_space_symbols(layer.poisson_ratio)) {
+  scales_.line_load = indenter == Indenter::cylinder;
   if (std::isinf(layer.thickness)) return;
   scales_ = {layer.thickness, layer_table_end * layer.thickness, true};
   if (indenter == Indenter::cylinder) {

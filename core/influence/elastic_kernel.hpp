@@ -36,6 +36,7 @@ struct ResponseScales {
   double length = std::numeric_limits<double>::infinity();  ///< the finest scale [m]
   double extent = std::numeric_limits<double>::infinity();  ///< distance where tables end [m]
   bool rigid_base = false;                                  ///< whether the surface is at rest beyond
+  bool line_load = false;                                   ///< whether a half-space's response is -ln x, not 1/x
 
   /// Distance beyond which the surface does not move [m]; infinite where the base is a half-space.
   double reach() const { return rigid_base ? extent : std::numeric_limits<double>::infinity(); }

@@ -48,9 +48,11 @@ PassageQuadrature::PassageQuadrature(const ResponseScales& scales, double cell_x
   split(cell_rules_[distant], 0, cell_x, 2 * parts - 1, parts > 1 ? 10 : 3);
 
   const double start = columns * cell_x;
+  // 1/x is over far sooner than -ln x, which must be known over all of a memory (unending ones: lumped_spectrum.hpp).
+  const int doublings = scales.line_load ? 50 : 40;
   const double end = scales.rigid_base
                          ? scales.reach()
-                         : std::ldexp(std::isinf(scales.extent) ? start : std::max(start, scales.extent), 40);
+                         : std::ldexp(std::isinf(scales.extent) ? start : std::max(start, scales.extent), doublings);
   for (double s = 0, length = 0.5 * start; end - start - s > 1e-9 * end; length *= 1.5) {
     // Over a layer the response falls by e^{-0.74 s/H}: the farther, the less it takes.
     const double kept = std::min({length, end - start - s, 2.5 * scales.grain(start + s)});

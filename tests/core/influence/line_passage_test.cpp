@@ -65,3 +65,49 @@ TEST_CASE("a single passage over two layers under a cylinder is a train of bodie
     }
   }
 }
+
+TEST_CASE("a memory that no contact lives to see changes no displacement, however long it is", "[core][line_passage]") {
+  const SurfaceGrid grid = line(0.1e-3, 40);
+  const auto table_with = [&](double time) {
+    RollingScene scene = two_layers();
+    scene.material = MaterialModel::prony;
+    scene.static_shear_modulus = 1e6;
+    scene.relaxation_moduli = {2e6, 3e6};
+    scene.relaxation_times = {1e-3, time};
+    return line_passage_table(scene, grid, grid.columns);
+  };
+  // The memory's rate is still felt at 1e8 thicknesses, by 1e-8 of its compliance.
+  const InfluenceTable wanted = table_with(3e5);
+  for (const double time : {3e7, 3e9, 1e12, 1e16}) {
+    INFO("memory " << time << " s");
+    const InfluenceTable table = table_with(time);
+    for (const auto component : {&InfluenceTable::ww, &InfluenceTable::uu, &InfluenceTable::uw}) {
+      double largest = 0, difference = 0;
+      for (std::size_t i = 0; i < (table.*component).size(); ++i) {
+        largest = std::max(largest, std::abs((wanted.*component)[i]));
+        difference = std::max(difference, std::abs((table.*component)[i] - (wanted.*component)[i]));
+      }
+      CHECK(difference < 1e-7 * largest);
+    }
+  }
+}
+
+TEST_CASE("a coating's share of what yields is that in passage: what it would do at rest has no part in it",
+          "[core][line_passage]") {
+  RollingScene scene = two_layers();
+  BondedLayer coating;
+  coating.material = MaterialModel::prony;
+  coating.layer_thickness = 0.002;
+  coating.relaxation_times = {1e-3};
+  coating.relaxation_moduli = {2e6};
+  coating.static_shear_modulus = 3e6;
+  scene.coating_layers = {coating};
+  const double fresh = share_of_coating(scene);
+  coating.static_shear_modulus = 1e5;
+  scene.coating_layers = {coating};
+  CHECK(share_of_coating(scene) > fresh + 0.1);  // a softer coating yields more
+  coating.relaxation_times.push_back(1e9);
+  coating.relaxation_moduli.push_back(2.9e6);
+  scene.coating_layers = {coating};
+  CHECK(share_of_coating(scene) == Approx(fresh).epsilon(1e-9));
+}

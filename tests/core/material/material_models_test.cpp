@@ -143,6 +143,12 @@ TEST_CASE("terms too short or too long to tell apart become one, exact to first 
   CHECK(logarithms(few) == Approx(logarithms(creep)).epsilon(1e-13));
   CHECK(largest_difference(few, creep, 1e-3, 1e3) < 1e-6);
   CHECK(lumped(few, {1e-6, 1e6}).terms.size() == few.terms.size());
+  // Of a memory without end its rate alone is left.
+  const CreepSpectrum unending{.instantaneous = 1, .terms = {{4, 1e12}}};
+  const CreepSpectrum ending = lumped(unending, {1e-6, 1e6, 1e10});
+  REQUIRE(ending.terms.size() == 1);
+  CHECK(ending.terms[0].time == 1e10);
+  CHECK(ending.terms[0].compliance == Approx(0.04).epsilon(1e-14));
 }
 
 TEST_CASE("a Zener solid creeps and relaxes as it should, and loses most at 1/τ times the root of 1 + f",
