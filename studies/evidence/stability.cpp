@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/messages/message_text.hpp"
+#include "core/surface/scene_rules.hpp"
 #include "studies/evidence/power_law.hpp"
 #include "studies/scene_io/cells.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -22,7 +23,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 constexpr double largest_violation = 1e-8;
 constexpr double friction_margin = 0.02;
 
-/// The first number of an answer that must be finite and is not; empty if all are.
+/// The first number of an answer that must be finite and is not; empty if all are. None is missing that the scene
+/// cannot have: a cylinder has no approach to a half-space.
 std::string_view missing_number(const RollingScene& scene, const RollingSolution& solution) {
   static constexpr std::string_view needed[] = {"rolling_resistance", "rolling_resistance_coefficient",
                                                 "driving_force",      "driving_torque",
@@ -38,7 +40,8 @@ std::string_view missing_number(const RollingScene& scene, const RollingSolution
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
       const bool counts = find_name(needed, quantity.key) >= 0 ||
                           (scene.friction_coefficient > 0 && find_name(needed_with_friction, quantity.key) >= 0);
-      if (counts && missing.empty() && !std::isfinite(value)) missing = quantity.key;
+      if (counts && missing.empty() && !std::isfinite(value) && why_absent(scene, quantity.key).empty())
+        missing = quantity.key;
     }
   });
   return missing;

@@ -113,6 +113,13 @@ TEST_CASE("an answer that says converged is believed only if its laws hold and i
   const auto without_rotation = with([](auto& s) { s.rotation_ratio = RollingSolution::absent; });
   CHECK(judge(without_rotation, frictionless).outcome == Outcome::converged);
 
+  // An approach is missing, but not to a half-space.
+  const auto without_approach = with([](auto& s) { s.approach = RollingSolution::absent; });
+  CHECK(outcome_of(without_approach) == Outcome::wrong);
+  RollingScene deep = plain_scene();
+  deep.layer_thickness = INFINITY;
+  CHECK(judge(without_approach, deep).outcome == Outcome::converged);
+
   const Trial wrong = judge(with([](auto& s) { s.law_violation = 1e-3; }), plain_scene());
   CHECK_THAT(wrong.reason, Contains("law of contact is violated by 0.001"));
   CHECK(wrong.solution.law_violation == 1e-3);
