@@ -11,8 +11,8 @@
 
 #include "core/convolution/padded_convolution.hpp"
 #include "core/influence/influence.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/numerics/vector.hpp"
-#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 

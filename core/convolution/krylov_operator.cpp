@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "core/convolution/influence_terms.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

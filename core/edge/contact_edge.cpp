@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/edge/edge_cells.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

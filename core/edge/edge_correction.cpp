@@ -5,8 +5,8 @@
 
 #include "core/convolution/krylov_operator.hpp"
 #include "core/edge/edge_pressure.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/krylov.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

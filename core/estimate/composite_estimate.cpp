@@ -7,9 +7,9 @@
 
 #include "core/material/master_curve.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/quadrature.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/material/material.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 
 namespace rollres {
 

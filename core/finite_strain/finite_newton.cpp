@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/messages/message_text.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/numerics/krylov.hpp"
 #include "core/scene/friction_law.hpp"
-#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 

@@ -6,7 +6,7 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/material/prony_series.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

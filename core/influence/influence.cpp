@@ -13,8 +13,8 @@
 #include "core/influence/sphere_passage.hpp"
 #include "core/material/lumped_spectrum.hpp"
 #include "core/material/material.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/recently_made.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

@@ -8,7 +8,7 @@
 /// half-spaces' response is expanded in fixed retardation times (medium_expansion.hpp).
 
 #include "core/influence/influence.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/interior/interior_field.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

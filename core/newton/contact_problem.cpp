@@ -1,6 +1,6 @@
 #include "core/newton/contact_problem.hpp"
 
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

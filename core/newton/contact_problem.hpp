@@ -10,10 +10,10 @@
 #include <Eigen/Core>
 
 #include "core/edge/contact_edge.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/numerics/vector.hpp"
 #include "core/scene/contact_state.hpp"
 #include "core/scene/friction_law.hpp"
-#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/model/contact_surface.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/nested_newton.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

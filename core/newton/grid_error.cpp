@@ -6,8 +6,8 @@
 
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/newton/contact_powers.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

@@ -6,9 +6,9 @@
 
 #include "core/edge/contact_outline.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/newton/contact_powers.hpp"
-#include "core/surface/contact_surface.hpp"
-#include "core/surface/scene_rules.hpp"
 
 namespace rollres {
 

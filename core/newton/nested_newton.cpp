@@ -5,12 +5,12 @@
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/friction_limit.hpp"
 #include "core/newton/newton_starts.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/scene/indenter_shape.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

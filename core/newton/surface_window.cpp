@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/convolution/influence_operator.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/newton/contact_problem.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <sstream>
 
+#include "core/model/indenter_shape.hpp"
 #include "core/paper_method/normal_contact.hpp"
 #include "core/paper_method/stick_slip.hpp"
-#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "core/model/indenter_shape.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 

@@ -23,10 +23,10 @@
 #include <vector>
 
 #include "core/influence/influence.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/paper_method/offset_kernel.hpp"
 #include "core/paper_method/subset_solver.hpp"
 #include "core/scene/friction_law.hpp"
-#include "core/scene/indenter_shape.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/model/contact_surface.hpp"
 #include "core/paper_method/stick_slip.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

@@ -7,9 +7,9 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/scene/indenter_shape.hpp"
-#include "core/surface/contact_surface.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/indenter_shape.hpp"
+#include "core/model/scene_rules.hpp"
 
 namespace rollres {
 

@@ -4,9 +4,9 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/newton/friction_limit.hpp"
 #include "core/newton/grid_series.hpp"
-#include "core/scene/indenter_shape.hpp"
 
 namespace rollres {
 

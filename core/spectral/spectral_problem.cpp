@@ -5,8 +5,8 @@
 
 #include "core/material/lumped_spectrum.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "core/surface/passage_slopes.hpp"
 
 namespace rollres {

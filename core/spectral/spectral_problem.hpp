@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/material/prony_series.hpp"
-#include "core/scene/indenter_shape.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/surface/deep_response.hpp"
 #include "core/surface/slope_correction.hpp"
 

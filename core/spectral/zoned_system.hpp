@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/indenter_shape.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/spectral/spectral_system.hpp"
 
 namespace rollres {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <complex>
 
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/slope_correction.hpp"
 

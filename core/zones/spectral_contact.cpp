@@ -7,9 +7,9 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/spectral/graded_system.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "core/zones/spectral_field.hpp"
 #include "core/zones/spectral_friction_limit.hpp"
 #include "core/zones/spectral_search.hpp"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/spectral/graded_system.hpp"
-#include "core/surface/contact_surface.hpp"
 
 namespace rollres {
 

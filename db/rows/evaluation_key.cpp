@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "core/messages/message_text.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 #include "db/file/digest.hpp"
 #include "db/rows/result_store.hpp"
 

@@ -13,9 +13,9 @@
 
 #include "core/material/material.hpp"
 #include "core/material/material_functions.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "fitting/fit/scene_model.hpp"
 
 namespace rollres {

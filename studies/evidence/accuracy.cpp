@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/estimate/grid_choice.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 #include "studies/evidence/accuracy_reference.hpp"
 #include "studies/evidence/power_law.hpp"
 #include "studies/run/progress.hpp"

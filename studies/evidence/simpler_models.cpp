@@ -6,9 +6,9 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/estimate/linearity_error.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/reference/reference_solutions.hpp"
-#include "core/surface/contact_surface.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
 

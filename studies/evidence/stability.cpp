@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/messages/message_text.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 #include "studies/evidence/power_law.hpp"
 #include "studies/scene_io/cells.hpp"
 #include "studies/scene_io/solution_json.hpp"

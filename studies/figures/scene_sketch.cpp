@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/material/material.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/scene/layer_name.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
 

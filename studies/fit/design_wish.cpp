@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/scene_io/scene_inputs.hpp"

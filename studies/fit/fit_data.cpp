@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "core/messages/message_text.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/master_curve_file.hpp"

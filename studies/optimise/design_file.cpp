@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/optimise/design_search.hpp"

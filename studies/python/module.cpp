@@ -10,10 +10,10 @@
 #include <sstream>
 #include <thread>
 
+#include "core/model/scene_rules.hpp"
 #include "core/numerics/parallel.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "db/queries/query.hpp"
 #include "db/rows/layer_list.hpp"
 #include "db/rows/result_store.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/messages/message_text.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 #include "studies/relations/relations.hpp"
 #include "studies/scene_io/solution_json.hpp"
 

@@ -11,9 +11,9 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/material/material.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/contact_surface.hpp"
-#include "core/surface/scene_rules.hpp"
 
 namespace rollres {
 

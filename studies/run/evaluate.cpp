@@ -4,8 +4,8 @@
 #include <cmath>
 #include <exception>
 
+#include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/surface/scene_rules.hpp"
 
 namespace rollres {
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/model/scene_rules.hpp"
 #include "core/numerics/parallel.hpp"
 #include "core/numerics/threads.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "db/rows/point_states.hpp"
 #include "studies/run/ended_points.hpp"
 #include "studies/run/result_writer.hpp"

@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/text/units.hpp"

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "studies/optimise/design_file.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/study/study_axes.hpp"

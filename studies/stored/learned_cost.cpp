@@ -1,6 +1,6 @@
 #include "studies/stored/learned_cost.hpp"
 
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 
 namespace rollres {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/estimate/grid_choice.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 
 namespace rollres {
 

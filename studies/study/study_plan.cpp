@@ -3,8 +3,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/model/scene_rules.hpp"
 #include "core/numerics/parallel.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_inputs.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/messages/message_text.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 #include "studies/evidence/random_material.hpp"
 
 namespace rollres {

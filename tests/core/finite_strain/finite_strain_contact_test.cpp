@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/source_directory.hpp"

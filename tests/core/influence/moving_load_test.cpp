@@ -8,8 +8,8 @@
 #include "core/influence/directional_half_space.hpp"
 #include "core/influence/influence.hpp"
 #include "core/influence/piecewise_field.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/quadrature.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/infinite.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "core/derivatives/objective.hpp"
 #include "core/estimate/contact_estimate.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/infinite.hpp"

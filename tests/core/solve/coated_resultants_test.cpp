@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/model/contact_surface.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/nested_newton.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/converged.hpp"
 #include "tests/infinite.hpp"

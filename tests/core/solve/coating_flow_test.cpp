@@ -3,8 +3,8 @@
 #include <cmath>
 #include <complex>
 
+#include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/converged.hpp"
 #include "tests/infinite.hpp"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "core/model/contact_surface.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/contact_surface.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/converged.hpp"
 #include "tests/infinite.hpp"
@@ -182,8 +182,9 @@ TEST_CASE("inertia that a tolerance asks for and the method named has not is war
   const auto warned = [&] {
     const RollingSolution solution = converged(scene);
     CHECK(solution.model.find("which may change R_r by about as much") != std::string::npos);
-    return std::any_of(solution.warnings.begin(), solution.warnings.end(),
-                       [](const std::string& line) { return line.find("is not negligible, and is left out") != std::string::npos; });
+    return std::any_of(solution.warnings.begin(), solution.warnings.end(), [](const std::string& line) {
+      return line.find("is not negligible, and is left out") != std::string::npos;
+    });
   };
   scene.speed = 5;  // rho V^2/|G| = 0.004
   CHECK(warned());

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <thread>
 
+#include "core/model/scene_rules.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/threads.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/source_directory.hpp"

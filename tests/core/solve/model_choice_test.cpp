@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/model/contact_surface.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/infinite.hpp"
 

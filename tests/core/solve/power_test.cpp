@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/material/material.hpp"
-#include "core/scene/indenter_shape.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "core/surface/layer_compliance.hpp"
 #include "tests/catch.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/scene/indenter_shape.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "core/model/contact_surface.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "core/zones/spectral_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"

@@ -1,7 +1,7 @@
 #include "core/spectral/zoned_system.hpp"
 
+#include "core/model/contact_surface.hpp"
 #include "core/spectral/graded_system.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "core/model/contact_surface.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/spectral/spectral_problem.hpp"
-#include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 

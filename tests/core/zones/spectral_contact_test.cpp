@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "tests/core/zones/spectral_scenes.hpp"
 
 using namespace rollres;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 #include "core/zones/spectral_contact.hpp"
 #include "tests/core/zones/spectral_scenes.hpp"
 

@@ -1,5 +1,5 @@
 #include "db/rows/result_store.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sqlite3.h>

@@ -8,8 +8,8 @@
 
 #include "core/estimate/contact_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
-#include "core/surface/contact_surface.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/scene_rules.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "tests/catch.hpp"
 

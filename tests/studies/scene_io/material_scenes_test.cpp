@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
-#include "core/surface/scene_rules.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"

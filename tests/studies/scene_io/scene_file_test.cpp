@@ -1,5 +1,5 @@
 #include "studies/scene_io/scene_file.hpp"
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "core/scene/indenter_shape.hpp"
+#include "core/model/indenter_shape.hpp"
 
 namespace rollres {
 

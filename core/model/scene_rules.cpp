@@ -1,4 +1,4 @@
-#include "core/surface/scene_rules.hpp"
+#include "core/model/scene_rules.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "core/material/material_scale.hpp"
 #include "core/material/prony_series.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 

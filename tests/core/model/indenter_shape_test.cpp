@@ -1,4 +1,4 @@
-#include "core/scene/indenter_shape.hpp"
+#include "core/model/indenter_shape.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"

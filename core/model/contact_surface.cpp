@@ -1,4 +1,4 @@
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
