@@ -206,7 +206,7 @@ TEST_CASE("an include that points upward, or to no chapter, is found", "[chapter
   CHECK(upward("core/influence", R"(#include "core/rolling_contact.hpp")") != "");
   CHECK(upward("core/newton", R"(#include "core/influence/influence.hpp")") == "");
   CHECK(upward("core/newton", R"(#include "core/newton/contact_level.hpp")") == "");
-  CHECK(upward("core/newton", R"(// #include "core/solve/model_choice.hpp")") == "");
+  CHECK(upward("core/newton", R"(// #include "core/solve/resolve.hpp")") == "");
 }
 
 TEST_CASE("a folder of sources holds at most thirty files", "[chapters]") {

@@ -61,11 +61,11 @@ InfluenceSpectra transform_coefficients(const InfluenceTable& table, const Surfa
 
 }  // namespace
 
-InfluenceOperator::InfluenceOperator(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& half,
+InfluenceOperator::InfluenceOperator(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& half,
                                      bool friction)
-    : scene_(scene),
+    : model_(model),
       grid_(half),
-      lateral_(dimensions(scene) == 3),
+      lateral_(model.dimension == 3),
       friction_(friction),
       padded_(padded_size(half.columns, half.rows, 1)),
       transform_(std::make_unique<PaddedConvolution<double>>(padded_)),
@@ -86,19 +86,19 @@ const InfluenceOperator* InfluenceOperator::part(std::unique_ptr<InfluenceOperat
                                                  const std::shared_ptr<const InfluenceTable>& table,
                                                  bool reversed) const {
   if (table && !made)
-    made = std::make_unique<InfluenceOperator>(scene_, reversed ? table->reversed() : *table, grid_, friction_);
+    made = std::make_unique<InfluenceOperator>(model_, reversed ? table->reversed() : *table, grid_, friction_);
   return made.get();
 }
 
 template <>
 KrylovOperator<float>& InfluenceOperator::krylov() const {
-  if (!single_) single_ = std::make_unique<KrylovOperator<float>>(scene_, grid_, padded_, spectra_, friction_);
+  if (!single_) single_ = std::make_unique<KrylovOperator<float>>(model_, grid_, padded_, spectra_, friction_);
   return *single_;
 }
 
 template <>
 KrylovOperator<double>& InfluenceOperator::krylov() const {
-  if (!double_) double_ = std::make_unique<KrylovOperator<double>>(scene_, grid_, padded_, spectra_, friction_);
+  if (!double_) double_ = std::make_unique<KrylovOperator<double>>(model_, grid_, padded_, spectra_, friction_);
   return *double_;
 }
 

@@ -34,7 +34,7 @@ struct InfluenceSpectra {
 class InfluenceOperator {
  public:
   /// @param half grid as of ContactProblem   @param friction false: only w from p will be wanted
-  InfluenceOperator(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& half, bool friction);
+  InfluenceOperator(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& half, bool friction);
   ~InfluenceOperator();
 
   /// Tractions [Pa] on the grid. Empty shear: only w is computed; shear_y is empty for a cylinder.
@@ -61,7 +61,7 @@ class InfluenceOperator {
   const InfluenceOperator* part(std::unique_ptr<InfluenceOperator>& made,
                                 const std::shared_ptr<const InfluenceTable>& table, bool reversed) const;
 
-  RollingScene scene_;
+  ContactModel model_;
   SurfaceGrid grid_;
   bool lateral_, friction_;
   PaddedSize padded_;

@@ -64,9 +64,9 @@ Spectrum<Real> rounded(const Spectrum<double>& spectrum) {
 }  // namespace
 
 template <class Real>
-KrylovOperator<Real>::KrylovOperator(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded,
+KrylovOperator<Real>::KrylovOperator(const ContactModel& model, const SurfaceGrid& half, PaddedSize padded,
                                      const InfluenceSpectra& spectra, bool friction)
-    : grid_(half), lateral_(dimensions(scene) == 3), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
+    : grid_(half), lateral_(model.dimension == 3), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
   if (friction) {
     transform_ = std::make_unique<PaddedConvolution<Real>>(padded_);
     uw_ = rounded<Real>(spectra.uw);
@@ -88,11 +88,11 @@ KrylovOperator<Real>::KrylovOperator(const RollingScene& scene, const SurfaceGri
     slip(spectra.uv, slip_uv_);
     slip(spectra.vv, slip_vv_);
   }
-  prepare_inverses(scene, friction);
+  prepare_inverses(model, friction);
 }
 
 template <class Real>
-void KrylovOperator<Real>::prepare_inverses(const RollingScene& scene, bool friction) {
+void KrylovOperator<Real>::prepare_inverses(const ContactModel& model, bool friction) {
   const double normalise = 1 / padded_.points();
   const std::size_t size = padded_.quarter_size(), rows = padded_.quarter_rows();
   const double step_x = 2 * M_PI / (padded_.columns * grid_.spacing_x);
@@ -101,7 +101,7 @@ void KrylovOperator<Real>::prepare_inverses(const RollingScene& scene, bool fric
   std::vector<CellSymbols> symbols(size);
   std::vector<complex> difference;  // by kx
   double largest_ww = 0, largest_xx = 0;
-  const SteadySurface surface(scene);
+  const SteadySurface surface = steady_surface(model);
   SteadySurface::Moduli moduli;
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t column = i / rows, row = i % rows;

@@ -26,7 +26,7 @@ class KrylovOperator {
   };
 
   /// @param padded size of the spectra
-  KrylovOperator(const RollingScene& scene, const SurfaceGrid& half, PaddedSize padded, const InfluenceSpectra& spectra,
+  KrylovOperator(const ContactModel& model, const SurfaceGrid& half, PaddedSize padded, const InfluenceSpectra& spectra,
                  bool friction);
 
   /// Displacement w and change of slip from tractions [Pa]. Empty shear: only w is computed; shear_y is empty for
@@ -40,7 +40,7 @@ class KrylovOperator {
   void approximate_inverse(const Response& wanted, Tractions& tractions);
 
  private:
-  void prepare_inverses(const RollingScene& scene, bool friction);
+  void prepare_inverses(const ContactModel& model, bool friction);
   EvenTransform<Real>& even_transform();
 
   SurfaceGrid grid_;

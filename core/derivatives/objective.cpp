@@ -186,7 +186,7 @@ RollingScene scene_at(const Objective& objective, std::span<const double> point)
   if (!scene.coating_layers.empty()) {
     if (scene.method == Method::automatic && (varies("poisson_ratio") || varies("coating_layers[0].poisson_ratio")))
       scene.method = Method::newton;
-  } else if (scene.indenter == Indenter::cylinder && !scene.spacing && varies("poisson_ratio")) {
+  } else if (dimension_of(scene.indenter) == 2 && !scene.spacing && varies("poisson_ratio")) {
     constexpr double nearly_incompressible = 0.5 - 1e-13;
     scene.poisson_ratio = std::min(scene.poisson_ratio, nearly_incompressible);
   }

@@ -13,11 +13,11 @@ namespace {
 /// The cells at the edge and what they do.
 class EdgeAssembly {
  public:
-  EdgeAssembly(const RollingScene& scene, const SurfaceGrid& grid, const EdgeCurve& curve,
+  EdgeAssembly(const ContactModel& model, const SurfaceGrid& grid, const EdgeCurve& curve,
                const std::vector<char>& in_contact)
       : grid_(grid), cells_(grid, curve, in_contact) {
     // The half-space that waves of a few cells see.
-    const SteadySurface surface(scene);
+    const SteadySurface surface = steady_surface(model);
     const SurfaceCompliance near = surface.half_spaces(surface.moduli(1 / grid.spacing_x));
     in_plane_ = near.longitudinal.real();
     more_across_ = near.transverse.real() - in_plane_;
@@ -94,12 +94,12 @@ class EdgeAssembly {
 
 }  // namespace
 
-EdgeSlip::EdgeSlip(const RollingScene& scene, const SurfaceGrid& half, const EdgeCurve& curve,
+EdgeSlip::EdgeSlip(const ContactModel& model, const SurfaceGrid& half, const EdgeCurve& curve,
                    const std::vector<char>& in_contact) {
   constexpr double coarsest = 9;  // rows; steps on coarser grids do not always converge
   if (!curve.known() || curve.unit < coarsest * half.spacing_y) return;
   curve_ = curve;
-  const EdgeAssembly assembly(scene, half, curve, in_contact);
+  const EdgeAssembly assembly(model, half, curve, in_contact);
   const auto add = [this](Eigen::Index target, Eigen::Index source, double xx, double xy, double yx, double yy) {
     terms_.push_back({target, source, xx, xy, yx, yy});
   };

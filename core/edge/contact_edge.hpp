@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/edge/edge_curve.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/numerics/vector.hpp"
-#include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -16,7 +16,7 @@ class EdgeSlip {
  public:
   EdgeSlip() = default;
   /// @param in_contact a flag for each node
-  EdgeSlip(const RollingScene& scene, const SurfaceGrid& half, const EdgeCurve& curve,
+  EdgeSlip(const ContactModel& model, const SurfaceGrid& half, const EdgeCurve& curve,
            const std::vector<char>& in_contact);
 
   const EdgeCurve& curve() const { return curve_; }

@@ -75,10 +75,10 @@ LineEnd end_of(const LoadedLine& line, bool from_last, double wedge) {
 }
 
 /// Friction on a compressible layer makes the pressure at an edge go with the exponent 1/2 -+ this.
-double wedge_of(const RollingScene& scene) {
-  double nu = scene.poisson_ratio;
-  if (!scene.coating_layers.empty()) nu = std::min(nu, scene.coating_layers.front().poisson_ratio);
-  return std::atan((1 - 2 * nu) / (2 - 2 * nu) * scene.friction_coefficient) / M_PI;
+double wedge_of(const ContactModel& model) {
+  double nu = model.top().poisson_ratio;
+  if (!model.coating.empty()) nu = std::min(nu, model.coating.front().poisson_ratio);
+  return std::atan((1 - 2 * nu) / (2 - 2 * nu) * model.friction_coefficient) / M_PI;
 }
 
 /// What a line's nodes tell of the largest pressure on it, over the largest of the nodes.
@@ -120,8 +120,8 @@ LinePeak peak_of(const LoadedLine& line, double ends) {
 
 class Outline {
  public:
-  Outline(const RollingScene& scene, const SurfaceGrid& half, const Vector& pressure)
-      : grid_(half), pressure_(pressure), wedge_(wedge_of(scene)), lateral_(scene.indenter != Indenter::cylinder) {}
+  Outline(const ContactModel& model, const SurfaceGrid& half, const Vector& pressure)
+      : grid_(half), pressure_(pressure), wedge_(wedge_of(model)), lateral_(model.dimension == 3) {}
 
   ContactOutline between_nodes() {
     count_nodes();
@@ -304,10 +304,10 @@ class Outline {
 
 }  // namespace
 
-ContactOutline contact_outline(const RollingScene& scene, const SurfaceGrid& half, const Vector& pressure) {
-  const bool as_printed = scene.kinematics == Kinematics::printed || scene.method == Method::active_set;
-  Outline outline(scene, half, pressure);
-  return as_printed || scene.adhesion_threshold > 0 ? outline.of_nodes() : outline.between_nodes();
+ContactOutline contact_outline(const ContactModel& model, const SurfaceGrid& half, const Vector& pressure) {
+  const bool as_printed = model.kinematics == Kinematics::printed || model.method == Method::active_set;
+  Outline outline(model, half, pressure);
+  return as_printed || model.adhesion_threshold > 0 ? outline.of_nodes() : outline.between_nodes();
 }
 
 }  // namespace rollres

@@ -3,8 +3,8 @@
 /// Where a contact on a grid ends, and how large its pressure is, between the nodes, each with an error of its own
 /// (core/newton/README.md, section 10).
 
+#include "core/model/contact_model.hpp"
 #include "core/numerics/vector.hpp"
-#include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -19,6 +19,6 @@ struct ContactOutline {
 
 /// The nodes themselves where the scene asks for the paper's contact, or nodes adhere and pull at the edge.
 /// @param half a cylinder's grid, or rows y >= 0 of a sphere's   @param pressure on it [Pa], > 0 at some node
-ContactOutline contact_outline(const RollingScene& scene, const SurfaceGrid& half, const Vector& pressure);
+ContactOutline contact_outline(const ContactModel& model, const SurfaceGrid& half, const Vector& pressure);
 
 }  // namespace rollres

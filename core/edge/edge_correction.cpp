@@ -52,7 +52,7 @@ class NormalProblem {
  private:
   using Field = Eigen::VectorXf;
 
-  double load() const { return *sphere_.scene.load; }
+  double load() const { return *sphere_.model.load; }
   double force_scale() const { return sphere_.of_load.maxCoeff() * std::sqrt(static_cast<double>(nodes_)); }
 
   /// w of all nodes [m], one column beyond the grid's left out.
@@ -142,10 +142,10 @@ double cells_on_half(const EdgeCurve& curve, const SurfaceGrid& grid) {
 double smooth_over_ring(const PressedSphere& sphere) {
   constexpr double too_long = 0.2, too_short = 10, long_enough = 16;  // cells
   constexpr double negligible = 0.1;                                  // part of the compliance
-  const CreepSpectrum creep = near_spectrum(sphere.scene);
+  const CreepSpectrum creep = near_spectrum(sphere.model);
   double whole = creep.instantaneous, between = 0;
   for (const CreepSpectrum::Term& term : creep.terms) {
-    const double cells = sphere.scene.speed * term.time / sphere.half.spacing_x;
+    const double cells = sphere.model.speed * term.time / sphere.half.spacing_x;
     const double resolved = smooth_step((cells - too_short) / (long_enough - too_short));
     const double as_elastic = smooth_step(2 - cells / too_long);
     whole += term.compliance;
@@ -167,7 +167,7 @@ EdgeCorrection edge_correction(const PressedSphere& sphere, const Vector& even_p
   double before = RollingSolution::absent, change = before;
   for (int pass = 0; pass < passes; ++pass) {
     if (!curve.known()) return {};
-    const EdgePressure edge(sphere.scene, grid, curve);
+    const EdgePressure edge(sphere.model, grid, curve);
     if (!edge.fits()) return {};
     Vector inside = Vector::Zero(grid.size());
     for (const Eigen::Index node : edge.contact()) inside(node) = pressure(node);

@@ -3,8 +3,8 @@
 /// What the edge between the nodes changes of a sphere's rolling resistance (core/newton/README.md, section 9).
 
 #include "core/convolution/influence_operator.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/numerics/vector.hpp"
-#include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -18,7 +18,7 @@ struct EdgeCorrection {
 
 /// The normal problem of a sphere under a load, with its shear as it is.
 struct PressedSphere {
-  const RollingScene& scene;
+  const ContactModel& model;
   const SurfaceGrid& half;  // its grid
   const InfluenceOperator& influence;
   Vector height;                   // of the body less the displacement by the shear, at the nodes [m]

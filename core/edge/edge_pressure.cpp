@@ -54,10 +54,10 @@ struct Moments {
 
 class EdgePressure::Assembly {
  public:
-  Assembly(const RollingScene& scene, const SurfaceGrid& grid, const EdgeCurve& curve, const std::vector<char>& inside,
+  Assembly(const ContactModel& model, const SurfaceGrid& grid, const EdgeCurve& curve, const std::vector<char>& inside,
            EdgePressure& result)
       : grid_(grid), cells_(grid, curve, inside), result_(result) {
-    const SteadySurface surface(scene);
+    const SteadySurface surface = steady_surface(model);
     compliance_ = surface.half_spaces(surface.moduli(1 / grid.spacing_x)).normal.real();
     for (int row = -furthest; row <= furthest; ++row)
       for (int column = -furthest; column <= furthest; ++column) {
@@ -179,7 +179,7 @@ class EdgePressure::Assembly {
   std::vector<double> even_;  // integrals of 1/r over even cells [m]
 };
 
-EdgePressure::EdgePressure(const RollingScene& scene, const SurfaceGrid& grid, const EdgeCurve& curve) {
+EdgePressure::EdgePressure(const ContactModel& model, const SurfaceGrid& grid, const EdgeCurve& curve) {
   std::vector<char> inside(static_cast<std::size_t>(grid.size()));
   for (int row = 0; row < grid.rows; ++row) {
     if (grid.y(row) > curve.unit) break;
@@ -192,7 +192,7 @@ EdgePressure::EdgePressure(const RollingScene& scene, const SurfaceGrid& grid, c
     }
   }
   if (contact_.empty()) fits_ = false;
-  if (fits_) Assembly(scene, grid, curve, inside, *this).run();
+  if (fits_) Assembly(model, grid, curve, inside, *this).run();
 }
 
 }  // namespace rollres

@@ -7,8 +7,8 @@
 
 #include "core/edge/edge_cells.hpp"
 #include "core/edge/edge_curve.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/numerics/vector.hpp"
-#include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -17,7 +17,7 @@ namespace rollres {
 /// the contact leaves its part to them.
 class EdgePressure {
  public:
-  EdgePressure(const RollingScene& scene, const SurfaceGrid& half, const EdgeCurve& curve);
+  EdgePressure(const ContactModel& model, const SurfaceGrid& half, const EdgeCurve& curve);
 
   /// Whether the contact keeps clear of the grid's border.
   bool fits() const { return fits_; }

@@ -35,8 +35,8 @@ struct PressureTransform {
 
 class HertzPressure {
  public:
-  explicit HertzPressure(const RollingScene& scene)
-      : sphere_(scene.indenter == Indenter::sphere), radius_(scene.radius), surface_(scene) {}
+  explicit HertzPressure(const ContactModel& model)
+      : sphere_(model.dimension == 3), radius_(model.radius), surface_(steady_surface(model)) {}
 
   ContactEstimate at(double half_width) const {
     const double a = half_width;
@@ -137,35 +137,35 @@ class HertzPressure {
 
 }  // namespace
 
-ContactEstimate composite_estimate(const RollingScene& scene) {
-  const HertzPressure pressure(scene);
+ContactEstimate composite_estimate(const ContactModel& model) {
+  const HertzPressure pressure(model);
   const auto excess = [&](double log_half_width) {
     const ContactEstimate found = pressure.at(std::exp(log_half_width));
-    return scene.load ? std::log(found.load / *scene.load) : std::log(found.approach / *scene.approach);
+    return model.load ? std::log(found.load / *model.load) : std::log(found.approach / *model.approach);
   };
-  double low = std::log(0.1 * scene.radius), high = low;
+  double low = std::log(0.1 * model.radius), high = low;
   constexpr double farthest = 100;  // where there is none, bracketed_root says so
   while (low > high - farthest && excess(low) > 0) low -= 1;
   while (high < low + 2 * farthest && excess(high) < 0) high += 1;
   ContactEstimate estimate = pressure.at(std::exp(bracketed_root(excess, low, high, 1e-3)));
-  if (std::isinf(total_thickness(scene)) && scene.indenter == Indenter::cylinder) estimate.approach = NAN;
+  if (std::isinf(total_thickness(model)) && model.dimension == 2) estimate.approach = NAN;
   return estimate;
 }
 
-HertzResponse hertz_response(const RollingScene& scene, double half_width) {
-  return HertzPressure(scene).response(half_width, true);
+HertzResponse hertz_response(const ContactModel& model, double half_width) {
+  return HertzPressure(model).response(half_width, true);
 }
 
-double spectrum_error(const RollingScene& scene, double half_width) {
+double spectrum_error(const ContactModel& model, double half_width) {
   // Two deviations, and half of one for the fit's own distance from the mean of what is open.
   constexpr double deviations = 2.5;
   const auto is_curve = [](const MaterialInputs& layer) { return layer.material == MaterialModel::master_curve; };
-  const auto any_curve = [&](const BondedLayers& layers) {
+  const auto any_curve = [&](const std::vector<ModelLayer>& layers) {
     return std::any_of(layers.begin(), layers.end(), is_curve);
   };
-  if (!is_curve(scene) && !any_curve(scene.lower_layers) && !any_curve(scene.coating_layers)) return 0;
+  if (!any_curve(model.foundation) && !any_curve(model.coating)) return 0;
 
-  const HertzPressure pressure(scene);
+  const HertzPressure pressure(model);
   constexpr double step = 0.02;
   const HertzResponse at = pressure.response(half_width, true),
                       wider = pressure.response(half_width * (1 + step), true);
@@ -173,7 +173,7 @@ double spectrum_error(const RollingScene& scene, double half_width) {
   const double slope_power = std::log(wider.slope / at.slope) / std::log1p(step);
   double variance = 0;
   /// @param flow speed at which the layer flows through the contact over V
-  const auto add = [&](const MaterialInputs& layer, const CreepSpectrum& creep, double flow,
+  const auto add = [&](const ModelLayer& layer, const CreepSpectrum& creep, double flow,
                        const HertzPressure::Stiffen& stiffen) {
     if (!is_curve(layer)) return;
     const auto fit = shared_master_curve_fit(layer);
@@ -183,21 +183,19 @@ double spectrum_error(const RollingScene& scene, double half_width) {
     const HertzPressure::Changes change = pressure.changes(half_width, creep, stiffen, times);
     // Under a load P = -2 a/(n' R A') is kept, under an approach nearly a.
     const Eigen::VectorXd slope = change.slope / at.slope, loss = change.loss / at.loss;
-    const double through_slope = scene.load ? loss_power / (1 - slope_power) : -2;
+    const double through_slope = model.load ? loss_power / (1 - slope_power) : -2;
     variance += std::pow(fit->open.deviation(loss + through_slope * slope), 2);
   };
-  const bool composite = is_composite(scene);
-  add(scene, creep_spectrum(scene), 1, [&](SteadySurface::Moduli& moduli, double factor) {
-    if (composite)
-      moduli.foundation.front() *= factor;
-    else
-      moduli.compliance /= factor;
-  });
-  for (std::size_t i = 0; i < scene.lower_layers.size(); ++i)
-    add(scene.lower_layers[i], creep_spectrum(scene.lower_layers[i]), 1,
-        [i](SteadySurface::Moduli& moduli, double factor) { moduli.foundation[i + 1] *= factor; });
-  for (std::size_t i = 0; i < scene.coating_layers.size(); ++i)
-    add(scene.coating_layers[i], creep_in_flow(scene, scene.coating_layers[i]), std::abs(flow_of_coating(scene)),
+  const bool composite = model.composite();
+  for (std::size_t i = 0; i < model.foundation.size(); ++i)
+    add(model.foundation[i], model.foundation[i].creep, 1, [&](SteadySurface::Moduli& moduli, double factor) {
+      if (composite)
+        moduli.foundation[i] *= factor;
+      else
+        moduli.compliance /= factor;
+    });
+  for (std::size_t i = 0; i < model.coating.size(); ++i)
+    add(model.coating[i], creep_in_flow(model, model.coating[i]), std::abs(model.flow),
         [i](SteadySurface::Moduli& moduli, double factor) { moduli.coating[i] *= factor; });
   return deviations * std::sqrt(variance);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A cheap estimate of the contact on a composite surface (contact_surface.hpp): Hertz's pressure, its width the one of
-/// least potential energy.
+/// A cheap estimate of the contact on a composite surface (`ContactModel::composite`): Hertz's pressure, its width the
+/// one of least potential energy.
 ///
 /// With the pressure's transform P phi(k a), phi(z) = 2 J1(z)/z for a cylinder and 3 j1(z)/z for a sphere, and the
 /// compliance c(k) = |c_ww(k)| at the frequency k V, the energy under a load P is
@@ -10,23 +10,23 @@
 /// within about 30 % for a thin layer.
 
 #include "core/estimate/contact_estimate.hpp"
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 
 namespace rollres {
 
-ContactEstimate composite_estimate(const RollingScene& scene);
+ContactEstimate composite_estimate(const ContactModel& model);
 
 /// How a surface answers that pressure: A, A' and what it takes of the power, R_r = P^2 loss without friction. By it
-/// two surfaces are compared at one half-width (model_choice.hpp).
+/// two surfaces are compared at one half-width (solve/resolve.hpp).
 struct HertzResponse {
   double compliance, slope;  ///< A [m/N], A' [1/N]; of a cylinder [m2/N], [m/N]
   double loss;               ///< 1/pi int Im c_ww phi^2 k dk or 1/(4 pi^2) int Im c_ww phi^2 k_x dk_x dk_y
 };
-HertzResponse hertz_response(const RollingScene& scene, double half_width);
+HertzResponse hertz_response(const ContactModel& model, double half_width);
 
 /// Relative error of R_r by what the tables of its master curves leave open (OpenSpectrum), not exceeded in 95 % of
 /// all tables: by the derivatives of that answer, also through the half-width, with respect to the spectra. 0 without
 /// a master curve.
-double spectrum_error(const RollingScene& scene, double half_width);
+double spectrum_error(const ContactModel& model, double half_width);
 
 }  // namespace rollres

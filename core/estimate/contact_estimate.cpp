@@ -140,8 +140,8 @@ double find_alpha(Number number, int power, double value) {
 /// The two numbers of a layer, for a modulus of G: they contain what Poisson's ratio changes.
 class ContactNumbers {
  public:
-  ContactNumbers(Indenter indenter, const Layer& layer)
-      : sphere_(indenter == Indenter::sphere), layered_(!std::isinf(layer.thickness)), nu_(layer.poisson_ratio) {}
+  ContactNumbers(int dimension, const Layer& layer)
+      : sphere_(dimension == 3), layered_(!std::isinf(layer.thickness)), nu_(layer.poisson_ratio) {}
 
   /// P R / (G a^3), or P R / (G a^2) for a cylinder
   double load(double alpha) const {
@@ -178,14 +178,14 @@ class ContactNumbers {
 
 }  // namespace
 
-ContactEstimate elastic_contact_from_load(Indenter indenter, double radius, const Layer& layer, double shear_modulus,
+ContactEstimate elastic_contact_from_load(int dimension, double radius, const Layer& layer, double shear_modulus,
                                           double load) {
   require_positive("radius", radius);
   require_positive_or_infinite("layer_thickness", layer.thickness);
   require_positive("shear_modulus", shear_modulus);
   require_positive("load", load);
-  const bool sphere = indenter == Indenter::sphere;
-  const ContactNumbers numbers(indenter, layer);
+  const bool sphere = dimension == 3;
+  const ContactNumbers numbers(dimension, layer);
   const double scaled = load * radius / shear_modulus;  // a^n f, n = 3 (sphere) or 2
   if (std::isinf(layer.thickness)) {
     const double a = sphere ? std::cbrt(scaled / numbers.load(0)) : std::sqrt(scaled / numbers.load(0));
@@ -199,14 +199,14 @@ ContactEstimate elastic_contact_from_load(Indenter indenter, double radius, cons
   return {a, a * a / radius * numbers.approach(alpha), load};
 }
 
-ContactEstimate elastic_contact_from_approach(Indenter indenter, double radius, const Layer& layer,
-                                              double shear_modulus, double approach) {
+ContactEstimate elastic_contact_from_approach(int dimension, double radius, const Layer& layer, double shear_modulus,
+                                              double approach) {
   require_positive("radius", radius);
   require_positive_or_infinite("layer_thickness", layer.thickness);
   require_positive("shear_modulus", shear_modulus);
   require_positive("approach", approach);
-  const bool sphere = indenter == Indenter::sphere;
-  const ContactNumbers numbers(indenter, layer);
+  const bool sphere = dimension == 3;
+  const ContactNumbers numbers(dimension, layer);
   const double scale = shear_modulus / radius;
   if (std::isinf(layer.thickness)) {
     if (!sphere)

@@ -27,16 +27,16 @@ struct ContactEstimate {
   double load;        ///< P [N/m] for a cylinder, [N] for a sphere
 };
 
-/// @param radius R [m]   @param shear_modulus G [Pa]
+/// @param dimension 2: of a cylinder; 3: of a sphere   @param radius R [m]   @param shear_modulus G [Pa]
 /// @param load P [N/m] for a cylinder, [N] for a sphere
 /// @throws std::invalid_argument naming the first argument that is not positive
-ContactEstimate elastic_contact_from_load(Indenter indenter, double radius, const Layer& layer, double shear_modulus,
+ContactEstimate elastic_contact_from_load(int dimension, double radius, const Layer& layer, double shear_modulus,
                                           double load);
 
 /// @param approach d [m]; other arguments as above
 /// @throws std::invalid_argument naming the first argument that is not positive, and for a cylinder on a half-space,
 /// whose approach says nothing about its contact
-ContactEstimate elastic_contact_from_approach(Indenter indenter, double radius, const Layer& layer,
-                                              double shear_modulus, double approach);
+ContactEstimate elastic_contact_from_approach(int dimension, double radius, const Layer& layer, double shear_modulus,
+                                              double approach);
 
 }  // namespace rollres

@@ -13,26 +13,26 @@ namespace rollres {
 
 namespace {
 
-ContactEstimate elastic_contact(const RollingScene& scene, double modulus) {
-  if (scene.load) return elastic_contact_from_load(scene.indenter, scene.radius, layer_of(scene), modulus, *scene.load);
-  return elastic_contact_from_approach(scene.indenter, scene.radius, layer_of(scene), modulus, *scene.approach);
+ContactEstimate elastic_contact(const ContactModel& model, double modulus) {
+  if (model.load) return elastic_contact_from_load(model.dimension, model.radius, model.layer(), modulus, *model.load);
+  return elastic_contact_from_approach(model.dimension, model.radius, model.layer(), modulus, *model.approach);
 }
 
 }  // namespace
 
-ContactEstimate estimate_contact(const RollingScene& scene) {
-  if (is_composite(scene)) return composite_estimate(scene);
-  const CreepSpectrum creep = creep_spectrum(scene);
-  ContactEstimate estimate = elastic_contact(scene, 1 / creep.at_rest());
+ContactEstimate estimate_contact(const ContactModel& model) {
+  if (model.composite()) return composite_estimate(model);
+  const CreepSpectrum& creep = model.top().creep;
+  ContactEstimate estimate = elastic_contact(model, 1 / creep.at_rest());
   // The modulus depends on the half-width through the frequency: a few passes settle it.
   for (int pass = 0; pass < 4; ++pass)
-    estimate = elastic_contact(scene, 1 / std::abs(creep(scene.speed / estimate.half_width)));
+    estimate = elastic_contact(model, 1 / std::abs(creep(model.speed / estimate.half_width)));
   return estimate;
 }
 
-double default_spacing(const RollingScene& scene) {
-  const double nodes_per_half_width = scene.indenter == Indenter::cylinder ? 60 : 20;
-  return std::min(estimate_contact(scene).half_width, scene.radius) / nodes_per_half_width;
+double default_spacing(const ContactModel& model) {
+  const double nodes_per_half_width = model.dimension == 2 ? 60 : 20;
+  return std::min(estimate_contact(model).half_width, model.radius) / nodes_per_half_width;
 }
 
 void require_nodes(double columns, double rows, double spacing) {
@@ -42,15 +42,15 @@ void require_nodes(double columns, double rows, double spacing) {
                  message_text("the contact needs ", columns * rows, " nodes of ", spacing, " m"));
 }
 
-SurfaceGrid window(Indenter indenter, double spacing, double half_width) {
+SurfaceGrid window(int dimension, double spacing, double half_width) {
   const double wanted = std::max(2.0, std::ceil(half_width / spacing));
-  require_nodes(2 * wanted + 1, indenter == Indenter::sphere ? wanted + 1 : 1, spacing);
+  require_nodes(2 * wanted + 1, dimension == 3 ? wanted + 1 : 1, spacing);
   const int cells = checked_count(wanted, "cells of a window");
   SurfaceGrid grid;
   grid.spacing_x = spacing;
   grid.first_column = -cells;
   grid.columns = 2 * cells + 1;
-  if (indenter == Indenter::sphere) {
+  if (dimension == 3) {
     grid.spacing_y = spacing;
     grid.rows = cells + 1;
   } else {

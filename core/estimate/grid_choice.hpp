@@ -3,25 +3,25 @@
 /// Which nodes a scene needs: spacing and window, from closed-form estimates of its contact.
 
 #include "core/estimate/contact_estimate.hpp"
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
 
 /// Contact of the scene if its layer were elastic with the modulus it has at the frequency V / half-width.
-ContactEstimate estimate_contact(const RollingScene& scene);
+ContactEstimate estimate_contact(const ContactModel& model);
 
 /// Spacing for a scene that gives none: about 120 nodes along a cylinder's contact, 40 along a sphere's; with a
 /// tolerance, a first spacing from which to refine.
-double default_spacing(const RollingScene& scene);
+double default_spacing(const ContactModel& model);
 
 /// @throws BeyondLimits if a half grid of so many nodes takes more memory than the solution may (solution_limits.hpp)
 void require_nodes(double columns, double rows, double spacing);
 
-/// Half grid (rows y >= 0 for a sphere) with a node at the origin that covers |x|, |y| <= half_width.
-SurfaceGrid window(Indenter indenter, double spacing, double half_width);
+/// Half grid (rows y >= 0 in 3D, one row in 2D) with a node at the origin that covers |x|, |y| <= half_width.
+SurfaceGrid window(int dimension, double spacing, double half_width);
 
 /// Largest half-width a window may have: beyond it a body of this radius has no lower surface.
-inline double widest_window(const RollingScene& scene) { return 0.98 * scene.radius; }
+inline double widest_window(const ContactModel& model) { return 0.98 * model.radius; }
 
 }  // namespace rollres

@@ -28,27 +28,27 @@ constexpr double scatter_by_strain = 0.15;
 constexpr double least_ratio = 0.1, largest_ratio = 7, largest_strain = 0.33, least_poisson = 0.35,
                  largest_friction = 0.8, largest_frictional_share = 0.3, least_lever_with_friction = 0.01;
 
-bool of_a_fitted_kind(const RollingScene& scene) {
-  return scene.indenter == Indenter::cylinder && scene.lower_layers.empty() && scene.coating_layers.empty() &&
-         std::isfinite(scene.layer_thickness) && scene.load && !scene.period && scene.adhesion_threshold == 0 &&
-         scene.kinematics != Kinematics::printed && !inertia_included(scene) &&
-         (scene.drive == Drive::top_force || scene.drive == Drive::free);
+bool of_a_fitted_kind(const ContactModel& model) {
+  return model.dimension == 2 && model.foundation.size() == 1 && model.coating.empty() &&
+         std::isfinite(model.top().layer_thickness) && model.load && !model.period && model.adhesion_threshold == 0 &&
+         model.kinematics != Kinematics::printed && !model.inertia &&
+         (model.drive == Drive::top_force || model.drive == Drive::free);
 }
 
 }  // namespace
 
-std::optional<LinearityError> linearity_error(const RollingScene& scene, const RollingSolution& linear) {
-  if (!of_a_fitted_kind(scene) || linear.method == Method::finite_strain) return {};
-  const double half = 0.5 * (linear.leading_edge - linear.trailing_edge), omega = scene.speed / half;
-  const double ratio = half / scene.layer_thickness, strain = linear.approach / scene.layer_thickness;
-  const double friction = scene.friction_coefficient, incompressible = 1 - 2 * scene.poisson_ratio;
-  const double share = friction > 0 ? linear.frictional_loss / (linear.rolling_resistance * scene.speed) : 0;
-  const double lever = linear.rolling_resistance * scene.radius / (linear.load * half);
+std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear) {
+  if (!of_a_fitted_kind(model) || linear.method == Method::finite_strain) return {};
+  const double half = 0.5 * (linear.leading_edge - linear.trailing_edge), omega = model.speed / half;
+  const double ratio = half / model.top().layer_thickness, strain = linear.approach / model.top().layer_thickness;
+  const double friction = model.friction_coefficient, incompressible = 1 - 2 * model.top().poisson_ratio;
+  const double share = friction > 0 ? linear.frictional_loss / (linear.rolling_resistance * model.speed) : 0;
+  const double lever = linear.rolling_resistance * model.radius / (linear.load * half);
   if (!(ratio >= least_ratio && ratio <= largest_ratio && strain <= largest_strain &&
-        share <= largest_frictional_share && scene.poisson_ratio >= least_poisson && friction <= largest_friction &&
-        lever > 0 && (friction == 0 || lever >= least_lever_with_friction)))
+        share <= largest_frictional_share && model.top().poisson_ratio >= least_poisson &&
+        friction <= largest_friction && lever > 0 && (friction == 0 || lever >= least_lever_with_friction)))
     return {};
-  const CreepSpectrum creep = creep_spectrum(scene);
+  const CreepSpectrum& creep = model.top().creep;
   const auto modulus = [&](double at) { return 1.0 / creep(at); };
   constexpr double step = 1.01;
   const double slope = std::log(modulus(omega * step).imag() / modulus(omega / step).imag()) / (2 * std::log(step));

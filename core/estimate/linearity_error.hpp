@@ -14,7 +14,7 @@
 
 #include <optional>
 
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -27,6 +27,6 @@ struct LinearityError {
 /// @param linear  the scene's converged solution by a linear method
 /// Empty where the formula was not fitted: spheres, several layers, coatings, half-spaces, a given approach, torque or
 /// rotation, printed kinematics, elastic layers, mostly frictional resistance, beyond those ranges.
-std::optional<LinearityError> linearity_error(const RollingScene& scene, const RollingSolution& linear);
+std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear);
 
 }  // namespace rollres

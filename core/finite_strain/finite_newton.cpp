@@ -28,8 +28,8 @@ constexpr double slip_weight = 1;
 
 }  // namespace
 
-FiniteContact::FiniteContact(const RollingScene& scene, FlowingLayer& layer)
-    : scene_(scene),
+FiniteContact::FiniteContact(const ContactModel& model, FlowingLayer& layer)
+    : model_(model),
       layer_(layer),
       nodes_(static_cast<std::size_t>(layer.numbering().columns)),
       local_(layer.mesh().cells_along() + 1, 2 * layer.numbering().stride(), layer.numbering().stride(),
@@ -43,7 +43,7 @@ FiniteContact::FiniteContact(const RollingScene& scene, FlowingLayer& layer)
 void FiniteContact::place_nodes(const FiniteState& state) {
   rotation_ratio_ = state.rotation_ratio;
   approach_ = state.approach;
-  const Vector2d axis(0, scene_.radius - approach_);
+  const Vector2d axis(0, model_.radius - approach_);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     SurfaceNode& node = nodes_[i];
     node.position = layer_.mesh().rest(node.place, 0) + state.unknowns.segment<2>(displacement(i));
@@ -56,12 +56,12 @@ void FiniteContact::place_nodes(const FiniteState& state) {
       const Vector2d arm = node.position - axis;
       node.distance = arm.norm();
       node.outward = arm / node.distance;
-      node.arc = scene_.radius * std::atan2(arm.x(), -arm.y());
-      node.per_step = scene_.radius / node.distance;
+      node.arc = model_.radius * std::atan2(arm.x(), -arm.y());
+      node.per_step = model_.radius / node.distance;
       // |x - c| - R without the difference of what is nearly alike: bodies may be 10^4 contacts wide.
       const double height = node.position.y() + approach_;
-      node.gap = (node.position.x() * node.position.x() + height * (height - 2 * scene_.radius)) /
-                 (node.distance + scene_.radius);
+      node.gap = (node.position.x() * node.position.x() + height * (height - 2 * model_.radius)) /
+                 (node.distance + model_.radius);
     }
     node.tangent = Vector2d(-node.outward.y(), node.outward.x());
     node.normal = state.unknowns(normal(i));
@@ -75,7 +75,7 @@ void FiniteContact::place_nodes(const FiniteState& state) {
 
 bool FiniteContact::choose_zones() {
   bool changed = false;
-  const FrictionLaw law{scene_.friction_coefficient};
+  const FrictionLaw law{model_.friction_coefficient};
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     SurfaceNode& node = nodes_[i];
     Zone zone = Zone::free;
@@ -113,7 +113,7 @@ double FiniteContact::driving_force() const {
 double FiniteContact::torque() const {
   double sum = 0;
   for (const SurfaceNode& node : nodes_)
-    sum += covered() ? node.normal * node.position.x() + node.shear * lever(node) : -node.shear * scene_.radius;
+    sum += covered() ? node.normal * node.position.x() + node.shear * lever(node) : -node.shear * model_.radius;
   return sum;
 }
 
@@ -163,13 +163,13 @@ Vector FiniteContact::residual() const {
     else if (node.zone == Zone::stick)
       rows(shear(i)) = node.slip;
     else
-      rows(shear(i)) = node.shear - node.direction * scene_.friction_coefficient * node.normal;
+      rows(shear(i)) = node.shear - node.direction * model_.friction_coefficient * node.normal;
   }
-  rows(size()) = scene_.load ? load() - *scene_.load : approach_ - *scene_.approach;
+  rows(size()) = model_.load ? load() - *model_.load : approach_ - *model_.approach;
   if (with_friction_)
-    rows(size() + 1) = scene_.drive == Drive::rotation
-                           ? rotation_ratio_ - *scene_.rotation_ratio
-                           : drive_row(scene_, torque(), driving_force()) - drive_target(scene_);
+    rows(size() + 1) = model_.drive == Drive::rotation
+                           ? rotation_ratio_ - *model_.rotation_ratio
+                           : drive_row(model_, torque(), driving_force()) - drive_target(model_);
   return rows;
 }
 
@@ -198,7 +198,7 @@ void FiniteContact::linearise() {
       for (int c = 0; c < 2; ++c) add(normal(i), displacement(i) + c, node.outward(c));
       add(normal(i), approach, node.outward.y());
     }
-    if (loaded && scene_.load) {
+    if (loaded && model_.load) {
       add_along_tangent(approach, i, -turning.y());
       add(approach, normal(i), -node.outward.y());
       if (sheared()) add(approach, shear(i), -node.tangent.y());
@@ -212,23 +212,23 @@ void FiniteContact::linearise() {
     } else {
       add(shear(i), shear(i), 1);
       if (with_friction_ && node.zone == Zone::slip)
-        add(shear(i), normal(i), -node.direction * scene_.friction_coefficient);
+        add(shear(i), normal(i), -node.direction * model_.friction_coefficient);
     }
-    if (scene_.drive != Drive::rotation && loaded && with_friction_) linearise_drive(i);
+    if (model_.drive != Drive::rotation && loaded && with_friction_) linearise_drive(i);
   }
-  if (!scene_.load) add(approach, approach, 1);
-  if (!with_friction_ || scene_.drive == Drive::rotation) add(rotation, rotation, 1);
+  if (!model_.load) add(approach, approach, 1);
+  if (!with_friction_ || model_.drive == Drive::rotation) add(rotation, rotation, 1);
 }
 
 void FiniteContact::linearise_drive(std::size_t i) {
   const SurfaceNode& node = nodes_[i];
   const Eigen::Index row = size() + 1;
-  const double pushed = scene_.drive == Drive::top_force ? 1 : 0;
+  const double pushed = model_.drive == Drive::top_force ? 1 : 0;
   if (covered()) {
-    add(row, shear(i), lever(node) / scene_.radius + pushed);
-    add(row, normal(i), node.position.x() / scene_.radius);
-    add(row, displacement(i), node.normal / scene_.radius);
-    add(row, displacement(i) + 1, node.shear / scene_.radius);
+    add(row, shear(i), lever(node) / model_.radius + pushed);
+    add(row, normal(i), node.position.x() / model_.radius);
+    add(row, displacement(i), node.normal / model_.radius);
+    add(row, displacement(i) + 1, node.shear / model_.radius);
     return;
   }
   add(row, shear(i), -1 - pushed * node.tangent.x());
@@ -280,7 +280,7 @@ Vector FiniteContact::precondition(const Vector& right_side) const {
 }
 
 double FiniteContact::left(const Vector& missing) const {
-  const double force = load(), height = 0.5 / scene_.radius;
+  const double force = load(), height = 0.5 / model_.radius;
   double worst = layer_.volume_defect();
   const auto take = [&](double amount, double scale) { worst = std::max(worst, std::abs(amount) / scale); };
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -291,23 +291,23 @@ double FiniteContact::left(const Vector& missing) const {
     take(missing(normal(i)), contact ? height : force);
     if (sheared()) take(missing(shear(i)), contact && nodes_[i].zone == Zone::stick ? 2 * height : force);
   }
-  take(missing(size()), scene_.load ? *scene_.load : *scene_.approach);
-  take(missing(size() + 1), scene_.drive == Drive::rotation ? 1 : force);
+  take(missing(size()), model_.load ? *model_.load : *model_.approach);
+  take(missing(size() + 1), model_.drive == Drive::rotation ? 1 : force);
   return worst;
 }
 
 double FiniteContact::law_violation() const {
   const Vector missing = residual();
   double worst = left(missing), peak = 0;
-  const FrictionLaw law{with_friction_ ? scene_.friction_coefficient : 0};
+  const FrictionLaw law{with_friction_ ? model_.friction_coefficient : 0};
   for (const SurfaceNode& node : nodes_) peak = std::max(peak, node.normal / node.share);
   for (const SurfaceNode& node : nodes_) {
     const double force = peak * node.share;
-    worst = std::max({worst, -node.normal / force, -node.gap * 2 * scene_.radius});
+    worst = std::max({worst, -node.normal / force, -node.gap * 2 * model_.radius});
     if (with_friction_ && node.zone == Zone::stick)
       worst = std::max(worst, (std::abs(node.shear) - law.bound(node.normal)) / law.bound(force));
     if (with_friction_ && node.zone == Zone::slip)
-      worst = std::max(worst, -node.direction * node.slip * scene_.radius / 2);
+      worst = std::max(worst, -node.direction * node.slip * model_.radius / 2);
   }
   return std::isnan(worst) ? INFINITY : worst;
 }

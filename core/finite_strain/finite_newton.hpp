@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/finite_strain/flowing_layer.hpp"
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -46,7 +46,7 @@ struct FiniteOutcome {
 class FiniteContact {
  public:
   /// @param scene  a cylinder's, in units in which the contact is about 1 long and the modulus about 1
-  FiniteContact(const RollingScene& scene, FlowingLayer& layer);
+  FiniteContact(const ContactModel& model, FlowingLayer& layer);
 
   /// Improves a state until all equations and laws hold. Without friction the body's surface is taken as smooth.
   /// @param sticking  begins with all of the contact in stick, not as the state says
@@ -64,7 +64,7 @@ class FiniteContact {
   /// Whether it is the body's cover that flows.
   bool covered() const { return layer_.mesh().curvature > 0; }
   /// R_r = Q + Omega T/V
-  double resistance() const { return driving_force() + rotation_ratio_ * torque() / scene_.radius; }
+  double resistance() const { return driving_force() + rotation_ratio_ * torque() / model_.radius; }
   /// Slip over V of a node by the positions of its neighbours on both sides.
   double slip(std::size_t node) const;
   /// The largest violation of any law, in the scales of core/newton/grid_solution.hpp.
@@ -82,7 +82,7 @@ class FiniteContact {
   Eigen::Index displacement(std::size_t node) const { return layer_.numbering().node(static_cast<int>(node), 0); }
 
   double slip_at(double stretch) const { return covered() ? rotation_ratio_ * stretch - 1 : stretch - rotation_ratio_; }
-  double lever(const SurfaceNode& node) const { return node.position.y() + scene_.radius; }
+  double lever(const SurfaceNode& node) const { return node.position.y() + model_.radius; }
   void place_nodes(const FiniteState& state);
   void linearise_drive(std::size_t node);
   bool choose_zones();
@@ -97,7 +97,7 @@ class FiniteContact {
   double step(const Vector& change, FiniteState& state, FiniteOutcome& outcome);
   double left(const Vector& missing) const;
 
-  const RollingScene& scene_;
+  const ContactModel& model_;
   FlowingLayer& layer_;
   bool with_friction_ = false;
   double approach_ = 0, rotation_ratio_ = 1;

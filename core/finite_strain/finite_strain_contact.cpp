@@ -27,8 +27,8 @@ constexpr double negligible = 1e-3;
 
 class FiniteStrainSolution {
  public:
-  explicit FiniteStrainSolution(const RollingScene& scene) : scene_(scene), problem_(scene) {
-    tolerance_ = scene.tolerance.value_or(default_finite_tolerance);
+  explicit FiniteStrainSolution(const ContactModel& model) : model_(model), problem_(model) {
+    tolerance_ = model.tolerance.value_or(default_finite_tolerance);
   }
 
   RollingSolution run() {
@@ -57,8 +57,8 @@ class FiniteStrainSolution {
     double reached = 0;
     for (double step = 1.0 / 3; reached < 1 && step >= least_step;) {
       const double share = std::min(1.0, reached + step);
-      for (auto input : {&RollingScene::load, &RollingScene::approach, &RollingScene::driving_torque})
-        if (whole.scene.*input) problem_.scene.*input = share * *(whole.scene.*input);
+      for (auto input : {&ContactModel::load, &ContactModel::approach, &ContactModel::driving_torque})
+        if (whole.model.*input) problem_.model.*input = share * *(whole.model.*input);
       problem_.approach = share * whole.approach;
       ContactEdges edges = level_ ? level_->edges() : ContactEdges{};
       const double wider = std::sqrt(reached > 0 ? share / reached : share);
@@ -71,11 +71,11 @@ class FiniteStrainSolution {
         step /= 2;
       }
     }
-    problem_.scene = whole.scene;
+    problem_.model = whole.model;
     problem_.approach = whole.approach;
     if (reached < 1)
       outcome_.reason +=
-          message_text("; of the ", scene_.load ? "load" : "approach", " ", 100 * reached, " % have an answer");
+          message_text("; of the ", model_.load ? "load" : "approach", " ", 100 * reached, " % have an answer");
     return reached == 1;
   }
 
@@ -117,7 +117,7 @@ class FiniteStrainSolution {
       solution_.error_estimate = error / std::abs(solution_.rolling_resistance);
       changed_ = change_of_contact(before);
       if (error <= tolerance_ * scale() && changed_ <= std::max(looser * tolerance_, least_change) &&
-          (scene_.tolerance || level_->cells() >= usual_cells))
+          (model_.tolerance || level_->cells() >= usual_cells))
         return;
     }
     if (std::isnan(solution_.error_estimate)) {
@@ -141,12 +141,12 @@ class FiniteStrainSolution {
     return std::max(
         {relative(now.contact_area, before.contact_area, now.contact_area),
          relative(now.peak_pressure, before.peak_pressure, now.peak_pressure),
-         scene_.friction_coefficient > 0 ? relative(now.peak_shear_x, before.peak_shear_x, now.peak_pressure) : 0.0});
+         model_.friction_coefficient > 0 ? relative(now.peak_shear_x, before.peak_shear_x, now.peak_pressure) : 0.0});
   }
 
   double lever() const {
     return solution_.load * std::max(std::abs(solution_.leading_edge), std::abs(solution_.trailing_edge)) /
-           scene_.radius;
+           model_.radius;
   }
   double scale() const { return std::max(std::abs(solution_.rolling_resistance), negligible * lever()); }
 
@@ -161,23 +161,23 @@ class FiniteStrainSolution {
     s.driving_force = force * contact.driving_force();
     s.driving_torque = 0;
     s.rolling_resistance = s.driving_force;
-    const bool covered = problem_.covered, friction = scene_.friction_coefficient > 0;
-    s.viscous_loss = (covered ? state.rotation_ratio : 1) * scene_.speed * force * level_->layer().taken_power();
+    const bool covered = problem_.covered, friction = model_.friction_coefficient > 0;
+    s.viscous_loss = (covered ? state.rotation_ratio : 1) * model_.speed * force * level_->layer().taken_power();
     s.frictional_loss = 0;
     if (covered || friction) {
       s.driving_torque = force * problem_.length * contact.torque();
       s.rotation_ratio = state.rotation_ratio;
-      s.rotation_speed = state.rotation_ratio * scene_.speed / scene_.radius;
+      s.rotation_speed = state.rotation_ratio * model_.speed / model_.radius;
       s.rolling_resistance = force * contact.resistance();
     }
-    if (friction) s.frictional_loss = scene_.speed * force * contact.friction_power();
+    if (friction) s.frictional_loss = model_.speed * force * contact.friction_power();
     s.rolling_resistance_coefficient = s.rolling_resistance / s.load;
     const ContactEdges edges = level_->edges();
     s.leading_edge = problem_.length * level_->moved(edges.leading).x();
     s.trailing_edge = problem_.length * level_->moved(edges.trailing).x();
     s.contact_area = s.leading_edge - s.trailing_edge;
     s.mean_pressure = s.load / s.contact_area;
-    unbalanced_ = std::abs(s.rolling_resistance - (s.viscous_loss + s.frictional_loss) / scene_.speed);
+    unbalanced_ = std::abs(s.rolling_resistance - (s.viscous_loss + s.frictional_loss) / model_.speed);
     s.energy_residual = unbalanced_ / std::max(std::abs(s.rolling_resistance), 1e-6 * lever());
     s.law_violation = contact.law_violation();
     s.model = message_text("; finite strain: ", hyperelastic_law(),
@@ -202,7 +202,7 @@ class FiniteStrainSolution {
   void take_fields(const ContactEdges& edges) {
     RollingSolution& s = solution_;
     const std::vector<SurfaceNode>& nodes = level_->contact().surface();
-    const bool friction = scene_.friction_coefficient > 0;
+    const bool friction = model_.friction_coefficient > 0;
     s.contact_nodes = s.slip_nodes = 0;
     for (const SurfaceNode& node : nodes) {
       if (node.zone == Zone::free) continue;
@@ -296,13 +296,13 @@ class FiniteStrainSolution {
 
   /// What the drive asks friction for, by the resistance without friction; 0 where none of it is needed.
   double friction_needed() {
-    if (scene_.friction_coefficient == 0 || scene_.drive == Drive::rotation || scene_.drive == Drive::free) return 0;
-    if (scene_.drive == Drive::torque && scene_.load)
-      return std::abs(*scene_.driving_torque) / (scene_.radius * *scene_.load);
-    if (scene_.drive == Drive::torque) return 0;
-    RollingScene smooth = problem_.scene;
+    if (model_.friction_coefficient == 0 || model_.drive == Drive::rotation || model_.drive == Drive::free) return 0;
+    if (model_.drive == Drive::torque && model_.load)
+      return std::abs(*model_.driving_torque) / (model_.radius * *model_.load);
+    if (model_.drive == Drive::torque) return 0;
+    ContactModel smooth = problem_.model;
     smooth.friction_coefficient = 0;
-    problem_.scene = smooth;
+    problem_.model = smooth;
     level_.reset();
     // The second mesh is made for the edges found on the first.
     for (const int cells : {meshes[0], meshes[1]})
@@ -311,7 +311,7 @@ class FiniteStrainSolution {
   }
 
   RollingSolution refuse() {
-    const double needed = friction_needed(), given = scene_.friction_coefficient;
+    const double needed = friction_needed(), given = model_.friction_coefficient;
     clear(outcome_.reason.empty() ? "no contact was found" : outcome_.reason);
     if (needed > given) {
       solution_.status = Status::no_steady_state;
@@ -321,7 +321,7 @@ class FiniteStrainSolution {
     return std::move(solution_);
   }
 
-  const RollingScene& scene_;
+  const ContactModel& model_;
   FiniteProblem problem_;
   double tolerance_, unbalanced_ = 0, changed_ = 0;
   std::unique_ptr<MeshLevel> level_;
@@ -331,6 +331,6 @@ class FiniteStrainSolution {
 
 }  // namespace
 
-RollingSolution solve_finite_strain(const RollingScene& scene) { return FiniteStrainSolution(scene).run(); }
+RollingSolution solve_finite_strain(const ContactModel& model) { return FiniteStrainSolution(model).run(); }
 
 }  // namespace rollres

@@ -16,8 +16,8 @@ namespace {
 constexpr double nearly_incompressible = 1e6;
 
 /// @param speed  of the flow at the surface; a material at rest answers with its modulus at rest
-FlowingMaterial flowing(const MaterialInputs& layer, double speed, double length, double modulus) {
-  const RelaxationSpectrum relaxation = relaxation_spectrum(creep_spectrum(layer));
+FlowingMaterial flowing(const ModelLayer& layer, double speed, double length, double modulus) {
+  const RelaxationSpectrum relaxation = relaxation_spectrum(layer.creep);
   FlowingMaterial material{.modulus = relaxation.instantaneous / modulus, .terms = {}};
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     if (!(term.modulus > 0)) continue;
@@ -62,29 +62,21 @@ Eigen::Vector2d displacement_at(const FlowingLayer& layer, const Vector& unknown
 
 }  // namespace
 
-FiniteProblem::FiniteProblem(const RollingScene& given) : scene(given), covered(!given.coating_layers.empty()) {
+FiniteProblem::FiniteProblem(const ContactModel& given) : model(given), covered(!given.coating.empty()) {
   const ContactEstimate estimate = estimate_contact(given);
-  const MaterialInputs* first = &given;
-  double thickness = given.layer_thickness;
-  if (covered) {
-    first = &given.coating_layers.front();
-    thickness = given.coating_layers.front().layer_thickness;
-  }
+  const std::vector<ModelLayer>& layers = covered ? given.coating : given.foundation;
   length = std::min(estimate.half_width, 0.8 * given.radius);
-  modulus = static_modulus(*first);
-  approach = std::min(estimate.approach, 0.5 * thickness) / length;
-  scene.radius /= length;
-  if (scene.load) *scene.load /= modulus * length;
-  if (scene.approach) approach = *scene.approach /= length;
-  if (scene.driving_torque) *scene.driving_torque /= modulus * length * length;
-  const double flow = covered ? flow_of_coating(given) : 1;
-  const auto add = [&](const MaterialInputs& layer, double thickness_of_layer) {
+  modulus = layers.front().modulus_at_rest;
+  approach = std::min(estimate.approach, 0.5 * layers.front().layer_thickness) / length;
+  model.radius /= length;
+  if (model.load) *model.load /= modulus * length;
+  if (model.approach) approach = *model.approach /= length;
+  if (model.driving_torque) *model.driving_torque /= modulus * length * length;
+  const double flow = covered ? given.flow : 1;
+  for (const ModelLayer& layer : layers) {
     materials.push_back(flowing(layer, flow * given.speed, length, modulus));
-    thicknesses.push_back(thickness_of_layer / length);
-  };
-  if (!covered) add(given, given.layer_thickness);
-  for (const BondedLayer& layer : covered ? given.coating_layers : given.lower_layers)
-    add(layer, layer.layer_thickness);
+    thicknesses.push_back(layer.layer_thickness / length);
+  }
 }
 
 MeshLevel::MeshLevel(const FiniteProblem& problem, const ContactEdges& edges, int cells)
@@ -92,9 +84,9 @@ MeshLevel::MeshLevel(const FiniteProblem& problem, const ContactEdges& edges, in
       given_(edges),
       cells_(cells),
       layer_(layer_mesh({edges.trailing, edges.leading, cells, problem.thicknesses,
-                         problem.covered ? 1 / problem.scene.radius : 0}),
-             problem.materials, problem.scene.friction_coefficient > 0 ? 2 : 1),
-      contact_(problem.scene, layer_) {}
+                         problem.covered ? 1 / problem.model.radius : 0}),
+             problem.materials, problem.model.friction_coefficient > 0 ? 2 : 1),
+      contact_(problem.model, layer_) {}
 
 void MeshLevel::take_over(const MeshLevel& from) {
   const LayerMesh &mesh = layer_.mesh(), &old = from.layer_.mesh();
@@ -131,12 +123,12 @@ void MeshLevel::take_over(const MeshLevel& from) {
 }
 
 FiniteOutcome MeshLevel::solve(const MeshLevel* start) {
-  const bool friction = problem_.scene.friction_coefficient > 0;
+  const bool friction = problem_.model.friction_coefficient > 0;
   const auto rest = [&] {
     state_.unknowns = Vector::Zero(layer_.numbering().size());
     state_.pressures = Eigen::Matrix3Xd::Zero(3, layer_.cells());
     state_.approach = problem_.approach;
-    state_.rotation_ratio = problem_.scene.rotation_ratio.value_or(1);
+    state_.rotation_ratio = problem_.model.rotation_ratio.value_or(1);
   };
   rest();
   int steps = 0;
@@ -154,7 +146,7 @@ FiniteOutcome MeshLevel::solve(const MeshLevel* start) {
   }
   outcome = attempt(false, false);
   if (!friction || !outcome.converged) return outcome;
-  return attempt(true, problem_.scene.drive != Drive::rotation);
+  return attempt(true, problem_.model.drive != Drive::rotation);
 }
 
 int MeshLevel::first_cell() const {

@@ -11,10 +11,10 @@ namespace rollres {
 
 /// A scene in units of a half-width and of the modulus at rest, as meshes take it.
 struct FiniteProblem {
-  explicit FiniteProblem(const RollingScene& given);
+  explicit FiniteProblem(const ContactModel& given);
 
   double length = 1, modulus = 1;  // the units [m], [Pa]
-  RollingScene scene;
+  ContactModel model;
   bool covered = false;  // it is the body's cover that flows
   std::vector<FlowingMaterial> materials;
   std::vector<double> thicknesses;

@@ -51,12 +51,12 @@ QuadratureRule averaging_rule(double cell_over_thickness) {
 
 double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
 
-ElasticKernel::ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y)
-    : indenter_(indenter), cell_x_(cell_x), cell_y_(cell_y), deep_(half_space_symbols(layer.poisson_ratio)) {
-  scales_.line_load = indenter == Indenter::cylinder;
+ElasticKernel::ElasticKernel(int dimension, const Layer& layer, double cell_x, double cell_y)
+    : dimension_(dimension), cell_x_(cell_x), cell_y_(cell_y), deep_(half_space_symbols(layer.poisson_ratio)) {
+  scales_.line_load = dimension == 2;
   if (std::isinf(layer.thickness)) return;
   scales_ = {layer.thickness, layer_table_end * layer.thickness, true};
-  if (indenter == Indenter::cylinder) {
+  if (dimension == 2) {
     line_ = line_table(layer.poisson_ratio);
     return;
   }
@@ -72,7 +72,7 @@ ElasticKernel::ElasticKernel(Indenter indenter, const Layer& layer, double cell_
 
 Coefficients ElasticKernel::operator()(double x, double y) const {
   require_time();
-  return indenter_ == Indenter::sphere ? sphere(x, y) : cylinder(x);
+  return dimension_ == 3 ? sphere(x, y) : cylinder(x);
 }
 
 Coefficients ElasticKernel::sphere(double x, double y) const {

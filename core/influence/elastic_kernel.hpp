@@ -53,8 +53,9 @@ double x_asinh(double x, double y);
 /// Of a layer of unit shear modulus on a rigid base, or of a half-space.
 class ElasticKernel {
  public:
-  /// @param cell_x, cell_y size of the loaded cell [m] (cell_y is not used for a cylinder)
-  ElasticKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y);
+  /// @param dimension 2: under lines of force; 3: under forces on a plane   @param cell_x, cell_y size of the loaded
+  /// cell [m] (cell_y is not used for a cylinder)
+  ElasticKernel(int dimension, const Layer& layer, double cell_x, double cell_y);
 
   /// At a distance (x, y) from the centre of the cell [m].
   Coefficients operator()(double x, double y) const;
@@ -71,7 +72,7 @@ class ElasticKernel {
   Coefficients cylinder(double x) const;
   Eigen::Array3d line_antiderivative(double x) const;
 
-  Indenter indenter_;
+  int dimension_;  // 2 or 3
   double cell_x_, cell_y_;
   LayerSymbols deep_;                          // symbols times k as k -> infinity: the half-space under short waves
   ResponseScales scales_;                      // the thickness is the unit of the tables' distances

@@ -75,8 +75,8 @@ struct SurfaceKey {
   bool operator==(const SurfaceKey&) const = default;
 };
 
-SurfaceKey surface_key(const RollingScene& scene, const LayeredMedium& medium) {
-  return {medium, inertia_included(scene) ? scene.speed : 0};
+SurfaceKey surface_key(const ContactModel& model, const LayeredMedium& medium) {
+  return {medium, model.inertia ? model.speed : 0};
 }
 
 std::shared_ptr<const SpherePassage> sphere_passage(const SurfaceKey& key) {
@@ -99,34 +99,34 @@ std::shared_ptr<const InfluenceTable> sphere_table(const TableKey& key) {
 }
 
 /// What a coating whose table alone is this one adds to that of a surface.
-std::shared_ptr<const InfluenceTable> part_of_coating(const RollingScene& scene, const InfluenceTable& alone) {
+std::shared_ptr<const InfluenceTable> part_of_coating(const ContactModel& model, const InfluenceTable& alone) {
   InfluenceTable part(alone.reach_x(), alone.reach_y());
-  part.add_coating(coating_remembers_ahead(scene) ? alone.reversed() : alone);
+  part.add_coating(coating_remembers_ahead(model) ? alone.reversed() : alone);
   return std::make_shared<const InfluenceTable>(std::move(part));
 }
 
-/// Of whatever is more than one layer of one material without inertia (contact_surface.hpp).
-InfluenceTable composite_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
-  if (scene.indenter == Indenter::cylinder) return line_passage_table(scene, grid, reach_x);
+/// Of whatever is more than one layer of one material without inertia (`ContactModel::composite`).
+InfluenceTable composite_table(const ContactModel& model, const SurfaceGrid& grid, int reach_x, int reach_y) {
+  if (model.dimension == 2) return line_passage_table(model, grid, reach_x);
   const auto table_of = [&](const LayeredMedium& medium) {
-    return sphere_table({surface_key(scene, medium), scene.speed, grid.spacing_x, grid.spacing_y, reach_x, reach_y});
+    return sphere_table({surface_key(model, medium), model.speed, grid.spacing_x, grid.spacing_y, reach_x, reach_y});
   };
-  InfluenceTable sum = *table_of(foundation_of(scene));
-  const LayeredMedium coating = coating_of(scene);
+  InfluenceTable sum = *table_of(foundation_of(model));
+  const LayeredMedium coating = coating_of(model);
   if (coating.empty()) return sum;
   const std::shared_ptr<const InfluenceTable> body = table_of(coating);
-  sum.add_coating(coating_remembers_ahead(scene) ? body->reversed() : *body);
-  sum.coating = part_of_coating(scene, *body);
+  sum.add_coating(coating_remembers_ahead(model) ? body->reversed() : *body);
+  sum.coating = part_of_coating(model, *body);
   return sum;
 }
 
-InfluenceTable passage_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x, int reach_y) {
-  if (is_composite(scene)) return composite_table(scene, grid, reach_x, reach_y);
+InfluenceTable passage_table(const ContactModel& model, const SurfaceGrid& grid, int reach_x, int reach_y) {
+  if (model.composite()) return composite_table(model, grid, reach_x, reach_y);
   const double largest =
-      std::max(reach_x * grid.spacing_x, std::isinf(scene.layer_thickness) ? 0 : scene.layer_thickness);
-  const CreepSpectrum material = lumped(creep_spectrum(scene), memory_range(scene.speed, grid.spacing_x, largest));
-  return shared_passage_kernel(scene.indenter, layer_of(scene), grid.spacing_x, grid.spacing_y, reach_x, reach_y)
-      ->table(material, scene.speed, reach_x, reach_y);
+      std::max(reach_x * grid.spacing_x, std::isinf(model.top().layer_thickness) ? 0 : model.top().layer_thickness);
+  const CreepSpectrum material = lumped(model.top().creep, memory_range(model.speed, grid.spacing_x, largest));
+  return shared_passage_kernel(model.dimension, model.layer(), grid.spacing_x, grid.spacing_y, reach_x, reach_y)
+      ->table(material, model.speed, reach_x, reach_y);
 }
 
 /// Without what all nodes move together: under a cylinder a half-space sinks without limit, by far more than the nodes
@@ -144,35 +144,35 @@ InfluenceTable without_sinking(InfluenceTable table) {
 namespace {
 
 /// All but a coating's part.
-InfluenceTable surface_table(const RollingScene& scene, const SurfaceGrid& grid) {
-  const bool sphere = scene.indenter == Indenter::sphere;
+InfluenceTable surface_table(const ContactModel& model, const SurfaceGrid& grid) {
+  const bool sphere = model.dimension == 3;
   const int reach_x = grid.columns, reach_y = sphere ? grid.rows : 0;
-  if (scene.period) {
-    const SteadySurface surface(scene);
+  if (model.period) {
+    const SteadySurface surface = steady_surface(model);
     const auto symbols = [&surface](double along) -> SymbolsAcross {
       return
           [&surface, along, moduli = surface.moduli(along)](double across) { return surface(moduli, along, across); };
     };
-    return periodic_table(symbols, *scene.period, scene.series_terms, grid.spacing_x, grid.spacing_y, reach_x, reach_y);
+    return periodic_table(symbols, *model.period, model.series_terms, grid.spacing_x, grid.spacing_y, reach_x, reach_y);
   }
-  InfluenceTable table = passage_table(scene, grid, reach_x, reach_y);
-  return sphere || has_rigid_base(scene) ? table : without_sinking(std::move(table));
+  InfluenceTable table = passage_table(model, grid, reach_x, reach_y);
+  return sphere || has_rigid_base(model) ? table : without_sinking(std::move(table));
 }
 
 }  // namespace
 
-InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid) {
-  InfluenceTable table = surface_table(scene, grid);
-  if (!scene.coating_layers.empty() && !table.coating)
-    table.coating = part_of_coating(scene, surface_table(coating_alone(scene), grid));
+InfluenceTable influence_table(const ContactModel& model, const SurfaceGrid& grid) {
+  InfluenceTable table = surface_table(model, grid);
+  if (!model.coating.empty() && !table.coating)
+    table.coating = part_of_coating(model, surface_table(coating_alone(model), grid));
   return table;
 }
 
-double expansion_error(const RollingScene& scene) {
-  if (scene.indenter == Indenter::cylinder) return line_expansion_error(scene);
-  double error = sphere_passage(surface_key(scene, foundation_of(scene)))->error();
-  if (const LayeredMedium coating = coating_of(scene); !coating.empty())
-    error = std::max(error, sphere_passage(surface_key(scene, coating))->error());
+double expansion_error(const ContactModel& model) {
+  if (model.dimension == 2) return line_expansion_error(model);
+  double error = sphere_passage(surface_key(model, foundation_of(model)))->error();
+  if (const LayeredMedium coating = coating_of(model); !coating.empty())
+    error = std::max(error, sphere_passage(surface_key(model, coating))->error());
   return error;
 }
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -37,7 +37,7 @@ class InfluenceTable {
 
   /// The coefficients of the same layers flowing the other way: x and displacements along it change sign.
   InfluenceTable reversed() const;
-  /// Adds those of a coating, whose cross terms are opposite (contact_surface.hpp).
+  /// Adds those of a coating, whose cross terms are opposite (steady_surface.hpp).
   void add_coating(const InfluenceTable& coating);
 
   /// What the body's coating has of these, if there is one.
@@ -50,10 +50,10 @@ class InfluenceTable {
 /// Coefficients between all nodes of `grid` and one column beyond it (for differences along x). Chooses the kernel:
 /// periodic_kernel.hpp, passage_kernel.hpp, line_passage.hpp or sphere_passage.hpp.
 /// @throws std::invalid_argument if the scene's layer or material is not one this program knows
-InfluenceTable influence_table(const RollingScene& scene, const SurfaceGrid& grid);
+InfluenceTable influence_table(const ContactModel& model, const SurfaceGrid& grid);
 
 /// Largest relative error of the expansion in retardation times (medium_expansion.hpp) that the coefficients of a
 /// composite surface contain (contact_surface.hpp) [1].
-double expansion_error(const RollingScene& scene);
+double expansion_error(const ContactModel& model);
 
 }  // namespace rollres

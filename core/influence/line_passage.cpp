@@ -68,10 +68,10 @@ struct NearSpectraKey {
 };
 
 /// The same for all grids of a scene.
-std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene, const LayeredMedium& foundation,
+std::shared_ptr<const NearSpectra> near_spectra(const ContactModel& model, const LayeredMedium& foundation,
                                                 const LayeredMedium& coating) {
   static RecentlyMade<NearSpectraKey, NearSpectra, 16> cache;
-  const NearSpectraKey key{foundation, coating, inertia_included(scene) ? scene.speed : 0};
+  const NearSpectraKey key{foundation, coating, model.inertia ? model.speed : 0};
   return cache(key, [&] {
     NearSpectra spectra;
     spectra.add(key.foundation, key.wave_speed, 1);
@@ -83,9 +83,9 @@ std::shared_ptr<const NearSpectra> near_spectra(const RollingScene& scene, const
 /// What the layers add to the displacements under a line force spread over a cell.
 class AddedDisplacements {
  public:
-  AddedDisplacements(const RollingScene& scene, double cell, const MemoryRange& told_apart)
-      : surface_(scene, told_apart),
-        depth_(nearest_interface(scene)),
+  AddedDisplacements(const ContactModel& model, double cell, const MemoryRange& told_apart)
+      : surface_(steady_surface(model, told_apart)),
+        depth_(nearest_interface(model)),
         cell_(cell),
         at_rest_(surface_.half_spaces(surface_.moduli(0))),
         long_waves_(surface_.long_waves()),
@@ -124,17 +124,17 @@ class AddedDisplacements {
 
 }  // namespace
 
-double line_expansion_error(const RollingScene& scene) {
-  return inertia_included(scene) ? near_spectra(scene, foundation_of(scene), coating_of(scene))->error : 0;
+double line_expansion_error(const ContactModel& model) {
+  return model.inertia ? near_spectra(model, foundation_of(model), coating_of(model))->error : 0;
 }
 
-InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x) {
+InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& grid, int reach_x) {
   const double cell = grid.spacing_x;
   const auto half_spaces = [&](const LayeredMedium& foundation, const LayeredMedium& coating) {
-    const std::shared_ptr<const NearSpectra> near = near_spectra(scene, foundation, coating);
+    const std::shared_ptr<const NearSpectra> near = near_spectra(model, foundation, coating);
     const auto half_space = [&](double poisson_ratio, const CreepSpectrum& spectrum) {
-      return shared_passage_kernel(Indenter::cylinder, Layer(INFINITY, poisson_ratio), cell, grid.spacing_y, reach_x, 0)
-          ->table(spectrum, scene.speed, reach_x, 0);
+      return shared_passage_kernel(2, Layer(INFINITY, poisson_ratio), cell, grid.spacing_y, reach_x, 0)
+          ->table(spectrum, model.speed, reach_x, 0);
     };
     InfluenceTable table(reach_x, 0);
     table.ww = half_space(0.5, near->normal).ww;
@@ -142,13 +142,13 @@ InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& 
     table.uw = half_space(0, near->cross).uw;
     return table;
   };
-  const bool ahead = coating_remembers_ahead(scene);
-  const MemoryRange told_apart = memory_range(scene.speed, cell, std::max(reach_x * cell, finite_thickness(scene)));
-  const LayeredMedium coating = coating_of(scene, told_apart);
-  InfluenceTable table = half_spaces(foundation_of(scene, told_apart), ahead ? LayeredMedium{} : coating);
+  const bool ahead = coating_remembers_ahead(model);
+  const MemoryRange told_apart = memory_range(model.speed, cell, std::max(reach_x * cell, finite_thickness(model)));
+  const LayeredMedium coating = coating_of(model, told_apart);
+  InfluenceTable table = half_spaces(foundation_of(model, told_apart), ahead ? LayeredMedium{} : coating);
   if (ahead) table.add_coating(half_spaces(coating, {}).reversed());
-  if (std::isinf(nearest_interface(scene))) return table;
-  const AddedDisplacements added(scene, cell, told_apart);
+  if (std::isinf(nearest_interface(model))) return table;
+  const AddedDisplacements added(model, cell, told_apart);
   for (int column = -reach_x; column <= reach_x; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
     const LayerSlopes values = added(column * cell);

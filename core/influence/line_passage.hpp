@@ -13,9 +13,9 @@
 namespace rollres {
 
 /// @param scene of a cylinder, without period
-InfluenceTable line_passage_table(const RollingScene& scene, const SurfaceGrid& grid, int reach_x);
+InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& grid, int reach_x);
 
 /// Largest relative error of the expansion that it contains: 0 without inertia.
-double line_expansion_error(const RollingScene& scene);
+double line_expansion_error(const ContactModel& model);
 
 }  // namespace rollres

@@ -12,8 +12,8 @@ constexpr double most_points = 3e9;  // about a minute's
 
 }  // namespace
 
-PassageKernel::PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows)
-    : PassageKernel(ElasticKernel(indenter, layer, cell_x, cell_y), cell_x, cell_y, columns, rows) {}
+PassageKernel::PassageKernel(int dimension, const Layer& layer, double cell_x, double cell_y, int columns, int rows)
+    : PassageKernel(ElasticKernel(dimension, layer, cell_x, cell_y), cell_x, cell_y, columns, rows) {}
 
 PassageKernel::PassageKernel(const ElasticKernel& kernel, double cell_x, double cell_y, int columns, int rows)
     : rules_(kernel.scales(), cell_x, columns) {
@@ -43,7 +43,7 @@ InfluenceTable PassageKernel::table(const CreepSpectrum& material, double speed,
 namespace {
 
 struct KernelKey {
-  Indenter indenter;
+  int dimension;
   Layer layer;
   double cell_x, cell_y;
   int columns, rows;
@@ -53,18 +53,18 @@ struct KernelKey {
 /// a solution does not depend on what was solved before it. Rows do not know of each other.
 struct ServesAsKernel {
   bool operator()(const KernelKey& kept, const KernelKey& wanted) const {
-    return kept.indenter == wanted.indenter && kept.layer == wanted.layer && kept.cell_x == wanted.cell_x &&
+    return kept.dimension == wanted.dimension && kept.layer == wanted.layer && kept.cell_x == wanted.cell_x &&
            kept.cell_y == wanted.cell_y && kept.columns == wanted.columns && kept.rows >= wanted.rows;
   }
 };
 
 }  // namespace
 
-std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, const Layer& layer, double cell_x,
+std::shared_ptr<const PassageKernel> shared_passage_kernel(int dimension, const Layer& layer, double cell_x,
                                                            double cell_y, int columns, int rows) {
   static RecentlyMade<KernelKey, PassageKernel, 16, ServesAsKernel> cache;
-  return cache({indenter, layer, cell_x, cell_y, columns, rows},
-               [&] { return PassageKernel(indenter, layer, cell_x, cell_y, columns, rows); });
+  return cache({dimension, layer, cell_x, cell_y, columns, rows},
+               [&] { return PassageKernel(dimension, layer, cell_x, cell_y, columns, rows); });
 }
 
 }  // namespace rollres

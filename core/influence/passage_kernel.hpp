@@ -19,7 +19,7 @@ namespace rollres {
 class PassageKernel {
  public:
   /// Elastic values for offsets up to `columns` and `rows` (0 for a cylinder) cells of size cell_x by cell_y [m].
-  PassageKernel(Indenter indenter, const Layer& layer, double cell_x, double cell_y, int columns, int rows);
+  PassageKernel(int dimension, const Layer& layer, double cell_x, double cell_y, int columns, int rows);
 
   /// Coefficients for a material and a speed [m/s].
   /// @param reach_x, reach_y offsets in columns and rows, up to those the object was made for
@@ -35,7 +35,7 @@ class PassageKernel {
 };
 
 /// The kernel for this geometry, from a small cache shared by all threads.
-std::shared_ptr<const PassageKernel> shared_passage_kernel(Indenter indenter, const Layer& layer, double cell_x,
+std::shared_ptr<const PassageKernel> shared_passage_kernel(int dimension, const Layer& layer, double cell_x,
                                                            double cell_y, int columns, int rows);
 
 }  // namespace rollres

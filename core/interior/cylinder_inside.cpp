@@ -40,16 +40,16 @@ ArrayXd shear_strains(const InteriorFields& fields, Index line) {
 
 class CylinderSummary {
  public:
-  CylinderSummary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail)
+  CylinderSummary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail)
       : detail_(detail),
         extent_(extent_of(fields)),
         shallowest_(fields.panels.empty() ? 0.5 * fields.grid.spacing_x : 0) {
     constexpr int most = 901;
-    const double half = extent_.half, beside = beside_at_bonds(half, finite_thickness(scene));
-    x_ = places_along(extent_, std::min(half, scene.layer_thickness), detail, most);
+    const double half = extent_.half, beside = beside_at_bonds(half, finite_thickness(model));
+    x_ = places_along(extent_, std::min(half, model.top().layer_thickness), detail, most);
     at_bonds_ = evenly_spaced(extent_.middle - half - beside, extent_.middle + half + beside, bond_points);
     const double widest = detail == InteriorField::Detail::surface ? half + beside : 0.5 * (x_.back() - x_.front());
-    parts_ = layers_inside<InteriorField>(scene, fields, std::abs(extent_.middle) + widest, detail);
+    parts_ = layers_inside<InteriorField>(model, fields, std::abs(extent_.middle) + widest, detail);
   }
 
   InteriorSummary run() {
@@ -186,17 +186,17 @@ VolumeFields in_plane(InteriorFields&& plane) {
 
 }  // namespace
 
-InteriorSummary cylinder_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail) {
-  return CylinderSummary(scene, fields, detail).run();
+InteriorSummary cylinder_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail) {
+  return CylinderSummary(model, fields, detail).run();
 }
 
-std::vector<InteriorSection> cylinder_sections(const RollingScene& scene, const SurfaceFields& fields) {
+std::vector<InteriorSection> cylinder_sections(const ContactModel& model, const SurfaceFields& fields) {
   constexpr double sideways = 3;  // in half-lengths
   constexpr int columns = 281;
   const Extent extent = extent_of(fields);
   const double from = extent.middle - sideways * extent.half, to = extent.middle + sideways * extent.half;
   std::vector<InteriorSection> sections;
-  for (const Part& part : layers_inside<InteriorField>(scene, fields, std::max(std::abs(from), std::abs(to)),
+  for (const Part& part : layers_inside<InteriorField>(model, fields, std::max(std::abs(from), std::abs(to)),
                                                        InteriorField::Detail::surface)) {
     const SectionRows rows = section_rows(part.field.medium(), part.on_body, extent.half);
     InteriorSection section{part.on_body, evenly_spaced(from, to, columns), {0}, rows.z, rows.layer, {}};

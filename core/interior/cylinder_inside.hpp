@@ -8,7 +8,7 @@
 
 namespace rollres {
 
-InteriorSummary cylinder_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail);
-std::vector<InteriorSection> cylinder_sections(const RollingScene& scene, const SurfaceFields& fields);
+InteriorSummary cylinder_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail);
+std::vector<InteriorSection> cylinder_sections(const ContactModel& model, const SurfaceFields& fields);
 
 }  // namespace rollres

@@ -65,21 +65,20 @@ void turn_upwards(InteriorSection& section) {
   }
 }
 
-InteriorSummary interior_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail) {
-  return scene.indenter == Indenter::sphere ? sphere_summary(scene, fields, detail)
-                                            : cylinder_summary(scene, fields, detail);
+InteriorSummary interior_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail) {
+  return model.dimension == 3 ? sphere_summary(model, fields, detail) : cylinder_summary(model, fields, detail);
 }
 
-std::vector<InteriorSection> interior_sections(const RollingScene& scene, const SurfaceFields& fields) {
-  return scene.indenter == Indenter::sphere ? sphere_sections(scene, fields) : cylinder_sections(scene, fields);
+std::vector<InteriorSection> interior_sections(const ContactModel& model, const SurfaceFields& fields) {
+  return model.dimension == 3 ? sphere_sections(model, fields) : cylinder_sections(model, fields);
 }
 
-void add_interior(const RollingScene& scene, RollingSolution& solution) {
+void add_interior(const ContactModel& model, RollingSolution& solution) {
   const InteriorSummary s =
-      interior_summary(solved_scene(scene, solution), solution.fields, InteriorField::Detail::surface);
+      interior_summary(model.with_answer(solution), solution.fields, InteriorField::Detail::surface);
   solution.peak_shear_strain = s.peak_shear_strain;
   solution.peak_shear_strain_x = s.peak_x;
-  if (scene.indenter == Indenter::sphere) solution.peak_shear_strain_y = s.peak_y;
+  if (model.dimension == 3) solution.peak_shear_strain_y = s.peak_y;
   solution.peak_shear_strain_z = s.peak_z;
   // Where moduli depend on it, the amplitude is the one that they were found with.
   if (!std::isfinite(solution.strain_amplitude)) {
@@ -93,24 +92,6 @@ void add_interior(const RollingScene& scene, RollingSolution& solution) {
     solution.bond_shear = std::max(solution.bond_shear, bond.shear);
     solution.bond_tension = std::max(solution.bond_tension, bond.tension);
   }
-}
-
-RollingScene solved_scene(const RollingScene& scene, const RollingSolution& solution) {
-  RollingScene solved = scene;
-  if (std::isfinite(solution.rotation_ratio)) solved.coating_flow = solution.rotation_ratio;
-  std::vector<MaterialInputs*> layers{&solved};
-  for (BondedLayer& layer : solved.lower_layers) layers.push_back(&layer);
-  for (BondedLayer& layer : solved.coating_layers) layers.push_back(&layer);
-  for (std::size_t i = 0; i < std::min(layers.size(), solution.moduli_factors.size()); ++i) {
-    layers[i]->rest_factor = solution.moduli_factors[i][0];
-    layers[i]->relaxation_factor = solution.moduli_factors[i][1];
-    layers[i]->payne_drop = 0;
-    layers[i]->payne_loss_peak = 1;
-    layers[i]->sweep_strains.clear();
-    layers[i]->sweep_storage_moduli.clear();
-    layers[i]->sweep_loss_moduli.clear();
-  }
-  return solved;
 }
 
 }  // namespace rollres

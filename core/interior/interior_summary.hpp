@@ -14,7 +14,7 @@
 
 #include "core/interior/interior_lines.hpp"
 #include "core/interior/volume_field.hpp"
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 
 namespace rollres {
 
@@ -58,8 +58,8 @@ struct InteriorSummary {
   double peak_x = 0, peak_y = 0, peak_z = 0;               ///< where; y >= 0 [m]
 };
 
-/// @param scene a single passage   @param fields of its solution
-InteriorSummary interior_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail);
+/// @param model of a single passage, with what the answer decided (`with_answer`)   @param fields of its solution
+InteriorSummary interior_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail);
 
 /// Losses and amplitudes of layers and of all of them, from the lines and from those between them.
 /// @param between of each layer, in the order of the lines   @param missed  of amplitudes, between the points of a line
@@ -67,7 +67,7 @@ InteriorSummary interior_summary(const RollingScene& scene, const SurfaceFields&
 void add_totals(InteriorSummary& summary, const std::vector<CycleSums>& between, double missed = 0);
 
 /// The outputs of a solution that come from the inside.
-void add_interior(const RollingScene& scene, RollingSolution& solution);
+void add_interior(const ContactModel& model, RollingSolution& solution);
 
 /// Fields on a section of all layers on one side, down to some half-lengths of the contact; of a cylinder and, at
 /// y = 0, of a sphere x-z, of a sphere also x-y: its surface and its bonds.
@@ -79,16 +79,12 @@ struct InteriorSection {
 
   bool is_face() const { return y.size() > 1; }
 };
-std::vector<InteriorSection> interior_sections(const RollingScene& scene, const SurfaceFields& fields);
+std::vector<InteriorSection> interior_sections(const ContactModel& model, const SurfaceFields& fields);
 
 /// Largest shear strain at (x, place); without strains along y that in the plane.
 Eigen::ArrayXXd largest_shear_strain(const VolumeFields& fields);
 
 /// Fields as outputs count z, upwards also in the layers on the body.
 void turn_upwards(InteriorSection& section);
-
-/// The scene as it was solved: with the moduli at its strains in place of what says how they depend on them, and the
-/// flow of a coating that the drive decided.
-RollingScene solved_scene(const RollingScene& scene, const RollingSolution& solution);
 
 }  // namespace rollres

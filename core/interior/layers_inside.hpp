@@ -33,13 +33,12 @@ inline SurfaceFields mirrored_shear(SurfaceFields fields) {
 /// Those under the body, and those on it if there are any.
 /// @param fields of the scene's solution   @param more what the field's constructor takes last
 template <class Field, class... More>
-std::vector<LayersInside<Field>> layers_inside(const RollingScene& scene, const SurfaceFields& fields,
+std::vector<LayersInside<Field>> layers_inside(const ContactModel& model, const SurfaceFields& fields,
                                                const More&... more) {
   std::vector<LayersInside<Field>> parts;
-  parts.push_back({false, Field(foundation_of(scene), scene.speed, 1, fields, more...)});
-  if (!scene.coating_layers.empty())
-    parts.push_back(
-        {true, Field(coating_of(scene), scene.speed, flow_of_coating(scene), mirrored_shear(fields), more...)});
+  parts.push_back({false, Field(foundation_of(model), model.speed, 1, fields, more...)});
+  if (!model.coating.empty())
+    parts.push_back({true, Field(coating_of(model), model.speed, model.flow, mirrored_shear(fields), more...)});
   return parts;
 }
 

@@ -55,21 +55,21 @@ ArrayXXd at_place(const States& states, Index place) {
 
 class SphereSummary {
  public:
-  SphereSummary(const RollingScene& scene, const SurfaceFields& fields, Detail detail)
+  SphereSummary(const ContactModel& model, const SurfaceFields& fields, Detail detail)
       : detail_(detail),
         extent_(fields),
-        sides_(layers_inside<VolumeField>(scene, fields, detail)),
+        sides_(layers_inside<VolumeField>(model, fields, detail)),
         shallowest_(0.5 * fields.grid.spacing_x) {
     constexpr int most = 451;
     const double half = extent_.x.half;
-    x_ = places_along(extent_.x, std::min(half, scene.layer_thickness), detail, most);
+    x_ = places_along(extent_.x, std::min(half, model.top().layer_thickness), detail, most);
     add_ys(0, extent_.y.half, detail == Detail::surface ? 8 : 6);
     add_ys(extent_.y.half, 2 * extent_.y.half, 4);
     add_ys(2 * extent_.y.half, 4 * extent_.y.half, 3);
     // Where strains are the largest; it stands for no width.
     y_.push_back(0);
     width_.push_back(0);
-    beside_ = beside_at_bonds(half, finite_thickness(scene));
+    beside_ = beside_at_bonds(half, finite_thickness(model));
   }
 
   InteriorSummary run() {
@@ -260,11 +260,11 @@ InteriorSection upright_section(const Side& side, const SphereExtent& extent, co
 
 }  // namespace
 
-InteriorSummary sphere_summary(const RollingScene& scene, const SurfaceFields& fields, Detail detail) {
-  return SphereSummary(scene, fields, detail).run();
+InteriorSummary sphere_summary(const ContactModel& model, const SurfaceFields& fields, Detail detail) {
+  return SphereSummary(model, fields, detail).run();
 }
 
-std::vector<InteriorSection> sphere_sections(const RollingScene& scene, const SurfaceFields& fields) {
+std::vector<InteriorSection> sphere_sections(const ContactModel& model, const SurfaceFields& fields) {
   constexpr double sideways = 3;  // in half-lengths
   constexpr int columns = 241, face_columns = 121, face_rows = 81;
   const SphereExtent extent(fields);
@@ -272,7 +272,7 @@ std::vector<InteriorSection> sphere_sections(const RollingScene& scene, const Su
     return evenly_spaced(e.middle - sideways * e.half, e.middle + sideways * e.half, count);
   };
   std::vector<InteriorSection> sections;
-  for (const Side& side : layers_inside<VolumeField>(scene, fields, Detail::surface)) {
+  for (const Side& side : layers_inside<VolumeField>(model, fields, Detail::surface)) {
     sections.push_back(upright_section(side, extent, along(extent.x, columns)));
     std::vector<InteriorLine> faces{{0, 0}};
     for (std::size_t layer = 0; layer < side.field.medium().size(); ++layer)

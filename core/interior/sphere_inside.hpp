@@ -8,7 +8,7 @@
 
 namespace rollres {
 
-InteriorSummary sphere_summary(const RollingScene& scene, const SurfaceFields& fields, InteriorField::Detail detail);
-std::vector<InteriorSection> sphere_sections(const RollingScene& scene, const SurfaceFields& fields);
+InteriorSummary sphere_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail);
+std::vector<InteriorSection> sphere_sections(const ContactModel& model, const SurfaceFields& fields);
 
 }  // namespace rollres

@@ -14,20 +14,19 @@ namespace rollres {
 
 namespace {
 
-bool has_factors(const MaterialInputs& layer) { return layer.rest_factor != 1 || layer.relaxation_factor != 1; }
+bool change(const SofteningFactors& factors) { return factors.rest != 1 || factors.relaxation != 1; }
 
-/// With the factors of the layer's strain amplitude.
-CreepSpectrum creep_of(PronySeries series, const MaterialInputs& layer) {
-  if (has_factors(layer)) {
-    series.static_modulus *= layer.rest_factor;
-    for (PronySeries::Term& term : series.terms) term.modulus *= layer.relaxation_factor;
+CreepSpectrum creep_of(PronySeries series, const SofteningFactors& factors) {
+  if (change(factors)) {
+    series.static_modulus *= factors.rest;
+    for (PronySeries::Term& term : series.terms) term.modulus *= factors.relaxation;
   }
   return creep_spectrum(series);
 }
 
-CreepSpectrum creep_of(const FractionalZener& solid, const MaterialInputs& layer) {
+CreepSpectrum creep_of(const FractionalZener& solid, const SofteningFactors& factors) {
   const CreepSpectrum linear = creep_spectrum(solid);
-  return has_factors(layer) ? softened(linear, {layer.rest_factor, layer.relaxation_factor}) : linear;
+  return change(factors) ? softened(linear, factors) : linear;
 }
 
 PronySeries prony_series(const MaterialInputs& layer) {
@@ -48,22 +47,22 @@ std::string shift_law(const MaterialInputs& layer) {
   return layer.wlf_c1 ? "WLF" : layer.vft_b ? "VFT" : layer.activation_energy ? "Arrhenius" : "";
 }
 
-CreepSpectrum spectrum_at_reference(const MaterialInputs& layer) {
+CreepSpectrum spectrum_at_reference(const MaterialInputs& layer, const SofteningFactors& factors) {
   switch (layer.material) {
     case MaterialModel::zener:
-      return creep_of(FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time}, layer);
+      return creep_of(FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time}, factors);
     case MaterialModel::fractional_zener:
       return creep_of(
           FractionalZener{given_static_modulus(layer), layer.stiffening, layer.creep_time, layer.fractional_order},
-          layer);
+          factors);
     case MaterialModel::prony:
-      return creep_of(prony_series(layer), layer);
+      return creep_of(prony_series(layer), factors);
     case MaterialModel::master_curve:
-      return creep_of(shared_master_curve_fit(layer)->series, layer);
+      return creep_of(shared_master_curve_fit(layer)->series, factors);
     case MaterialModel::elastic:
       break;
   }
-  return {.instantaneous = 1 / (layer.rest_factor * given_static_modulus(layer)), .terms = {}};
+  return {.instantaneous = 1 / (factors.rest * given_static_modulus(layer)), .terms = {}};
 }
 
 }  // namespace
@@ -80,8 +79,8 @@ double CreepSpectrum::at_rest() const {
   return sum;
 }
 
-CreepSpectrum creep_spectrum(const MaterialInputs& layer) {
-  CreepSpectrum spectrum = spectrum_at_reference(layer);
+CreepSpectrum creep_spectrum(const MaterialInputs& layer, const SofteningFactors& factors) {
+  CreepSpectrum spectrum = spectrum_at_reference(layer, factors);
   if (const double shift = time_shift(layer); shift != 1)
     for (CreepSpectrum::Term& term : spectrum.terms) term.time *= shift;
   if (const double shift = modulus_shift(layer); shift != 1) {
@@ -95,10 +94,10 @@ std::complex<double> complex_modulus(const MaterialInputs& layer, double omega) 
   return 1.0 / creep_spectrum(layer)(omega);
 }
 
-double static_modulus(const MaterialInputs& layer) {
+double static_modulus(const MaterialInputs& layer, const SofteningFactors& factors) {
   const bool given = layer.static_shear_modulus || layer.static_young_modulus;
-  return given ? layer.rest_factor * given_static_modulus(layer) / modulus_shift(layer)
-               : 1 / creep_spectrum(layer).at_rest();
+  return given ? factors.rest * given_static_modulus(layer) / modulus_shift(layer)
+               : 1 / creep_spectrum(layer, factors).at_rest();
 }
 
 std::string material_route(const MaterialInputs& layer) {

@@ -29,18 +29,24 @@ struct CreepSpectrum {
   bool operator==(const CreepSpectrum&) const = default;
 };
 
+/// What multiplies a material's modulus at rest and its moduli of relaxation at a strain amplitude
+/// (strain_softening.hpp) [1].
+struct SofteningFactors {
+  double rest = 1, relaxation = 1;
+};
+
 /// The layer's material at its temperature; a scene is such an input. Exact for an elastic layer, a Zener solid,
 ///   G* = G0 (1+f)(1 + i omega tau) / ((1+f) + i omega tau), 1/G* = [1 + f / (1 + i omega tau)] / (G0 (1+f))
 /// (Zehil and Gavin 2013, eq. 41), and a Prony series; a fractional Zener solid is a rule of integration
 /// (fractional_zener.hpp), a master curve a fit (master_curve.hpp).
 /// @param layer obeys the ranges and check_material
-CreepSpectrum creep_spectrum(const MaterialInputs& layer);
+CreepSpectrum creep_spectrum(const MaterialInputs& layer, const SofteningFactors& factors = {});
 
 /// G*(omega) of that spectrum [Pa].
 std::complex<double> complex_modulus(const MaterialInputs& layer, double omega);
 
 /// G'(0) [Pa], however it was given.
-double static_modulus(const MaterialInputs& layer);
+double static_modulus(const MaterialInputs& layer, const SofteningFactors& factors = {});
 
 /// How the spectrum comes from the inputs where it is not exact, and at which temperature, in words; empty otherwise.
 std::string material_route(const MaterialInputs& layer);

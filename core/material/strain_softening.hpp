@@ -23,11 +23,6 @@ struct Softening {
   double storage = 1, loss = 1;
 };
 
-/// a and b [1].
-struct SofteningFactors {
-  double rest = 1, relaxation = 1;
-};
-
 /// Whether the layer's moduli depend on the strain.
 bool softens(const MaterialInputs& layer);
 
@@ -37,8 +32,8 @@ Softening softening_at(const MaterialInputs& layer, double amplitude);
 /// The layer's largest measured amplitude as shear strain [1]; nothing without a sweep.
 std::optional<double> largest_measured_strain(const MaterialInputs& layer);
 
-/// The factors that give a linear spectrum this softening at a frequency [rad/s]; nothing where a or b would not be
-/// positive.
+/// The factors a and b that give a linear spectrum this softening at a frequency [rad/s]; nothing where a or b would
+/// not be positive.
 std::optional<SofteningFactors> softening_factors(const CreepSpectrum& linear, const Softening& wanted, double omega);
 
 /// The spectrum with its modulus at rest and its relaxation spectrum times the factors.

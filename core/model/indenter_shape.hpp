@@ -40,12 +40,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 
 namespace rollres {
-
-/// Dimensions of a body's contact problem: 2 (per metre of length, no y) or 3.
-inline int dimensions(const RollingScene& scene) { return scene.indenter == Indenter::sphere ? 3 : 2; }
 
 /// What a unit of each traction gives.
 struct LeverArm {
@@ -61,10 +58,10 @@ struct RigidSlip {
 class IndenterShape {
  public:
   /// @param coating_share of the coating in what yields, for its terms of second order, 0 to 1
-  explicit IndenterShape(const RollingScene& scene, double coating_share = 0)
-      : radius_(scene.radius),
-        flat_in_y_(dimensions(scene) == 2),
-        kinematics_(scene.kinematics),
+  explicit IndenterShape(const ContactModel& model, double coating_share = 0)
+      : radius_(model.radius),
+        flat_in_y_(model.dimension == 2),
+        kinematics_(model.kinematics),
         share_(kinematics_ == Kinematics::consistent ? coating_share : 0) {}
 
   double radius() const { return radius_; }  // R [m]
@@ -115,17 +112,17 @@ class IndenterShape {
 /// The row of the drive, from torques and driving forces (numbers or rows of a system): T/R, less Q if a force at the
 /// top drives. It shall be `drive_target`; unused with drive "rotation".
 template <class Value>
-Value drive_row(const RollingScene& scene, const Value& torque, const Value& driving_force) {
-  if (scene.drive != Drive::top_force) return torque / scene.radius;
-  return torque / scene.radius - driving_force;
+Value drive_row(const ContactModel& model, const Value& torque, const Value& driving_force) {
+  if (model.drive != Drive::top_force) return torque / model.radius;
+  return torque / model.radius - driving_force;
 }
 /// What a coating's M (see above) adds to that row per unit [1].
-inline double coating_in_drive(const RollingScene& scene) {
-  const double part = scene.coating_layers.empty() ? 0 : IndenterShape(scene).of_coating();
-  return drive_row(scene, scene.radius * part, -part);
+inline double coating_in_drive(const ContactModel& model) {
+  const double part = model.coating.empty() ? 0 : IndenterShape(model).of_coating();
+  return drive_row(model, model.radius * part, -part);
 }
-inline double drive_target(const RollingScene& scene) {
-  return scene.drive == Drive::torque ? *scene.driving_torque / scene.radius : 0;
+inline double drive_target(const ContactModel& model) {
+  return model.drive == Drive::torque ? *model.driving_torque / model.radius : 0;
 }
 
 }  // namespace rollres

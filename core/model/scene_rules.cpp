@@ -1,9 +1,11 @@
 #include "core/model/scene_rules.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <type_traits>
 
 #include "core/material/material_scale.hpp"
@@ -15,65 +17,39 @@ namespace rollres {
 
 namespace {
 
-/// The first rule of method spectral that the scene breaks, as a line "key = value: rule"; empty if none.
-std::string broken_for_spectral(const RollingScene& scene) {
-  if (scene.indenter == Indenter::sphere) return "method = spectral: only for a cylinder";
-  if (scene.period) return message_text("period = ", *scene.period, ": not with method \"spectral\"");
-  if (inertia_included(scene) && !scene.coating_layers.empty())
-    return "inertia: not with method \"spectral\" and a coating";
-  if (coating_remembers_ahead(scene))
-    return message_text("rotation_ratio = ", flow_of_coating(scene),
-                        ": must be >= 0 with method \"spectral\" and a viscoelastic coating");
-  // Two half-spaces whose pressure moves the surface sideways do so with memories of their own.
-  const auto compressible = [](const MaterialInputs& material) { return material.poisson_ratio < 0.5; };
-  const bool on_body = !scene.coating_layers.empty() && compressible(scene.coating_layers.front());
-  if (!compressible(scene) && !on_body) return {};
-  const std::string key = on_body ? "coating_layers[0].poisson_ratio" : "poisson_ratio";
-  const double value = on_body ? scene.coating_layers.front().poisson_ratio : scene.poisson_ratio;
-  if (!scene.coating_layers.empty())
-    return message_text(key, " = ", value, ": must be 0.5 with method \"spectral\" and a coating");
+/// The first rule of method finite_strain that a coated cylinder breaks, as a line "key = value: rule"; empty if none:
+/// it rolls on what must hardly yield.
+std::string broken_for_cover(const ContactModel& model) {
+  constexpr double rigid = 1000;
+  double stiffest = 0;
+  for (const ModelLayer& layer : model.coating)
+    stiffest = std::max(stiffest, relaxation_spectrum(layer.creep).instantaneous);
+  if (!(model.flow >= 0))
+    return message_text("rotation_ratio = ", model.flow, ": must be >= 0 with method \"finite_strain\" and a coating");
+  for (std::size_t i = 0; i < model.foundation.size(); ++i)
+    if (const double modulus = model.foundation[i].modulus_at_rest; modulus < rigid * stiffest)
+      return message_text(i == 0 ? "" : message_text("lower_layers[", i - 1, "]."), "static_shear_modulus = ", modulus,
+                          ": with method \"finite_strain\" and a coating the layers under the body are taken as rigid "
+                          "and must have at least ",
+                          rigid, " times the coating's modulus, ", stiffest, " Pa");
   return {};
 }
 
-/// The same for method finite_strain and a coated cylinder, which rolls on what must hardly yield.
-std::string broken_for_cover(const RollingScene& scene) {
-  constexpr double rigid = 1000;
-  double stiffest = 0;
-  for (const BondedLayer& layer : scene.coating_layers)
-    stiffest = std::max(stiffest, relaxation_spectrum(creep_spectrum(layer)).instantaneous);
-  if (!(flow_of_coating(scene) >= 0))
-    return message_text("rotation_ratio = ", flow_of_coating(scene),
-                        ": must be >= 0 with method \"finite_strain\" and a coating");
-  const auto too_soft = [&](const std::string& key, const MaterialInputs& layer) {
-    const double modulus = static_modulus(layer);
-    return modulus >= rigid * stiffest
-               ? std::string()
-               : message_text(key, " = ", modulus,
-                              ": with method \"finite_strain\" and a coating the layers under the body "
-                              "are taken as rigid and must have at least ",
-                              rigid, " times the coating's modulus, ", stiffest, " Pa");
-  };
-  std::string rule = too_soft("static_shear_modulus", scene);
-  for (std::size_t i = 0; i < scene.lower_layers.size() && rule.empty(); ++i)
-    rule = too_soft(message_text("lower_layers[", i, "].static_shear_modulus"), scene.lower_layers[i]);
-  return rule;
-}
-
-/// The same for method finite_strain.
-std::string broken_for_finite_strain(const RollingScene& scene) {
-  if (scene.indenter == Indenter::sphere) return "method = finite_strain: only for a cylinder";
-  if (!scene.coating_layers.empty()) {
-    if (std::string rule = broken_for_cover(scene); !rule.empty()) return rule;
-  } else if (!has_rigid_base(scene))
-    return message_text(scene.lower_layers.empty() ? "layer_thickness" : "lower_layers",
+/// The same for any cylinder.
+std::string broken_for_finite_strain(const ContactModel& model) {
+  if (model.dimension == 3) return "method = finite_strain: only for a cylinder";
+  if (!model.coating.empty()) {
+    if (std::string rule = broken_for_cover(model); !rule.empty()) return rule;
+  } else if (!has_rigid_base(model))
+    return message_text(model.foundation.size() == 1 ? "layer_thickness" : "lower_layers",
                         " = \"infinite\": must be finite with method \"finite_strain\"");
-  if (scene.period) return message_text("period = ", *scene.period, ": not with method \"finite_strain\"");
-  if (scene.adhesion_threshold > 0)
-    return message_text("adhesion_threshold = ", scene.adhesion_threshold, ": must be 0 with method \"finite_strain\"");
-  if (scene.inertia == Inertia::on) return "inertia = on: not with method \"finite_strain\"";
-  if (inertia_included(scene))
-    return message_text("method = finite_strain: inertia counts for a tolerance of ", *scene.tolerance, " (V is ",
-                        std::sqrt(rayleigh_number(scene)),
+  if (model.period) return message_text("period = ", *model.period, ": not with method \"finite_strain\"");
+  if (model.adhesion_threshold > 0)
+    return message_text("adhesion_threshold = ", model.adhesion_threshold, ": must be 0 with method \"finite_strain\"");
+  if (model.inertia && !model.inertia_automatic) return "inertia = on: not with method \"finite_strain\"";
+  if (model.inertia)
+    return message_text("method = finite_strain: inertia counts for a tolerance of ", *model.asked_tolerance, " (V is ",
+                        std::sqrt(rayleigh_number(model)),
                         " of the speed of Rayleigh waves on the layer at rest), and this method has none; "
                         "inertia = off leaves it out");
   return {};
@@ -91,6 +67,21 @@ std::string softening_key(const std::string& owner, const MaterialInputs& layer)
   if (layer.payne_drop > 0) return message_text(owner, "payne_drop = ", layer.payne_drop);
   if (layer.payne_loss_peak != 1) return message_text(owner, "payne_loss_peak = ", layer.payne_loss_peak);
   if (!layer.sweep_strains.empty()) return owner + "sweep_strains";
+  return {};
+}
+
+bool on_half_space(const RollingScene& scene) {
+  return std::isinf(scene.layer_thickness) ||
+         std::any_of(scene.lower_layers.begin(), scene.lower_layers.end(),
+                     [](const BondedLayer& layer) { return std::isinf(layer.layer_thickness); });
+}
+
+std::string why_absent(bool sphere, bool half_space, std::string_view output) {
+  if (sphere) return {};
+  if (output == "approach" && half_space)
+    return "a cylinder sinks without limit into a half-space, with the logarithm of the depth from which the approach "
+           "is counted: give that depth as layer_thickness";
+  if (output == "half_width" || output == "peak_shear_y") return "a cylinder has none";
   return {};
 }
 
@@ -240,36 +231,53 @@ void check_interior(const RollingScene& scene, BrokenRules& broken) {
   }
 }
 
-/// @param in_range  whether every input is in its range, so that speeds of waves can be computed
+void check_inertia(const ContactModel& model, BrokenRules& broken) {
+  if (const double number = rayleigh_number(model); number >= 1)
+    broken.add("speed", model.speed,
+               "with inertia must be below that of Rayleigh waves on the layer at rest, " +
+                   message_text(model.speed / std::sqrt(number)) + " m/s");
+  else if (layers_carry_slower_waves(model))
+    broken.add("speed", model.speed, "with inertia must be below that of the waves which the layers carry together");
+}
+
+/// @param in_range  whether every input is in its range, so that there is a model of it
 void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) {
-  const bool half_space = std::isinf(total_thickness(scene));
   if (const std::string why = why_absent(scene, "approach"); scene.approach && !why.empty())
     broken.add("approach", *scene.approach, why + ", or a load");
-  if (scene.method == Method::spectral && in_range)
-    if (std::string rule = broken_for_spectral(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
-  if (scene.method == Method::finite_strain && in_range)
-    if (std::string rule = broken_for_finite_strain(scene); !rule.empty()) broken.lines.push_back(std::move(rule));
+  const bool spectral = scene.method == Method::spectral, finite = scene.method == Method::finite_strain;
+  const bool asked = in_range && (spectral || finite || scene.inertia == Inertia::on);
+  const std::optional<ContactModel> model = asked ? std::optional<ContactModel>(scene) : std::nullopt;
+  if (model && (spectral || finite))
+    if (std::string rule = spectral ? spectral_refusal(*model) : broken_for_finite_strain(*model); !rule.empty())
+      broken.lines.push_back(std::move(rule));
   check_interior(scene, broken);
   check_yeoh(scene, broken);
-  if (scene.period && half_space) broken.add("period", *scene.period, "needs a layer of finite thickness");
-  if (scene.inertia != Inertia::on || !in_range) return;
-  if (const double number = rayleigh_number(scene); number >= 1)
-    broken.add("speed", scene.speed,
-               "with inertia must be below that of Rayleigh waves on the layer at rest, " +
-                   message_text(scene.speed / std::sqrt(number)) + " m/s");
-  else if (layers_carry_slower_waves(scene))
-    broken.add("speed", scene.speed, "with inertia must be below that of the waves which the layers carry together");
+  if (scene.period && on_half_space(scene)) broken.add("period", *scene.period, "needs a layer of finite thickness");
+  if (model && scene.inertia == Inertia::on) check_inertia(*model, broken);
 }
 
 }  // namespace
 
-std::string spectral_refusal(const RollingScene& scene) { return broken_for_spectral(scene); }
-
-bool spectral_applies(const RollingScene& scene) { return broken_for_spectral(scene).empty(); }
+std::string spectral_refusal(const ContactModel& model) {
+  if (model.dimension == 3) return "method = spectral: only for a cylinder";
+  if (model.period) return message_text("period = ", *model.period, ": not with method \"spectral\"");
+  if (model.coating.empty()) return {};
+  if (model.inertia) return "inertia: not with method \"spectral\" and a coating";
+  if (coating_remembers_ahead(model))
+    return message_text("rotation_ratio = ", model.flow,
+                        ": must be >= 0 with method \"spectral\" and a viscoelastic coating");
+  // Two half-spaces whose pressure moves the surface sideways do so with memories of their own.
+  const bool on_body = model.coating.front().poisson_ratio < 0.5;
+  if (!on_body && !(model.top().poisson_ratio < 0.5)) return {};
+  return message_text(on_body ? "coating_layers[0].poisson_ratio = " : "poisson_ratio = ",
+                      (on_body ? model.coating.front() : model.top()).poisson_ratio,
+                      ": must be 0.5 with method \"spectral\" and a coating");
+}
 
 Method resolved_method(const RollingScene& scene) {
   if (scene.method != Method::automatic) return scene.method;
-  return spectral_applies(scene) && !scene.spacing ? Method::spectral : Method::newton;
+  const bool gridded = dimension_of(scene.indenter) == 3 || scene.spacing || scene.period;
+  return gridded ? Method::newton : ContactModel(scene).method;
 }
 
 std::vector<std::string> check(const RollingScene& scene) {
@@ -290,13 +298,17 @@ std::vector<std::string> check(const RollingScene& scene) {
   return broken.lines;
 }
 
+void require_valid(const RollingScene& scene) {
+  if (const std::vector<std::string> broken = check(scene); !broken.empty())
+    throw std::invalid_argument(joined(broken, "; "));
+}
+
 std::string why_absent(const RollingScene& scene, std::string_view output) {
-  if (scene.indenter == Indenter::sphere) return {};
-  if (output == "approach" && std::isinf(total_thickness(scene)))
-    return "a cylinder sinks without limit into a half-space, with the logarithm of the depth from which the approach "
-           "is counted: give that depth as layer_thickness";
-  if (output == "half_width" || output == "peak_shear_y") return "a cylinder has none";
-  return {};
+  return why_absent(dimension_of(scene.indenter) == 3, on_half_space(scene), output);
+}
+
+std::string why_absent(const ContactModel& model, std::string_view output) {
+  return why_absent(model.dimension == 3, std::isinf(total_thickness(model)), output);
 }
 
 }  // namespace rollres

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 
 namespace rollres {
 
@@ -14,13 +14,16 @@ namespace rollres {
 /// load or approach, spacing or tolerance, driving_torque with drive torque, ...). Empty: the scene can be solved.
 std::vector<std::string> check(const RollingScene& scene);
 
+/// @throws std::invalid_argument with all of them if there are any
+void require_valid(const RollingScene& scene);
+
 /// Why an output is absent from every answer to such a scene, as the approach of a cylinder on a half-space is; empty
 /// if it is not.
 std::string why_absent(const RollingScene& scene, std::string_view output);
+std::string why_absent(const ContactModel& model, std::string_view output);
 
-/// Why method spectral cannot be asked, as the rule that the scene breaks; empty if it can.
-std::string spectral_refusal(const RollingScene& scene);
-bool spectral_applies(const RollingScene& scene);
+/// Why method spectral cannot solve it, as the rule "key = value: rule" that it breaks; empty if it can.
+std::string spectral_refusal(const ContactModel& model);
 
 /// The method that solves the scene first: its own, or what `automatic` stands for.
 Method resolved_method(const RollingScene& scene);

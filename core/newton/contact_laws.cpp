@@ -38,10 +38,10 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
       const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
       maps.gap(i) = problem.profile(i) - x.approach - maps.moved.w(at);
       const double gap = maps.gap(i) / influence.self_normal(), pressure = x.pressure(i);
-      if (problem.scene.adhesion_threshold > 0) {
+      if (problem.model.adhesion_threshold > 0) {
         if (in_contact[static_cast<std::size_t>(i)]) {
           count(gap);
-          count(std::min(0.0, pressure + problem.scene.adhesion_threshold));
+          count(std::min(0.0, pressure + problem.model.adhesion_threshold));
         } else {
           count(std::min(0.0, gap));
         }
@@ -58,8 +58,8 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
       if (problem.lateral) count((x.shear_y(i) - projection.y()) * per_friction);
     }
   if (problem.load_given()) {
-    const double missing = *problem.scene.load - problem.load(x.pressure, x.shear_x);
-    count(missing / *problem.scene.load * scale);
+    const double missing = *problem.model.load - problem.load(x.pressure, x.shear_x);
+    count(missing / *problem.model.load * scale);
   }
   if (problem.friction && !problem.rotation_given()) {
     const double force = std::max(problem.load(x.pressure, x.shear_x), 1e-300);
@@ -80,7 +80,7 @@ ContactMask choose_contact(const ContactProblem& problem, const InfluenceOperato
   ContactMask now(before.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
     const auto node = static_cast<Eigen::Index>(i);
-    const double threshold = before[i] ? -problem.scene.adhesion_threshold : 0;
+    const double threshold = before[i] ? -problem.model.adhesion_threshold : 0;
     now[i] = x.pressure(node) - maps.gap(node) / influence.self_normal() > threshold;
   }
   return now;
@@ -165,7 +165,7 @@ LawResiduals law_residuals(const ContactProblem& problem, const InfluenceOperato
     }
     if (problem.lateral && problem.on_axis(node)) right.shear_y(i) = -x.shear_y(node);
   }
-  if (problem.load_given()) right.load = *problem.scene.load - problem.load(x.pressure, x.shear_x);
+  if (problem.load_given()) right.load = *problem.model.load - problem.load(x.pressure, x.shear_x);
   if (problem.friction && !problem.rotation_given())
     right.drive = -problem.drive_surplus(x.pressure, x.shear_x, maps.coating);
   return right;

@@ -8,11 +8,11 @@
 
 namespace rollres {
 
-ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid) {
+ContactLevel make_level(const ContactModel& model, const SurfaceGrid& grid) {
   ContactLevel level;
-  level.problem = std::make_unique<ContactProblem>(scene, grid);
-  level.table = std::make_unique<InfluenceTable>(influence_table(scene, mirrored(grid)));
-  level.influence = std::make_unique<InfluenceOperator>(scene, *level.table, grid, level.problem->friction);
+  level.problem = std::make_unique<ContactProblem>(model, grid);
+  level.table = std::make_unique<InfluenceTable>(influence_table(model, mirrored(grid)));
+  level.influence = std::make_unique<InfluenceOperator>(model, *level.table, grid, level.problem->friction);
   return level;
 }
 
@@ -20,7 +20,7 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
   ContactUnknowns guess;
   const SurfaceGrid& grid = problem.grid;
   guess.pressure = Vector::Zero(grid.size());
-  const bool adhesive = problem.scene.adhesion_threshold > 0;
+  const bool adhesive = problem.model.adhesion_threshold > 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const double r = std::hypot(grid.x(column), grid.y(row)) / estimate.half_width;
@@ -31,7 +31,7 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
     }
   const double load = problem.load(guess.pressure, {});
   if (load > 0) guess.pressure *= estimate.load / load;
-  guess.approach = problem.scene.approach.value_or(std::isfinite(estimate.approach) ? estimate.approach : 0);
+  guess.approach = problem.model.approach.value_or(std::isfinite(estimate.approach) ? estimate.approach : 0);
   return guess;
 }
 
@@ -91,7 +91,7 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
         half_width = std::max(half_width, grid.y(row));
       }
   if (leading < trailing) return like;  // no contact: around nothing
-  const double widest = widest_window(level.problem->scene);
+  const double widest = widest_window(level.problem->model);
   SurfaceGrid next = like;
   // Columns beyond the origin, and rows, that reach as far as a distance from under the axis.
   const auto cells = [&](double distance, double origin, double spacing) {

@@ -22,7 +22,7 @@ struct ContactLevel {
 };
 
 /// A level without a solution yet, on a half grid.
-ContactLevel make_level(const RollingScene& scene, const SurfaceGrid& grid);
+ContactLevel make_level(const ContactModel& model, const SurfaceGrid& grid);
 
 /// Pressure like an elliptical dome over the estimated contact, without shear. With adhesion the contact peels from the
 /// widest one, so that the whole window begins in contact.

@@ -88,7 +88,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
   const SurfaceGrid& grid = problem.grid;
   ContactPowers powers;
   const double turning = problem.turning_ratio(unknowns.rotation_ratio);
-  powers.load_found = !problem.scene.load;
+  powers.load_found = !problem.model.load;
   const bool coated = coating.w.size() > 0;
   double load = 0, nodes = 0;
   for (int row = 0; row < grid.rows; ++row)
@@ -124,7 +124,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
   if (problem.friction) powers.by_law = friction_by_law(problem, moved, coating, unknowns, zone);
   if (load > 0) powers.sticking /= load;
   powers.drawn = load > 0 && problem.friction
-                     ? std::min(1.0, std::abs(powers.drawn) / (problem.scene.friction_coefficient * load))
+                     ? std::min(1.0, std::abs(powers.drawn) / (problem.model.friction_coefficient * load))
                      : 1;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
   powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio, powers.coating);
@@ -184,13 +184,13 @@ void ContactPowers::take(const EdgeCorrection& correction) {
   share = share_of_losses(std::pow(better_conditioned, correction.trust) * losses(), halves);
 }
 
-void add_resistance(const RollingScene& scene, double change, RollingSolution& solution) {
+void add_resistance(const ContactModel& model, double change, RollingSolution& solution) {
   solution.rolling_resistance += change;
   solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
   const double ratio = std::isnan(solution.rotation_ratio) ? 0 : solution.rotation_ratio;
-  if (scene.drive == Drive::top_force && scene.friction_coefficient > 0) {
+  if (model.drive == Drive::top_force && model.friction_coefficient > 0) {
     solution.driving_force += change / (1 + ratio);
-    solution.driving_torque += change / (1 + ratio) * scene.radius;
+    solution.driving_torque += change / (1 + ratio) * model.radius;
   } else {
     solution.driving_force += change;
   }

@@ -17,6 +17,9 @@ namespace rollres {
 /// What a power balance may miss of R_r whatever the error stated; beyond, an estimate is at least that.
 constexpr double trusted_balance = 0.01;
 
+/// Largest violation of a law of contact that an answer may have, relative.
+constexpr double trusted_violation = 1e-8;
+
 /// Resistance over the moment of the load's halves below which the layer is as good as elastic: then it is rounding and
 /// the grid's.
 constexpr double negligible_resistance = 1e-3;
@@ -76,6 +79,6 @@ TractionRow coating_in_drive_row(const ContactProblem& problem, const InfluenceO
 TractionRow moment_row(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x);
 
 /// Changes a solution's rolling resistance, and what drives the body with it.
-void add_resistance(const RollingScene& scene, double change, RollingSolution& solution);
+void add_resistance(const ContactModel& model, double change, RollingSolution& solution);
 
 }  // namespace rollres

@@ -4,13 +4,13 @@
 
 namespace rollres {
 
-ContactProblem::ContactProblem(const RollingScene& given, const SurfaceGrid& half_grid)
-    : scene(given),
+ContactProblem::ContactProblem(const ContactModel& given, const SurfaceGrid& half_grid)
+    : model(given),
       grid(half_grid),
       shape(given, share_of_coating(given)),
       law{given.friction_coefficient},
       friction(given.friction_coefficient > 0),
-      lateral(dimensions(given) == 3),
+      lateral(given.dimension == 3),
       drive_target(rollres::drive_target(given)) {
   const Eigen::Index size = grid.size();
   profile.resize(size);
@@ -36,12 +36,12 @@ ContactProblem::ContactProblem(const RollingScene& given, const SurfaceGrid& hal
       keep(driving_force, shape.driving_force(x, y));
       keep(torque, shape.torque(x, y));
     }
-  if (!given.coating_layers.empty()) {
-    idle_ratio = flow_of_coating(given);
+  if (!given.coating.empty()) {
+    idle_ratio = given.flow;
     if (friction && !rotation_given()) of_coating = coating_in_drive(given);
   }
-  drive = {drive_row(scene, torque.of_pressure, driving_force.of_pressure),
-           drive_row(scene, torque.of_shear_x, driving_force.of_shear_x)};
+  drive = {drive_row(model, torque.of_pressure, driving_force.of_pressure),
+           drive_row(model, torque.of_shear_x, driving_force.of_shear_x)};
 }
 
 SurfaceGrid mirrored(const SurfaceGrid& half) {

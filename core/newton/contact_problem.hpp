@@ -27,9 +27,9 @@ struct Resultant {
 
 struct ContactProblem {
   /// @param grid rows with y >= 0 only for a sphere, one row for a cylinder
-  ContactProblem(const RollingScene& scene, const SurfaceGrid& grid);
+  ContactProblem(const ContactModel& model, const SurfaceGrid& grid);
 
-  RollingScene scene;
+  ContactModel model;
   SurfaceGrid grid;
   IndenterShape shape;
   FrictionLaw law;
@@ -45,15 +45,15 @@ struct ContactProblem {
 
   /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the paper's.
   bool follows_edge() const {
-    return friction && lateral && scene.kinematics == Kinematics::consistent && scene.adhesion_threshold == 0;
+    return friction && lateral && model.kinematics == Kinematics::consistent && model.adhesion_threshold == 0;
   }
   /// @param in_contact a flag for each node
   void take_edge(const EdgeCurve& curve, const std::vector<char>& in_contact) {
-    edge = {scene, grid, curve, in_contact};
+    edge = {model, grid, curve, in_contact};
   }
 
-  bool load_given() const { return scene.load.has_value(); }
-  bool rotation_given() const { return scene.drive == Drive::rotation; }
+  bool load_given() const { return model.load.has_value(); }
+  bool rotation_given() const { return model.drive == Drive::rotation; }
   /// @param coating M of (N3b) [N]
   double drive_surplus(const Vector& pressure, const Vector& shear_x, double coating) const {
     return drive(pressure, shear_x) + of_coating * coating - drive_target;
@@ -72,7 +72,7 @@ struct ContactProblem {
   /// the pressure must be overcome by one or the other, or at which the coating flows.
   double turning_ratio(double law_ratio) const {
     if (!friction) return idle_ratio;
-    return rotation_given() ? *scene.rotation_ratio : shape.rotation_ratio(law_ratio);
+    return rotation_given() ? *model.rotation_ratio : shape.rotation_ratio(law_ratio);
   }
   /// Rolling resistance [N] (per metre for a cylinder); empty shear is none. @param coating M of (N3b) [N]
   double resistance(const Vector& pressure, const Vector& shear_x, double law_ratio, double coating) const {

@@ -18,20 +18,19 @@ constexpr double sliding = 1e4;  // omega - 1 at which the whole contact slides 
 /// it rolls by `excess` in R Omega / V; NaN if that could not be solved. Each solution is the next one's start.
 class Surplus {
  public:
-  Surplus(const RollingScene& scene, const SurfaceGrid& half_grid, int direction)
-      : scene_(scene), grid_(half_grid), direction_(direction) {}
+  Surplus(const ContactModel& model, const SurfaceGrid& half_grid, int direction)
+      : model_(model), grid_(half_grid), direction_(direction) {}
 
   double operator()(double friction, double excess = sliding) {
-    scene_.friction_coefficient = friction;
-    RollingScene turning = scene_;
-    turning.coating_flow = flow_of_coating(scene_);  // whatever the rotation that it is slid at
+    model_.friction_coefficient = friction;
+    ContactModel turning = model_;
     turning.drive = Drive::rotation;
     turning.driving_torque.reset();
     turning.rotation_ratio = 1 + direction_ * excess;
     if (last_) last_->outcome.unknowns.rotation_ratio = last_->problem->shape.law_ratio(*turning.rotation_ratio);
     ContactLevel level = solve_level(turning, grid_, last_ ? &*last_ : nullptr, Effort::start);
     if (!level.outcome.converged) return RollingSolution::absent;
-    const ContactProblem wanted(scene_, level.problem->grid);
+    const ContactProblem wanted(model_, level.problem->grid);
     const ContactUnknowns& x = level.outcome.unknowns;
     const double value =
         direction_ * wanted.drive_surplus(x.pressure, x.shear_x, coating_moment(wanted, *level.influence, x));
@@ -40,7 +39,7 @@ class Surplus {
   }
 
  private:
-  RollingScene scene_;
+  ContactModel model_;
   SurfaceGrid grid_;
   int direction_;
   std::optional<ContactLevel> last_;
@@ -116,27 +115,27 @@ double best_excess(Surplus& surplus, double friction, double force) {
 
 }  // namespace
 
-SlidingLimit sliding_limit(const RollingScene& scene, const SurfaceGrid& half_grid) {
+SlidingLimit sliding_limit(const ContactModel& model, const SurfaceGrid& half_grid) {
   bool known = true;
   for (const int direction : {1, -1}) {
-    const double value = Surplus(scene, half_grid, direction)(scene.friction_coefficient);
+    const double value = Surplus(model, half_grid, direction)(model.friction_coefficient);
     if (value < 0) return SlidingLimit::not_enough;
     known = known && !std::isnan(value);
   }
   return known ? SlidingLimit::enough : SlidingLimit::unknown;
 }
 
-double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid) {
-  const double given = scene.friction_coefficient;
+double friction_needed(const ContactModel& model, const SurfaceGrid& half_grid) {
+  const double given = model.friction_coefficient;
   for (const int direction : {1, -1}) {
-    Surplus surplus(scene, half_grid, direction);
+    Surplus surplus(model, half_grid, direction);
     const double value = surplus(given);
     if (std::isnan(value)) return RollingSolution::absent;
     if (value >= 0) continue;
     double needed = friction_root([&](double friction) { return surplus(friction); }, given);
     // Friction may give more at a moderate rotation, where part of the contact sticks or is drawn aside.
     for (int pass = 0; pass < 3 && needed > given; ++pass) {
-      const double excess = best_excess(surplus, needed, scene.load.value_or(std::abs(value)) * needed);
+      const double excess = best_excess(surplus, needed, model.load.value_or(std::abs(value)) * needed);
       if (excess == sliding) break;
       const double less = friction_root([&](double friction) { return surplus(friction, excess); }, given);
       if (!(less < needed * (1 - 1e-5))) break;
@@ -147,20 +146,20 @@ double friction_needed(const RollingScene& scene, const SurfaceGrid& half_grid) 
   return given;
 }
 
-double sliding_torque(const RollingScene& scene, const SurfaceGrid& half_grid) {
-  const double asked = *scene.driving_torque;
-  const double surplus = Surplus(scene, half_grid, asked > 0 ? 1 : -1)(scene.friction_coefficient);
-  return std::abs(asked) + scene.radius * surplus;
+double sliding_torque(const ContactModel& model, const SurfaceGrid& half_grid) {
+  const double asked = *model.driving_torque;
+  const double surplus = Surplus(model, half_grid, asked > 0 ? 1 : -1)(model.friction_coefficient);
+  return std::abs(asked) + model.radius * surplus;
 }
 
-double friction_borne(const RollingScene& scene, const SurfaceGrid& half_grid) {
+double friction_borne(const ContactModel& model, const SurfaceGrid& half_grid) {
   const auto solved = [&](double friction) {
-    RollingScene weaker = scene;
+    ContactModel weaker = model;
     weaker.friction_coefficient = friction;
     const ContactLevel level = solve_level(weaker, half_grid, nullptr, Effort::all);
     return level.outcome.converged && !level.outcome.reached_border;
   };
-  double high = scene.friction_coefficient, low = high / 1.2;
+  double high = model.friction_coefficient, low = high / 1.2;
   for (int step = 0; !solved(low); ++step) {
     if (step == 5) return RollingSolution::absent;
     high = low;

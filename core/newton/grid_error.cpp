@@ -152,12 +152,12 @@ double sphere_change(double last, const ContactPowers& powers, const EdgeTrust& 
 
 }  // namespace
 
-EdgeTrust edge_trust(const RollingScene& scene, double trust, const GridError& error) {
+EdgeTrust edge_trust(const ContactModel& model, double trust, const GridError& error) {
   const auto incompressible = [](const MaterialInputs& layer) {
     return std::max(0.0, 1 - 2 * (1 - 2 * layer.poisson_ratio) / (1 - layer.poisson_ratio));
   };
-  double slip = trust * incompressible(scene);
-  if (!scene.coating_layers.empty()) slip *= incompressible(scene.coating_layers.front());
+  double slip = trust * incompressible(model.top());
+  if (!model.coating.empty()) slip *= incompressible(model.coating.front());
   return {trust, slip, error.unresolved};
 }
 
@@ -188,38 +188,38 @@ double GridError::estimate(double resistance, double change) const {
 
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
                      const ContactPowers& powers) {
-  const RollingScene& scene = problem.scene;
-  const CreepSpectrum creep = creep_spectrum(scene);
+  const ContactModel& model = problem.model;
+  const CreepSpectrum& creep = model.top().creep;
   const CreepMoments moments = creep_moments(creep);
   const ContactIntegrals sums = contact_integrals(problem, pressure, zone);
   GridError error;
   for (const CreepSpectrum::Term& term : creep.terms)
-    if (term.compliance > 0) error.memory_length = std::max(error.memory_length, scene.speed * term.time);
+    if (term.compliance > 0) error.memory_length = std::max(error.memory_length, model.speed * term.time);
   if (moments.first == 0) return error;
 
   // The two terms of (N17) and (N18).
-  const double limit = scene.speed * moments.first * sums.curved;
-  const double modulus = 2 / (moments.rest * (1 - scene.poisson_ratio));
-  const double second = scene.speed * scene.speed * (moments.second - 0.5 * moments.first * moments.first) * M_PI /
+  const double limit = model.speed * moments.first * sums.curved;
+  const double modulus = 2 / (moments.rest * (1 - model.top().poisson_ratio));
+  const double second = model.speed * model.speed * (moments.second - 0.5 * moments.first * moments.first) * M_PI /
                         (4 * modulus) * sums.edge_slopes / limit;
-  const bool composite = is_composite(scene);  // which has no moments of one material
+  const bool composite = model.composite();  // which has no moments of one material
   if (!composite) error.slow_loss = limit * (1 - std::min(second, largest_second));
 
   constexpr double of_grid = 0.7;
   const double spacing = problem.grid.spacing_x;
-  const double lost =
-      of_grid * (1 - scene.poisson_ratio) * moments.rest * scene.radius * spacing * sums.roughness / sums.pressure;
+  const double lost = of_grid * (1 - model.top().poisson_ratio) * moments.rest * model.radius * spacing *
+                      sums.roughness / sums.pressure;
   for (const CreepSpectrum::Term& term : creep.terms) {
-    const double memory = scene.speed * term.time, over = memory / sums.half_length, cells = memory / spacing;
-    error.unresolved += scene.speed * term.compliance * term.time / moments.rest * sums.pressure / scene.radius * lost /
+    const double memory = model.speed * term.time, over = memory / sums.half_length, cells = memory / spacing;
+    error.unresolved += model.speed * term.compliance * term.time / moments.rest * sums.pressure / model.radius * lost /
                         (1 + over * over) / (1 + cells * (3 + 4 * cells));
   }
-  if (composite || second >= largest_second || scene.adhesion_threshold > 0) return error;
+  if (composite || second >= largest_second || model.adhesion_threshold > 0) return error;
   // Measured against exact solutions: the slopes at the edges are known to a twentieth (less over a thin layer), and
   // change with the memory; the rest is what friction adds at steep edges.
   const double softening = 1 - creep.instantaneous / moments.rest;
-  const double edges = std::clamp(0.2 * sums.half_length / scene.layer_thickness, 0.05, 2.0);
-  const double slope = scene.friction_coefficient > 0 ? sums.half_length / scene.radius : 0;
+  const double edges = std::clamp(0.2 * sums.half_length / model.top().layer_thickness, 0.05, 2.0);
+  const double slope = model.friction_coefficient > 0 ? sums.half_length / model.radius : 0;
   error.slow_error =
       limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.1 * slope * slope);
   const double square = error.unresolved * error.unresolved;
@@ -232,14 +232,14 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   return error;
 }
 
-void take_slow_rolling(const RollingScene& scene, const GridError& error, const ContactPowers& powers,
+void take_slow_rolling(const ContactModel& model, const GridError& error, const ContactPowers& powers,
                        RollingSolution& solution) {
   warn_of_memory(error, solution);
   if (error.slow_share <= 0) return;
   const SurfaceFields& fields = solution.fields;
   const SurfaceGrid& grid = fields.grid;
   double sheared = 0;  // (N20)
-  if (scene.friction_coefficient > 0)
+  if (model.friction_coefficient > 0)
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 1; column + 1 < grid.columns; ++column) {
         const auto i = static_cast<std::size_t>(grid.index(column, row));
@@ -251,11 +251,11 @@ void take_slow_rolling(const RollingScene& scene, const GridError& error, const 
         sheared += fields.shear_x[i] * bend(fields.u);
         if (!fields.v.empty()) sheared += fields.shear_y[i] * bend(fields.v);
       }
-  const CreepMoments moments = creep_moments(creep_spectrum(scene));
-  const double loss = error.slow_loss - scene.speed * moments.first * grid.cell_area() * sheared;
-  const double viscous = solution.viscous_loss / scene.speed;
-  add_resistance(scene, error.slow_share * (loss - viscous + powers.losses() - powers.resistance()), solution);
-  solution.viscous_loss += error.slow_share * (loss - viscous) * scene.speed;
+  const CreepMoments moments = creep_moments(model.top().creep);
+  const double loss = error.slow_loss - model.speed * moments.first * grid.cell_area() * sheared;
+  const double viscous = solution.viscous_loss / model.speed;
+  add_resistance(model, error.slow_share * (loss - viscous + powers.losses() - powers.resistance()), solution);
+  solution.viscous_loss += error.slow_share * (loss - viscous) * model.speed;
   solution.energy_residual = (1 - error.slow_share) * powers.missing() / powers.scale(solution.rolling_resistance);
   if (error.slow_share > 0.01)
     solution.model += "; slow rolling: viscous loss from the elastic fields (V τ' P/R and its next term), share " +

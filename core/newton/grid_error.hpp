@@ -38,7 +38,7 @@ struct EdgeTrust {
 };
 
 /// @param trust of the correction by the pressure
-EdgeTrust edge_trust(const RollingScene& scene, double trust, const GridError& error);
+EdgeTrust edge_trust(const ContactModel& model, double trust, const GridError& error);
 
 /// The same at the end. How much resultants and losses differ (N15) tells more than one or two grids alone, and what
 /// friction takes falls with the spacing, the viscous loss faster. Of a sphere the number of cells tells most, as its
@@ -56,7 +56,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
 
 /// Puts the slow-rolling resistance into a solution, by its share: R_r, what drives it, and the viscous loss.
 /// Shear tractions add to (N18) as in (N20).
-void take_slow_rolling(const RollingScene& scene, const GridError& error, const ContactPowers& powers,
+void take_slow_rolling(const ContactModel& model, const GridError& error, const ContactPowers& powers,
                        RollingSolution& solution);
 
 }  // namespace rollres

@@ -21,8 +21,8 @@ int coarsenings(double cells_on_half_width) {
   return count;
 }
 
-double expected_half_width(const RollingScene& scene) {
-  return std::min(estimate_contact(scene).half_width, 0.7 * scene.radius);
+double expected_half_width(const ContactModel& model) {
+  return std::min(estimate_contact(model).half_width, 0.7 * model.radius);
 }
 
 /// Room around a contact found on a grid of spacing `from`, for one of spacing `to` [m].
@@ -55,14 +55,15 @@ PressureEllipse pressure_ellipse(const ContactLevel& level) {
 
 }  // namespace
 
-GridSeries fixed_grids(const RollingScene& scene, double spacing) {
-  const double half_width = expected_half_width(scene), widest = widest_window(scene);
-  window(scene.indenter, spacing, std::min(1.3 * half_width + 3 * spacing, widest));  // refused before all coarser ones
+GridSeries fixed_grids(const ContactModel& model, double spacing) {
+  const double half_width = expected_half_width(model), widest = widest_window(model);
+  window(model.dimension, spacing,
+         std::min(1.3 * half_width + 3 * spacing, widest));  // refused before all coarser ones
   GridSeries series;
   series.coarsest = coarsenings(half_width / spacing);
-  series.first = [=, indenter = scene.indenter](int coarsening) {
+  series.first = [=, dimension = model.dimension](int coarsening) {
     const double own = std::ldexp(spacing, coarsening);
-    return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(dimension, own, std::min(1.3 * half_width + 3 * own, widest));
   };
   series.around = [spacing](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;
@@ -74,13 +75,13 @@ GridSeries fixed_grids(const RollingScene& scene, double spacing) {
   return series;
 }
 
-GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width) {
-  const double half_width = expected_half_width(scene), widest = widest_window(scene);
+GridSeries tied_grids(const ContactModel& model, double cells_on_half_width) {
+  const double half_width = expected_half_width(model), widest = widest_window(model);
   GridSeries series;
   series.coarsest = coarsenings(cells_on_half_width);
-  series.first = [=, indenter = scene.indenter](int coarsening) {
+  series.first = [=, dimension = model.dimension](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
-    return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(dimension, own, std::min(1.3 * half_width + 3 * own, widest));
   };
   series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;
@@ -96,14 +97,14 @@ GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width) {
   return series;
 }
 
-GridSeries tied_lines(const RollingScene& scene, double cells_on_half_width) {
-  const double half_width = expected_half_width(scene), widest = widest_window(scene);
+GridSeries tied_lines(const ContactModel& model, double cells_on_half_width) {
+  const double half_width = expected_half_width(model), widest = widest_window(model);
   GridSeries series;
   series.tied = true;
   series.coarsest = coarsenings(cells_on_half_width);
-  series.first = [=, indenter = scene.indenter](int coarsening) {
+  series.first = [=, dimension = model.dimension](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
-    return window(indenter, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(dimension, own, std::min(1.3 * half_width + 3 * own, widest));
   };
   series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;

@@ -23,17 +23,17 @@ struct GridSeries {
 };
 
 /// Square cells of a given size [m], a node under the body's axis.
-GridSeries fixed_grids(const RollingScene& scene, double spacing);
+GridSeries fixed_grids(const ContactModel& model, double spacing);
 
 /// Cells in proportion to the contact of a sphere: a node at the centre of pressure, and so many cells, in each
 /// direction, on the half-width of the elliptical contact whose pressure (like Hertz's) has the same second moments
 /// (core/newton/README.md, (N13)). As
 /// the scene changes, the grid changes with the contact, and the nodes in contact hardly do: what is computed is
 /// smooth.
-GridSeries tied_grids(const RollingScene& scene, double cells_on_half_width);
+GridSeries tied_grids(const ContactModel& model, double cells_on_half_width);
 
 /// The same for a cylinder: both ends of its contact, as the pressure tells them, lie by the same part of a cell beyond
 /// the outermost nodes, and so many cells on its half-length (core/newton/README.md, section 5).
-GridSeries tied_lines(const RollingScene& scene, double cells_on_half_width);
+GridSeries tied_lines(const ContactModel& model, double cells_on_half_width);
 
 }  // namespace rollres

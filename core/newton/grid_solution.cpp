@@ -70,13 +70,13 @@ class Assessment {
     take_outline();
     s_.spacing = grid.spacing_x;
     half_length_ = std::max(0.5 * (leading - trailing + grid.spacing_x), grid.spacing_x);
-    s_.approach = why_absent(problem_.scene, "approach").empty() ? unknowns_.approach : RollingSolution::absent;
+    s_.approach = why_absent(problem_.model, "approach").empty() ? unknowns_.approach : RollingSolution::absent;
   }
 
   void take_outline() {
     s_.peak_pressure = 0;
     if (!(unknowns_.pressure.maxCoeff() > 0)) return;
-    const ContactOutline outline = contact_outline(problem_.scene, problem_.grid, unknowns_.pressure);
+    const ContactOutline outline = contact_outline(problem_.model, problem_.grid, unknowns_.pressure);
     s_.leading_edge = outline.leading;
     s_.trailing_edge = outline.trailing;
     if (problem_.lateral) s_.half_width = outline.half_width;
@@ -92,13 +92,13 @@ class Assessment {
     s_.load = problem_.load(pressure, shear);
     s_.mean_pressure = s_.load / s_.contact_area;
     s_.rolling_resistance = powers_.resultants;
-    const double turning = problem_.turning_ratio(unknowns_.rotation_ratio), radius = problem_.scene.radius;
+    const double turning = problem_.turning_ratio(unknowns_.rotation_ratio), radius = problem_.model.radius;
     const double of_coating = problem_.shape.of_coating() * powers_.coating;
     if (problem_.friction) {
       s_.driving_torque = problem_.torque(pressure, shear) + radius * of_coating;
       s_.driving_force = problem_.driving_force(pressure, shear) - of_coating;
       s_.rotation_ratio = turning;
-      s_.rotation_speed = turning * problem_.scene.speed / radius;
+      s_.rotation_speed = turning * problem_.model.speed / radius;
     } else {
       // The pressure on the layers passes through the axis: it is the driving force alone that overcomes its horizontal
       // part.
@@ -113,8 +113,8 @@ class Assessment {
     if (!problem_.friction) return;
     const SurfaceGrid& grid = problem_.grid;
     slip_x_ = slip_y_ = Vector::Zero(grid.size());
-    const bool own_stencil = problem_.scene.method == Method::active_set;
-    const SlipStencil stencil = own_stencil ? problem_.scene.slip_stencil : SlipStencil::forward;
+    const bool own_stencil = problem_.model.method == Method::active_set;
+    const SlipStencil stencil = own_stencil ? problem_.model.slip_stencil : SlipStencil::forward;
     for (Eigen::Index i = 0; i < grid.size(); ++i) {
       if (!contact(i)) continue;
       const Eigen::Index at = moved_index(i), column = i % grid.columns;
@@ -128,9 +128,9 @@ class Assessment {
   }
 
   void check_laws() {
-    const RollingScene& scene = problem_.scene;
-    const double gap_scale = half_length_ * half_length_ / (2 * scene.radius);
-    const double slip_scale = half_length_ / scene.radius;
+    const ContactModel& model = problem_.model;
+    const double gap_scale = half_length_ * half_length_ / (2 * model.radius);
+    const double slip_scale = half_length_ / model.radius;
     const double pressure_scale = std::max(s_.peak_pressure, 1e-300);
     const double shear_scale = std::max(problem_.law.bound(pressure_scale), 1e-300);
     double worst = s_.contact_nodes > 0 ? 0 : 1;
@@ -145,7 +145,7 @@ class Assessment {
         continue;
       }
       violated(std::abs(gap) / gap_scale);
-      violated((-pressure - scene.adhesion_threshold) / pressure_scale);
+      violated((-pressure - model.adhesion_threshold) / pressure_scale);
       if (!problem_.friction) continue;
       const FrictionViolation friction =
           friction_violation(zone_[static_cast<std::size_t>(i)], problem_.law.bound(pressure), shear_x(i), shear_y(i),
@@ -153,19 +153,19 @@ class Assessment {
       violated(friction.shear);
       violated(friction.slip);
     }
-    if (scene.load) violated(std::abs(s_.load - *scene.load) / *scene.load);
-    if (scene.approach) violated(std::abs(unknowns_.approach - *scene.approach) / *scene.approach);
+    if (model.load) violated(std::abs(s_.load - *model.load) / *model.load);
+    if (model.approach) violated(std::abs(unknowns_.approach - *model.approach) / *model.approach);
     if (problem_.friction && !problem_.rotation_given())
       violated(std::abs(problem_.drive_surplus(unknowns_.pressure, unknowns_.shear_x, powers_.coating)) / s_.load);
     s_.law_violation = worst;
   }
 
   void balance_power() {
-    const double speed = problem_.scene.speed;
+    const double speed = problem_.model.speed;
     powers_.take(edge_);
     s_.viscous_loss = speed * powers_.layer;
     s_.frictional_loss = speed * powers_.friction;
-    add_resistance(problem_.scene, powers_.resistance() - powers_.resultants, s_);
+    add_resistance(problem_.model, powers_.resistance() - powers_.resultants, s_);
     if (powers_.share > 0.01)
       s_.model += "; rolling resistance from the losses, share " + message_text(powers_.share) +
                   ", as the resultants are a small difference";

@@ -38,15 +38,15 @@ GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& i
 
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
 /// @param nonlinear  what `linearity_error` says of them
-std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution,
+std::vector<std::string> warnings_for(const ContactModel& model, const RollingSolution& solution,
                                       const std::optional<LinearityError>& nonlinear);
 
 /// Why a tolerance has no answer, or the one found without inertia is none: its layers' inertia counts, but the body is
 /// faster than their waves. Empty otherwise.
-std::string unanswered_inertia(const RollingScene& scene);
-std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution);
+std::string unanswered_inertia(const ContactModel& model);
+std::string unanswered_inertia(const ContactModel& model, const RollingSolution& solution);
 
 /// What the model leaves out and why, with the number that justifies it.
-std::string model_of(const RollingScene& scene, const RollingSolution& solution);
+std::string model_of(const ContactModel& model, const RollingSolution& solution);
 
 }  // namespace rollres

@@ -16,10 +16,10 @@ namespace rollres {
 
 namespace {
 
-NewtonOptions options_for(const RollingScene& scene) {
+NewtonOptions options_for(const ContactModel& model) {
   NewtonOptions options;
-  options.dense = scene.method == Method::newton_dense;
-  if (dimensions(scene) == 2) options.dense_unknowns = 300;
+  options.dense = model.method == Method::newton_dense;
+  if (model.dimension == 2) options.dense_unknowns = 300;
   return options;
 }
 
@@ -33,21 +33,21 @@ std::string describe_failure(const ContactLevel& level) {
   text << "stopped after " << level.outcome.iterations << " Newton iterations at spacing "
        << level.problem->grid.spacing_x << " m with the laws of contact violated by " << level.outcome.residual
        << " of the largest pressure; another spacing may answer";
-  if (const RollingScene& scene = level.problem->scene; inertia_included(scene)) text << ", or \"inertia\": \"off\"";
+  if (const ContactModel& model = level.problem->model; model.inertia) text << ", or \"inertia\": \"off\"";
   return text.str();
 }
 
-void refuse(NestedOutcome& nested, const RollingScene& scene, double needed) {
+void refuse(NestedOutcome& nested, const ContactModel& model, double needed) {
   nested.status = Status::no_steady_state;
-  nested.reason = too_much_traction(needed, scene.friction_coefficient);
+  nested.reason = too_much_traction(needed, model.friction_coefficient);
   nested.friction_needed = needed;
 }
 
-void refuse_digging(NestedOutcome& nested, const RollingScene& scene, double borne) {
+void refuse_digging(NestedOutcome& nested, const ContactModel& model, double borne) {
   std::ostringstream text;
   text << "friction makes the body dig itself in until the contact spreads to the edge of the body (more than 0.98 R): "
           "bears a friction coefficient of at most "
-       << borne << ", has " << scene.friction_coefficient;
+       << borne << ", has " << model.friction_coefficient;
   nested.status = Status::no_steady_state;
   nested.reason = text.str();
   nested.friction_borne = borne;
@@ -64,12 +64,12 @@ void measure(ContactLevel& level) {
 /// None with the paper's kinematics, whose grid is the paper's, with adhesion, or where the load is not given.
 EdgeCorrection correction_of(const ContactLevel& level) {
   const ContactProblem& problem = *level.problem;
-  const RollingScene& scene = problem.scene;
-  if (!problem.lateral || scene.kinematics != Kinematics::consistent || scene.adhesion_threshold > 0 || !scene.load)
+  const ContactModel& model = problem.model;
+  if (!problem.lateral || model.kinematics != Kinematics::consistent || model.adhesion_threshold > 0 || !model.load)
     return {};
   const ContactUnknowns& x = level.outcome.unknowns;
   const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
-  PressedSphere sphere{scene, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};
+  PressedSphere sphere{model, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};
   sphere.of_resistance = problem.driving_force.of_pressure + turning * problem.torque.of_pressure;
   if (level.influence->coating()) {
     const double part = problem.shape.of_coating() * (problem.turning_ratio(x.rotation_ratio) - 1);
@@ -113,16 +113,16 @@ SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
 
 }  // namespace
 
-ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, Effort effort) {
-  NewtonOptions options = options_for(scene);
+ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const ContactLevel* coarser, Effort effort) {
+  NewtonOptions options = options_for(model);
   if (effort == Effort::refinement) options.most_iterations = options.refining_iterations;
   if (effort == Effort::start) options.tolerance = std::max(options.tolerance, options.start_tolerance);
-  const ContactEstimate estimate = estimate_contact(scene);
+  const ContactEstimate estimate = estimate_contact(model);
   ContactLevel level;
   for (int growth = 0; growth < 12; ++growth) {
-    level = make_level(scene, grid);
+    level = make_level(model, grid);
     ContactProblem& problem = *level.problem;
-    if (coarser && scene.adhesion_threshold == 0) {
+    if (coarser && model.adhesion_threshold == 0) {
       const ContactUnknowns start = transfer(*coarser, grid);
       if (problem.follows_edge())
         problem.take_edge(edge_curve(coarser->problem->grid, coarser->outcome.unknowns.pressure), loaded_nodes(start));
@@ -132,7 +132,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
     // Safer and slower, one after the other.
     const ContactUnknowns guess = first_guess(problem, estimate);
     const double reach = -grid.x(0);
-    const bool widest = reach >= widest_window(scene) && grid.x(grid.columns - 1) >= widest_window(scene);
+    const bool widest = reach >= widest_window(model) && grid.x(grid.columns - 1) >= widest_window(model);
     const auto attempt = [&](const auto& method) {
       if (level.outcome.converged || (level.outcome.reached_border && !widest)) return;
       NewtonOutcome outcome = method(problem, level, guess, options);
@@ -143,7 +143,7 @@ ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const Cont
     if (problem.friction && (effort == Effort::all || (effort == Effort::start && !problem.rotation_given())))
       attempt(solve_by_rotation);
     if (problem.friction && effort == Effort::all && !level.outcome.converged &&
-        (problem.rotation_given() || sliding_limit(scene, grid) != SlidingLimit::not_enough)) {
+        (problem.rotation_given() || sliding_limit(model, grid) != SlidingLimit::not_enough)) {
       if (problem.lateral) attempt(solve_by_friction);
       attempt(solve_by_pivots);
     }
@@ -159,8 +159,8 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   const double last = std::abs(coarser_resistance - finest.powers.resistance());
   constexpr double rounding = 1e-11;
   const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
-                              : expected_change(dimensions(finest.problem->scene), last, change_before, finest.powers,
-                                                edge_trust(finest.problem->scene, finest.edge.trust, error));
+                              : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
+                                                edge_trust(finest.problem->model, finest.edge.trust, error));
   return error.estimate(resistance, to_come) + rounding * finest.powers.halves;
 }
 
@@ -179,12 +179,12 @@ NestedOutcome better_of(NestedOutcome answer, NestedOutcome other) {
   return other;
 }
 
-NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
+NestedOutcome solve_nested(const ContactModel& model, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer) {
   NestedOutcome nested;
   nested.tied = grids.tied;
   int coarsening = grids.coarsest, last = 0;
-  const bool drive_may_fail = scene.friction_coefficient > 0 && scene.drive != Drive::rotation;
+  const bool drive_may_fail = model.friction_coefficient > 0 && model.drive != Drive::rotation;
   bool sliding_checked = !drive_may_fail;
   bool answered = false;
   NestedOutcome best;  // of the grids before, where a finer one does not always tell more
@@ -192,7 +192,7 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     if (coarsening > last || !grids.last_resort) return Effort::start;
     return answered ? Effort::refinement : Effort::all;
   };
-  nested.finest = solve_level(scene, grids.first(coarsening), nullptr, effort());
+  nested.finest = solve_level(model, grids.first(coarsening), nullptr, effort());
   for (;;) {
     const ContactLevel& level = nested.finest;
     if (level.outcome.reached_border) break;
@@ -201,14 +201,14 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     if (!solved && !sliding_checked) {
       sliding_checked = true;
       // No steady state on a coarse grid: most likely none on the finest; it alone decides.
-      if (sliding_limit(scene, level.problem->grid) == SlidingLimit::not_enough) {
+      if (sliding_limit(model, level.problem->grid) == SlidingLimit::not_enough) {
         coarsening = last;
-        const double needed = friction_needed(scene, grids.first(coarsening));
-        if (needed > scene.friction_coefficient) {
-          refuse(nested, scene, needed);
+        const double needed = friction_needed(model, grids.first(coarsening));
+        if (needed > model.friction_coefficient) {
+          refuse(nested, model, needed);
           return nested;
         }
-        nested.finest = solve_level(scene, grids.first(coarsening), nullptr, Effort::all);
+        nested.finest = solve_level(model, grids.first(coarsening), nullptr, Effort::all);
         continue;
       }
     }
@@ -228,8 +228,8 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     // A grid too coarse for its layer may have no solution: the next one then starts afresh.
     ContactLevel next;
     try {
-      next = solved ? solve_level(scene, grids.around(level, coarsening), &level, effort())
-                    : solve_level(scene, grids.first(coarsening), nullptr, effort());
+      next = solved ? solve_level(model, grids.around(level, coarsening), &level, effort())
+                    : solve_level(model, grids.first(coarsening), nullptr, effort());
     } catch (const BeyondLimits& limit) {
       if (nested.status != Status::converged) throw;
       nested.reason = limit.what();
@@ -240,7 +240,7 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
       return better_of(std::move(nested), std::move(best));
     const double resistance = solved ? level.powers.resistance() : RollingSolution::absent;
     const double change =
-        expected_change(dimensions(scene), std::abs(nested.coarser_resistance - resistance), nested.change_before);
+        expected_change(model.dimension, std::abs(nested.coarser_resistance - resistance), nested.change_before);
     if (answered) {
       best = better_of(std::move(nested), std::move(best));
       nested = {};
@@ -251,16 +251,16 @@ NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
     nested.finest = std::move(next);
   }
   if (drive_may_fail && !nested.finest.outcome.reached_border) {
-    const double needed = friction_needed(scene, nested.finest.problem->grid);
-    if (needed > scene.friction_coefficient) {
-      refuse(nested, scene, needed);
+    const double needed = friction_needed(model, nested.finest.problem->grid);
+    if (needed > model.friction_coefficient) {
+      refuse(nested, model, needed);
       return nested;
     }
   }
-  if (scene.friction_coefficient > 0 && nested.finest.outcome.reached_border) {
-    const double borne = friction_borne(scene, grids.first(coarsening));
+  if (model.friction_coefficient > 0 && nested.finest.outcome.reached_border) {
+    const double borne = friction_borne(model, grids.first(coarsening));
     if (!std::isnan(borne)) {
-      refuse_digging(nested, scene, borne);
+      refuse_digging(nested, model, borne);
       return nested;
     }
   }

@@ -31,7 +31,7 @@ NestedOutcome better_of(NestedOutcome answer, NestedOutcome other);
 
 /// @param finer asked after the finest grid of the series has converged: true to halve the spacing once more, which
 /// leaves what was found where it has no solution or a larger estimate of its error
-NestedOutcome solve_nested(const RollingScene& scene, const GridSeries& grids,
+NestedOutcome solve_nested(const ContactModel& model, const GridSeries& grids,
                            const std::function<bool(const NestedOutcome&)>& finer = {});
 
 /// How much a grid's solution is worth.
@@ -43,6 +43,6 @@ enum class Effort {
 
 /// Solves on one window, which grows until the contact keeps clear of its border.
 /// @param coarser tried first if not null
-ContactLevel solve_level(const RollingScene& scene, SurfaceGrid grid, const ContactLevel* coarser, Effort effort);
+ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const ContactLevel* coarser, Effort effort);
 
 }  // namespace rollres

@@ -165,7 +165,7 @@ class NewtonIteration {
     }
     outcome_.residual = maps_.largest;
     contact_ = choose_contact(problem_, influence_, x_, maps_, contact_);
-    if (problem_.scene.adhesion_threshold == 0)
+    if (problem_.model.adhesion_threshold == 0)
       for (std::size_t i = 0; i < contact_.size(); ++i) contact_[i] = x_.pressure(static_cast<Eigen::Index>(i)) > 0;
     outcome_.reached_border = touches_border(problem_, contact_);
     const ActiveLaws laws = choose_laws(problem_, influence_, x_, maps_, contact_);

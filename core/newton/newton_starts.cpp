@@ -13,7 +13,7 @@ namespace {
 /// Frictionless tractions as a start for friction, the rotation ratio as given.
 ContactUnknowns frictionless_start(const ContactProblem& problem, const ContactLevel& level,
                                    const ContactUnknowns& guess, double rotation_ratio, const NewtonOptions& options) {
-  RollingScene frictionless = problem.scene;
+  ContactModel frictionless = problem.model;
   frictionless.friction_coefficient = 0;
   const ContactProblem normal(frictionless, problem.grid);
   ContactUnknowns start = newton_contact(normal, *level.table, *level.influence, guess, options).unknowns;
@@ -29,7 +29,7 @@ NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& leve
                          const NewtonOptions& options) {
   if (!problem.friction) return newton_contact(problem, *level.table, *level.influence, guess, options);
   const ContactUnknowns start = frictionless_start(
-      problem, level, guess, problem.shape.law_ratio(problem.scene.rotation_ratio.value_or(1.0)), options);
+      problem, level, guess, problem.shape.law_ratio(problem.model.rotation_ratio.value_or(1.0)), options);
   NewtonOptions sticking = options;
   sticking.first_all_stick = !problem.rotation_given();
   return newton_contact(problem, *level.table, *level.influence, start, sticking);
@@ -110,7 +110,7 @@ NewtonOutcome maximise_surplus(const ContactProblem& problem, const ContactLevel
 PathResult follow_path(const ContactProblem& problem, const ContactLevel& level, RotationPath& path,
                        const NewtonOptions& options) {
   if (problem.rotation_given()) {
-    const double wanted = problem.shape.law_ratio(*problem.scene.rotation_ratio);
+    const double wanted = problem.shape.law_ratio(*problem.model.rotation_ratio);
     for (int point = 0; point < options.most_points; ++point) {
       if (path.ratio() == wanted) return {path.here()};
       if (std::abs(path.ratio()) > options.end_of_path || !path.advance(wanted)) break;
@@ -139,7 +139,7 @@ NewtonOutcome solve_on_path(const ContactProblem& problem, const ContactLevel& l
                             const NewtonOptions& options, bool pivoting) {
   const RotationPath path(problem, level, frictionless_start(problem, level, guess, 1, options), options);
   if (!path.started()) return {};
-  const bool upwards = problem.rotation_given() ? problem.shape.law_ratio(*problem.scene.rotation_ratio) > path.ratio()
+  const bool upwards = problem.rotation_given() ? problem.shape.law_ratio(*problem.model.rotation_ratio) > path.ratio()
                                                 : surplus(problem, level, path.here()) < 0;
   NewtonOutcome failed;
   // On a part that is folded back the end looked for may lie the other way.
@@ -172,11 +172,11 @@ NewtonOutcome solve_by_pivots(const ContactProblem& problem, const ContactLevel&
 
 NewtonOutcome solve_by_friction(const ContactProblem& problem, const ContactLevel& level, const ContactUnknowns& guess,
                                 const NewtonOptions& options) {
-  const double wanted = problem.scene.friction_coefficient;
+  const double wanted = problem.model.friction_coefficient;
   const auto with_friction = [&](double friction) {
-    RollingScene scene = problem.scene;
-    scene.friction_coefficient = friction;
-    return std::make_unique<ContactProblem>(scene, problem.grid);
+    ContactModel model = problem.model;
+    model.friction_coefficient = friction;
+    return std::make_unique<ContactProblem>(model, problem.grid);
   };
   NewtonOutcome outcome;
   double reached = 0;

@@ -10,12 +10,12 @@ namespace rollres {
 namespace {
 
 ContactProblem with_drive(const ContactProblem& problem, Drive drive, double ratio) {
-  RollingScene scene = problem.scene;
-  scene.drive = drive;
-  scene.driving_torque.reset();
-  scene.rotation_ratio.reset();
-  if (drive == Drive::rotation) scene.rotation_ratio = ratio;
-  return ContactProblem(scene, problem.grid);
+  ContactModel model = problem.model;
+  model.drive = drive;
+  model.driving_torque.reset();
+  model.rotation_ratio.reset();
+  if (drive == Drive::rotation) model.rotation_ratio = ratio;
+  return ContactProblem(model, problem.grid);
 }
 
 double largest(const ContactUnknowns& x) {

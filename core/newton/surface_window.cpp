@@ -29,7 +29,7 @@ struct ContactFrame {
 };
 
 /// Half grid (rows y >= 0 of a sphere) over the margin around the contact.
-SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, double margin) {
+SurfaceGrid half_window(const ContactModel& model, const SurfaceFields& fields, double margin) {
   const SurfaceGrid& given = fields.grid;
   const ContactFrame contact(fields);
   const double half_length = 0.5 * given.spacing_x * (contact.last_column - contact.first_column + 1);
@@ -39,9 +39,9 @@ SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, 
   int ahead = cells(margin * half_length, given.spacing_x), aside = cells(margin * half_length, given.spacing_y);
   const int contact_columns = contact.last_column - contact.first_column + 1;
   const int top_row = given.first_row + contact.last_row;
-  if (scene.period) {  // the coefficients reach half a period
+  if (model.period) {  // the coefficients reach half a period
     const auto most = [&](double spacing) {
-      return (checked_count(*scene.period / spacing, "cells of a period") - 1) / 2;
+      return (checked_count(*model.period / spacing, "cells of a period") - 1) / 2;
     };
     ahead = std::clamp((most(given.spacing_x) - contact_columns) / 2, 0, ahead);
     aside = std::clamp((most(given.spacing_y) - 1) / 2 - top_row, 0, aside);
@@ -50,16 +50,16 @@ SurfaceGrid half_window(const RollingScene& scene, const SurfaceFields& fields, 
   half.first_column = given.first_column + contact.first_column - ahead;
   half.columns = contact_columns + 2 * ahead;
   half.first_row = 0;
-  half.rows = dimensions(scene) == 3 ? top_row + aside + 1 : 1;
+  half.rows = model.dimension == 3 ? top_row + aside + 1 : 1;
   return half;
 }
 
 }  // namespace
 
-SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& solution, double margin) {
+SurfaceFields surface_around(const ContactModel& model, const RollingSolution& solution, double margin) {
   const SurfaceFields& given = solution.fields;
   if (!on_grid(solution.method)) return given;
-  const SurfaceGrid half = half_window(scene, given, margin);
+  const SurfaceGrid half = half_window(model, given, margin);
 
   SurfaceFields wide;
   wide.grid = mirrored(half);
@@ -88,7 +88,7 @@ SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& s
     const Eigen::Map<const Vector> whole(values.data(), static_cast<Eigen::Index>(values.size()));
     return Vector(whole.tail(std::min<Eigen::Index>(whole.size(), half.size())));
   };
-  const InfluenceOperator influence(scene, influence_table(scene, to), half, true);
+  const InfluenceOperator influence(model, influence_table(model, to), half, true);
   const Displacements moved = influence.apply(upper(wide.pressure), upper(wide.shear_x), upper(wide.shear_y));
   const auto whole = [&](const Vector& values, double parity) {
     Vector kept(half.size());
@@ -99,13 +99,13 @@ SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& s
   };
   wide.w = whole(moved.w, 1);
   wide.u = whole(moved.u, 1);
-  if (dimensions(scene) == 3) wide.v = whole(moved.v, -1);
+  if (model.dimension == 3) wide.v = whole(moved.v, -1);
   return wide;
 }
 
-SurfaceVelocity surface_velocity(const RollingScene& scene, const SurfaceFields& fields) {
+SurfaceVelocity surface_velocity(const ContactModel& model, const SurfaceFields& fields) {
   const SurfaceGrid& grid = fields.grid;
-  const SlipStencil stencil = scene.method == Method::active_set ? scene.slip_stencil : SlipStencil::forward;
+  const SlipStencil stencil = model.method == Method::active_set ? model.slip_stencil : SlipStencil::forward;
   const auto rate = [&](const std::vector<double>& moved) {
     std::vector<double> velocity(moved.size());
     for (int node = 0; node < static_cast<int>(moved.size()); ++node) {
@@ -115,7 +115,7 @@ SurfaceVelocity surface_velocity(const RollingScene& scene, const SurfaceFields&
       if (!left && !right) continue;  // a single column tells no slope
       const auto ahead = static_cast<std::size_t>(node + right), behind = static_cast<std::size_t>(node - left);
       velocity[static_cast<std::size_t>(node)] =
-          -scene.speed * (moved[ahead] - moved[behind]) / (static_cast<double>(ahead - behind) * grid.spacing_x);
+          -model.speed * (moved[ahead] - moved[behind]) / (static_cast<double>(ahead - behind) * grid.spacing_x);
     }
     return velocity;
   };

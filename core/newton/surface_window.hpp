@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -17,7 +17,7 @@ constexpr double spectral_field_margin = 1.5;
 /// tractions cause (Zehil and Gavin 2013, eq. 5). Of a periodic layer half a period is shown at most. The fields of a
 /// spectral solution, which are not sums over cells, are returned as they are.
 /// @param solution with fields that have a node in contact
-SurfaceFields surface_around(const RollingScene& scene, const RollingSolution& solution, double margin);
+SurfaceFields surface_around(const ContactModel& model, const RollingSolution& solution, double margin);
 
 /// Velocity of the layer's material at the surface, at each node [m/s]; y is empty for a cylinder.
 struct SurfaceVelocity {
@@ -26,6 +26,6 @@ struct SurfaceVelocity {
 
 /// -V du/dx and -V dv/dx (eq. 1), by the difference along x in which the solution's method has its slip: forward, and
 /// the scene's slip_stencil for active_set; one-sided at the ends of the grid.
-SurfaceVelocity surface_velocity(const RollingScene& scene, const SurfaceFields& fields);
+SurfaceVelocity surface_velocity(const ContactModel& model, const SurfaceFields& fields);
 
 }  // namespace rollres

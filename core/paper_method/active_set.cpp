@@ -22,11 +22,11 @@ bool touches_border(const SurfaceGrid& grid, const std::vector<int>& contact) {
   return false;
 }
 
-bool touches_rim(const RollingScene& scene, const SurfaceGrid& grid, const std::vector<int>& contact) {
+bool touches_rim(const ContactModel& model, const SurfaceGrid& grid, const std::vector<int>& contact) {
   const double margin = std::max(grid.spacing_x, grid.rows > 1 ? grid.spacing_y : 0);
   for (const int node : contact) {
     const double y = grid.rows > 1 ? grid.y(node / grid.columns) : 0;
-    if (std::hypot(grid.x(node % grid.columns), y) + margin >= scene.radius) return true;
+    if (std::hypot(grid.x(node % grid.columns), y) + margin >= model.radius) return true;
   }
   return false;
 }
@@ -54,11 +54,11 @@ class CoatingMoment {
 };
 
 template <class StickSlipSolver>
-ContactState combined_loop(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid) {
-  const bool frictionless = scene.friction_coefficient == 0, lateral = dimensions(scene) == 3;
-  NormalContactSolver normal_solver(scene, table, grid);
+ContactState combined_loop(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid) {
+  const bool frictionless = model.friction_coefficient == 0, lateral = model.dimension == 3;
+  NormalContactSolver normal_solver(model, table, grid);
   std::optional<StickSlipSolver> stick_slip_solver;
-  if (!frictionless) stick_slip_solver.emplace(scene, table, grid);
+  if (!frictionless) stick_slip_solver.emplace(model, table, grid);
 
   const CoatingMoment coating(table, grid, lateral);
   ContactState state;
@@ -78,7 +78,7 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
     bool same = next.contact == normal.contact;
     normal = std::move(next);
     state.reached_border = touches_border(grid, normal.contact);
-    if (!normal.converged || state.reached_border || touches_rim(scene, grid, normal.contact)) {
+    if (!normal.converged || state.reached_border || touches_rim(model, grid, normal.contact)) {
       state.reason = !normal.converged      ? normal.reason
                      : state.reached_border ? "the contact reached the border of the grid"
                                             : "the contact is as wide as the body";
@@ -130,9 +130,9 @@ ContactState combined_loop(const RollingScene& scene, const InfluenceTable& tabl
 
 }  // namespace
 
-ContactState solve_active_set(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& candidate) {
-  return dimensions(scene) == 3 ? combined_loop<SurfaceStickSlip>(scene, table, candidate)
-                                : combined_loop<LineStickSlip>(scene, table, candidate);
+ContactState solve_active_set(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& candidate) {
+  return model.dimension == 3 ? combined_loop<SurfaceStickSlip>(model, table, candidate)
+                              : combined_loop<LineStickSlip>(model, table, candidate);
 }
 
 }  // namespace rollres

@@ -8,9 +8,9 @@
 
 namespace rollres {
 
-LineStickSlip::LineStickSlip(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid)
-    : problem_(scene, table, grid),
-      resticking_(scene.resticking == Resticking::on),
+LineStickSlip::LineStickSlip(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid)
+    : problem_(model, table, grid),
+      resticking_(model.resticking == Resticking::on),
       sense_(grid.size(), 0),
       system_(problem_.rotation_index() + 1, [this](int row, int column) { return problem_.element(row, column); }) {}
 

@@ -12,21 +12,21 @@
 
 namespace rollres {
 
-NormalContactSolver::NormalContactSolver(const RollingScene& scene, const InfluenceTable& table,
+NormalContactSolver::NormalContactSolver(const ContactModel& model, const InfluenceTable& table,
                                          const SurfaceGrid& grid)
     : grid_(grid),
       ww_(displacement_kernel(table, grid, Direction::w, Direction::w)),
       wu_(displacement_kernel(table, grid, Direction::w, Direction::u)),
-      load_given_(scene.load.has_value()),
-      load_(scene.load.value_or(0)),
-      approach_(scene.approach.value_or(0)),
-      largest_tension_(scene.adhesion_threshold * grid.cell_area()),
+      load_given_(model.load.has_value()),
+      load_(model.load.value_or(0)),
+      approach_(model.approach.value_or(0)),
+      largest_tension_(model.adhesion_threshold * grid.cell_area()),
       scale_(table(Direction::w, Direction::w, 0)),
       all_(grid.size()),
       system_(grid.size() + 1, [this](int row, int column) { return element(row, column); }) {
-  if (dimensions(scene) == 3) wv_ = displacement_kernel(table, grid, Direction::w, Direction::v);
+  if (model.dimension == 3) wv_ = displacement_kernel(table, grid, Direction::w, Direction::v);
   std::iota(all_.begin(), all_.end(), 0);
-  const IndenterShape shape(scene);
+  const IndenterShape shape(model);
   profile_.resize(grid.size());
   of_normal_.resize(grid.size());
   of_shear_.resize(grid.size());

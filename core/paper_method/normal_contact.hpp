@@ -25,9 +25,9 @@
 #include <vector>
 
 #include "core/influence/influence.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/paper_method/offset_kernel.hpp"
 #include "core/paper_method/subset_solver.hpp"
-#include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -44,7 +44,7 @@ struct NormalContact {
 /// Keeps the matrix and its decomposition between calls.
 class NormalContactSolver {
  public:
-  NormalContactSolver(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid);
+  NormalContactSolver(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid);
   NormalContactSolver(const NormalContactSolver&) = delete;
   NormalContactSolver& operator=(const NormalContactSolver&) = delete;
 

@@ -44,7 +44,7 @@ struct StickSlip {
 /// What both subroutines share: the slip at a node for unit forces, the limit of friction, the balance of moments.
 class TangentialProblem {
  public:
-  TangentialProblem(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid);
+  TangentialProblem(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid);
 
   /// Takes over the contact area and its normal forces. @param coating M of core/newton/README.md, (N3b) [N]
   void set_normal(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double coating);
@@ -97,7 +97,7 @@ class TangentialProblem {
 /// With `resticking` off, as printed, a state that ends with friction against the slip is reported as not converged.
 class LineStickSlip {
  public:
-  LineStickSlip(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid);
+  LineStickSlip(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid);
   LineStickSlip(const LineStickSlip&) = delete;
   LineStickSlip& operator=(const LineStickSlip&) = delete;
 
@@ -128,7 +128,7 @@ class LineStickSlip {
 ///            redirection.) The weight begins at 0.5 and falls whenever the change stops falling.
 class SurfaceStickSlip {
  public:
-  SurfaceStickSlip(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid);
+  SurfaceStickSlip(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid);
   SurfaceStickSlip(const SurfaceStickSlip&) = delete;
   SurfaceStickSlip& operator=(const SurfaceStickSlip&) = delete;
 

@@ -9,9 +9,9 @@
 
 namespace rollres {
 
-SurfaceStickSlip::SurfaceStickSlip(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& grid)
-    : problem_(scene, table, grid),
-      rule_(scene.slip_rule),
+SurfaceStickSlip::SurfaceStickSlip(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid)
+    : problem_(model, table, grid),
+      rule_(model.slip_rule),
       slips_(grid.size(), 0),
       along_x_(Eigen::VectorXd::Zero(grid.size())),
       along_y_(Eigen::VectorXd::Zero(grid.size())),

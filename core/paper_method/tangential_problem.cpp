@@ -6,20 +6,20 @@
 
 namespace rollres {
 
-TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceTable& table, const SurfaceGrid& on_grid)
-    : components(dimensions(scene) - 1),
+TangentialProblem::TangentialProblem(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& on_grid)
+    : components(model.dimension - 1),
       grid(on_grid),
-      law{scene.friction_coefficient},
-      slip_threshold(scene.slip_threshold),
-      drive_target_(drive_target(scene)) {
-  const IndenterShape shape(scene, share_of_coating(scene));
-  if (scene.drive == Drive::rotation) given_rotation = shape.law_ratio(*scene.rotation_ratio);
-  if (!scene.coating_layers.empty()) of_coating_ = coating_in_drive(scene);
+      law{model.friction_coefficient},
+      slip_threshold(model.slip_threshold),
+      drive_target_(drive_target(model)) {
+  const IndenterShape shape(model, share_of_coating(model));
+  if (model.drive == Drive::rotation) given_rotation = shape.law_ratio(*model.rotation_ratio);
+  if (!model.coating.empty()) of_coating_ = coating_in_drive(model);
   const Direction directions[] = {Direction::w, Direction::u, Direction::v};
   for (int i = 0; i < components; ++i)
     for (int j = 0; j < components + 1; ++j) {
       forward_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], SlipStencil::forward);
-      chosen_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], scene.slip_stencil);
+      chosen_[i][j] = slope_kernel(table, grid, directions[i + 1], directions[j], model.slip_stencil);
     }
   scale = std::abs(forward_[0][1](0, 0));
   normal_arm_.resize(grid.size());
@@ -34,8 +34,8 @@ TangentialProblem::TangentialProblem(const RollingScene& scene, const InfluenceT
       const RigidSlip rigid = shape.law_slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
       forward_slip_[node] = rigid.forward;
       turning[node] = rigid.turning;
-      normal_arm_[node] = -drive_row(scene, torque.of_pressure, force.of_pressure);
-      moment_arm[node] = -drive_row(scene, torque.of_shear_x, force.of_shear_x);
+      normal_arm_[node] = -drive_row(model, torque.of_pressure, force.of_pressure);
+      moment_arm[node] = -drive_row(model, torque.of_shear_x, force.of_shear_x);
     }
 }
 

@@ -28,7 +28,7 @@ bool is_idle(const RollingScene& scene, std::string_view key) {
     const auto& layers = layered->list == "coating_layers" ? scene.coating_layers : scene.lower_layers;
     return layered->layer < layers.size() && is_idle(layers[layered->layer], layered->input);
   }
-  const bool sphere = scene.indenter == Indenter::sphere, paper = scene.method == Method::active_set;
+  const bool sphere = dimension_of(scene.indenter) == 3, paper = scene.method == Method::active_set;
   if (key == "series_terms") return !scene.period;
   if (key == "slip_stencil" || key == "slip_threshold") return !paper;
   if (key == "resticking") return !paper || sphere;

@@ -79,8 +79,6 @@ struct MaterialInputs {
   SweepDeformation sweep_deformation = SweepDeformation::shear;
   SweepAmplitude sweep_amplitude = SweepAmplitude::peak;
   double yeoh_second = 0, yeoh_third = 0;  // C20/C10 and C30/C10 of Yeoh's energy, C10 = G0/2 [1]
-  double rest_factor = 1;        // no inputs: of the modulus at rest and of the moduli of relaxation, at the strain
-  double relaxation_factor = 1;  // amplitude that `solve` tries (material/strain_softening.hpp) [1]
 
   bool operator==(const MaterialInputs&) const = default;
 };

@@ -15,6 +15,9 @@ namespace rollres {
 /// Body that rolls: a cylinder (plane strain, everything per metre of its length) or a sphere.
 enum class Indenter { cylinder, sphere };
 
+/// Dimension of its contact problem: 2 (per metre of length, no y) or 3.
+constexpr int dimension_of(Indenter body) { return body == Indenter::sphere ? 3 : 2; }
+
 /// Values a number may take; `above` and `below` are excluded, the others included.
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();

@@ -95,12 +95,11 @@ struct ChoiceNames<Interior> {
 
 struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
-  double radius = 0;                   // R [m]
-  double layer_thickness = 0;          // H [m]; infinity for a half-space
-  double layer_density = 1000;         // rho [kg/m3]
-  BondedLayers lower_layers;           // bonded under the first, from above; under the last a rigid base
-  BondedLayers coating_layers;         // bonded on the body, from its surface inwards to a rigid core
-  std::optional<double> coating_flow;  // no input: R Omega/V that `solve` tries while the drive leaves it open [1]
+  double radius = 0;            // R [m]
+  double layer_thickness = 0;   // H [m]; infinity for a half-space
+  double layer_density = 1000;  // rho [kg/m3]
+  BondedLayers lower_layers;    // bonded under the first, from above; under the last a rigid base
+  BondedLayers coating_layers;  // bonded on the body, from its surface inwards to a rigid core
   Inertia inertia = Inertia::automatic;
   double speed = 0;                 // V [m/s]
   std::optional<double> load;       // P [N/m] or [N]; this or

@@ -49,44 +49,43 @@ void warn_of_peaks(const RollingSolution& solution, std::vector<std::string>& wa
 }
 
 /// rho V^2 / |G*| at the frequency V / half-length, of the layer where it is largest.
-double inertia(const RollingScene& scene, const RollingSolution& solution) {
-  const double frequency = scene.speed / half_length(solution), square = scene.speed * scene.speed;
-  double largest = scene.layer_density * square / std::abs(complex_modulus(scene, frequency));
-  const auto take = [&](const BondedLayers& layers, double flow) {
-    for (const BondedLayer& layer : layers)
-      largest = std::max(
-          largest, layer.layer_density * square * flow * flow / std::abs(complex_modulus(layer, frequency * flow)));
+double inertia(const ContactModel& model, const RollingSolution& solution) {
+  const double frequency = model.speed / half_length(solution), square = model.speed * model.speed;
+  double largest = 0;
+  const auto take = [&](const std::vector<ModelLayer>& layers, double flow) {
+    for (const ModelLayer& layer : layers)
+      largest = std::max(largest, layer.layer_density * square * flow * flow * std::abs(layer.creep(frequency * flow)));
   };
-  take(scene.lower_layers, 1);
-  take(scene.coating_layers, flow_of_coating(scene));
+  take(model.foundation, 1);
+  take(model.coating, model.flow);
   return largest;
 }
 
 }  // namespace
 
-std::string unanswered_inertia(const RollingScene& scene) {
-  if (scene.inertia != Inertia::automatic || !inertia_included(scene) || !layers_carry_slower_waves(scene)) return {};
-  return message_text("inertia may count for a tolerance of ", *scene.tolerance,
+std::string unanswered_inertia(const ContactModel& model) {
+  if (!model.inertia_automatic || !model.inertia || !layers_carry_slower_waves(model)) return {};
+  return message_text("inertia may count for a tolerance of ", *model.asked_tolerance,
                       ", and with it the speed must be below that of the waves which the layers carry together; "
                       "inertia = off leaves it out");
 }
 
-std::string unanswered_inertia(const RollingScene& scene, const RollingSolution& solution) {
-  if (scene.inertia != Inertia::automatic || !scene.tolerance || scene.method == Method::spectral) return {};
-  const double number = rayleigh_number(scene), mach = inertia(scene, solution);
-  if (number < 1 || mach <= negligible_inertia(scene)) return {};
-  return message_text("inertia counts for a tolerance of ", *scene.tolerance, " (ρV²/|G| = ", mach,
+std::string unanswered_inertia(const ContactModel& model, const RollingSolution& solution) {
+  if (!model.inertia_automatic || !model.tolerance || model.asked_method == Method::spectral) return {};
+  const double number = rayleigh_number(model), mach = inertia(model, solution);
+  if (number < 1 || mach <= negligible_inertia(model)) return {};
+  return message_text("inertia counts for a tolerance of ", *model.asked_tolerance, " (ρV²/|G| = ", mach,
                       "), and with it the speed must be below that of Rayleigh waves on the layer at rest, ",
-                      scene.speed / std::sqrt(number), " m/s; inertia = off leaves it out");
+                      model.speed / std::sqrt(number), " m/s; inertia = off leaves it out");
 }
 
-std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSolution& solution,
+std::vector<std::string> warnings_for(const ContactModel& model, const RollingSolution& solution,
                                       const std::optional<LinearityError>& nonlinear) {
   std::vector<std::string> warnings;
   const bool linear = solution.method != Method::finite_strain;
-  const double strain = solution.approach / total_thickness(scene);
+  const double strain = solution.approach / total_thickness(model);
   if (nonlinear) {
-    if (strain > noticeable_strain || (scene.tolerance && std::abs(nonlinear->value) > *scene.tolerance))
+    if (strain > noticeable_strain || (model.tolerance && std::abs(nonlinear->value) > *model.tolerance))
       warnings.push_back(message_text("the layer is taken as linear: at finite strain (d/H = ", strain,
                                       ") the rolling resistance would differ by ", in_percent(nonlinear->value), " +- ",
                                       in_percent(nonlinear->scatter), " %; method \"finite_strain\" computes it"));
@@ -94,101 +93,101 @@ std::vector<std::string> warnings_for(const RollingScene& scene, const RollingSo
     warnings.push_back(message_text("strain d/H = ", strain,
                                     " is not small: the layer is taken as linear, and what that costs is not known"));
   }
-  const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / scene.radius;
+  const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / model.radius;
   if (linear && slope > 0.3)
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
                                     " is not small: displacements are taken as small"));
-  const double mach = inertia(scene, solution);
+  const double mach = inertia(model, solution);
   constexpr double noticeable_inertia = 0.01;
-  if (!inertia_included(scene) && mach > (scene.tolerance && scene.inertia == Inertia::automatic
-                                              ? std::min(noticeable_inertia, negligible_inertia(scene))
-                                              : noticeable_inertia))
+  if (!model.inertia &&
+      mach > (model.tolerance && model.inertia_automatic ? std::min(noticeable_inertia, negligible_inertia(model))
+                                                         : noticeable_inertia))
     warnings.push_back(message_text("inertia ρV²/|G| = ", mach, " is not negligible, and is left out"));
-  if (is_composite(scene) && !scene.period && on_grid(solution.method))
-    if (const double error = expansion_error(scene); error > 1e-4)
+  if (model.composite() && !model.period && on_grid(solution.method))
+    if (const double error = expansion_error(model); error > 1e-4)
       warnings.push_back(message_text("the layers' compliance is expanded in retardation times and directions to ",
                                       error, " only",
-                                      inertia_included(scene) ? ": the speed is close to that of Rayleigh waves" : ""));
+                                      model.inertia ? ": the speed is close to that of Rayleigh waves" : ""));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10)
     warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
   if (on_grid(solution.method) && solution.fields.grid.columns > 0) warn_of_peaks(solution, warnings);
-  if (linear && scene.kinematics == Kinematics::printed) {
-    const double power = solution.rolling_resistance * scene.speed;
+  if (linear && model.kinematics == Kinematics::printed) {
+    const double power = solution.rolling_resistance * model.speed;
     const double left = std::abs(power - solution.viscous_loss - solution.frictional_loss) / std::abs(power);
     if (constexpr double noticeable = 0.02; left > noticeable + solution.energy_residual)
       warnings.push_back(message_text("printed kinematics: ", left,
                                       " of the power goes neither into the layers nor into friction; kinematics "
                                       "\"consistent\" balances it"));
   }
-  for (std::string& line : material_warnings(scene)) warnings.push_back(std::move(line));
-  if (scene.spacing && !on_grid(solution.method))
-    warnings.push_back(message_text("spacing = ", *scene.spacing, " m is not used by method ", name_of(solution.method),
+  for (std::string& line : material_warnings(model.top())) warnings.push_back(std::move(line));
+  if (model.spacing && !on_grid(solution.method))
+    warnings.push_back(message_text("spacing = ", *model.spacing, " m is not used by method ", name_of(solution.method),
                                     ", which has no grid"));
-  if (scene.period)
-    for (const CreepSpectrum::Term& term : creep_spectrum(scene).terms) {
-      const double left = std::exp(-*scene.period / (scene.speed * term.time));
+  if (model.period)
+    for (const CreepSpectrum::Term& term : model.top().creep.terms) {
+      const double left = std::exp(-*model.period / (model.speed * term.time));
       if (left > 1e-4)
         warnings.push_back(message_text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left));
     }
   return warnings;
 }
 
-std::string model_of(const RollingScene& scene, const RollingSolution& solution) {
-  const bool included = inertia_included(scene);
-  const double mach = inertia(scene, solution);
-  std::string model = surface_in_words(scene) + "; " +
-                      message_text(included ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ", mach);
-  if (!included && scene.inertia == Inertia::automatic && scene.tolerance && mach > *scene.tolerance)
-    model += ", which may change R_r by about as much (inertia = on takes it along)";
-  const bool sphere = dimensions(scene) == 3, spectral = solution.method == Method::spectral;
+std::string model_of(const ContactModel& model, const RollingSolution& solution) {
+  const bool included = model.inertia;
+  const double mach = inertia(model, solution);
+  std::string text = surface_in_words(model) + "; " +
+                     message_text(included ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ", mach);
+  if (!included && model.inertia_automatic && model.tolerance && mach > *model.tolerance)
+    text += ", which may change R_r by about as much (inertia = on takes it along)";
+  const bool sphere = model.dimension == 3, spectral = solution.method == Method::spectral;
   const bool gridded = on_grid(solution.method);
-  if (is_composite(scene) && !scene.period && gridded)
-    if (const double error = expansion_error(scene); error > 0)
-      model += message_text("; memories expanded in fixed retardation times, to ", error);
+  if (model.composite() && !model.period && gridded)
+    if (const double error = expansion_error(model); error > 0)
+      text += message_text("; memories expanded in fixed retardation times, to ", error);
   if (!sphere)
-    model += message_text("; plane strain: the cylinder is long beside ",
-                          1e3 * std::max(2 * half_length(solution), finite_thickness(scene)), " mm");
-  if (const std::string why = why_absent(scene, "approach"); !why.empty()) model += "; no approach: " + why;
-  if (scene.friction_coefficient == 0) model += "; no friction (μ = 0): rotation and shear left out";
-  const CreepSpectrum creep = creep_spectrum(scene);
+    text += message_text("; plane strain: the cylinder is long beside ",
+                         1e3 * std::max(2 * half_length(solution), finite_thickness(model)), " mm");
+  if (const std::string why = why_absent(model, "approach"); !why.empty()) text += "; no approach: " + why;
+  if (model.friction_coefficient == 0) text += "; no friction (μ = 0): rotation and shear left out";
+  const CreepSpectrum& creep = model.top().creep;
   const bool elastic =
       std::all_of(creep.terms.begin(), creep.terms.end(), [](const auto& term) { return term.compliance == 0; });
-  if (!is_composite(scene) && (elastic || (scene.material == MaterialModel::zener && scene.creep_time == 0)))
-    model += "; elastic: no relaxation (f = 0 or τ = 0)";
-  if (const std::string route = material_route(scene); !route.empty()) model += "; " + route;
-  if (const double flow = flow_of_coating(scene); coating_flow_counts(scene))
-    model += flow == 0 ? "; the body is locked: its coating is at rest"
-                       : message_text<6>("; the coating flows at ", flow, " V", flow < 0 ? ", backwards" : "");
-  if (spectral) model += "; continuous edges of contact, no grid";
-  if (gridded && !scene.spacing && sphere && solution.method != Method::active_set)
-    model += "; grid tied to the contact";
-  model += scene.period ? message_text("; periodic train, L = ", *scene.period, " m") : "; single passage, no period";
-  if (!scene.tolerance) return model;
+  if (!model.composite() && (elastic || (model.top().material == MaterialModel::zener && model.top().creep_time == 0)))
+    text += "; elastic: no relaxation (f = 0 or τ = 0)";
+  if (const std::string route = material_route(model.top()); !route.empty()) text += "; " + route;
+  if (const double flow = model.flow; coating_flow_counts(model))
+    text += flow == 0 ? "; the body is locked: its coating is at rest"
+                      : message_text<6>("; the coating flows at ", flow, " V", flow < 0 ? ", backwards" : "");
+  if (spectral) text += "; continuous edges of contact, no grid";
+  if (gridded && !model.spacing && sphere && solution.method != Method::active_set)
+    text += "; grid tied to the contact";
+  text += model.period ? message_text("; periodic train, L = ", *model.period, " m") : "; single passage, no period";
+  if (!model.tolerance) return text;
 
   // What a tolerance leaves to choose, and why nothing more is left out.
   if (spectral)
-    model += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
-                          *scene.tolerance);
+    text += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
+                         *model.tolerance);
   else if (!gridded)
-    model +=
-        message_text("; ", solution.contact_nodes, " nodes of a mesh in contact for an error below ", *scene.tolerance);
+    text +=
+        message_text("; ", solution.contact_nodes, " nodes of a mesh in contact for an error below ", *model.tolerance);
   else if (sphere)
-    model += message_text("; ", solution.contact_nodes, " nodes in contact, ",
-                          std::lround(2 * half_length(solution) / solution.spacing), " along it, for an error below ",
-                          *scene.tolerance);
+    text += message_text("; ", solution.contact_nodes, " nodes in contact, ",
+                         std::lround(2 * half_length(solution) / solution.spacing), " along it, for an error below ",
+                         *model.tolerance);
   else
-    model += message_text("; ", solution.contact_nodes, " nodes in contact for an error below ", *scene.tolerance);
-  if (std::isfinite(total_thickness(scene)))
-    model += message_text("; layer kept: half-length of the contact over H = ",
-                          half_length(solution) / total_thickness(scene), ", a half-space would cost as much");
-  else if (!sphere && scene.friction_coefficient == 0 && scene.material == MaterialModel::zener)
-    model += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
-  if (scene.friction_coefficient > 0)
-    model += message_text("; friction and its coupling with the pressure kept: friction takes ",
-                          std::abs(solution.frictional_loss / (solution.rolling_resistance * scene.speed)),
-                          " of R_r, and which drive it can bear is not known without it");
-  return model;
+    text += message_text("; ", solution.contact_nodes, " nodes in contact for an error below ", *model.tolerance);
+  if (std::isfinite(total_thickness(model)))
+    text += message_text("; layer kept: half-length of the contact over H = ",
+                         half_length(solution) / total_thickness(model), ", a half-space would cost as much");
+  else if (!sphere && model.friction_coefficient == 0 && model.top().material == MaterialModel::zener)
+    text += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
+  if (model.friction_coefficient > 0)
+    text += message_text("; friction and its coupling with the pressure kept: friction takes ",
+                         std::abs(solution.frictional_loss / (solution.rolling_resistance * model.speed)),
+                         " of R_r, and which drive it can bear is not known without it");
+  return text;
 }
 
 }  // namespace rollres

@@ -27,10 +27,11 @@ constexpr int most_halvings = 12;
 constexpr int most_stuck = 8;
 constexpr double first_retreat = 0.2;  // of ln gamma
 
-std::vector<const MaterialInputs*> layers_of(const RollingScene& scene) {
-  std::vector<const MaterialInputs*> layers{&scene};
-  for (const BondedLayer& layer : scene.lower_layers) layers.push_back(&layer);
-  for (const BondedLayer& layer : scene.coating_layers) layers.push_back(&layer);
+/// Under the body from the contact, then on it.
+std::vector<const ModelLayer*> layers_of(const ContactModel& model) {
+  std::vector<const ModelLayer*> layers;
+  for (const ModelLayer& layer : model.foundation) layers.push_back(&layer);
+  for (const ModelLayer& layer : model.coating) layers.push_back(&layer);
   return layers;
 }
 
@@ -50,12 +51,12 @@ struct Answered {
 
 class StrainIteration {
  public:
-  StrainIteration(const RollingScene& scene, const std::function<RollingSolution(const RollingScene&)>& solve_linear)
-      : scene_(scene), solve_linear_(solve_linear) {
-    const std::vector<const MaterialInputs*> layers = layers_of(scene);
+  StrainIteration(const ContactModel& model, const std::function<RollingSolution(const ContactModel&)>& solve_linear)
+      : model_(model), solve_linear_(solve_linear) {
+    const std::vector<const ModelLayer*> layers = layers_of(model);
     layers_ = layers.size();
     for (std::size_t i = 0; i < layers.size(); ++i)
-      if (softens(*layers[i])) soft_.push_back({i, *layers[i], creep_spectrum(*layers[i])});
+      if (softens(*layers[i])) soft_.push_back({i, *layers[i], layers[i]->creep});
     offset_ = VectorXd::Zero(static_cast<Index>(soft_.size()) + 1);
   }
 
@@ -97,8 +98,8 @@ class StrainIteration {
   /// Whether a solution costs many times what one on the usual grid does, without inertia: where a grid stands in for
   /// continuous edges or is as fine as a tolerance asks.
   bool is_dear(const RollingSolution& solution) const {
-    return solution.method != Method::spectral && scene_.method != Method::newton_dense &&
-           (scene_.tolerance || resolved_method(scene_) == Method::spectral);
+    return solution.method != Method::spectral && model_.method != Method::newton_dense &&
+           (model_.tolerance || model_.method == Method::spectral);
   }
 
   /// To factors that agree by solutions on the usual grid, which are taken to miss what they miss of the last answer,
@@ -225,24 +226,25 @@ class StrainIteration {
       of_layers[soft_[i].place] = {factors[i].rest, factors[i].relaxation};
     Answered answer;
     answer.solution.moduli_factors = of_layers;
-    RollingScene tried = solved_scene(scene_, answer.solution);
+    ContactModel tried = model_.with_answer(answer.solution);
     if (rough_) {
-      tried.method = Method::newton;
+      tried.asked_method = tried.method = Method::newton;
       tried.tolerance.reset();
+      tried.asked_tolerance.reset();
       tried.spacing.reset();
-      if (tried.inertia == Inertia::automatic) tried.inertia = Inertia::off;
+      if (tried.inertia_automatic) tried.inertia = false;
     }
     answer.solution = solve_linear_(tried);
     answer.solution.moduli_factors = std::move(of_layers);
     ++(rough_ ? rough_solutions_ : solutions_);
     if (answer.solution.status != Status::converged) return answer;
     answer.inside =
-        interior_summary(solved_scene(scene_, answer.solution), answer.solution.fields, InteriorField::Detail::inside);
+        interior_summary(model_.with_answer(answer.solution), answer.solution.fields, InteriorField::Detail::inside);
     answer.logarithms.resize(static_cast<Index>(soft_.size()) + 1);
     for (std::size_t i = 0; i < soft_.size(); ++i)
       answer.logarithms(static_cast<Index>(i)) =
           std::log(std::max(answer.inside.layers[soft_[i].place].strain_amplitude, 1e-300));
-    answer.logarithms(answer.logarithms.size() - 1) = std::log(scene_.speed / answer.inside.half_length);
+    answer.logarithms(answer.logarithms.size() - 1) = std::log(model_.speed / answer.inside.half_length);
     if (rough_) answer.logarithms += offset_;
     return answer;
   }
@@ -276,11 +278,11 @@ class StrainIteration {
 
   void add_error_of_amplitudes(const Answered& answer, RollingSolution& solution) const {
     const double error = error_of_amplitudes(answer);
-    const bool missed = scene_.tolerance && solution.error_estimate > *scene_.tolerance;
+    const bool missed = model_.tolerance && solution.error_estimate > *model_.tolerance;
     solution.error_estimate += error;
     solution.rolling_resistance_error += error * std::abs(solution.rolling_resistance);
-    if (scene_.tolerance && !missed && solution.error_estimate > *scene_.tolerance)
-      solution.warnings.push_back(message_text("the tolerance ", *scene_.tolerance,
+    if (model_.tolerance && !missed && solution.error_estimate > *model_.tolerance)
+      solution.warnings.push_back(message_text("the tolerance ", *model_.tolerance,
                                                " was not reached: estimated error ", solution.error_estimate,
                                                ", of which the strain amplitudes are ", error));
   }
@@ -311,7 +313,7 @@ class StrainIteration {
   }
 
   std::string name_of_layer(std::size_t place) const {
-    const std::size_t under = 1 + scene_.lower_layers.size();
+    const std::size_t under = model_.foundation.size();
     return layer_name(place >= under, place < under ? place : place - under);
   }
 
@@ -339,8 +341,8 @@ class StrainIteration {
     return solution;
   }
 
-  const RollingScene& scene_;
-  const std::function<RollingSolution(const RollingScene&)>& solve_linear_;
+  const ContactModel& model_;
+  const std::function<RollingSolution(const ContactModel&)>& solve_linear_;
   std::size_t layers_ = 0;
   std::vector<SoftLayer> soft_;
   int solutions_ = 0, rough_solutions_ = 0;
@@ -351,14 +353,14 @@ class StrainIteration {
 
 }  // namespace
 
-bool softens(const RollingScene& scene) {
-  const std::vector<const MaterialInputs*> layers = layers_of(scene);
-  return std::any_of(layers.begin(), layers.end(), [](const MaterialInputs* layer) { return softens(*layer); });
+bool softens(const ContactModel& model) {
+  const std::vector<const ModelLayer*> layers = layers_of(model);
+  return std::any_of(layers.begin(), layers.end(), [](const ModelLayer* layer) { return softens(*layer); });
 }
 
-RollingSolution solve_softening(const RollingScene& scene,
-                                const std::function<RollingSolution(const RollingScene&)>& solve_linear) {
-  return StrainIteration(scene, solve_linear).run();
+RollingSolution solve_softening(const ContactModel& full,
+                                const std::function<RollingSolution(const ContactModel&)>& solve_linear) {
+  return StrainIteration(full, solve_linear).run();
 }
 
 }  // namespace rollres

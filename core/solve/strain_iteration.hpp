@@ -19,17 +19,18 @@
 
 #include <functional>
 
+#include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
 
-/// Whether moduli of the scene's layers depend on the strain.
-bool softens(const RollingScene& scene);
+/// Whether moduli of the model's layers depend on the strain.
+bool softens(const ContactModel& model);
 
-/// @param scene that softens   @param solve_linear  of the scene with given factors
+/// @param full  model that softens, with nothing left out   @param solve_linear  of it with given factors
 /// @return the solution at its own strains, with strain_amplitude, softening and moduli_factors; not_converged, with a
 /// reason, where there is none; what `solve_linear` found where that has no answer
-RollingSolution solve_softening(const RollingScene& scene,
-                                const std::function<RollingSolution(const RollingScene&)>& solve_linear);
+RollingSolution solve_softening(const ContactModel& full,
+                                const std::function<RollingSolution(const ContactModel&)>& solve_linear);
 
 }  // namespace rollres

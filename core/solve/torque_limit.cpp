@@ -15,13 +15,13 @@ namespace rollres {
 //   consistent   |T| = |int tau_x (R^2 - y^2)/q| <= mu int p R^2/q_r = mu P R^2/q_r,   as P = int p
 //   printed, sphere     |T| = |int x p - q tau_x| <= (r + mu R) P
 //   printed, cylinder   |T| = |R int tau_x| <= mu R int p, and P = int (q p - x tau_x)/R >= (q_r - mu r)/R int p
-double largest_torque(const RollingScene& scene) {
-  if (!scene.load || scene.adhesion_threshold > 0 || !scene.coating_layers.empty()) return INFINITY;
-  const IndenterShape shape(scene);
-  const double radius = scene.radius, farthest = widest_window(scene), lowest = shape.height(farthest),
-               friction = scene.friction_coefficient, load = *scene.load;
-  if (scene.kinematics == Kinematics::consistent) return friction * load * radius * radius / lowest;
-  if (dimensions(scene) == 3) return (farthest + friction * radius) * load;
+double largest_torque(const ContactModel& model) {
+  if (!model.load || model.adhesion_threshold > 0 || !model.coating.empty()) return INFINITY;
+  const IndenterShape shape(model);
+  const double radius = model.radius, farthest = widest_window(model), lowest = shape.height(farthest),
+               friction = model.friction_coefficient, load = *model.load;
+  if (model.kinematics == Kinematics::consistent) return friction * load * radius * radius / lowest;
+  if (model.dimension == 3) return (farthest + friction * radius) * load;
   const double carried = lowest - friction * farthest;
   return carried > 0 ? friction * load * radius * radius / carried : INFINITY;
 }
@@ -32,29 +32,29 @@ namespace {
 constexpr double beyond_doubt = 3;
 
 /// What sliding all over gives; infinite where that is not known.
-double torque_of_sliding(const RollingScene& scene) {
-  const GridSeries grids = fixed_grids(scene, default_spacing(scene));
-  const double torque = sliding_torque(scene, grids.first(grids.coarsest));
+double torque_of_sliding(const ContactModel& model) {
+  const GridSeries grids = fixed_grids(model, default_spacing(model));
+  const double torque = sliding_torque(model, grids.first(grids.coarsest));
   return torque >= 0 ? torque : INFINITY;
 }
 
 }  // namespace
 
-std::string unbearable_torque(const RollingScene& scene) {
-  if (scene.drive != Drive::torque || scene.friction_coefficient == 0) return {};
-  const double asked = std::abs(*scene.driving_torque), most = largest_torque(scene);
-  const char* const unit = dimensions(scene) == 2 ? " N" : " N m";
+std::string unbearable_torque(const ContactModel& model) {
+  if (model.drive != Drive::torque || model.friction_coefficient == 0) return {};
+  const double asked = std::abs(*model.driving_torque), most = largest_torque(model);
+  const char* const unit = model.dimension == 2 ? " N" : " N m";
   const auto refused = [&](const auto&... gives) {
     return message_text("the drive asks for more torque than friction can give: ", asked, unit, ", and ", gives...);
   };
   if (asked > most)
-    return refused(scene.friction_coefficient, " times the load gives at most ", most, unit,
+    return refused(model.friction_coefficient, " times the load gives at most ", most, unit,
                    " wherever the body touches within 0.98 R");
   // The bound of printed kinematics is weak: a cylinder's friction may carry the load at the edge of the body.
-  if (scene.kinematics != Kinematics::printed || dimensions(scene) == 3 || !scene.load ||
-      scene.adhesion_threshold > 0 || asked <= beyond_doubt * scene.friction_coefficient * *scene.load * scene.radius)
+  if (model.kinematics != Kinematics::printed || model.dimension == 3 || !model.load || model.adhesion_threshold > 0 ||
+      asked <= beyond_doubt * model.friction_coefficient * *model.load * model.radius)
     return {};
-  const double sliding = torque_of_sliding(scene);
+  const double sliding = torque_of_sliding(model);
   if (asked <= beyond_doubt * sliding) return {};
   return refused("sliding all over gives ", sliding, unit);
 }

@@ -67,43 +67,51 @@ class LayerSlopeCorrection final : public SlopeCorrection {
   std::vector<LayerMemory> memories_;
 };
 
-bool single_incompressible(const RollingScene& scene) { return !is_composite(scene) && scene.poisson_ratio == 0.5; }
+/// Of waves in the layers over that at rest: e^{-k beta z} in the layer where inertia counts most.
+double slowest_decay(const ContactModel& model) {
+  if (!model.inertia) return 1;
+  constexpr double rayleigh = 0.9;  // rho V^2/G of Rayleigh waves, about
+  return std::sqrt(1 - rayleigh * std::min(rayleigh_number(model), 1.0));
+}
+
+bool single_incompressible(const ContactModel& model) { return !model.composite() && model.top().poisson_ratio == 0.5; }
 
 }  // namespace
 
-SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double rough_half_width)
-    : scene(given), shape(given, share_of_coating(given)), half_width(rough_half_width) {
-  const double largest = std::max(half_width, finite_thickness(scene));
-  const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
-  const MemoryRange told_apart = memory_range(scene.speed, 1e-3 * half_width, 1e2 * largest);
+SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum& material, double rough_half_width)
+    : model(given), shape(given, share_of_coating(given)), half_width(rough_half_width) {
+  const double largest = std::max(half_width, finite_thickness(model));
+  const double negligible = std::max(negligible_loss, part_of_tolerance * model.tolerance.value_or(0));
+  const MemoryRange told_apart = memory_range(model.speed, 1e-3 * half_width, 1e2 * largest);
   const TidySpectrum tidy =
-      tidied(single_incompressible(scene) ? lumped(material, told_apart) : near_spectrum(scene, told_apart),
-             half_width / scene.speed, negligible, is_composite(scene) ? caution_on_several : caution_on_one_layer);
+      tidied(single_incompressible(model) ? lumped(material, told_apart) : near_spectrum(model, told_apart),
+             half_width / model.speed, negligible, model.composite() ? caution_on_several : caution_on_one_layer);
   const CreepSpectrum& creep = tidy.creep;
   left_out = tidy.left_out;
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
   glassy = relaxation.instantaneous;
   glassy_compliance = rubbery_compliance = creep.instantaneous;
   for (const CreepSpectrum::Term& term : creep.terms) {
-    creep_length.push_back(scene.speed * term.time);
+    creep_length.push_back(model.speed * term.time);
     creep_compliance.push_back(term.compliance);
     rubbery_compliance += term.compliance;
   }
   rubbery = 1 / rubbery_compliance;
-  inertia = inertia_included(scene);
-  deep = std::make_shared<DeepResponse>(scene, glassy_compliance, creep_length, creep_compliance, half_width);
-  if (single_incompressible(scene)) {
-    if (std::isfinite(scene.layer_thickness))
-      correction = std::make_shared<LayerSlopeCorrection>(scene.layer_thickness, creep_length);
-  } else if (std::isfinite(nearest_interface(scene))) {
-    correction = std::make_shared<PassageSlopes>(scene, creep, told_apart);
+  inertia = model.inertia;
+  deep = std::make_shared<DeepResponse>(foundation_of(model).front(), model.speed, glassy_compliance, creep_length,
+                                        creep_compliance, half_width);
+  if (single_incompressible(model)) {
+    if (std::isfinite(model.top().layer_thickness))
+      correction = std::make_shared<LayerSlopeCorrection>(model.top().layer_thickness, creep_length);
+  } else if (std::isfinite(nearest_interface(model))) {
+    correction = std::make_shared<PassageSlopes>(steady_surface(model, told_apart), creep, slowest_decay(model));
   }
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
-    relaxation_length.push_back(scene.speed * term.time);
+    relaxation_length.push_back(model.speed * term.time);
     relaxation_modulus.push_back(term.modulus);
   }
-  if (!scene.coating_layers.empty()) {
-    const RollingScene alone = coating_alone(scene);
+  if (!model.coating.empty()) {
+    const ContactModel alone = coating_alone(model);
     coating = std::make_shared<SpectralProblem>(alone, near_spectrum(alone), half_width);
   }
   const auto count = static_cast<double>(terms());

@@ -20,9 +20,9 @@ struct SpectralProblem {
   /// @param creep what lies next to the contact, as by near_spectrum (contact_surface.hpp); of a single incompressible
   /// layer it is the material, and the scene's own is not looked at
   /// @param half_width a rough one: memories below 1e-6 of it are joined, and those below 1e-9 are elastic [m]
-  SpectralProblem(const RollingScene& scene, const CreepSpectrum& creep, double half_width);
+  SpectralProblem(const ContactModel& model, const CreepSpectrum& creep, double half_width);
 
-  RollingScene scene;
+  ContactModel model;
   IndenterShape shape;
   double half_width;                                          // the rough one [m]
   double glassy, rubbery;                                     // G_inf, G0 [Pa]

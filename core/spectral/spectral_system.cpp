@@ -275,7 +275,7 @@ class System : private ZonedSystem {
 }  // namespace
 
 std::optional<std::size_t> redundant_slack(const SpectralProblem& problem, const SlipPattern& pattern) {
-  if (problem.terms() > 0 || pattern.sticks() == 0 || problem.scene.drive == Drive::rotation) return {};
+  if (problem.terms() > 0 || pattern.sticks() == 0 || problem.model.drive == Drive::rotation) return {};
   for (std::size_t z = 0; z < pattern.sticks(); ++z)
     if (pattern.slips[z] != 0) return z;
   return 0;

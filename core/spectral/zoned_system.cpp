@@ -17,7 +17,7 @@ ZonedSystem::ZonedSystem(const SpectralProblem& problem, const SlipPattern& patt
     : problem_(problem),
       pattern_(pattern),
       edges_(edges),
-      friction_(pattern.shear ? problem.scene.friction_coefficient : 0),
+      friction_(pattern.shear ? problem.model.friction_coefficient : 0),
       terms_(problem.terms()) {}
 
 void ZonedSystem::place_unknowns(Index contact, const std::vector<Index>& in_sticks) {
@@ -71,19 +71,19 @@ void ZonedSystem::prescribe_stick(const Stick& stick, const VectorXd& points) {
 }
 
 std::pair<RowVectorXd, double> ZonedSystem::drive_row() const {
-  const RollingScene& scene = problem_.scene;
+  const ContactModel& model = problem_.model;
   const double half = edges_.contact.half_length();
   const RowVectorXd row =
-      rollres::drive_row(scene, resultant(&IndenterShape::torque), resultant(&IndenterShape::driving_force));
-  return {row / half, (drive_target(scene) - coating_in_drive(scene) * problem_.coating_moment) / half};
+      rollres::drive_row(model, resultant(&IndenterShape::torque), resultant(&IndenterShape::driving_force));
+  return {row / half, (drive_target(model) - coating_in_drive(model) * problem_.coating_moment) / half};
 }
 
 void ZonedSystem::drive() {
-  const RollingScene& scene = problem_.scene;
+  const ContactModel& model = problem_.model;
   auto row = matrix_.row(rotation_);
-  if (scene.drive == Drive::rotation) {
+  if (model.drive == Drive::rotation) {
     row(rotation_) = 1;
-    right_(rotation_) = problem_.rubbery * (problem_.shape.law_ratio(*scene.rotation_ratio) - 1);
+    right_(rotation_) = problem_.rubbery * (problem_.shape.law_ratio(*model.rotation_ratio) - 1);
   } else if (const std::optional<std::size_t> zone = redundant_slack(problem_, pattern_)) {
     row(sticks_[*zone].slack()) = 1;
   } else {
@@ -104,7 +104,7 @@ double ZonedSystem::approach(double of_unit_modulus) const {
 }
 
 SpectralState ZonedSystem::state(double approach) const {
-  const RollingScene& scene = problem_.scene;
+  const ContactModel& model = problem_.model;
   SpectralState state;
   state.pattern = pattern_;
   state.edges = edges_;
@@ -112,16 +112,16 @@ SpectralState ZonedSystem::state(double approach) const {
   state.load = resultant(&IndenterShape::load).dot(solution_);
   const double of_coating = problem_.shape.of_coating() * problem_.coating_moment;
   state.driving_force = resultant(&IndenterShape::driving_force).dot(solution_) - of_coating;
-  state.driving_torque = resultant(&IndenterShape::torque).dot(solution_) + scene.radius * of_coating;
+  state.driving_torque = resultant(&IndenterShape::torque).dot(solution_) + model.radius * of_coating;
   state.approach = approach;
   state.edge_means = means_ * solution_;
   const double scale = state.load / edges_.contact.half_length();
   state.residuals.resize(pattern_.unknowns());
   state.residuals(0) = solution_(slack_) / scale;
   state.residuals(1) =
-      scene.load ? (state.load - *scene.load) / *scene.load : (approach - *scene.approach) / *scene.approach;
-  if (scene.drive == Drive::rotation)
-    state.rotation_ratio = *scene.rotation_ratio;
+      model.load ? (state.load - *model.load) / *model.load : (approach - *model.approach) / *model.approach;
+  if (model.drive == Drive::rotation)
+    state.rotation_ratio = *model.rotation_ratio;
   else if (!sticks_.empty())
     state.rotation_ratio = problem_.shape.rotation_ratio(1 + solution_(rotation_) / problem_.rubbery);
   const auto lacking_drive = [&] {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <complex>
 
-#include "core/model/contact_surface.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
+#include "core/surface/layered_medium.hpp"
 
 namespace rollres {
 
@@ -175,14 +175,15 @@ std::vector<HalfSpaceTerm> half_space_terms(const MediumLayer& layer, double spe
   return terms;
 }
 
-DeepResponse::DeepResponse(const RollingScene& scene, double instantaneous, const std::vector<double>& creep_length,
-                           const std::vector<double>& creep_compliance, double length) {
-  at_once_ << 1, 1, -0.25 * (1 - 2 * scene.poisson_ratio) / (1 - scene.poisson_ratio);
-  if (!inertia_included(scene)) return;
-  const double share = 2 * (1 - scene.poisson_ratio);
+DeepResponse::DeepResponse(const MediumLayer& top, double speed, double instantaneous,
+                           const std::vector<double>& creep_length, const std::vector<double>& creep_compliance,
+                           double length) {
+  at_once_ << 1, 1, -0.25 * (1 - 2 * top.poisson_ratio) / (1 - top.poisson_ratio);
+  if (top.density == 0) return;
+  const double share = 2 * (1 - top.poisson_ratio);
   std::vector<double> compliances = creep_compliance;
   for (double& compliance : compliances) compliance /= share;
-  const DeepMedium medium(foundation_of(scene).front(), scene.speed, instantaneous / share, creep_length, compliances);
+  const DeepMedium medium(top, speed, instantaneous / share, creep_length, compliances);
   const RetardedSum ratios = retarded_sum(medium, [&](const complex& j) { return medium.at_compliance(j); });
   at_once_ = ratios.at_once;
   lengths_ = ratios.lengths;

@@ -12,7 +12,6 @@
 
 namespace rollres {
 
-struct RollingScene;
 struct MediumLayer;
 
 /// One memory of a half-space in steady passage with inertia: k c_ww, k c_ll and k c_x are sums of compliances/(1 + s
@@ -30,9 +29,10 @@ std::vector<HalfSpaceTerm> half_space_terms(const MediumLayer& layer, double spe
 /// motion, as sums of what they are at once and of retarded parts, (S28) and (S29). All of unit modulus [1].
 class DeepResponse {
  public:
+  /// @param top the layer next to the contact   @param speed V [m/s]
   /// @param creep_length, creep_compliance of the terms of D, and its instantaneous part, as in SpectralProblem
   /// @param length of the contact, roughly, about which the memories are tabulated [m]
-  DeepResponse(const RollingScene& scene, double instantaneous, const std::vector<double>& creep_length,
+  DeepResponse(const MediumLayer& top, double speed, double instantaneous, const std::vector<double>& creep_length,
                const std::vector<double>& creep_compliance, double length);
 
   /// The three at a wavenumber along the motion [1/m].

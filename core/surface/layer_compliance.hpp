@@ -13,8 +13,6 @@
 /// Over a half-space they become (1 - nu)/k, (1 - nu)/k, -(1 - 2 nu)/(2k) and 1/k. A viscoelastic layer whose Poisson's
 /// ratio is constant divides by G*(omega).
 
-#include "core/scene/scene.hpp"
-
 namespace rollres {
 
 /// Shape and compressibility of a layer: what its elastic response of unit shear modulus depends on.
@@ -25,8 +23,6 @@ struct Layer {
   Layer(double layer_thickness, double ratio = 0.5) : thickness(layer_thickness), poisson_ratio(ratio) {}
   bool operator==(const Layer&) const = default;
 };
-
-inline Layer layer_of(const RollingScene& scene) { return {scene.layer_thickness, scene.poisson_ratio}; }
 
 /// Values for one wavenumber [m] for unit shear modulus (displacement = value * traction / G).
 struct LayerSymbols {

@@ -1,32 +1,22 @@
 #include "core/surface/passage_slopes.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace rollres {
 
 using complex = std::complex<double>;
 
-namespace {
-
-/// Of waves in the layers over that at rest: e^{-k beta z} in the layer of the scene where inertia counts most.
-double slowest_decay(const RollingScene& scene) {
-  if (!inertia_included(scene)) return 1;
-  constexpr double rayleigh = 0.9;  // rho V^2/G of Rayleigh waves, about
-  return std::sqrt(1 - rayleigh * std::min(rayleigh_number(scene), 1.0));
-}
-
-}  // namespace
-
-PassageSlopes::PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep, const MemoryRange& told_apart)
-    : surface_(scene, told_apart),
+PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double slowest_decay)
+    : surface_(std::move(surface)),
       deep_(deep),
-      depth_(nearest_interface(scene) * slowest_decay(scene)),
-      rigid_base_(has_rigid_base(scene)),
+      depth_(surface_.nearest_interface() * slowest_decay),
+      rigid_base_(surface_.has_rigid_base()),
       table_(first_memory_ + deep.terms.size(), 0.1 * depth_ / surface_.longest_wave(),
              [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {
   const SurfaceCompliance at_rest = surface_.half_spaces(surface_.moduli(0));
   at_rest_ = 2 / deep_.at_rest() * Eigen::Array2d(at_rest.normal.real(), at_rest.longitudinal.real());
-  for (const CreepSpectrum::Term& term : deep.terms) memory_lengths_.push_back(scene.speed * term.time / depth_);
+  for (const CreepSpectrum::Term& term : deep.terms) memory_lengths_.push_back(surface_.speed() * term.time / depth_);
 }
 
 void PassageSlopes::transform(double k, std::span<complex> values) const {

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "core/model/contact_surface.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/slope_correction.hpp"
+#include "core/surface/steady_surface.hpp"
 
 namespace rollres {
 
@@ -19,9 +19,10 @@ class PassageSlopes final : public SlopeCorrection {
  public:
   /// @param deep D, the spectrum by which the problem turns elastic slopes into slopes, with the memory lengths V time
   /// of its terms in their order
-  /// @param told_apart of the layers' memories. D must have joined the same ones: where the layers are at rest, the
-  /// quotient by D must be that of the half-spaces, down to the longest waves.
-  PassageSlopes(const RollingScene& scene, const CreepSpectrum& deep, const MemoryRange& told_apart = {});
+  /// @param surface whose memories are joined as those of D are: where the layers are at rest, the quotient by D must
+  /// be that of the half-spaces, down to the longest waves
+  /// @param slowest_decay of waves in the layers over that at rest, 1 without inertia [1]
+  PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double slowest_decay = 1);
 
   PassageSlopes(const PassageSlopes&) = delete;
   PassageSlopes& operator=(const PassageSlopes&) = delete;

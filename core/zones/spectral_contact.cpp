@@ -84,19 +84,19 @@ double work_of_check(const SpectralProblem& problem, const SlipPattern& pattern,
 
 class SpectralContact {
  public:
-  SpectralContact(const RollingScene& scene, const CreepSpectrum& creep)
-      : scene_(scene),
-        tolerance_(std::max(scene.tolerance.value_or(default_spectral_tolerance), smallest_tolerance)),
-        problem_(scene, creep, estimate_contact(scene).half_width) {
-    if (problem_.graded(scene.friction_coefficient > 0)) tolerance_ = std::min(tolerance_, least_graded_accuracy);
+  SpectralContact(const ContactModel& model, const CreepSpectrum& creep)
+      : model_(model),
+        tolerance_(std::max(model.tolerance.value_or(default_spectral_tolerance), smallest_tolerance)),
+        problem_(model, creep, estimate_contact(model).half_width) {
+    if (problem_.graded(model.friction_coefficient > 0)) tolerance_ = std::min(tolerance_, least_graded_accuracy);
   }
 
   SpectralOutcome run(const std::optional<FoundZones>& near) {
-    if (scene_.adhesion_threshold > 0) return {{}, "adhesion"};
+    if (model_.adhesion_threshold > 0) return {{}, "adhesion"};
     if (problem_.inertia && !problem_.creep_length.empty() &&
         problem_.creep_length.front() < shortest_with_inertia * problem_.half_width)
       return {{}, "inertia, and memories much shorter than the contact"};
-    if (near && scene_.friction_coefficient > 0) {
+    if (near && model_.friction_coefficient > 0) {
       problem_.coating_moment = near->coating_moment;
       if (refine(near->pattern, near->edges, &*near)) return finished();
       work_ = 0;
@@ -104,25 +104,25 @@ class SpectralContact {
     std::optional<SpectralState> smooth = frictionless_start(problem_);
     if (!smooth) return {{}, "no contact found without friction"};
     take_coating(*smooth);
-    if (scene_.friction_coefficient == 0) {
+    if (model_.friction_coefficient == 0) {
       if (refine({}, smooth->edges)) return finished();
       return {{}, "no contact found within the laws"};
     }
     if (try_quick_patterns(*smooth)) return finished();
-    if (scene_.drive != Drive::rotation)
+    if (model_.drive != Drive::rotation)
       if (const std::optional<double> needed = friction_needed(problem_, smooth->edges.contact)) {
         RollingSolution solution;
         solution.method = Method::spectral;
         solution.status = Status::no_steady_state;
         solution.friction_needed = *needed;
-        solution.reason = too_much_traction(*needed, scene_.friction_coefficient);
+        solution.reason = too_much_traction(*needed, model_.friction_coefficient);
         solution.iterations = evaluations_;
         return {solution, {}};
       }
     std::vector<int> tried;
     for (const double nodes : {60.0, 240.0, 960.0}) {
       if (nodes > 240 && !problem_.graded(true)) break;
-      const std::optional<PatternStart> start = pattern_on_grid(scene_, smooth->edges.contact.half_length() / nodes);
+      const std::optional<PatternStart> start = pattern_on_grid(model_, smooth->edges.contact.half_length() / nodes);
       if (!start || start->pattern.slips == tried) continue;
       if (refine(start->pattern, start->edges)) return finished();
       if (last_) tried = start->pattern.slips;
@@ -136,18 +136,18 @@ class SpectralContact {
     best_->solution.method = Method::spectral;
     best_->solution.status = Status::converged;
     best_->solution.iterations = evaluations_;
-    if (scene_.tolerance && best_->solution.rolling_resistance_error > *scene_.tolerance * scale_)
-      best_->solution.warnings.push_back(message_text("the tolerance ", *scene_.tolerance, " was not reached with ",
+    if (model_.tolerance && best_->solution.rolling_resistance_error > *model_.tolerance * scale_)
+      best_->solution.warnings.push_back(message_text("the tolerance ", *model_.tolerance, " was not reached with ",
                                                       best_->solution.contact_nodes, " coefficients: estimated error ",
                                                       best_->solution.error_estimate));
     SpectralOutcome found{std::move(best_->solution), {}};
-    if (scene_.friction_coefficient > 0) found.zones = std::move(zones_);
+    if (model_.friction_coefficient > 0) found.zones = std::move(zones_);
     return found;
   }
 
   bool try_quick_patterns(const SpectralState& smooth) {
-    if (scene_.drive == Drive::rotation) {
-      const int direction = *scene_.rotation_ratio < 1 ? 1 : -1;
+    if (model_.drive == Drive::rotation) {
+      const int direction = *model_.rotation_ratio < 1 ? 1 : -1;
       if (refine({.shear = true, .slips = {direction}}, smooth.edges)) return true;
     }
     const std::optional<PatternStart> start = one_border_start(problem_, smooth.edges.contact);
@@ -202,12 +202,12 @@ class SpectralContact {
     double start = stick.to - 0.5 * step;
     for (int k = 1; k < 99; ++k) {
       const double x = stick.to - k * step;
-      if (std::abs(field.shear(x)) > scene_.friction_coefficient * field.pressure(x)) start = x;
+      if (std::abs(field.shear(x)) > model_.friction_coefficient * field.pressure(x)) start = x;
     }
     if (!last_->graded || start < stick.to - step) return start;
     for (double distance = step; distance > 1e-7 * step; distance *= 0.8) {
       const double x = stick.to - distance;
-      if (std::abs(field.shear(x)) > scene_.friction_coefficient * field.pressure(x)) return x;
+      if (std::abs(field.shear(x)) > model_.friction_coefficient * field.pressure(x)) return x;
     }
     return start;
   }
@@ -324,8 +324,8 @@ class SpectralContact {
     const double change = moment - problem_.coating_moment, part = problem_.shape.of_coating() * change;
     problem_.coating_moment = moment;
     state.driving_force -= part;
-    state.driving_torque += scene_.radius * part;
-    return coating_in_drive(scene_) * change;
+    state.driving_torque += model_.radius * part;
+    return coating_in_drive(model_) * change;
   }
 
   /// The search, and again while the drive's row knows another M than the tractions make: these hardly depend on it.
@@ -333,7 +333,7 @@ class SpectralContact {
                                                  int most_evaluations) {
     constexpr int most_passes = 8;
     constexpr double negligible = 0.02 * largest_violation;  // of the load
-    const bool driven = scene_.friction_coefficient > 0 && scene_.drive != Drive::rotation;
+    const bool driven = model_.friction_coefficient > 0 && model_.drive != Drive::rotation;
     for (int pass = 1;; ++pass) {
       std::optional<SpectralState> state = search.find(edges, {order, order}, residual, most_evaluations);
       if (!state) return {};
@@ -354,22 +354,22 @@ class SpectralContact {
   /// nothing of an inequality that is violated a little between points: if that is since the pattern is wrong, all
   /// orders of it share what it costs.
   double estimate_of(const AssessedSpectral& assessed, const Told& told) const {
-    if (!last_->graded) return cautious(told.error, assessed.violation, scene_.drive);
+    if (!last_->graded) return cautious(told.error, assessed.violation, model_.drive);
     constexpr double per_violation = 0.03, usual_share = 0.05;  // of what so many points allow
     const double lever = told.lever / told.scale, field_error = graded_field_error(told.order);
     const double wrong = assessed.wrong_zone > usual_share * field_error ? assessed.wrong_zone : 0;
     // Of 185 random answers at a tolerance of 1e-9, 17 % were off by more than this sum, 4 % by more than 1.5 of it.
     constexpr double covering = 1.5;
-    return covering * (cautious(told.error, 0, scene_.drive) + usual_error(told.order, lever) +
-                       handed_on(scene_.drive) * per_violation * wrong * std::sqrt(lever));
+    return covering * (cautious(told.error, 0, model_.drive) + usual_error(told.order, lever) +
+                       handed_on(model_.drive) * per_violation * wrong * std::sqrt(lever));
   }
   /// What so many graded points leave, of random scenes and by their order alone. @param lever  over the scale
   double usual_error(int order, double lever) const {
     constexpr double per_tail = 2;
-    return per_tail * handed_on(scene_.drive) * graded_tail(order) * std::sqrt(lever);
+    return per_tail * handed_on(model_.drive) * graded_tail(order) * std::sqrt(lever);
   }
   bool misses_tolerance(const AssessedSpectral& assessed, const Told& told) const {
-    return last_->graded && scene_.tolerance && estimate_of(assessed, told) > *scene_.tolerance;
+    return last_->graded && model_.tolerance && estimate_of(assessed, told) > *model_.tolerance;
   }
 
   /// Whether the inequalities hold, of graded points to what their number allows.
@@ -390,7 +390,7 @@ class SpectralContact {
     return answered();
   }
   bool answered() const {
-    const double finer = 1.25 * estimate_over_change(scene_.drive) * finer_than_grids + problem_.left_out;
+    const double finer = 1.25 * estimate_over_change(model_.drive) * finer_than_grids + problem_.left_out;
     return best_ && best_->solution.rolling_resistance_error <= finer * scale_;
   }
 
@@ -438,7 +438,7 @@ class SpectralContact {
       const auto final_error = [&] {
         return usual_error(static_cast<int>(next_order(sketch.coefficients, true)), lever);
       };
-      while (scene_.tolerance && sketch.coefficients < largest_first_order && final_error() > 0.5 * *scene_.tolerance)
+      while (model_.tolerance && sketch.coefficients < largest_first_order && final_error() > 0.5 * *model_.tolerance)
         ++sketch.coefficients;
       last_ = std::move(state);
       if (order == sketch_orders.front()) continue;  // too few points to refute anything
@@ -469,11 +469,11 @@ class SpectralContact {
   }
 
   /// What the last change may let expect, if no higher order can be had: a missed tolerance is then warned of [1].
-  double largest_change(bool graded) const { return tolerance_ / (graded && scene_.tolerance ? 2 : 1); }
+  double largest_change(bool graded) const { return tolerance_ / (graded && model_.tolerance ? 2 : 1); }
   /// The same else: a tolerance that is asked for is one of the estimate [1].
   double wanted_change(bool graded) const {
-    if (!scene_.tolerance) return largest_change(graded);
-    return std::min(largest_change(graded), *scene_.tolerance / estimate_over_change(scene_.drive));
+    if (!model_.tolerance) return largest_change(graded);
+    return std::min(largest_change(graded), *model_.tolerance / estimate_over_change(model_.drive));
   }
 
   void take_over_wrongs(const AssessedSpectral& assessed) {
@@ -488,15 +488,15 @@ class SpectralContact {
   /// Violation of an inequality at an order of few graded points that refutes the pattern.
   double refuted_at(int order) const {
     constexpr double times_field_error = 1.5, usual_friction = 0.2;  // of right patterns less, on random scenes
-    return times_field_error * graded_field_error(order) * std::max(1.0, usual_friction / scene_.friction_coefficient);
+    return times_field_error * graded_field_error(order) * std::max(1.0, usual_friction / model_.friction_coefficient);
   }
 
   double resistance_of(const SpectralState& state) const {
-    return state.driving_force + state.driving_torque * state.rotation_ratio / scene_.radius;
+    return state.driving_force + state.driving_torque * state.rotation_ratio / model_.radius;
   }
   /// Rounding and what is left of the residuals move the centre of pressure; an elastic layer resists with nothing.
   double lever_of(const SpectralState& state) const {
-    return state.load * state.edges.contact.half_length() / scene_.radius;
+    return state.load * state.edges.contact.half_length() / model_.radius;
   }
   double scale_of(const SpectralState& state) const {
     return std::max(std::abs(resistance_of(state)), 1e-6 * lever_of(state));
@@ -509,7 +509,7 @@ class SpectralContact {
     return tail / state.pressure.coefficients.cwiseAbs().maxCoeff();
   }
 
-  RollingScene scene_;
+  ContactModel model_;
   double tolerance_;
   SpectralProblem problem_;
   std::optional<SpectralState> last_;
@@ -527,11 +527,11 @@ class SpectralContact {
 
 namespace {
 
-SpectralOutcome solve_with(const RollingScene& scene, const CreepSpectrum& creep,
+SpectralOutcome solve_with(const ContactModel& model, const CreepSpectrum& creep,
                            const std::optional<FoundZones>& near) {
   std::optional<SpectralContact> contact;
   try {
-    contact.emplace(scene, creep);
+    contact.emplace(model, creep);
   } catch (const std::domain_error& error) {
     return {{}, error.what()};
   }
@@ -540,12 +540,12 @@ SpectralOutcome solve_with(const RollingScene& scene, const CreepSpectrum& creep
 
 }  // namespace
 
-SpectralOutcome solve_spectral(const RollingScene& scene, const std::optional<FoundZones>& near) {
-  return solve_with(scene, near_spectrum(scene), near);
+SpectralOutcome solve_spectral(const ContactModel& model, const std::optional<FoundZones>& near) {
+  return solve_with(model, near_spectrum(model), near);
 }
 
-SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep) {
-  return solve_with(scene, creep, {});
+SpectralOutcome solve_spectral(const ContactModel& model, const CreepSpectrum& creep) {
+  return solve_with(model, creep, {});
 }
 
 }  // namespace rollres

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/material/material.hpp"
+#include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
 #include "core/zones/spectral_search.hpp"
 
@@ -38,8 +39,8 @@ struct SpectralOutcome {
 /// @param scene of a cylinder that obeys `check`, without period
 /// The solution's status is converged or no_steady_state; model, seconds and warnings are left to the caller.
 /// @param near  zones of much the same scene, which are tried before all others
-SpectralOutcome solve_spectral(const RollingScene& scene, const std::optional<FoundZones>& near = {});
+SpectralOutcome solve_spectral(const ContactModel& model, const std::optional<FoundZones>& near = {});
 /// The same for any discrete spectrum in place of the scene's material; the start is guessed from the scene's.
-SpectralOutcome solve_spectral(const RollingScene& scene, const CreepSpectrum& creep);
+SpectralOutcome solve_spectral(const ContactModel& model, const CreepSpectrum& creep);
 
 }  // namespace rollres

@@ -80,7 +80,7 @@ SpectralField::Tails SpectralField::tails_of(const SpectralProblem& problem, con
 SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState& state)
     : problem_(problem),
       state_(state),
-      friction_(state.pattern.shear ? problem.scene.friction_coefficient : 0),
+      friction_(state.pattern.shear ? problem.model.friction_coefficient : 0),
       contact_tails_(state.graded ? Tails{} : tails_of(problem, state.pressure, state.edges.contact.half_length())) {
   if (state.graded) return;
   for (std::size_t z = 0; z < state.sticks.size(); ++z)
@@ -190,7 +190,7 @@ SpectralField::Slopes SpectralField::remembered_ahead(const SpectralProblem& par
 }
 
 double SpectralField::displacement_ahead(double x) const {
-  if (!problem_.layered() || !has_rigid_base(problem_.scene)) return 0;
+  if (!problem_.layered() || !has_rigid_base(problem_.model)) return 0;
   const Slopes elastic = sum_of_sources(problem_, x, [&](double r) -> LayerSlopes {
     return problem_.correction->displacement(r) + problem_.deep->displacement(r);
   });

@@ -38,7 +38,7 @@ class SpectralField {
   double displacement_ahead(double x) const;
 
  private:
-  /// By the kernel of a part; the cross terms of a coating are opposite (contact_surface.hpp).
+  /// By the kernel of a part; the cross terms of a coating are opposite (steady_surface.hpp).
   template <class Kernel>
   Slopes sum_of_sources(const SpectralProblem& part, double x, Kernel kernel) const;
   struct Tails;  // what lies beyond a density's coefficients

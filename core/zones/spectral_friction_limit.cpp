@@ -15,16 +15,16 @@ namespace {
 /// the whole contact slides one way; NaN if that could not be solved.
 double sliding_surplus(const SpectralProblem& given, const Interval& contact, double friction, int direction) {
   SpectralProblem problem = given;
-  problem.scene.friction_coefficient = friction;
+  problem.model.friction_coefficient = friction;
   const SlipPattern sliding{.shear = true, .slips = {-direction}};
   const SpectralEdges start{contact, {}};
   const int order = first_order(problem, start, 1e-8, true);
   const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
   if (!state) return NAN;
-  double surplus = drive_row(problem.scene, state->driving_torque, state->driving_force) - drive_target(problem.scene);
+  double surplus = drive_row(problem.model, state->driving_torque, state->driving_force) - drive_target(problem.model);
   if (problem.coating) {
     const double moment = coating_moment(surface_panels(problem, *state, SpectralField(problem, *state)));
-    surplus += coating_in_drive(problem.scene) * (moment - problem.coating_moment);
+    surplus += coating_in_drive(problem.model) * (moment - problem.coating_moment);
   }
   return direction * surplus;
 }
@@ -32,7 +32,7 @@ double sliding_surplus(const SpectralProblem& given, const Interval& contact, do
 }  // namespace
 
 std::optional<double> friction_needed(const SpectralProblem& problem, const Interval& contact) {
-  const double given = problem.scene.friction_coefficient;
+  const double given = problem.model.friction_coefficient;
   for (const int direction : {1, -1}) {
     const auto surplus = [&](double friction) { return sliding_surplus(problem, contact, friction, direction); };
     if (!(surplus(given) < 0)) continue;

@@ -23,7 +23,7 @@ class SpectralAssessment {
         state_(given_state),
         field_(given_problem, given_state),
         panels_(surface_panels(given_problem, given_state, field_)),
-        law_{given_problem.scene.friction_coefficient},
+        law_{given_problem.model.friction_coefficient},
         half_(given_state.edges.contact.half_length()) {}
 
   AssessedSpectral run() {
@@ -109,22 +109,22 @@ class SpectralAssessment {
   }
 
   void sum_forces() {
-    const RollingScene& scene = problem_.scene;
+    const ContactModel& model = problem_.model;
     s_.load = state_.load;
     s_.mean_pressure = s_.load / s_.contact_area;
     s_.driving_torque = state_.driving_torque;
     s_.driving_force = state_.driving_force;
-    s_.rolling_resistance = s_.driving_force + s_.driving_torque * state_.rotation_ratio / scene.radius;
+    s_.rolling_resistance = s_.driving_force + s_.driving_torque * state_.rotation_ratio / model.radius;
     if (sheared()) {
       s_.rotation_ratio = state_.rotation_ratio;
-      s_.rotation_speed = state_.rotation_ratio * scene.speed / scene.radius;
+      s_.rotation_speed = state_.rotation_ratio * model.speed / model.radius;
     }
     s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
   }
 
   void check_laws() {
-    const RollingScene& scene = problem_.scene;
-    const double gap_scale = half_ * half_ / (2 * scene.radius), slip_scale = half_ / scene.radius;
+    const ContactModel& model = problem_.model;
+    const double gap_scale = half_ * half_ / (2 * model.radius), slip_scale = half_ / model.radius;
     const double pressure_scale = s_.peak_pressure, shear_scale = std::max(law_.bound(pressure_scale), 1e-300);
     double worst = 0, load = 0, torque = 0, force = 0;
     const auto violated = [&](double amount) { worst = std::max(worst, std::isnan(amount) ? INFINITY : amount); };
@@ -138,7 +138,7 @@ class SpectralAssessment {
       for (Eigen::Index k = 0; k < panel.x.size(); ++k) {
         const double x = panel.x(k), p = panel.pressure(k), shear = panel.shear(k);
         if (!contact(panel)) {
-          if (std::abs(x) < 0.98 * scene.radius) wrong(-panel.gap(k) / gap_scale);
+          if (std::abs(x) < 0.98 * model.radius) wrong(-panel.gap(k) / gap_scale);
           continue;
         }
         load += panel.weights(k) * problem_.shape.load(x)(p, shear);
@@ -167,14 +167,14 @@ class SpectralAssessment {
       }
     }
     const double moment = problem_.shape.of_coating() * coating_moment(panels_);
-    torque += scene.radius * moment;
+    torque += model.radius * moment;
     force -= moment;
     // The resultants once more, on the fine points.
-    if (scene.load) violated(std::abs(load - *scene.load) / *scene.load);
-    if (scene.approach) violated(std::abs(s_.approach - *scene.approach) / *scene.approach);
+    if (model.load) violated(std::abs(load - *model.load) / *model.load);
+    if (model.approach) violated(std::abs(s_.approach - *model.approach) / *model.approach);
     violated(std::abs(force - s_.driving_force) / load);
-    if (!state_.sticks.empty() && scene.drive != Drive::rotation) {
-      violated(std::abs(drive_row(scene, torque, force) - drive_target(scene)) / load);
+    if (!state_.sticks.empty() && model.drive != Drive::rotation) {
+      violated(std::abs(drive_row(model, torque, force) - drive_target(model)) / load);
     }
     assessed_.violation = worst;
     s_.law_violation = state_.graded ? violated_at_nodes(shear_scale) : worst;
@@ -196,7 +196,7 @@ class SpectralAssessment {
   }
 
   void balance_power() {
-    const RollingScene& scene = problem_.scene;
+    const ContactModel& model = problem_.model;
     const double turning = state_.rotation_ratio;
     double layer = 0, geometry = 0, friction = 0;  // powers over V
     for (const SurfacePanel& panel : panels_) {
@@ -216,11 +216,11 @@ class SpectralAssessment {
             (turning - 1) * (panel.weights * (panel.pressure * panel.coating_w - panel.shear * panel.coating_u)).sum();
     }
     geometry += (problem_.shape.of_coating() - 1) * (turning - 1) * coating_moment(panels_);
-    s_.viscous_loss = scene.speed * layer;
-    s_.frictional_loss = scene.speed * friction;
-    const double power = s_.rolling_resistance * scene.speed;
-    const double least = 1e-6 * s_.load * scene.speed * half_ / scene.radius;  // an elastic layer resists with nothing
-    s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss - scene.speed * geometry) /
+    s_.viscous_loss = model.speed * layer;
+    s_.frictional_loss = model.speed * friction;
+    const double power = s_.rolling_resistance * model.speed;
+    const double least = 1e-6 * s_.load * model.speed * half_ / model.radius;  // an elastic layer resists with nothing
+    s_.energy_residual = std::abs(power - s_.viscous_loss - s_.frictional_loss - model.speed * geometry) /
                          std::max(std::abs(power), least);
   }
 

@@ -41,7 +41,7 @@ int first_order(const SpectralProblem& problem, const SpectralEdges& edges, doub
 
 std::optional<SpectralState> frictionless_start(const SpectralProblem& problem) {
   const double half = problem.half_width;
-  const double widest = widest_window(problem.scene);
+  const double widest = widest_window(problem.model);
   for (const double size : {1.0, 0.7, 1.3, 0.5, 2.0})
     for (const double shift : {0.0, 0.3}) {
       const double l = std::min(size * half, 0.7 * widest), c = shift * l;
@@ -85,8 +85,8 @@ std::optional<PatternStart> one_border_start(const SpectralProblem& problem, con
   return {};
 }
 
-std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double spacing) {
-  RollingScene gridded = scene;
+std::optional<PatternStart> pattern_on_grid(const ContactModel& model, double spacing) {
+  ContactModel gridded = model;
   gridded.tolerance.reset();
   // What takes a grid long has zones that this method does not know.
   GridSeries grids = fixed_grids(gridded, spacing);
@@ -129,7 +129,7 @@ std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double sp
   start.pattern.shear = true;
   if (runs.front().zone == Zone::stick) start.pattern.slips.push_back(0);
   // Slip turns round over a stick whose length is in proportion to the friction, perhaps much less than a cell.
-  const double turn = 5 * scene.friction_coefficient * (leading - trailing);
+  const double turn = 5 * model.friction_coefficient * (leading - trailing);
   const auto add_stick = [&](double from, double to) {
     const double centre = 0.5 * (from + to),
                  half = 0.5 * (to - from < 1.5 * spacing ? std::min(to - from, turn) : to - from);

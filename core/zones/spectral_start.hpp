@@ -28,6 +28,6 @@ std::optional<SpectralState> frictionless_start(const SpectralProblem& problem);
 std::optional<PatternStart> one_border_start(const SpectralProblem& problem, const Interval& contact);
 
 /// The zones that a grid of this spacing has; none if they are too many, or slip turns round without stick between.
-std::optional<PatternStart> pattern_on_grid(const RollingScene& scene, double spacing);
+std::optional<PatternStart> pattern_on_grid(const ContactModel& model, double spacing);
 
 }  // namespace rollres

@@ -31,7 +31,7 @@ const Placeholder* find(std::string_view key) {
 
 /// Half-width and the factor of tan(delta) a/R P.
 std::pair<double, double> contact(const RollingScene& scene, double modulus) {
-  const bool cylinder = scene.indenter == Indenter::cylinder, finite = std::isfinite(scene.layer_thickness);
+  const bool cylinder = dimension_of(scene.indenter) == 2, finite = std::isfinite(scene.layer_thickness);
   const double radius = scene.radius, load = *scene.load;
   const ConstantLossCoefficients coefficients = constant_loss_coefficients();
   const double thick =

@@ -99,7 +99,7 @@ FitParameter term_parameter(const std::vector<MeasuredScene>& scenes, const Fitt
 /// What helps where nodes that enter and leave the contact make a scene's answers jump.
 std::string noise_remedy(const std::vector<MeasuredScene>& scenes) {
   const auto fixed = std::find_if(scenes.begin(), scenes.end(), [](const MeasuredScene& row) {
-    return on_grid(resolved_method(row.scene)) && (row.scene.spacing || row.scene.indenter == Indenter::cylinder);
+    return on_grid(resolved_method(row.scene)) && (row.scene.spacing || dimension_of(row.scene.indenter) == 2);
   });
   if (fixed == scenes.end()) return "";
   const RollingScene& scene = fixed->scene;
@@ -107,11 +107,10 @@ std::string noise_remedy(const std::vector<MeasuredScene>& scenes) {
   smooth.spacing.reset();
   if (smooth.method == Method::newton) smooth.method = Method::automatic;
   const std::string jumps = "answers on a fixed grid jump where nodes enter and leave the contact";
-  if (scene.indenter == Indenter::cylinder && on_grid(resolved_method(smooth)))
-    return jumps + ": take a smaller spacing";
+  if (dimension_of(scene.indenter) == 2 && on_grid(resolved_method(smooth))) return jumps + ": take a smaller spacing";
   std::string keys;
   if (scene.spacing) keys = "spacing";
-  if (scene.indenter == Indenter::cylinder && scene.method != Method::automatic)
+  if (dimension_of(scene.indenter) == 2 && scene.method != Method::automatic)
     keys += keys.empty() ? "method" : " and method";
   return jumps + ": leave out " + keys + " for smooth ones";
 }

@@ -1,6 +1,8 @@
 #include <ostream>
+#include <stdexcept>
 
 #include "studies/program/commands.hpp"
+#include "studies/scene_io/model_text.hpp"
 #include "studies/stored/shown_table.hpp"
 #include "studies/study/plan_table.hpp"
 #include "studies/study/study_axes.hpp"
@@ -15,7 +17,8 @@ namespace {
 
 struct PlanArguments {
   std::string study, database, format = "table";
-  bool json = false, si = false;
+  bool json = false, si = false, explain = false;
+  std::size_t point = 1;
   std::size_t limit = std::numeric_limits<std::size_t>::max();
 };
 
@@ -90,9 +93,19 @@ Table shown_plan(Table table, const StudyPlan& plan, ShownUnits units) {
   return shown_table(std::move(table), columns, units);
 }
 
+/// The model of one point.
+void explain(const PlanArguments& arguments, const StudyPlan& plan, Session& session) {
+  if (arguments.point < 1 || arguments.point > plan.size())
+    throw std::invalid_argument("--point = " + std::to_string(arguments.point) + ": " + arguments.study + " has " +
+                                counted(plan.size(), "point") + ", counted from 1");
+  const RollingScene scene = plan.scene(arguments.point - 1);
+  session.out << (arguments.json ? model_json(scene) + '\n' : model_text(scene));
+}
+
 void plan(const PlanArguments& arguments, Session& session) {
   const Study study = read_study(arguments.study);
   const StudyPlan plan(study);
+  if (arguments.explain) return explain(arguments, plan, session);
   std::vector<Cell> status;
   if (!arguments.database.empty()) {
     ResultStore store(arguments.database, Access::read);
@@ -132,6 +145,10 @@ void add_plan(Command& program, Session& session) {
           ->one_of(table_formats);
   command->add_flag("--json", arguments.json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);
+  command->add_flag(
+      "--explain", arguments.explain,
+      "print in place of the points the model that solves one of them: what is left out, by which method");
+  command->add_option("--point N", arguments.point, "the point that --explain tells of, counted from 1; default: 1");
   command->add_flag("--si", arguments.si, "SI numbers in the table, too");
   command->footer(
       "Numbers of csv, json and jsonl are SI.\n"

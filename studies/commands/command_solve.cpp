@@ -5,6 +5,7 @@
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/fields_file.hpp"
 #include "studies/scene_io/interior_file.hpp"
+#include "studies/scene_io/model_text.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/scene_io/summary.hpp"
@@ -26,13 +27,14 @@ void run_solve(const SolveArguments& options, Session& session) {
   if (options.fields && options.fields->empty()) throw std::invalid_argument("--fields = \"\": must name a directory");
   if (options.fields) make_directory(*options.fields);  // before the work, not after it
 
+  if (options.explain && !options.json) session.out << model_text(scene) << std::flush;
   const RollingSolution solution = session.evaluate(scene);
   session.out << (options.json ? solution_json(scene, solution) + '\n' : summary(scene, solution));
   if (options.explain && !options.json) {
     session.out << explanation(scene, solution);
     if (solution.status == Status::converged && has_interior(scene, solution))
       session.out << interior_text(
-          interior_summary(solved_scene(scene, solution), solution.fields, InteriorField::Detail::surface),
+          interior_summary(ContactModel(scene).with_answer(solution), solution.fields, InteriorField::Detail::surface),
           scene.indenter);
     // Simpler models have the moduli of small strains.
     if (solution.status == Status::converged && solution.moduli_factors.empty())
@@ -60,7 +62,8 @@ void add_solve(Command& program, Session& session) {
   command->add_flag("--json", arguments.json, "Print one JSON object");
   command->add_flag(
       "--explain", arguments.explain,
-      "Print what was decided, left out and kept, with the number it rests on, and what simpler models answer");
+      "Print the model before it is solved, then what was left out and kept, with the number it rests on, and what "
+      "simpler models answer");
   command->add_option(
       "--fields DIR", arguments.fields,
       "Write the surface's fields to DIR/fields.csv and .vti, those inside the layers to inside.csv and .vtr, "

@@ -162,7 +162,7 @@ void TimedScene::tell(Method method, const std::string& at, const char* what) co
 
 std::vector<double> usual_spacings(const RollingScene& scene) {
   constexpr double coarsest_nodes = 8;
-  const double finest_nodes = scene.indenter == Indenter::cylinder ? 500 : 130;
+  const double finest_nodes = dimension_of(scene.indenter) == 2 ? 500 : 130;
   const double length = 2 * std::min(estimate_contact(scene).half_width, scene.radius);
   const double own = scene.spacing.value_or(std::stod(short_number(length / coarsest_nodes, 3)));
   const auto steps_to = [&](double nodes) {
@@ -182,7 +182,7 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   if (methods.empty())
     for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
       if (const Method method = static_cast<Method>(i);
-          on_grid(method) || (method == Method::spectral && spectral_applies(scene)))
+          on_grid(method) || (method == Method::spectral && spectral_refusal(ContactModel(scene)).empty()))
         methods.push_back(method);
   std::vector<double> spacings = options.spacings;
   if (spacings.empty()) {

@@ -124,7 +124,7 @@ AccuracyReference gridless_reference(const TimedScene& measured) {
 }  // namespace
 
 AccuracyReference find_reference(const TimedScene& measured, const std::vector<AccuracyPoint>& points) {
-  if (measured.scene.indenter == Indenter::cylinder && !measured.scene.period) {
+  if (dimension_of(measured.scene.indenter) == 2 && !measured.scene.period) {
     const AccuracyReference reference = gridless_reference(measured);
     if (reference.found()) return reference;
   }

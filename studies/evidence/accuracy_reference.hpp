@@ -18,7 +18,7 @@ struct TimedScene {
   /// The scene for a method without a grid and a tolerance [1].
   RollingScene without_grid(Method method, double tolerance) const;
   /// Nodes ~ spacing^-dimension.
-  double dimension() const { return scene.indenter == Indenter::cylinder ? 1 : 2; }
+  double dimension() const { return dimension_of(scene.indenter) == 2 ? 1 : 2; }
   /// Says what is at work now.
   void tell(Method method, const std::string& at, const char* what = "") const;
 };

@@ -38,7 +38,7 @@ RandomScene random_scene(const RandomAccuracyPlan& plan, Indenter indenter, std:
     scene.tolerance = tolerance;
     if (tolerance) scene.spacing.reset();
   };
-  if (indenter == Indenter::cylinder)
+  if (dimension_of(indenter) == 2)
     for (const double tolerance : plan.tolerances) add(Method::spectral, tolerance);
   add(Method::newton, {});
   add(Method::active_set, {});
@@ -50,7 +50,7 @@ RollingSolution reference_of(const RandomScene& random, double tolerance, const 
   RollingScene scene = random.scene;
   scene.spacing.reset();
   scene.tolerance = 1e-10;
-  if (scene.indenter == Indenter::cylinder) {
+  if (dimension_of(scene.indenter) == 2) {
     scene.method = Method::spectral;
     RollingSolution solution = evaluate(scene);
     if (solution.status == Status::converged && solution.method == Method::spectral) return solution;

@@ -29,7 +29,7 @@ class ModelsBeside {
     without_friction();
     without_layers();
     inertia();
-    if (!is_composite(scene_) && !scene_.period) closed_forms();
+    if (!ContactModel(scene_).composite() && !scene_.period) closed_forms();
     return std::move(models_);
   }
 
@@ -65,7 +65,7 @@ class ModelsBeside {
   }
 
   void without_layers() {
-    const bool approach_needed = scene_.approach && scene_.indenter == Indenter::cylinder;
+    const bool approach_needed = scene_.approach && dimension_of(scene_.indenter) == 2;
     if (!scene_.lower_layers.empty())
       solve_like("the first layer on a rigid base", [](RollingScene& s) { s.lower_layers.clear(); });
     if (std::isfinite(scene_.layer_thickness) && !approach_needed && !scene_.period)
@@ -87,8 +87,9 @@ class ModelsBeside {
   }
 
   void inertia() {
-    const double number = rayleigh_number(scene_);
-    const bool included = inertia_included(scene_);
+    const ContactModel model(scene_);
+    const double number = rayleigh_number(model);
+    const bool included = model.inertia;
     if (!included && (scene_.method == Method::spectral || number < unseen_inertia || number >= 1)) return;
     RollingScene other = scene_;
     other.inertia = included ? Inertia::off : Inertia::on;
@@ -96,7 +97,7 @@ class ModelsBeside {
   }
 
   void closed_forms() {
-    const CreepSpectrum creep = creep_spectrum(scene_);
+    const CreepSpectrum creep = ContactModel(scene_).top().creep;
     double weighted = 0;  // tau' = sum J_m tau_m / J0
     for (const CreepSpectrum::Term& term : creep.terms) weighted += term.compliance * term.time;
     const double load = solution_.load;
@@ -105,7 +106,7 @@ class ModelsBeside {
         slow_rolling_resistance(load, scene_.radius, scene_.speed, weighted / creep.at_rest()));
     if (scene_.material != MaterialModel::zener) return;
     if (scene_.stiffening > 0 && !std::isnan(solution_.approach)) fast_limit();
-    if (scene_.indenter == Indenter::cylinder && scene_.poisson_ratio == 0.5)
+    if (dimension_of(scene_.indenter) == 2 && scene_.poisson_ratio == 0.5)
       add("Hunter's half-space",
           hunter_line(scene_.radius, load, static_modulus(scene_), scene_.stiffening, scene_.creep_time, scene_.speed)
               .rolling_resistance);
@@ -179,7 +180,7 @@ std::string verdict(const std::vector<SimplerModel>& models, const std::optional
 
 std::string simpler_models_text(const RollingScene& scene, const RollingSolution& solution,
                                 const std::vector<SimplerModel>& models) {
-  const std::string_view unit = scene.indenter == Indenter::sphere ? "N" : "N/m";
+  const std::string_view unit = dimension_of(scene.indenter) == 3 ? "N" : "N/m";
   const double full = solution.rolling_resistance;
   const std::string none;
   Table table{{"model", "R_r", "off by", "own error", "seconds", ""}, {}};

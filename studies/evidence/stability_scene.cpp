@@ -16,12 +16,12 @@ namespace {
 /// The load under which the contact of an elastic layer of a modulus has a given half-width.
 double load_for(const RollingScene& scene, double modulus, double half_width) {
   const auto excess = [&](double log_load) {
-    const ContactEstimate found =
-        elastic_contact_from_load(scene.indenter, scene.radius, scene.layer_thickness, modulus, std::exp(log_load));
+    const ContactEstimate found = elastic_contact_from_load(dimension_of(scene.indenter), scene.radius,
+                                                            scene.layer_thickness, modulus, std::exp(log_load));
     return std::log(found.half_width / half_width);
   };
-  double low = std::log(modulus * half_width * half_width / scene.radius *
-                        (scene.indenter == Indenter::sphere ? half_width : 1));
+  double low =
+      std::log(modulus * half_width * half_width / scene.radius * (dimension_of(scene.indenter) == 3 ? half_width : 1));
   double high = low;
   while (excess(low) > 0) low -= 1;
   while (excess(high) < 0) high += 1;
@@ -83,7 +83,7 @@ void widen_spectra(Dice& dice, double nodes, RollingScene& scene) {
 
 RollingScene stability_scene(Indenter indenter, std::uint64_t seed, std::size_t number, Spectra spectra) {
   Dice dice(mixed(mixed(mixed(seed) + static_cast<std::uint64_t>(indenter)) + number));
-  const bool sphere = indenter == Indenter::sphere;
+  const bool sphere = dimension_of(indenter) == 3;
   RollingScene scene;
   scene.indenter = indenter;
   scene.radius = dice.log_uniform(5e-3, 0.2);

@@ -45,8 +45,8 @@ RollingScene on_half_space(Indenter indenter) {
   scene.material = MaterialModel::elastic;
   scene.kinematics = Kinematics::printed;  // the slip of a flat surface, as in the closed forms
   scene.speed = 1;
-  scene.load = indenter == Indenter::cylinder ? M_PI * shear_modulus * line_width * line_width / unit_radius
-                                              : 16 * shear_modulus * std::pow(sphere_width, 3) / (3 * unit_radius);
+  scene.load = dimension_of(indenter) == 2 ? M_PI * shear_modulus * line_width * line_width / unit_radius
+                                           : 16 * shear_modulus * std::pow(sphere_width, 3) / (3 * unit_radius);
   return scene;
 }
 

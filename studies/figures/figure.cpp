@@ -65,7 +65,7 @@ std::string hindrance(const Figure& figure, const RollingScene& scene) {
 FigureSource::FigureSource(const RollingScene& given_scene, const RollingSolution& given_solution)
     : scene(given_scene),
       solution(given_solution),
-      surface(surface_around(solved_scene(scene, solution), solution, figure_margin)),
+      surface(surface_around(ContactModel(scene).with_answer(solution), solution, figure_margin)),
       velocity(surface_velocity(scene, surface)) {}
 
 std::string Figure::file_name() const {

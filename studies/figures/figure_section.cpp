@@ -18,7 +18,7 @@ struct SectionField {
 };
 
 SectionField section_field(const FigureSource& source, std::string_view name) {
-  const RollingScene solved = solved_scene(source.scene, source.solution);
+  const ContactModel solved = ContactModel(source.scene).with_answer(source.solution);
   SectionField section;
   for (const InteriorSection& part : interior_sections(solved, source.solution.fields)) {
     if (part.is_face()) continue;
@@ -96,7 +96,7 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
   constexpr double left = 84, right = 424, lower = 88, above = 10, lowest = 190;
   const double to_scale = (right - left) * (z.highest - z.lowest) / (x.highest - x.lowest);
   const double height = std::max(to_scale, lowest);
-  std::string subtitle = source.scene.indenter == Indenter::sphere ? "at y = 0" : "";
+  std::string subtitle = dimension_of(source.scene.indenter) == 3 ? "at y = 0" : "";
   if (height > to_scale)
     subtitle += (subtitle.empty() ? "" : ", ") + ("heights stretched " + short_number(height / to_scale, 2) + " times");
   return picture.finished(std::string(figure.title), {.height = std::round(above + height + lower),

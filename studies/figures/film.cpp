@@ -28,7 +28,7 @@ class Film {
       for (const double edge : {frame.solution.leading_edge, frame.solution.trailing_edge})
         reach = std::max(reach, std::abs(edge));
     length_ = scaled_unit("m", reach);
-    sphere_ = frames_.front().scene.indenter == Indenter::sphere;
+    sphere_ = dimension_of(frames_.front().scene.indenter) == 3;
     for (const FilmFrame& frame : frames_) {
       const SurfaceFields& fields = frame.solution.fields;
       x_.include(frame.solution.trailing_edge / length_.factor);

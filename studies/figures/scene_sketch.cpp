@@ -194,7 +194,7 @@ class SceneSketch {
   }
 
   void draw_layers() {
-    const std::string body = scene_.indenter == Indenter::sphere ? "ball" : "cylinder";
+    const std::string body = dimension_of(scene_.indenter) == 3 ? "ball" : "cylinder";
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       std::vector<Point> outline = interface(depths_[i]);
       std::vector<Point> below = interface(i + 1 < layers_.size() ? depths_[i + 1] : deepest_);
@@ -345,7 +345,7 @@ class SceneSketch {
   }
 
   void draw_motion() {
-    const std::string_view force_unit = scene_.indenter == Indenter::sphere ? "N" : "N/m";
+    const std::string_view force_unit = dimension_of(scene_.indenter) == 3 ? "N" : "N/m";
     const double r = radius(), centre = r - approach_;
     const char* const force = "head size screen 0.026,20 filled lw 2.6";
     const char* const motion = "head size screen 0.026,20 empty lw 1.6";
@@ -377,7 +377,7 @@ class SceneSketch {
     if (!whole) return;
     std::string turning = gnuplot::symbol("Ω");
     if (scene_.drive == Drive::torque && scene_.driving_torque)
-      turning = named("T", shown(*scene_.driving_torque, scene_.indenter == Indenter::sphere ? "N.m" : "N"));
+      turning = named("T", shown(*scene_.driving_torque, dimension_of(scene_.indenter) == 3 ? "N.m" : "N"));
     else if (answered_ && std::isfinite(solution_.rotation_ratio))
       turning = named("RΩ/V", short_number(solution_.rotation_ratio, 4));
     if (scene_.drive != Drive::rotation || scene_.rotation_ratio.value_or(1) != 0) {

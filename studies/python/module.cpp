@@ -22,6 +22,7 @@
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/stored_evaluations.hpp"
 #include "studies/run/sweep.hpp"
+#include "studies/scene_io/model_text.hpp"
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -334,7 +335,7 @@ py::object shown(const std::shared_ptr<Answer>& answer, const std::vector<Value>
   const py::capsule owner(new std::shared_ptr<Answer>(answer),
                           [](void* pointer) { delete static_cast<std::shared_ptr<Answer>*>(pointer); });
   std::vector<py::ssize_t> shape{grid.columns};
-  if (answer->scene.indenter == Indenter::sphere) shape.insert(shape.begin(), grid.rows);
+  if (dimension_of(answer->scene.indenter) == 3) shape.insert(shape.begin(), grid.rows);
   py::array_t<Shown> array(shape, reinterpret_cast<const Shown*>(values.data()), owner);
   array.attr("flags").attr("writeable") = false;
   return array;
@@ -635,6 +636,7 @@ PYBIND11_MODULE(_rollres, module) {
   module.def("solve", [](const RollingScene& scene) {
     return std::make_shared<Answer>(Answer{scene, solve_here(scene)});
   });
+  module.def("model", [](const RollingScene& scene) { return from_json(model_json(scene)); });
   module.def("solve_many", &solve_many);
   module.def("gradient", &gradient_of);
   module.def("sweep", &sweep);

@@ -118,7 +118,7 @@ Pair term_unseen(Dice& dice, RollingScene scene) {
   Dice same = dice;
   MaterialInputs* const layer = prony_layer(dice, scene);
   // A locked coating is at rest, and answers with its modulus at rest.
-  if (!layer || flow_of_coating(scene) == 0) return {};
+  if (!layer || ContactModel(scene).flow == 0) return {};
   MaterialInputs& longer = *prony_layer(same, other);
   const double half_width = estimate_contact(scene).half_width, contact_time = half_width / scene.speed;
   const double rest = given_static_modulus(*layer), shift = time_shift(*layer);
@@ -280,13 +280,12 @@ Pair mirrored(Dice& dice, RollingScene scene) {
 
 /// Longest way of the body in a retardation time of any layer [m].
 double longest_memory(const RollingScene& scene) {
-  RollingScene copy = scene;
+  const ContactModel model(scene);
   double longest = 0;
-  for (const MaterialInputs* const layer : materials(copy)) {
-    const CreepSpectrum creep = creep_spectrum(*layer);
-    if (!creep.terms.empty()) longest = std::max(longest, creep.terms.back().time);
-  }
-  return scene.speed * longest * std::max(1.0, std::abs(flow_of_coating(scene)));
+  for (const std::vector<ModelLayer>* const layers : {&model.foundation, &model.coating})
+    for (const ModelLayer& layer : *layers)
+      if (!layer.creep.terms.empty()) longest = std::max(longest, layer.creep.terms.back().time);
+  return scene.speed * longest * std::max(1.0, std::abs(model.flow));
 }
 
 Pair long_period(Dice&, RollingScene scene) {
@@ -325,7 +324,7 @@ Pair deep_layer(Dice&, RollingScene scene) {
 
 Pair tolerances(Dice&, RollingScene scene) {
   if (scene.method == Method::active_set || scene.method == Method::newton_dense) return {};
-  const bool sphere = scene.indenter == Indenter::sphere;
+  const bool sphere = dimension_of(scene.indenter) == 3;
   scene.spacing.reset();
   scene.tolerance = sphere ? 1e-2 : 1e-3;
   RollingScene other = scene;
@@ -412,7 +411,7 @@ RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
     scene.load.reset();
     scene.approach = rounded(approach);
   }
-  if (scene.indenter == Indenter::sphere)
+  if (dimension_of(scene.indenter) == 3)
     draw_sphere_method(dice, scene);
   else
     draw_cylinder_method(dice, scene);

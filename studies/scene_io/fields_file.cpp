@@ -71,7 +71,7 @@ std::vector<double> body_surface(const RollingScene& scene, const SurfaceGrid& g
   const double radius = scene.radius;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
-      const double x = grid.x(column), y = scene.indenter == Indenter::sphere ? grid.y(row) : 0;
+      const double x = grid.x(column), y = dimension_of(scene.indenter) == 3 ? grid.y(row) : 0;
       heights.push_back(radius - approach - std::sqrt(std::max(radius * radius - x * x - y * y, 0.0)));
     }
   return heights;
@@ -80,7 +80,7 @@ std::vector<double> body_surface(const RollingScene& scene, const SurfaceGrid& g
 }  // namespace
 
 std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields) {
-  const bool sphere = scene.indenter == Indenter::sphere;
+  const bool sphere = dimension_of(scene.indenter) == 3;
   const std::vector<Column> columns = columns_of(scene, fields);
   std::string text = sphere ? "x [m],y [m]" : "x [m]";
   for (const Column& column : columns) text += ',' + column.name + " [" + column.unit + ']';
@@ -103,7 +103,7 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, c
     return !std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
   });
   const SurfaceGrid& grid = fields.grid;
-  const bool strip = scene.indenter == Indenter::cylinder;  // the one row twice, that it is seen as a surface
+  const bool strip = dimension_of(scene.indenter) == 2;  // the one row twice, that it is seen as a surface
   const double width = strip ? strip_width * grid.spacing_x * (grid.columns - 1) : 0;
   const std::string extent =
       "0 " + std::to_string(grid.columns - 1) + " 0 " + std::to_string(strip ? 1 : grid.rows - 1) + " 0 0";

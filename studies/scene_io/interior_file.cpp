@@ -106,7 +106,7 @@ std::string interior_vtr(const InteriorSection& section) {
 }
 
 std::string losses_csv(const InteriorSummary& summary, Indenter indenter) {
-  std::string text = "layer,z [m],loss [" + std::string(indenter == Indenter::sphere ? "W/m" : "W/m2") +
+  std::string text = "layer,z [m],loss [" + std::string(dimension_of(indenter) == 3 ? "W/m" : "W/m2") +
                      "],share [1],strain_amplitude [1]\n";
   double sum = 0;
   for (const LineOfFlow& line : summary.lines) {
@@ -118,7 +118,7 @@ std::string losses_csv(const InteriorSummary& summary, Indenter indenter) {
 }
 
 std::string bonds_csv(const InteriorSummary& summary, Indenter indenter) {
-  const bool sphere = indenter == Indenter::sphere;
+  const bool sphere = dimension_of(indenter) == 3;
   std::string text = sphere ? "bond_below,z [m],largest_shear [Pa],shear_x [m],shear_y [m],largest_tension [Pa],"
                               "tension_x [m],tension_y [m]\n"
                             : "bond_below,z [m],largest_shear [Pa],shear_x [m],largest_tension [Pa],tension_x [m]\n";
@@ -132,7 +132,7 @@ std::string bonds_csv(const InteriorSummary& summary, Indenter indenter) {
 }
 
 std::string interior_text(const InteriorSummary& summary, Indenter indenter) {
-  const bool sphere = indenter == Indenter::sphere;
+  const bool sphere = dimension_of(indenter) == 3;
   const auto place = [&](double x, double y) {
     return " at x = " + readable(x, "m") + (sphere ? ", y = " + readable(y, "m") : std::string());
   };
@@ -162,7 +162,7 @@ bool has_interior(const RollingScene& scene, const RollingSolution& solution) {
 
 void write_interior(const std::filesystem::path& directory, const RollingScene& scene,
                     const RollingSolution& solution) {
-  const RollingScene solved = solved_scene(scene, solution);
+  const ContactModel solved = ContactModel(scene).with_answer(solution);
   const std::vector<InteriorSection> sections = interior_sections(solved, solution.fields);
   const InteriorSummary summary = interior_summary(solved, solution.fields, InteriorField::Detail::surface);
   make_directory(directory);

@@ -9,7 +9,7 @@ static_assert(ChoiceNames<Method>::names.size() * 8 <= LearnedCost::kinds);
 CostKind cost_kind(const RollingScene& scene) {
   auto kind = static_cast<CostKind>(resolved_method(scene));
   for (const bool one :
-       {scene.indenter == Indenter::sphere, scene.friction_coefficient > 0, scene.tolerance && !scene.spacing})
+       {dimension_of(scene.indenter) == 3, scene.friction_coefficient > 0, scene.tolerance && !scene.spacing})
     kind = 2 * kind + (one ? 1 : 0);
   return kind;
 }

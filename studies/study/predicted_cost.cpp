@@ -32,7 +32,7 @@ double predicted_seconds(const RollingScene& scene) {
   if (method == Method::spectral) return friction ? 3e-3 : 0.7e-3;
   if (method == Method::finite_strain)
     return (friction ? 2 : 1) * 0.06 * std::pow(std::clamp(scene.tolerance.value_or(1e-3), 1e-5, 1e-2), -0.25);
-  const bool sphere = scene.indenter == Indenter::sphere;
+  const bool sphere = dimension_of(scene.indenter) == 3;
   if (scene.tolerance && !scene.spacing) {
     const double tolerance = std::clamp(*scene.tolerance, 1e-6, 0.02);
     if (sphere) return (friction ? 0.33 : 0.06) * std::pow(1.5e-3 / tolerance, 0.7);

@@ -39,7 +39,7 @@ inline RollingScene elastic_sphere(double nodes_per_radius) {
 
 /// Half grid that covers the contact of a scene and a tenth of it more.
 inline SurfaceGrid grid_of(const RollingScene& scene) {
-  return window(scene.indenter, *scene.spacing, 1.1 * estimate_contact(scene).half_width);
+  return window(dimension_of(scene.indenter), *scene.spacing, 1.1 * estimate_contact(scene).half_width);
 }
 
 }  // namespace rollres::timed

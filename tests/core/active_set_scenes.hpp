@@ -24,7 +24,7 @@ struct Solved {
 
 inline Solved solve_on(const RollingScene& scene, double half_width) {
   const bool sphere = scene.indenter == Indenter::sphere;
-  const SurfaceGrid half = window(scene.indenter, *scene.spacing, half_width);
+  const SurfaceGrid half = window(dimension_of(scene.indenter), *scene.spacing, half_width);
   Solved solved;
   solved.grid = mirrored(half);
   solved.table = influence_table(scene, solved.grid);

@@ -18,8 +18,8 @@ import tempfile as _tempfile
 from . import _rollres
 from ._rollres import Fields, Result, Scene, __version__
 
-__all__ = ["Database", "Fields", "Objective", "Report", "Result", "Scene", "command", "fit", "gradient", "objective",
-           "open", "quantities", "solve", "solve_many", "sweep"]
+__all__ = ["Database", "Fields", "Objective", "Report", "Result", "Scene", "command", "fit", "gradient", "model",
+           "objective", "open", "quantities", "solve", "solve_many", "sweep"]
 
 
 def _pandas():
@@ -80,6 +80,15 @@ def solve(base=None, /, **inputs):
     The answer is a Result. Ctrl-C ends it.
     """
     return _rollres.solve(_scene(base, inputs))
+
+
+def model(base=None, /, **inputs):
+    """The model that solves a scene, before it is solved: what is taken along, what is left out, and by which method.
+
+    Takes what `solve` takes. The answer is a Report: foundation and coating (lists of layers), flow, inertia, method,
+    tolerance (left for numbers) of asked_tolerance, left_out, decisions, and the same in `words`.
+    """
+    return Report(_rollres.model(_scene(base, inputs)))
 
 
 def _rows(scenes):

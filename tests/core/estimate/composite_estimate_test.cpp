@@ -30,7 +30,8 @@ TEST_CASE("on layers that make a half-space the estimate is Hertz's contact", "[
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
     RollingScene scene = two_layers(indenter, 0.01);
     scene.lower_layers.front().layer_thickness = infinite;
-    const ContactEstimate hertz = elastic_contact_from_load(indenter, scene.radius, Layer(infinite), 1e6, *scene.load);
+    const ContactEstimate hertz =
+        elastic_contact_from_load(dimension_of(indenter), scene.radius, Layer(infinite), 1e6, *scene.load);
     CHECK(composite_estimate(scene).half_width == Approx(hertz.half_width).epsilon(2e-3));
   }
 }
@@ -40,7 +41,8 @@ TEST_CASE("on bonded layers of one material the estimate is that of their thickn
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere})
     for (const double thickness : {0.002, 0.01, 0.05}) {
       const RollingScene scene = two_layers(indenter, thickness);
-      const ContactEstimate one = elastic_contact_from_load(indenter, scene.radius, Layer(thickness), 1e6, *scene.load);
+      const ContactEstimate one =
+          elastic_contact_from_load(dimension_of(indenter), scene.radius, Layer(thickness), 1e6, *scene.load);
       INFO("thickness " << thickness);
       CHECK(composite_estimate(scene).half_width == Approx(one.half_width).epsilon(0.3));
     }

@@ -24,11 +24,10 @@ TEST_CASE("the estimate reproduces the tabulated contacts on an elastic bonded l
   for (const ElasticLayerRow& row : elastic_layer_table) {
     CAPTURE(row.width_ratio);
     const double a = row.width_ratio * H;
-    const auto sphere = elastic_contact_from_load(Indenter::sphere, R, H, G, row.sphere_load * G * a * a * a / R);
+    const auto sphere = elastic_contact_from_load(3, R, H, G, row.sphere_load * G * a * a * a / R);
     CHECK(sphere.half_width == Approx(a).epsilon(1e-10));
     CHECK(sphere.approach == Approx(a * a / (R * row.sphere_flatness)).epsilon(1e-10));
-    const auto cylinder =
-        elastic_contact_from_load(Indenter::cylinder, R, H, G, row.cylinder_load * pi * G * a * a / R);
+    const auto cylinder = elastic_contact_from_load(2, R, H, G, row.cylinder_load * pi * G * a * a / R);
     CHECK(cylinder.half_width == Approx(a).epsilon(1e-10));
     CHECK(cylinder.approach == Approx(row.cylinder_approach * a * a / R).epsilon(1e-10));
   }
@@ -38,14 +37,14 @@ TEST_CASE("between and beyond tabulated points the estimate is within one per ce
   for (const double alpha : {0.02, 0.17, 0.7, 3.2, 7.0}) {
     CAPTURE(alpha);
     const auto line = testing::layer_contact_line(alpha, 40);
-    const auto cylinder = elastic_contact_from_load(Indenter::cylinder, 1, 1 / alpha, 1, line.load);
+    const auto cylinder = elastic_contact_from_load(2, 1, 1 / alpha, 1, line.load);
     CHECK(cylinder.half_width == Approx(1).epsilon(0.01));
     CHECK(cylinder.approach == Approx(line.approach).epsilon(0.01));
   }
   for (const double alpha : {0.02, 0.17, 0.7, 3.2, 7.0, 11.0, 30.0}) {
     CAPTURE(alpha);
     const auto point = testing::layer_contact_sphere(alpha, alpha < 6 ? 24 : alpha < 20 ? 60 : 100);
-    const auto sphere = elastic_contact_from_load(Indenter::sphere, 1, 1 / alpha, 1, point.load);
+    const auto sphere = elastic_contact_from_load(3, 1, 1 / alpha, 1, point.load);
     CHECK(sphere.half_width == Approx(1).epsilon(0.01));
     CHECK(sphere.approach == Approx(point.approach).epsilon(0.01));
   }
@@ -56,8 +55,8 @@ TEST_CASE("load and approach give the same estimated contact", "[core][contact_e
     double previous_width = 0, previous_approach = 0;
     for (double load = 1e-9; load < 1e12; load *= 1.7) {
       CAPTURE(static_cast<int>(indenter), load);
-      const auto from_load = elastic_contact_from_load(indenter, R, 0.01, G, load);
-      const auto from_approach = elastic_contact_from_approach(indenter, R, 0.01, G, from_load.approach);
+      const auto from_load = elastic_contact_from_load(dimension_of(indenter), R, 0.01, G, load);
+      const auto from_approach = elastic_contact_from_approach(dimension_of(indenter), R, 0.01, G, from_load.approach);
       CHECK(from_approach.half_width == Approx(from_load.half_width).epsilon(1e-9));
       CHECK(from_approach.load == Approx(load).epsilon(1e-8));
       CHECK(from_load.half_width > previous_width);
@@ -72,12 +71,12 @@ TEST_CASE("on a thick layer the estimate becomes Hertz's contact", "[core][conta
   const double P = 3.0;
   const double sphere_radius = std::cbrt(3 * P * R / (16 * G)), half_width = std::sqrt(P * R / (pi * G));
   for (const double thickness : {1e3, 1e6, infinite}) {  // the layer's effect on d is of order a/H, below 1e-6
-    const auto sphere = elastic_contact_from_load(Indenter::sphere, R, thickness, G, P);
+    const auto sphere = elastic_contact_from_load(3, R, thickness, G, P);
     CHECK(sphere.half_width == Approx(sphere_radius).epsilon(1e-6));
     CHECK(sphere.approach == Approx(sphere_radius * sphere_radius / R).epsilon(1e-5));
-    const auto inverse = elastic_contact_from_approach(Indenter::sphere, R, thickness, G, sphere.approach);
+    const auto inverse = elastic_contact_from_approach(3, R, thickness, G, sphere.approach);
     CHECK(inverse.load == Approx(P).epsilon(1e-9));
-    const auto cylinder = elastic_contact_from_load(Indenter::cylinder, R, thickness, G, P);
+    const auto cylinder = elastic_contact_from_load(2, R, thickness, G, P);
     CHECK(cylinder.half_width == Approx(half_width).epsilon(1e-6));
     CHECK(std::isnan(cylinder.approach) == std::isinf(thickness));
   }
@@ -97,18 +96,18 @@ TEST_CASE("on a thick layer the estimated approach of a cylinder grows with the 
   }
   const double alpha = 1e-4, a = alpha * 0.5, P = pi * G * a * a / R;
   const double expected = std::log(2 / alpha) / 2 + 0.25 + (C - std::numbers::egamma) / 2;
-  const auto contact = elastic_contact_from_load(Indenter::cylinder, R, 0.5, G, P);
+  const auto contact = elastic_contact_from_load(2, R, 0.5, G, P);
   CHECK(contact.approach * R / (a * a) == Approx(expected).epsilon(0.01));  // the accuracy promised
 }
 
 TEST_CASE("on a thin layer the estimate approaches the lubrication limit", "[core][contact_estimate]") {
   const double H = 1e-3, alpha = 1e5, a = alpha * H;  // corrections of order 1.5 H/a, raised to the sixth power at most
   const double sphere_load = pi * G * std::pow(a, 6) / (32 * R * H * H * H);
-  const auto sphere = elastic_contact_from_load(Indenter::sphere, R, H, G, sphere_load);
+  const auto sphere = elastic_contact_from_load(3, R, H, G, sphere_load);
   CHECK(sphere.half_width == Approx(a).epsilon(1e-4));
   CHECK(sphere.approach == Approx(a * a / (4 * R)).epsilon(2e-4));
   const double line_load = 2 * G * std::pow(a, 5) / (15 * R * H * H * H);
-  const auto cylinder = elastic_contact_from_load(Indenter::cylinder, R, H, G, line_load);
+  const auto cylinder = elastic_contact_from_load(2, R, H, G, line_load);
   CHECK(cylinder.half_width == Approx(a).epsilon(1e-4));
   CHECK(cylinder.approach == Approx(a * a / (6 * R)).epsilon(2e-4));
 }
@@ -122,10 +121,9 @@ TEST_CASE("the estimate refuses what is not positive and says which", "[core][co
     }
     return std::string();
   };
-  CHECK(message([] { elastic_contact_from_load(Indenter::sphere, -1, 1, 1, 1); }).rfind("radius", 0) == 0);
-  CHECK(message([] { elastic_contact_from_load(Indenter::sphere, 1, 0, 1, 1); }).rfind("layer_thickness", 0) == 0);
-  CHECK(message([] { elastic_contact_from_load(Indenter::sphere, 1, 1, infinite, 1); }).rfind("shear_modulus", 0) == 0);
-  CHECK(message([] { elastic_contact_from_load(Indenter::sphere, 1, 1, 1, std::nan("")); }).rfind("load", 0) == 0);
-  CHECK(message([] { elastic_contact_from_approach(Indenter::cylinder, 1, infinite, 1, 1); }).rfind("approach", 0) ==
-        0);
+  CHECK(message([] { elastic_contact_from_load(3, -1, 1, 1, 1); }).rfind("radius", 0) == 0);
+  CHECK(message([] { elastic_contact_from_load(3, 1, 0, 1, 1); }).rfind("layer_thickness", 0) == 0);
+  CHECK(message([] { elastic_contact_from_load(3, 1, 1, infinite, 1); }).rfind("shear_modulus", 0) == 0);
+  CHECK(message([] { elastic_contact_from_load(3, 1, 1, 1, std::nan("")); }).rfind("load", 0) == 0);
+  CHECK(message([] { elastic_contact_from_approach(2, 1, infinite, 1, 1); }).rfind("approach", 0) == 0);
 }

@@ -32,7 +32,7 @@ auto components(Table& t) {
 /// creeping ones behind the body are a geometric series.
 InfluenceTable train(Indenter indenter, double speed, const Layer& layer, double cell, int columns, int reach_x,
                      int reach_y) {
-  const PassageKernel kernel(indenter, layer, cell, cell, columns + reach_x, reach_y);
+  const PassageKernel kernel(dimension_of(indenter), layer, cell, cell, columns + reach_x, reach_y);
   const InfluenceTable passage = kernel.table(zener(), speed, columns + reach_x, reach_y);
   InfluenceTable sum(reach_x, reach_y);
   const double series = 1 / (1 - std::exp(-columns * cell / (speed * tau)));
@@ -188,8 +188,8 @@ TEST_CASE("the recursion along a row is the fading memory of the elastic kernel"
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere})
     for (const double thickness : {2e-3, std::numeric_limits<double>::infinity()}) {
       const bool sphere = indenter == Indenter::sphere;
-      const ElasticKernel elastic(indenter, thickness, cell, cell);
-      const PassageKernel kernel(indenter, thickness, cell, cell, 12, sphere ? 3 : 0);
+      const ElasticKernel elastic(dimension_of(indenter), thickness, cell, cell);
+      const PassageKernel kernel(dimension_of(indenter), thickness, cell, cell, 12, sphere ? 3 : 0);
       for (const double memory : {0.01 * cell, 0.4 * cell, 7 * cell, 500 * cell}) {
         const InfluenceTable table = kernel.table({0, {{1, 1}}}, memory, 12, sphere ? 3 : 0);
         for (const int row : sphere ? std::vector<int>{0, 2} : std::vector<int>{0})

@@ -8,7 +8,7 @@ using namespace rollres;
 TEST_CASE("the profile of the body is its arc, and the slope its derivative", "[core][indenter_shape]") {
   for (const RollingScene& scene : {paper_cylinder(), paper_sphere()}) {
     const IndenterShape shape(scene);
-    const double radius = scene.radius, y = dimensions(scene) == 3 ? 0.3 * radius : 0, step = 1e-5 * radius;
+    const double radius = scene.radius, y = ContactModel(scene).dimension == 3 ? 0.3 * radius : 0, step = 1e-5 * radius;
     for (const double part : {-0.8, -0.1, 0.0, 0.4}) {
       const double x = part * radius;
       CHECK(shape.covers(x, y));

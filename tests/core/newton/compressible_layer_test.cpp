@@ -102,8 +102,8 @@ TEST_CASE("the estimate of a contact on a compressible layer is within a fifth",
       for (const double thickness : {0.03, 0.005, 0.001, 0.0003}) {
         RollingScene scene = elastic_scene(indenter, {thickness, nu});
         scene.load = indenter == Indenter::sphere ? 5.0 : 500.0;
-        const ContactEstimate estimate =
-            elastic_contact_from_load(indenter, 1, {thickness, nu}, *scene.static_shear_modulus, *scene.load);
+        const ContactEstimate estimate = elastic_contact_from_load(dimension_of(indenter), 1, {thickness, nu},
+                                                                   *scene.static_shear_modulus, *scene.load);
         scene.spacing = estimate.half_width / 20;
         const RollingSolution s = solve(scene);
         INFO(name_of(indenter) << ", nu = " << nu << ", H = " << thickness << ", a = " << estimate.half_width);
@@ -111,7 +111,7 @@ TEST_CASE("the estimate of a contact on a compressible layer is within a fifth",
         const double found = indenter == Indenter::sphere ? std::sqrt(s.contact_area / M_PI) : 0.5 * s.contact_area;
         CHECK(estimate.half_width == Approx(found).epsilon(0.2));
         const ContactEstimate back =
-            elastic_contact_from_approach(indenter, 1, {thickness, nu}, 1e6, estimate.approach);
+            elastic_contact_from_approach(dimension_of(indenter), 1, {thickness, nu}, 1e6, estimate.approach);
         CHECK(back.half_width == Approx(estimate.half_width).epsilon(1e-9));
       }
 }

@@ -252,7 +252,7 @@ TEST_CASE("of the grids for a tolerance the one that knows most answers", "[core
   NestedOutcome coarse, fine;
   const RollingScene scene = paper_cylinder();
   for (NestedOutcome* nested : {&coarse, &fine}) {
-    nested->finest.problem = std::make_unique<ContactProblem>(scene, window(scene.indenter, 1e-3, 1e-2));
+    nested->finest.problem = std::make_unique<ContactProblem>(scene, window(dimension_of(scene.indenter), 1e-3, 1e-2));
     nested->finest.powers.resultants = nested->finest.powers.layer = 1;
     nested->finest.powers.halves = 1;
     nested->status = Status::converged;

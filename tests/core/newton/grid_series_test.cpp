@@ -9,6 +9,8 @@
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 
+// Covers grid_answer, too.
+
 using namespace rollres;
 
 namespace {

@@ -33,9 +33,9 @@ TEST_CASE("what was made is kept until it is forgotten, and lives on with who ho
 TEST_CASE("a kernel of more rows serves fewer, one of other columns does not, and all are forgotten together",
           "[core][recently_made]") {
   const auto kernel = [](int columns, int rows) {
-    return shared_passage_kernel(Indenter::sphere, Layer(0.005), 1e-3, 1e-3, columns, rows);
+    return shared_passage_kernel(3, Layer(0.005), 1e-3, 1e-3, columns, rows);
   };
-  const auto cylinder = [] { return shared_passage_kernel(Indenter::cylinder, Layer(0.005, 0.4), 1e-3, 1e-3, 3, 0); };
+  const auto cylinder = [] { return shared_passage_kernel(2, Layer(0.005, 0.4), 1e-3, 1e-3, 3, 0); };
   const auto large = kernel(4, 3), line = cylinder();
   CHECK(kernel(4, 2) == large);
   CHECK(kernel(3, 3) != large);

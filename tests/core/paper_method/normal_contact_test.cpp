@@ -30,7 +30,7 @@ TEST_CASE("phases A and B end in the same contact from one node and from all nod
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
     RollingScene scene = paper_scene(indenter);
     scene.spacing = indenter == Indenter::cylinder ? 0.1e-3 : 0.5e-3;
-    const SurfaceGrid grid = mirrored(window(indenter, *scene.spacing, 6e-3));
+    const SurfaceGrid grid = mirrored(window(dimension_of(indenter), *scene.spacing, 6e-3));
     const NormalContact grown = press(scene, grid), shrunk = press(scene, grid, all_nodes(grid));
     REQUIRE(grown.converged);
     REQUIRE(shrunk.converged);
@@ -44,7 +44,7 @@ TEST_CASE("the approach that a load causes, given in its place, causes that load
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
     RollingScene scene = paper_scene(indenter);
     scene.spacing = 0.5e-3;
-    const SurfaceGrid grid = mirrored(window(indenter, *scene.spacing, 6e-3));
+    const SurfaceGrid grid = mirrored(window(dimension_of(indenter), *scene.spacing, 6e-3));
     const NormalContact loaded = press(scene, grid);
     scene.load.reset();
     scene.approach = loaded.approach;
@@ -59,7 +59,7 @@ TEST_CASE("the more tension a node bears before it lets go, the longer the conta
   for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
     RollingScene scene = paper_scene(indenter);
     scene.spacing = indenter == Indenter::cylinder ? 0.1e-3 : 0.5e-3;
-    const SurfaceGrid grid = mirrored(window(indenter, *scene.spacing, 8e-3));
+    const SurfaceGrid grid = mirrored(window(dimension_of(indenter), *scene.spacing, 8e-3));
     std::size_t nodes = press(scene, grid).contact.size();
     for (const double threshold : {1e6, 4e6}) {
       scene.adhesion_threshold = threshold;
@@ -77,7 +77,7 @@ TEST_CASE("the more tension a node bears before it lets go, the longer the conta
 TEST_CASE("on an elastic layer the pressure under a cylinder is even in x", "[core][normal_contact]") {
   RollingScene scene = paper_scene(Indenter::cylinder);
   scene.stiffening = 0;
-  const SurfaceGrid grid = window(Indenter::cylinder, *scene.spacing, 8e-3);
+  const SurfaceGrid grid = window(2, *scene.spacing, 8e-3);
   const NormalContact contact = press(scene, grid);
   REQUIRE(contact.converged);
   CHECK((contact.force - contact.force.reverse()).norm() < 1e-10 * contact.force.norm());

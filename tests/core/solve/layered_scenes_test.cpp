@@ -147,26 +147,26 @@ TEST_CASE("inertia: a single passage is a train of bodies far apart, and vanishe
 TEST_CASE("inertia comes by itself where the tolerance asks for it", "[core][layered_scenes]") {
   RollingScene scene = on_one_layer(Indenter::cylinder);
   scene.speed = 5;
-  CHECK_FALSE(inertia_included(scene));  // a spacing, no tolerance
+  CHECK_FALSE(ContactModel(scene).inertia);  // a spacing, no tolerance
   scene.spacing.reset();
   scene.tolerance = 1e-2;
   CHECK(rayleigh_number(scene) == Approx(1000 * 25 / 1e6 / 0.912).epsilon(0.01));
-  CHECK(inertia_included(scene));
+  CHECK(ContactModel(scene).inertia);
   scene.speed = 0.5;
-  CHECK_FALSE(inertia_included(scene));
+  CHECK_FALSE(ContactModel(scene).inertia);
   scene.speed = 1.5;
-  CHECK(inertia_included(scene));
+  CHECK(ContactModel(scene).inertia);
   scene.tolerance = 0.1;
-  CHECK_FALSE(inertia_included(scene));
+  CHECK_FALSE(ContactModel(scene).inertia);
   scene.tolerance = 1e-3;
   scene.method = Method::spectral;
-  CHECK(inertia_included(scene));
+  CHECK(ContactModel(scene).inertia);
   scene.coating_layers = {like_first(scene, 0.01)};  // with which it has no inertia
-  CHECK_FALSE(inertia_included(scene));
+  CHECK_FALSE(ContactModel(scene).inertia);
   scene.coating_layers.clear();
   scene.method = Method::automatic;
   scene.indenter = Indenter::sphere;
-  CHECK(inertia_included(scene));
+  CHECK(ContactModel(scene).inertia);
 }
 
 TEST_CASE("inertia that a tolerance asks for and the method named has not is warned of", "[core][layered_scenes]") {

@@ -109,7 +109,7 @@ TEST_CASE(
     for (const MaterialModel material : {MaterialModel::zener, MaterialModel::elastic}) {
       scene.material = material;
       scene.drive = Drive::torque;
-      scene.driving_torque = dimensions(scene) == 2 ? 60 : 0.2;
+      scene.driving_torque = ContactModel(scene).dimension == 2 ? 60 : 0.2;
       const auto residual = [&](double spacing) {
         scene.spacing = spacing;
         const RollingSolution s = converged(scene);

@@ -34,7 +34,7 @@ double load_for(const RollingScene& scene, double half_width) {
   for (int step = 0; step < 100; ++step) {
     const double middle = std::sqrt(low * high);
     const auto estimate =
-        elastic_contact_from_load(scene.indenter, scene.radius, scene.layer_thickness, modulus, middle);
+        elastic_contact_from_load(dimension_of(scene.indenter), scene.radius, scene.layer_thickness, modulus, middle);
     (estimate.half_width < half_width ? low : high) = middle;
   }
   return low;

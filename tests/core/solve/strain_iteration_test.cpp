@@ -4,6 +4,7 @@
 
 #include "core/interior/interior_summary.hpp"
 #include "core/material/strain_softening.hpp"
+#include "core/solve/model_answer.hpp"
 #include "tests/core/converged.hpp"
 #include "tests/core/paper_scenes.hpp"
 #include "tests/plain_scene.hpp"
@@ -30,18 +31,16 @@ int solutions_of(const RollingSolution& solution) {
   return std::stoi(solution.model.substr(place + 9));
 }
 
-/// The linear scene of the moduli that an answer found, and what is inside its layers.
+/// The linear model of the moduli that an answer found, and what is inside its layers.
 struct LinearTwin {
-  RollingScene scene;
+  ContactModel model;
   InteriorSummary inside;
 };
 
 /// Whose answer and strains are those that were found.
 LinearTwin linear_twin(const RollingScene& scene, const RollingSolution& s) {
-  RollingScene linear = solved_scene(scene, s);
-  linear.payne_drop = 0;
-  linear.payne_loss_peak = 1;
-  const RollingSolution same = converged(linear);
+  const ContactModel linear = ContactModel(scene).with_answer(s);
+  const RollingSolution same = solve_model(linear);
   CHECK(same.rolling_resistance == s.rolling_resistance);
   const InteriorSummary inside = interior_summary(linear, same.fields, InteriorField::Detail::inside);
   CHECK(inside.strain_amplitude == Approx(s.strain_amplitude).epsilon(1e-12));
@@ -51,7 +50,7 @@ LinearTwin linear_twin(const RollingScene& scene, const RollingSolution& s) {
 /// Whether the twin's moduli are what Kraus's model makes of the scene's at the twin's strains.
 void check_moduli(const RollingScene& scene, const LinearTwin& twin, double omega) {
   const Softening wanted = softening_at(scene, twin.inside.strain_amplitude);
-  const std::complex<double> before = complex_modulus(scene, omega), after = complex_modulus(twin.scene, omega);
+  const std::complex<double> before = complex_modulus(scene, omega), after = 1.0 / twin.model.top().creep(omega);
   CHECK(after.real() == Approx(wanted.storage * before.real()).epsilon(3e-8));
   CHECK(after.imag() == Approx(wanted.loss * before.imag()).epsilon(3e-8));
 }
@@ -79,7 +78,8 @@ TEST_CASE("the estimate contains the quadrature of the amplitude, which interior
     RollingScene scene = soft_scene();
     scene.speed = speed;
     const RollingSolution s = converged(scene);
-    const InteriorSummary fine = interior_summary(solved_scene(scene, s), s.fields, InteriorField::Detail::surface);
+    const InteriorSummary fine =
+        interior_summary(ContactModel(scene).with_answer(s), s.fields, InteriorField::Detail::surface);
     const double missed = std::log(fine.strain_amplitude / s.strain_amplitude);
     CHECK(std::abs(missed) < 1e-3);
     RollingScene softer = scene;  // as if the strains were 1 % larger

@@ -24,7 +24,9 @@ TEST_CASE("no locked body turns more torque into friction than the bound", "[cor
       CHECK(torque < most);
       // The bound takes the lever arm where the body is steepest, 5 times its radius, with the printed kinematics all
       // pressure there: a sphere's offset R beside friction's 0.1 R, a cylinder's 0.2 R less 0.1 R lifted by friction.
-      const double least = kinematics == Kinematics::consistent ? 0.19 : dimensions(scene) == 3 ? 0.07 : 0.09;
+      const double least = kinematics == Kinematics::consistent ? 0.19
+                           : ContactModel(scene).dimension == 3 ? 0.07
+                                                                : 0.09;
       CHECK(torque > least * most);
     }
 }

@@ -33,7 +33,7 @@ TEST_CASE("what short waves make of tractions with inertia is a sum over poles a
       const RollingScene scene = with_inertia(poisson_ratio, speed);
       const CreepSpectrum creep = near_spectrum(scene);
       const SpectralProblem problem(scene, creep, 3e-3);
-      const SteadySurface surface(scene);
+      const SteadySurface surface = steady_surface(scene);
       for (const double k : {0.0, 0.3, 10.0, 300.0, 1e4, 1e7}) {
         const SurfaceCompliance c = surface.half_spaces(surface.moduli(k));
         const std::complex<double> d = creep(-k * speed);
@@ -49,7 +49,7 @@ TEST_CASE("a half-space with inertia is a sum over retardation times of its own"
   for (const double poisson_ratio : {0.5, 0.3, 0.0})
     for (const double speed : {1.0, 10.0, 20.0}) {
       const RollingScene scene = with_inertia(poisson_ratio, speed);
-      const SteadySurface surface(scene);
+      const SteadySurface surface = steady_surface(scene);
       MediumLayer layer = foundation_of(scene).front();
       const std::vector<HalfSpaceTerm> terms = half_space_terms(layer, speed);
       REQUIRE(!terms.empty());

@@ -119,3 +119,18 @@ TEST_CASE("every example study has the points that its plan tells", "[studies][c
     CHECK(Json::parse(run_rollres({"plan", file, "--json"}, never).out)["points"] == count);
   }
 }
+
+TEST_CASE("plan tells the model of a point, and solves nothing", "[studies][commands]") {
+  const TemporaryDirectory folder;
+  const std::string study = folder.write("study.json", study_text).string();
+  const ProgramRun run = run_rollres({"plan", study, "--explain", "--point", "2"}, never);
+  CHECK(run.status == 0);
+  CHECK_THAT(run.out, Contains("V = 2 m/s, load 1e+04 N/m, "));
+  CHECK_THAT(run.out, Contains("  method   spectral: continuous edges of contact, no grid\n"));
+  CHECK_THAT(run_rollres({"plan", study, "--explain"}, never).out, Contains("V = 1 m/s, load 1e+04 N/m, "));
+  CHECK(Json::parse(run_rollres({"plan", study, "--explain", "--json"}, never).out)["method"] == "spectral");
+
+  const ProgramRun none = run_rollres({"plan", study, "--explain", "--point", "6"}, never);
+  CHECK(none.status != 0);
+  CHECK_THAT(none.err, Contains("--point = 6: ") && Contains(" has 5 points, counted from 1"));
+}

@@ -77,8 +77,8 @@ TEST_CASE("random scenes of Zener solids keep the rules, cover their ranges and 
       values["creep_time"].push_back(scene.creep_time);
       values["speed"].push_back(scene.speed);
       values["friction_coefficient"].push_back(scene.friction_coefficient);
-      const ContactEstimate rubbery = elastic_contact_from_load(indenter, scene.radius, scene.layer_thickness,
-                                                                *scene.static_shear_modulus, *scene.load);
+      const ContactEstimate rubbery = elastic_contact_from_load(
+          dimension_of(indenter), scene.radius, scene.layer_thickness, *scene.static_shear_modulus, *scene.load);
       values["half-width"].push_back(rubbery.half_width / scene.radius);
       values["nodes"].push_back(2 * estimate_contact(scene).half_width / *scene.spacing);
       ++drives[kind_of_drive(scene)];

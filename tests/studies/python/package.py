@@ -207,8 +207,20 @@ def interrupts():
     return waits
 
 
+def models():
+    mat = dict(radius=0.05, layer_thickness=0.01, static_shear_modulus=1e6, stiffening=3, creep_time=5e-3, speed=0.2,
+               load=3000, tolerance=1e-2,
+               lower_layers=[dict(layer_thickness=0.1, material="elastic", static_shear_modulus=12.5e9)])
+    model = rollres.model(mat)
+    assert len(model.foundation) == 1 and len(model.decisions) == 1, model
+    assert model.method == rollres.solve(mat).method
+    assert abs(model.tolerance + model.left_out - 1e-2) < 1e-15
+    refusal(lambda: rollres.model(mat, speed=-1))
+
+
 def functions():
-    """Objectives and gradients against each other and closed forms of scaling."""
+    """Objectives and gradients against each other and closed forms of scaling; models."""
+    models()
     f = rollres.objective(CYLINDER, {"load": (1e3, 1e5), "creep_time": None}, tolerance=1e-8)
     assert f.names == ["load", "creep_time"] and f.bounds[0] == (1e3, 1e5)
     assert f.x0 == [20e3, 0.25] and f.scales == [20e3, 0.25]

@@ -1,11 +1,12 @@
 /// What is left out of a model for a tolerance's sake, against the full model.
 
-#include "core/solve/model_choice.hpp"
+#include "core/solve/resolve.hpp"
 
 #include <cmath>
 #include <random>
 
 #include "core/model/contact_surface.hpp"
+#include "core/solve/model_answer.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/infinite.hpp"
@@ -63,13 +64,16 @@ RollingScene rubber_tyre() {
   return scene;
 }
 
-/// Relative change of the resistance, both scenes by the same method.
-double change_of_resistance(RollingScene full, RollingScene simpler, double spacing = 0) {
-  for (RollingScene* const scene : {&full, &simpler}) {
-    scene->tolerance.reset();
-    if (spacing > 0) scene->spacing = spacing;
+/// Relative change of the resistance, both models by the same method.
+double change_of_resistance(ContactModel full, ContactModel simpler, double spacing = 0) {
+  for (ContactModel* const model : {&full, &simpler}) {
+    model->tolerance.reset();
+    model->asked_tolerance.reset();
+    model->left_out = 0;
+    if (spacing > 0) model->spacing = spacing;
+    model->choose_method();
   }
-  const RollingSolution with = solve(full), without = solve(simpler);
+  const RollingSolution with = solve_model(full), without = solve_model(simpler);
   REQUIRE(with.status == Status::converged);
   REQUIRE(without.status == Status::converged);
   REQUIRE(with.method == without.method);
@@ -78,14 +82,14 @@ double change_of_resistance(RollingScene full, RollingScene simpler, double spac
 
 }  // namespace
 
-TEST_CASE("a hard floor under a mat is taken as rigid where the tolerance allows it", "[core][model_choice]") {
+TEST_CASE("a hard floor under a mat is taken as rigid where the tolerance allows it", "[core][resolve]") {
   RollingScene scene = rubber_mat(Indenter::cylinder);
-  const ModelChoice choice = choose_model(scene);
+  const ContactModel choice = resolve(scene);
   REQUIRE(choice.decisions.size() == 1);
   CHECK(choice.decisions[0].find("what lies below the first layer taken as rigid, which changes R_r by ") == 0);
-  CHECK(choice.scene.lower_layers.empty());
-  CHECK(*choice.scene.tolerance == Approx(1e-2 - choice.left_out));
-  const double change = change_of_resistance(scene, choice.scene);
+  CHECK(choice.foundation.size() == 1);
+  CHECK(*choice.tolerance == Approx(1e-2 - choice.left_out));
+  const double change = change_of_resistance(scene, choice);
   CHECK(change < choice.left_out);
   CHECK(change > 0.1 * choice.left_out);  // the estimate is one
 
@@ -94,51 +98,51 @@ TEST_CASE("a hard floor under a mat is taken as rigid where the tolerance allows
   CHECK(solution.model.find(choice.decisions[0]) != std::string::npos);
 
   scene.tolerance = 1e-5;
-  CHECK(choose_model(scene).decisions.empty());
+  CHECK(resolve(scene).decisions.empty());
   scene.tolerance.reset();
-  CHECK(choose_model(scene).decisions.empty());
+  CHECK(resolve(scene).decisions.empty());
 }
 
-TEST_CASE("a hard floor under a mat is rigid for a ball as well", "[core][model_choice]") {
+TEST_CASE("a hard floor under a mat is rigid for a ball as well", "[core][resolve]") {
   RollingScene scene = rubber_mat(Indenter::sphere);
   scene.lower_layers[1].static_shear_modulus = 4e8;
-  const ModelChoice choice = choose_model(scene);
-  CHECK(choice.scene.lower_layers.empty());
-  CHECK(change_of_resistance(scene, choice.scene, 0.3e-3) < choice.left_out);
+  const ContactModel choice = resolve(scene);
+  CHECK(choice.foundation.size() == 1);
+  CHECK(change_of_resistance(scene, choice, 0.3e-3) < choice.left_out);
 }
 
-TEST_CASE("a hard surface may be incompressible where the soft one yields", "[core][model_choice]") {
+TEST_CASE("a hard surface may be incompressible where the soft one yields", "[core][resolve]") {
   for (const Drive drive : {Drive::free, Drive::top_force, Drive::torque}) {
     CAPTURE(name_of(drive));
     RollingScene scene = rubber_tyre();
     scene.drive = drive;
     if (drive == Drive::torque) scene.driving_torque = 0.1 * *scene.load * scene.radius;
     if (drive == Drive::torque) scene.tolerance = 1e-2;
-    const ModelChoice choice = choose_model(scene);
+    const ContactModel choice = resolve(scene);
     REQUIRE(choice.decisions.size() == 1);
-    CHECK(choice.scene.poisson_ratio == 0.5);
-    CHECK(change_of_resistance(scene, choice.scene, 0.2e-3) < choice.left_out);
+    CHECK(choice.top().poisson_ratio == 0.5);
+    CHECK(change_of_resistance(scene, choice, 0.2e-3) < choice.left_out);
     const RollingSolution solution = solve(scene);
     CHECK(solution.method == Method::spectral);
     CHECK(solution.error_estimate < *scene.tolerance);
   }
 }
 
-TEST_CASE("a hard core of a coating is taken as the body's, and layers that matter are kept", "[core][model_choice]") {
+TEST_CASE("a hard core of a coating is taken as the body's, and layers that matter are kept", "[core][resolve]") {
   RollingScene scene = rubber_tyre();
   scene.coating_layers.push_back(elastic_layer(0.01, 8e10, 0.3));
-  CHECK(choose_model(scene).scene.coating_layers.size() == 1);
+  CHECK(resolve(scene).coating.size() == 1);
 
   RollingScene soft = rubber_mat(Indenter::cylinder);
   make_rubber(soft.lower_layers[0]);
   soft.lower_layers[0].poisson_ratio = 0.5;
   soft.lower_layers[0].layer_thickness = 0.02;
   soft.lower_layers[1].static_shear_modulus = 12.5e9;
-  CHECK(choose_model(soft).scene.lower_layers.size() == 1);
-  CHECK(change_of_resistance(soft, choose_model(soft).scene) < choose_model(soft).left_out);
+  CHECK(resolve(soft).foundation.size() == 2);
+  CHECK(change_of_resistance(soft, resolve(soft)) < resolve(soft).left_out);
 }
 
-TEST_CASE("layers left out of random scenes change the resistance by less than is said", "[core][model_choice][long]") {
+TEST_CASE("layers left out of random scenes change the resistance by less than is said", "[core][resolve][long]") {
   std::mt19937_64 random(20);
   const auto between = [&](double low, double high) {
     return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random));
@@ -158,7 +162,7 @@ TEST_CASE("layers left out of random scenes change the resistance by less than i
                           elastic_layer(infinite, between(3e7, 3e11), 0.2)};
     scene.load = *scene.static_shear_modulus * scene.radius * between(1e-3, 3e-2);
     scene.tolerance = i % 3 == 0 ? 1e-2 : 1e-3;
-    const ModelChoice choice = choose_model(scene);
+    const ContactModel choice = resolve(scene);
     if (choice.decisions.empty()) continue;
     CAPTURE(i, choice.left_out);
     CHECK(choice.left_out < 0.2 * *scene.tolerance);
@@ -166,25 +170,25 @@ TEST_CASE("layers left out of random scenes change the resistance by less than i
     full.tolerance.reset();
     if (solve(full).method != Method::spectral) continue;  // a grid's own error is larger
     ++simplified;
-    CHECK(change_of_resistance(scene, choice.scene) < choice.left_out);
+    CHECK(change_of_resistance(scene, choice) < choice.left_out);
   }
   CHECK(simplified > 15);
 }
 
-TEST_CASE("inertia is left out where it matters less than the tolerance, and by what is said", "[core][model_choice]") {
+TEST_CASE("inertia is left out where it matters less than the tolerance, and by what is said", "[core][resolve]") {
   RollingScene scene = rubber_mat(Indenter::cylinder);
   scene.lower_layers.clear();
   for (const double speed : {1.1, 1.2}) {
     scene.speed = speed;
     CAPTURE(speed);
-    REQUIRE(inertia_included(scene));  // as rho V^2 / G0 alone would have it
-    const ModelChoice choice = choose_model(scene);
+    REQUIRE(ContactModel(scene).inertia);  // as rho V^2 / G0 alone would have it
+    const ContactModel choice = resolve(scene);
     REQUIRE(choice.decisions.size() == 1);
     CHECK(choice.decisions[0].find("inertia left out, which changes R_r by ") == 0);
     RollingScene with = scene;
     with.inertia = Inertia::on;
-    CHECK(change_of_resistance(with, choice.scene, 0.1e-3) < choice.left_out);
+    CHECK(change_of_resistance(with, choice, 0.1e-3) < choice.left_out);
   }
   scene.speed = 8;
-  CHECK(choose_model(scene).decisions.empty());
+  CHECK(resolve(scene).decisions.empty());
 }

@@ -1,0 +1,133 @@
+#include "core/model/contact_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/model/scene_rules.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Share of the tolerance that inertia may take: its effect on the resistance is about rho V^2/G.
+constexpr double inertia_share = 0.1;
+/// What inertia may take whatever the tolerance, which is one of computing: below it a warning would say nothing
+/// either.
+constexpr double always_negligible_inertia = 1e-3;
+
+/// Speed of Rayleigh waves over that of shear waves, squared (Viktorov 1967): 0.912 for nu = 1/2.
+double rayleigh_square(double poisson_ratio) {
+  return std::pow((0.87 + 1.12 * poisson_ratio) / (1 + poisson_ratio), 2);
+}
+
+/// rho V^2/G0 over that of Rayleigh waves, of one layer.
+double rayleigh_number(const ModelLayer& layer, double density, double speed) {
+  return density * speed * speed / (layer.modulus_at_rest * rayleigh_square(layer.poisson_ratio));
+}
+
+/// Whether inertia counts by itself: a tolerance is given, it is not negligible by the modulus at rest, and the model
+/// has it: below the speed of Rayleigh waves, with a grid.
+bool inertia_counts(const ContactModel& model) {
+  // Method spectral, asked for, has none of coatings.
+  if (!model.asked_tolerance || (model.asked_method == Method::spectral && !model.coating.empty())) return false;
+  const double number = rayleigh_number(model);
+  return number > negligible_inertia(model) && number < 1;
+}
+
+BondedLayer first_layer(const RollingScene& scene) {
+  BondedLayer layer;
+  static_cast<MaterialInputs&>(layer) = scene;
+  layer.layer_thickness = scene.layer_thickness;
+  layer.layer_density = scene.layer_density;
+  return layer;
+}
+
+}  // namespace
+
+ModelLayer::ModelLayer(BondedLayer inputs, const SofteningFactors& factors)
+    : BondedLayer(std::move(inputs)),
+      creep(creep_spectrum(*this, factors)),
+      modulus_at_rest(static_modulus(*this, factors)) {}
+
+ContactModel::ContactModel(const RollingScene& scene)
+    : indenter(scene.indenter),
+      dimension(dimension_of(scene.indenter)),
+      radius(scene.radius),
+      kinematics(scene.kinematics),
+      speed(scene.speed),
+      load(scene.load),
+      approach(scene.approach),
+      friction_coefficient(scene.friction_coefficient),
+      adhesion_threshold(scene.adhesion_threshold),
+      drive(scene.drive),
+      driving_torque(scene.driving_torque),
+      rotation_ratio(scene.rotation_ratio),
+      flow(scene.drive == Drive::rotation ? scene.rotation_ratio.value_or(1) : 1),
+      inertia(scene.inertia == Inertia::on),
+      inertia_automatic(scene.inertia == Inertia::automatic),
+      period(scene.period),
+      series_terms(scene.series_terms),
+      asked_method(scene.method),
+      spacing(scene.spacing),
+      tolerance(scene.tolerance),
+      asked_tolerance(scene.tolerance),
+      slip_stencil(scene.slip_stencil),
+      slip_threshold(scene.slip_threshold),
+      resticking(scene.resticking),
+      slip_rule(scene.slip_rule) {
+  foundation.emplace_back(first_layer(scene));
+  for (const BondedLayer& layer : scene.lower_layers) foundation.emplace_back(layer);
+  for (const BondedLayer& layer : scene.coating_layers) coating.emplace_back(layer);
+  decide();
+}
+
+void ContactModel::decide() {
+  if (inertia_automatic) inertia = inertia_counts(*this);
+  choose_method();
+}
+
+void ContactModel::choose_method() {
+  method = asked_method != Method::automatic             ? asked_method
+           : !spacing && spectral_refusal(*this).empty() ? Method::spectral
+                                                         : Method::newton;
+}
+
+ContactModel ContactModel::with_flow(double ratio) const {
+  ContactModel other = *this;
+  other.flow = ratio;
+  other.decide();
+  return other;
+}
+
+ContactModel ContactModel::with_softening(const std::vector<SofteningFactors>& factors) const {
+  ContactModel other = *this;
+  std::size_t place = 0;
+  for (std::vector<ModelLayer>* const layers : {&other.foundation, &other.coating})
+    for (ModelLayer& layer : *layers)
+      if (place < factors.size()) layer = ModelLayer(std::move(layer), factors[place++]);
+  other.decide();
+  return other;
+}
+
+ContactModel ContactModel::with_answer(const RollingSolution& solution) const {
+  std::vector<SofteningFactors> factors;
+  for (const std::array<double, 2>& of_layer : solution.moduli_factors) factors.push_back({of_layer[0], of_layer[1]});
+  const ContactModel softened = with_softening(factors);
+  return std::isfinite(solution.rotation_ratio) ? softened.with_flow(solution.rotation_ratio) : softened;
+}
+
+double rayleigh_number(const ContactModel& model) {
+  double largest = 0;
+  for (const ModelLayer& layer : model.foundation)
+    largest = std::max(largest, rayleigh_number(layer, layer.layer_density, model.speed));
+  for (const ModelLayer& layer : model.coating)
+    largest = std::max(largest, rayleigh_number(layer, layer.layer_density * model.flow * model.flow, model.speed));
+  return largest;
+}
+
+double negligible_inertia(const ContactModel& model) {
+  return std::max(inertia_share * model.asked_tolerance.value_or(0), always_negligible_inertia);
+}
+
+}  // namespace rollres

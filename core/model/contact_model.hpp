@@ -1,0 +1,94 @@
+#pragma once
+
+/// What is solved: a scene resolved into one body, one surface and one steady motion, as a plain value.
+///
+/// A scene is a question; a model is the plan to answer it. `ContactModel(scene)` takes the scene as it stands and
+/// decides what follows from it alone: whether inertia counts, and which method solves it. `resolve`
+/// (solve/resolve.hpp) leaves out what a tolerance allows to leave out. Solvers, estimates and fields take the model
+/// and ask nobody else; what changes with the answer makes a new model (`with_flow`, `with_softening`).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/material/material.hpp"
+#include "core/scene/scene.hpp"
+#include "core/scene/solution.hpp"
+#include "core/surface/layer_compliance.hpp"
+
+namespace rollres {
+
+/// One layer of a model.
+struct ModelLayer : BondedLayer {
+  CreepSpectrum creep;         // of its material, at its temperature and at the strain amplitude taken
+  double modulus_at_rest = 0;  // G'(0) [Pa]
+
+  explicit ModelLayer(BondedLayer inputs, const SofteningFactors& factors = {});
+};
+
+struct ContactModel {
+  /// The scene as it stands, with nothing left out. @pre it obeys `check`
+  ContactModel(const RollingScene& scene);
+
+  Indenter indenter;
+  int dimension;  // 2: per metre of length, no y; or 3
+  double radius;  // R [m]
+  Kinematics kinematics;
+
+  double speed;                          // V [m/s]
+  std::optional<double> load, approach;  // P [N/m] or [N], or d [m]
+  double friction_coefficient;           // mu [1]
+  double adhesion_threshold;             // [Pa]
+  Drive drive;
+  std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"
+  std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
+
+  std::vector<ModelLayer> foundation;  // under the body, from the contact down; at least one
+  std::vector<ModelLayer> coating;     // on the body, from its surface inwards
+  double flow;                         // R Omega/V at which the coating flows through the contact [1]
+  bool inertia;                        // of the layers is part of the model
+  bool inertia_automatic;              // so decided by `rayleigh_number`, not by the scene
+  std::optional<double> period;        // L [m]
+  int series_terms;
+
+  Method asked_method, method;            // as the scene names it, and what solves it first
+  std::optional<double> spacing;          // a [m]
+  std::optional<double> tolerance;        // what is left for numbers [1]
+  std::optional<double> asked_tolerance;  // of it [1]
+  double left_out = 0;                    // estimate of what simplifications change R_r by [1]
+  std::vector<std::string> decisions;     // simplifications in words, each with the number it rests on
+  SlipStencil slip_stencil;               // of method active_set, as are the next three
+  double slip_threshold;
+  Resticking resticking;
+  SlipRule slip_rule;
+
+  /// The top layer under the body.
+  const ModelLayer& top() const { return foundation.front(); }
+  /// Whether the surface is more than one layer of one material without inertia.
+  bool composite() const { return foundation.size() > 1 || !coating.empty() || inertia; }
+  /// The single layer of a surface that is not composite.
+  Layer layer() const { return {top().layer_thickness, top().poisson_ratio}; }
+
+  /// The same at another speed of the coating through the contact, R Omega/V: inertia and method are decided anew.
+  ContactModel with_flow(double ratio) const;
+  /// The same with the moduli of each layer, under the body from the contact and then on it, times its factors; none
+  /// for the layers beyond the list.
+  ContactModel with_softening(const std::vector<SofteningFactors>& factors) const;
+  /// The same with the moduli at its strains and the flow of its coating that an answer found.
+  ContactModel with_answer(const RollingSolution& solution) const;
+  /// Decides anew which method solves it: where layers were left out.
+  void choose_method();
+
+ private:
+  void decide();
+};
+
+/// What rho V^2/G must stay below for steady motion: 1 at the speed of Rayleigh waves on a half-space of the layer at
+/// rest, for the layer that is nearest to it; a coating moves at R Omega [1].
+double rayleigh_number(const ContactModel& model);
+
+/// rho V^2/G beyond which inertia would change the resistance by more than a thousandth and more than a tenth of the
+/// tolerance given [1].
+double negligible_inertia(const ContactModel& model);
+
+}  // namespace rollres

@@ -1,0 +1,96 @@
+#include "core/model/model_in_words.hpp"
+
+#include <cmath>
+
+#include "core/material/strain_softening.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/scene_rules.hpp"
+
+namespace rollres {
+
+namespace {
+
+template <class... Parts>
+std::string words(const Parts&... parts) {
+  return message_text<4>(parts...);
+}
+
+/// "load 400 N/m", or "approach 0.001 m"
+std::string pressed(const ContactModel& model) {
+  return model.load ? words("load ", *model.load, model.dimension == 3 ? " N" : " N/m")
+                    : words("approach ", *model.approach, " m");
+}
+
+std::string driven(const ContactModel& model) {
+  if (model.friction_coefficient == 0) return "no friction";
+  std::string text = words("friction ", model.friction_coefficient, ", drive ", name_of(model.drive));
+  if (model.driving_torque) text += words(" ", *model.driving_torque, model.dimension == 3 ? " N m" : " N");
+  if (model.rotation_ratio) text += words(" at RΩ/V = ", *model.rotation_ratio);
+  return text;
+}
+
+std::string spectrum(const CreepSpectrum& creep) {
+  if (creep.terms.empty()) return words("elastic, G = ", 1 / creep.at_rest(), " Pa");
+  const std::string moduli = words("G from ", 1 / creep.at_rest(), " to ", 1 / creep.instantaneous, " Pa, ");
+  if (creep.terms.size() == 1) return moduli + words("retardation time ", creep.terms.front().time, " s");
+  return moduli + words(creep.terms.size(), " retardation times from ", creep.terms.front().time, " to ",
+                        creep.terms.back().time, " s");
+}
+
+std::string layer(const ModelLayer& layer, bool inertia) {
+  std::string text = std::isinf(layer.layer_thickness) ? "half-space" : words(layer.layer_thickness, " m thick");
+  text += words(", ν = ", layer.poisson_ratio, ", ", spectrum(layer.creep));
+  if (inertia) text += words(", ", layer.layer_density, " kg/m³");
+  return text + (softens(layer) ? "; of small strains: the moduli at its strains come with the answer" : "");
+}
+
+std::string inertia(const ContactModel& model) {
+  const std::string number = words("the largest ρV²/G over that of Rayleigh waves is ", rayleigh_number(model));
+  if (!model.inertia_automatic) return words(model.inertia ? "included" : "left out", ": ", number);
+  if (model.inertia) return words("included by itself: ", number, ", more than ", negligible_inertia(model));
+  return words("left out by itself: ", number,
+               model.asked_tolerance ? words(", negligible up to ", negligible_inertia(model), " and unanswered from 1")
+                                     : ", and no tolerance asks for it");
+}
+
+std::string method(const ContactModel& model) {
+  const std::string name(name_of(model.method));
+  if (model.asked_method != Method::automatic) return name + ", as asked for";
+  if (model.method == Method::spectral) return name + ": continuous edges of contact, no grid";
+  if (model.dimension == 3) return name + ": a sphere is solved on a grid";
+  if (model.spacing) return name + ": the scene gives a spacing";
+  return name + ": continuous edges do not apply, " + spectral_refusal(model);
+}
+
+std::string errors(const ContactModel& model) {
+  if (!model.asked_tolerance) return "no tolerance: the method's own numbers, nothing left out";
+  return words("tolerance ", *model.asked_tolerance, " of R_r: ", model.left_out, " taken by simplifications, ",
+               *model.tolerance, " left for numbers");
+}
+
+}  // namespace
+
+std::vector<ModelStatement> model_in_words(const ContactModel& model) {
+  std::vector<ModelStatement> all;
+  const char* const dimensions = model.dimension == 3 ? "rigid sphere" : "rigid cylinder, per metre of its length";
+  all.push_back({"body", words(dimensions, ", R = ", model.radius, " m, kinematics ", name_of(model.kinematics))});
+  all.push_back(
+      {"motion", words("V = ", model.speed, " m/s, ", pressed(model), ", ", driven(model),
+                       model.period ? words(", periodic train, L = ", *model.period, " m") : ", single passage")});
+  all.push_back({"surface", surface_in_words(model)});
+  for (std::size_t i = 0; i < model.foundation.size(); ++i)
+    all.push_back({words("layer ", i + 1), layer(model.foundation[i], model.inertia)});
+  for (std::size_t i = 0; i < model.coating.size(); ++i)
+    all.push_back({words("coating ", i + 1), layer(model.coating[i], model.inertia)});
+  if (coating_flow_counts(model))
+    all.push_back({"flow", words("the coating flows at ", model.flow, " V",
+                                 model.drive == Drive::rotation ? "" : ", to begin with")});
+  all.push_back({"inertia", inertia(model)});
+  all.push_back({"method", method(model)});
+  all.push_back({"errors", errors(model)});
+  for (const std::string& decision : model.decisions) all.push_back({"left out", decision});
+  return all;
+}
+
+}  // namespace rollres

@@ -1,0 +1,57 @@
+#include "core/solve/coating_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/messages/message_text.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/model/stated_error.hpp"
+#include "core/solve/resolve.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Whether the drive decides how fast a coating flows through the contact, and the answer depends on it.
+bool flow_is_unknown(const ContactModel& model) {
+  return model.friction_coefficient > 0 && model.drive != Drive::rotation && coating_flow_counts(model);
+}
+
+RollingSolution stopped(Method method) {
+  RollingSolution solution;
+  solution.method = method;
+  solution.reason =
+      "this drive stops the coated body or turns it backwards; give rotation_ratio, with drive \"rotation\"";
+  return solution;
+}
+
+}  // namespace
+
+RollingSolution solve_at_own_flow(const ContactModel& full,
+                                  const std::function<RollingSolution(const ContactModel&)>& solve_at) {
+  const ContactModel first = simplified(full);
+  RollingSolution solution = solve_at(first);
+  if (!flow_is_unknown(full) || !flow_is_unknown(first)) return solution;
+  constexpr int most_solutions = 8;
+  constexpr double share_of_error = 0.01;
+  double flow = full.flow, response = 0, sensitivity = std::abs(solution.rolling_resistance);
+  for (int solutions = 1; solution.status == Status::converged; ++solutions) {
+    const double step = (solution.rotation_ratio - flow) / (1 - response), left = sensitivity * std::abs(step);
+    if (left <= share_of_error * solution.rolling_resistance_error || solutions == most_solutions) {
+      if (left > solution.rolling_resistance_error)
+        solution.warnings.push_back(
+            message_text("the speed at which the coating flows was found to ", std::abs(step), " of V only"));
+      add_error(left / std::abs(solution.rolling_resistance), solution);
+      break;
+    }
+    flow += step;
+    if (!(flow > 0)) return stopped(solution.method);
+    const RollingSolution before = std::move(solution);
+    solution = solve_at(simplified(full.with_flow(flow)));
+    response = std::clamp((solution.rotation_ratio - before.rotation_ratio) / step, -2.0, 0.8);
+    sensitivity = std::abs((solution.rolling_resistance - before.rolling_resistance) / step);
+  }
+  return solution;
+}
+
+}  // namespace rollres

@@ -1,0 +1,143 @@
+#include "core/solve/grid_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/estimate/grid_choice.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/model/stated_error.hpp"
+#include "core/newton/grid_solution.hpp"
+#include "core/newton/nested_newton.hpp"
+#include "core/numerics/solution_limits.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Cells on the half-width of a sphere's contact, by steps of sqrt(2). No sum of two squares lies within 1.2 % of the
+/// square of the usual number (step 0), nor of half and of a quarter of it (steps -1 and -2): where the contact is an
+/// ellipse, no node is near its edge.
+double tied_cells(int step) {
+  constexpr double usual = 19.532;
+  return usual * std::exp2(0.5 * step);
+}
+constexpr int coarsest_step = -2, most_steps = 3;  // where a tolerance begins; at a time, as coarse grids tell little
+
+/// The same of a cylinder.
+constexpr double cells_of_line = 60;
+
+GridSeries grids_of(const ContactModel& model) {
+  if (model.dimension == 3 && !model.spacing) return tied_grids(model, tied_cells(0));
+  if (!model.spacing && model.adhesion_threshold == 0) return tied_lines(model, cells_of_line);
+  return fixed_grids(model, model.spacing.value_or(default_spacing(model)));
+}
+
+/// A larger violation of the laws, in scenes far from any layer's, is mended by factorising systems of up to so many
+/// nodes.
+constexpr int factorisable_nodes = 1000;
+
+/// Of a solution on one grid beyond which no finer one is tried for a tolerance: GMRES vectors times unknowns, some
+/// seconds.
+constexpr double most_work = 2e7;
+
+/// How many times finer in nodes than its finest grid a solution can be had for a tolerance's sake.
+double room_for_nodes(const NestedOutcome& nested, int most_nodes) {
+  const NewtonOutcome& outcome = nested.finest.outcome;
+  const std::vector<Zone>& zone = outcome.zone;
+  const int images = nested.finest.problem->model.dimension - 1;
+  const auto nodes =
+      static_cast<double>(images * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free)));
+  if (nodes * outcome.krylov_iterations > most_work) return 0;
+  return most_nodes / nodes;
+}
+
+/// A sphere whose grid is tied to its contact: as many cells as the estimate on a coarser grid asks for.
+NestedOutcome solve_sphere_to_tolerance(const ContactModel& model, int most_nodes) {
+  int step = coarsest_step;
+  NestedOutcome found = solve_nested(model, tied_grids(model, tied_cells(step)));
+  if (found.status != Status::converged) {
+    step = 0;
+    found = solve_nested(model, tied_grids(model, tied_cells(step)));
+  }
+  NestedOutcome best;  // of the grids before, where a finer one does not always tell more
+  while (found.status == Status::converged) {
+    const double room = room_for_nodes(found, most_nodes), missed = found.error_estimate() / *model.tolerance;
+    if (missed <= 1 || room < 2) break;
+    // Nodes double with each step, and the error falls about as they grow.
+    const double wanted = std::min(std::ceil(std::log2(missed)), std::floor(std::log2(room)));
+    step += static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_steps)));
+    try {
+      NestedOutcome finer = solve_nested(model, tied_grids(model, tied_cells(step)));
+      if (finer.status != Status::converged) break;
+      best = better_of(std::move(found), std::move(best));
+      found = std::move(finer);
+    } catch (const BeyondLimits& limit) {
+      found.reason = limit.what();
+      break;
+    }
+  }
+  return better_of(std::move(found), std::move(best));
+}
+
+/// @param most_nodes in contact; beyond, a tolerance is given up
+NestedOutcome solve_nested_to_tolerance(const ContactModel& model, int most_nodes) {
+  if (!model.tolerance) return solve_nested(model, grids_of(model));
+  if (model.dimension == 3) return solve_sphere_to_tolerance(model, most_nodes);
+  return solve_nested(model, grids_of(model), [&](const NestedOutcome& nested) {
+    return !(nested.error_estimate() <= *model.tolerance) && room_for_nodes(nested, most_nodes) >= 2;
+  });
+}
+
+RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& model) {
+  RollingSolution solution;
+  if (nested.status == Status::converged) {
+    const ContactLevel& level = nested.finest;
+    const auto summed = [&](const InfluenceOperator& influence) {
+      return summarise(*level.problem, influence, level.outcome.unknowns, level.outcome.zone, level.edge);
+    };
+    GridSolution answer = level.problem->friction
+                              ? summed(*level.influence)
+                              : summed(InfluenceOperator(model, *level.table, level.problem->grid, true));
+    solution = std::move(answer.solution);
+    take_slow_rolling(model, level.error, answer.powers, solution);
+    set_error(nested.error_estimate(level.error, solution.rolling_resistance), solution);
+    if (model.asked_tolerance && !(solution.rolling_resistance_error <= *model.tolerance * answer.powers.scale())) {
+      std::ostringstream text;
+      text << "the tolerance " << *model.tolerance << " was not reached with " << solution.contact_nodes
+           << " nodes: estimated error " << solution.error_estimate;
+      if (!nested.reason.empty()) text << "; " << nested.reason;
+      solution.warnings.push_back(text.str());
+    }
+  }
+  solution.status = nested.status;
+  if (nested.status != Status::converged) solution.reason = nested.reason;
+  if (nested.status == Status::not_converged && model.period && nested.finest.problem) {
+    // Without waves as short as two cells the nodes do not tell neighbours apart.
+    const double shortest = *model.period / model.series_terms, spacing = nested.finest.problem->grid.spacing_x;
+    if (shortest > 2 * spacing)
+      solution.reason += message_text("; series_terms = ", model.series_terms, " keeps waves down to ", shortest,
+                                      " m, longer than two cells of ", spacing, " m");
+  }
+  solution.friction_needed = nested.friction_needed;
+  solution.friction_borne = nested.friction_borne;
+  solution.iterations = nested.finest.outcome.iterations;
+  return solution;
+}
+
+}  // namespace
+
+int most_nodes(const ContactModel& model) { return model.dimension == 3 ? 250000 : 20000; }
+
+RollingSolution solve_on_grids(const ContactModel& model, int most_nodes) {
+  RollingSolution solution = answer_from(solve_nested_to_tolerance(model, most_nodes), model);
+  if (solution.status == Status::converged && !(solution.law_violation <= trusted_violation) &&
+      solution.contact_nodes <= factorisable_nodes) {
+    ContactModel factorised = model;
+    factorised.method = Method::newton_dense;
+    solution = answer_from(solve_nested_to_tolerance(factorised, std::min(most_nodes, factorisable_nodes)), factorised);
+  }
+  solution.method = model.method == Method::newton_dense ? model.method : Method::newton;
+  return solution;
+}
+
+}  // namespace rollres

@@ -1,0 +1,137 @@
+#include "core/solve/model_answer.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "core/estimate/composite_estimate.hpp"
+#include "core/estimate/linearity_error.hpp"
+#include "core/finite_strain/finite_strain_contact.hpp"
+#include "core/influence/influence.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/model/scene_rules.hpp"
+#include "core/model/stated_error.hpp"
+#include "core/solve/grid_answer.hpp"
+#include "core/newton/grid_solution.hpp"
+#include "core/paper_method/paper_solution.hpp"
+#include "core/solve/coating_flow.hpp"
+#include "core/solve/doubts.hpp"
+#include "core/solve/torque_limit.hpp"
+#include "core/zones/spectral_contact.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// An answer that is none, for a reason.
+RollingSolution without_answer(Method method, Status status, std::string reason) {
+  RollingSolution solution;
+  solution.method = method;
+  solution.status = status;
+  solution.reason = std::move(reason);
+  return solution;
+}
+
+/// A grid in place of continuous edges where no tolerance is given: nearer to what those would give than the usual
+/// grid, as long as it is quick.
+RollingSolution solve_in_place_of_edges(ContactModel model) {
+  constexpr double tolerance_for_spectral = 3e-4;
+  constexpr int most_nodes_for_spectral = 2000;
+  if (model.tolerance) return solve_on_grids(model, most_nodes(model));
+  model.tolerance = tolerance_for_spectral;
+  return solve_on_grids(model, most_nodes_for_spectral);
+}
+
+/// @param zones  of much the same model, where they are known; those of this one afterwards
+RollingSolution solve_by_method(const ContactModel& model, std::optional<FoundZones>& zones) {
+  if (model.method == Method::active_set) return solve_paper(model);
+  if (model.method == Method::finite_strain) return solve_finite_strain(model);
+  std::string why_on_grid;
+  RollingSolution solution;
+  if (model.method == Method::spectral) {
+    SpectralOutcome found = solve_spectral(model, zones);
+    zones = found.zones;
+    if (found.solution) return std::move(*found.solution);
+    why_on_grid = found.reason;
+    solution = solve_in_place_of_edges(model);
+  } else {
+    const bool asked = model.asked_method != Method::automatic || model.dimension == 3 || model.spacing;
+    if (!asked) why_on_grid = spectral_refusal(model);
+    solution = solve_on_grids(model, most_nodes(model));
+  }
+  if (why_on_grid.empty()) return solution;
+  if (solution.status == Status::converged)
+    solution.model += "; solved on a grid, not with continuous edges: " + why_on_grid;
+  else if (solution.status == Status::not_converged)
+    solution.reason += "; no answer with continuous edges either: " + why_on_grid;
+  return solution;
+}
+
+/// What a method answers, if it is an answer.
+RollingSolution trusted_answer(const ContactModel& model, std::optional<FoundZones>& zones) {
+  std::string refused = unanswered_inertia(model);
+  if (refused.empty()) refused = unbearable_torque(model);
+  if (!refused.empty()) return without_answer(model.method, Status::no_steady_state, refused);
+  RollingSolution solution = solve_by_method(model, zones);
+  if (solution.status != Status::converged) return solution;
+  refused = unanswered_inertia(model, solution);
+  if (!refused.empty()) return without_answer(model.method, Status::no_steady_state, refused);
+  if (std::string why = doubt(model, solution); !why.empty())
+    return without_answer(solution.method, Status::not_converged, std::move(why));
+  return solution;
+}
+
+/// What the expansion of memories in fixed times, on grids of composite surfaces, changes R_r by at most [1].
+double expansion_share(const ContactModel& model, const RollingSolution& solution) {
+  constexpr double amplified = 3;  // phases, of which R_r is made, are worse than compliances
+  if (!model.composite() || model.period || !on_grid(solution.method)) return 0;
+  return amplified * expansion_error(model);
+}
+
+/// Adds what a master curve leaves open. @return whether a warning says so
+bool take_spectrum_error(const ContactModel& model, RollingSolution& solution) {
+  const double half_width = 0.5 * (solution.leading_edge - solution.trailing_edge);
+  const double error = spectrum_error(model, half_width);
+  if (!(error > 0)) return false;
+  add_error(error, solution);
+  solution.model += message_text("; what the master curve leaves open changes R_r by ", error, " (estimate)");
+  if (!(error > std::min(0.05, model.asked_tolerance.value_or(1)))) return false;
+  solution.warnings.push_back(
+      message_text("master curve: leaves the rolling resistance open by ", 100 * error,
+                   " % (estimate): rows scatter, are too few or end near the frequencies of the contact, about ",
+                   model.speed / (2 * std::numbers::pi * half_width), " Hz"));
+  return true;
+}
+
+/// A method's answer with what does not depend on the method: the model in words, its errors, warnings.
+/// @param zones  as above
+RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZones>& zones) {
+  RollingSolution solution = trusted_answer(model, zones);
+  if (solution.status != Status::converged) return solution;
+  const bool said_by_method = misses_tolerance(model, model.tolerance, solution);
+  take_evidence(model, solution);
+  const std::string note = std::move(solution.model);
+  solution.model = model_of(model, solution) + note;
+  for (const std::string& decision : model.decisions) solution.model += "; " + decision;
+  add_error(model.left_out + expansion_share(model, solution), solution);
+  if (std::string why = unknown_resistance(model, solution); !why.empty())
+    return without_answer(solution.method, Status::not_converged, std::move(why));
+  const bool said_by_material = take_spectrum_error(model, solution);
+  if (!said_by_method && !said_by_material && misses_tolerance(model, model.asked_tolerance, solution))
+    solution.warnings.push_back(message_text("the tolerance ", *model.asked_tolerance,
+                                             " was not reached: estimated error ", solution.error_estimate));
+  const std::optional<LinearityError> nonlinear = linearity_error(model, solution);
+  if (nonlinear) solution.model_error = nonlinear->value;
+  for (std::string& warning : warnings_for(model, solution, nonlinear)) solution.warnings.push_back(std::move(warning));
+  return solution;
+}
+
+}  // namespace
+
+RollingSolution solve_model(const ContactModel& full) {
+  std::optional<FoundZones> zones;
+  return solve_at_own_flow(full, [&](const ContactModel& model) { return judged_answer(model, zones); });
+}
+
+}  // namespace rollres
