@@ -30,6 +30,10 @@ ContactEstimate estimate_contact(const RollingScene& scene) {
   return estimate;
 }
 
+double share_of_coating(const RollingScene& scene) {
+  return scene.coating_layers.empty() ? 0 : share_of_coating(scene, estimate_contact(scene).half_width);
+}
+
 double default_spacing(const RollingScene& scene) {
   const double nodes_per_half_width = scene.indenter == Indenter::cylinder ? 60 : 20;
   return std::min(estimate_contact(scene).half_width, scene.radius) / nodes_per_half_width;

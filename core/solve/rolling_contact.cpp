@@ -417,6 +417,11 @@ RollingSolution solve_in_flow(const RollingScene& given, std::optional<FoundZone
     if (missed) solution.model_error = missed->value;
     for (std::string& warning : warnings_for(choice.scene, solution, missed))
       solution.warnings.push_back(std::move(warning));
+    // A half-space taken as rigid is the model's own choice of the depth that an approach is counted from.
+    if (const std::string why = why_absent(given, "approach"); !why.empty() && std::isfinite(solution.approach)) {
+      solution.approach = RollingSolution::absent;
+      solution.model += "; no approach: " + why;
+    }
   }
   return solution;
 }

@@ -72,7 +72,7 @@ bool single_incompressible(const RollingScene& scene) { return !is_composite(sce
 }  // namespace
 
 SpectralProblem::SpectralProblem(const RollingScene& given, const CreepSpectrum& material, double rough_half_width)
-    : scene(given), shape(given, share_of_coating(given)), half_width(rough_half_width) {
+    : scene(given), shape(given, share_of_coating(given, rough_half_width)), half_width(rough_half_width) {
   const double largest = std::max(half_width, finite_thickness(scene));
   const double negligible = std::max(negligible_loss, part_of_tolerance * scene.tolerance.value_or(0));
   const MemoryRange told_apart = memory_range(scene.speed, 1e-3 * half_width, 1e2 * largest);

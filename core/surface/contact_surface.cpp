@@ -162,30 +162,10 @@ RollingScene coating_alone(const RollingScene& scene) {
   return alone;
 }
 
-namespace {
-
-/// Half-width [m] of the contact on half-spaces of the materials next to it, of the compliance that it meets at V/a.
-double passing_half_width(const RollingScene& scene) {
-  if (!scene.load) return std::sqrt(scene.radius * *scene.approach);
-  const CreepSpectrum near = near_spectrum(scene);
-  double half_width = INFINITY;
-  const auto next = [&] {
-    const double compliance = 0.5 * near(scene.speed / half_width).real();  // (1 - nu)/G
-    return scene.indenter == Indenter::sphere ? std::cbrt(0.375 * *scene.load * scene.radius * compliance)
-                                              : std::sqrt(2 / M_PI * *scene.load * scene.radius * compliance);
-  };
-  // A creep compliance falls no faster than 1/frequency: each step halves the error at least.
-  for (int step = 0; step < 50; ++step) half_width = next();
-  return half_width;
-}
-
-}  // namespace
-
-double share_of_coating(const RollingScene& scene) {
+double share_of_coating(const RollingScene& scene, double half_width) {
   if (scene.coating_layers.empty()) return 0;
-  const double wavenumber = 1 / passing_half_width(scene);
   const auto yields = [&](const LayeredMedium& medium) {
-    return std::abs(surface_compliance(medium, wavenumber, 1, scene.speed).normal);
+    return std::abs(surface_compliance(medium, 1 / half_width, 1, scene.speed).normal);
   };
   const double coating = yields(coating_of(scene)), foundation = yields(foundation_of(scene));
   return coating / (coating + foundation);

@@ -99,6 +99,16 @@ TEST_CASE("a hard floor under a mat is taken as rigid where the tolerance allows
   CHECK(choose_model(scene).decisions.empty());
 }
 
+TEST_CASE("a half-space taken as rigid gives a cylinder no approach that the scene has not", "[core][model_choice]") {
+  RollingScene scene = rubber_mat(Indenter::cylinder);
+  scene.lower_layers.back().layer_thickness = INFINITY;
+  REQUIRE(choose_model(scene).scene.lower_layers.empty());
+  const RollingSolution solution = solve(scene);
+  REQUIRE(solution.status == Status::converged);
+  CHECK(std::isnan(solution.approach));
+  CHECK(solution.model.find("no approach") != std::string::npos);
+}
+
 TEST_CASE("a hard floor under a mat is rigid for a ball as well", "[core][model_choice]") {
   RollingScene scene = rubber_mat(Indenter::sphere);
   scene.lower_layers[1].static_shear_modulus = 4e8;
