@@ -30,6 +30,10 @@ ContactEstimate estimate_contact(const ContactModel& model) {
   return estimate;
 }
 
+double share_of_coating(const ContactModel& model) {
+  return model.coating.empty() ? 0 : share_of_coating(model, estimate_contact(model).half_width);
+}
+
 double default_spacing(const ContactModel& model) {
   const double nodes_per_half_width = model.dimension == 2 ? 60 : 20;
   return std::min(estimate_contact(model).half_width, model.radius) / nodes_per_half_width;

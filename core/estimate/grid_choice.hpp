@@ -11,6 +11,9 @@ namespace rollres {
 /// Contact of the scene if its layer were elastic with the modulus it has at the frequency V / half-width.
 ContactEstimate estimate_contact(const ContactModel& model);
 
+/// The coating's share of what that contact yields (contact_surface.hpp) [1].
+double share_of_coating(const ContactModel& model);
+
 /// Spacing for a scene that gives none: about 120 nodes along a cylinder's contact, 40 along a sphere's; with a
 /// tolerance, a first spacing from which to refine.
 double default_spacing(const ContactModel& model);

@@ -79,6 +79,7 @@ ContactModel::ContactModel(const RollingScene& scene)
   foundation.emplace_back(first_layer(scene));
   for (const BondedLayer& layer : scene.lower_layers) foundation.emplace_back(layer);
   for (const BondedLayer& layer : scene.coating_layers) coating.emplace_back(layer);
+  half_space = std::isinf(foundation.back().layer_thickness);
   decide();
 }
 

@@ -45,6 +45,7 @@ struct ContactModel {
 
   std::vector<ModelLayer> foundation;  // under the body, from the contact down; at least one
   std::vector<ModelLayer> coating;     // on the body, from its surface inwards
+  bool half_space;                     // lies below all layers of the scene: then a cylinder has no approach
   double flow;                         // R Omega/V at which the coating flows through the contact [1]
   bool inertia;                        // of the layers is part of the model
   bool inertia_automatic;              // so decided by `rayleigh_number`, not by the scene

@@ -94,30 +94,10 @@ ContactModel coating_alone(const ContactModel& model) {
   return alone;
 }
 
-namespace {
-
-/// Half-width [m] of the contact on half-spaces of the materials next to it, of the compliance that it meets at V/a.
-double passing_half_width(const ContactModel& model) {
-  if (!model.load) return std::sqrt(model.radius * *model.approach);
-  const CreepSpectrum near = near_spectrum(model);
-  double half_width = INFINITY;
-  const auto next = [&] {
-    const double compliance = 0.5 * near(model.speed / half_width).real();  // (1 - nu)/G
-    return model.dimension == 3 ? std::cbrt(0.375 * *model.load * model.radius * compliance)
-                                : std::sqrt(2 / M_PI * *model.load * model.radius * compliance);
-  };
-  // A creep compliance falls no faster than 1/frequency: each step halves the error at least.
-  for (int step = 0; step < 50; ++step) half_width = next();
-  return half_width;
-}
-
-}  // namespace
-
-double share_of_coating(const ContactModel& model) {
+double share_of_coating(const ContactModel& model, double half_width) {
   if (model.coating.empty()) return 0;
-  const double wavenumber = 1 / passing_half_width(model);
   const auto yields = [&](const LayeredMedium& medium) {
-    return std::abs(surface_compliance(medium, wavenumber, 1, model.speed).normal);
+    return std::abs(surface_compliance(medium, 1 / half_width, 1, model.speed).normal);
   };
   const double coating = yields(coating_of(model)), foundation = yields(foundation_of(model));
   return coating / (coating + foundation);

@@ -42,9 +42,9 @@ SteadySurface steady_surface(const ContactModel& model, const MemoryRange& told_
 /// displacements along the surface, which are opposite. A coating at rest is elastic. @pre there is a coating
 ContactModel coating_alone(const ContactModel& model);
 
-/// The coating's share of what the contact yields under pressure in passage, 0 without one: at a wavenumber of one over
-/// the half-width that half-spaces of the materials next to the contact would have, and at the speed's frequency [1].
-double share_of_coating(const ContactModel& model);
+/// The coating's share of what a contact of this half-width [m] yields under pressure in passage, 0 without one: at a
+/// wavenumber of one over the half-width, and at the speed's frequency [1].
+double share_of_coating(const ContactModel& model, double half_width);
 
 /// Thickness of all layers under and on the body [m]; infinite over a half-space.
 double total_thickness(const ContactModel& model);

@@ -308,7 +308,7 @@ std::string why_absent(const RollingScene& scene, std::string_view output) {
 }
 
 std::string why_absent(const ContactModel& model, std::string_view output) {
-  return why_absent(model.dimension == 3, std::isinf(total_thickness(model)), output);
+  return why_absent(model.dimension == 3, model.half_space, output);
 }
 
 }  // namespace rollres

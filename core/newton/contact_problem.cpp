@@ -1,5 +1,6 @@
 #include "core/newton/contact_problem.hpp"
 
+#include "core/estimate/grid_choice.hpp"
 #include "core/model/contact_surface.hpp"
 
 namespace rollres {

@@ -40,8 +40,9 @@ constexpr int singular_power = 4;
 std::pair<double, double> position(MemoryRule::Singular singular, double t) {
   using enum MemoryRule::Singular;
   if (singular == left) return {std::pow(t, singular_power), singular_power * std::pow(t, singular_power - 1)};
+  // 1 - (1 - t)^4, to all digits as t -> 0: memories may be any times shorter than a panel.
   if (singular == right)
-    return {1 - std::pow(1 - t, singular_power), singular_power * std::pow(1 - t, singular_power - 1)};
+    return {t * (2 - t) * (1 + (1 - t) * (1 - t)), singular_power * std::pow(1 - t, singular_power - 1)};
   return {t, 1};
 }
 

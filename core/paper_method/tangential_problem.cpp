@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/estimate/grid_choice.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/paper_method/stick_slip.hpp"
 

@@ -12,11 +12,11 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/model/stated_error.hpp"
-#include "core/solve/grid_answer.hpp"
 #include "core/newton/grid_solution.hpp"
 #include "core/paper_method/paper_solution.hpp"
 #include "core/solve/coating_flow.hpp"
 #include "core/solve/doubts.hpp"
+#include "core/solve/grid_answer.hpp"
 #include "core/solve/torque_limit.hpp"
 #include "core/zones/spectral_contact.hpp"
 
@@ -124,6 +124,8 @@ RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZone
   const std::optional<LinearityError> nonlinear = linearity_error(model, solution);
   if (nonlinear) solution.model_error = nonlinear->value;
   for (std::string& warning : warnings_for(model, solution, nonlinear)) solution.warnings.push_back(std::move(warning));
+  // A half-space taken as rigid is the model's own choice of the depth that an approach is counted from.
+  if (!why_absent(model, "approach").empty()) solution.approach = RollingSolution::absent;
   return solution;
 }
 

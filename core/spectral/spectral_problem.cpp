@@ -79,7 +79,7 @@ bool single_incompressible(const ContactModel& model) { return !model.composite(
 }  // namespace
 
 SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum& material, double rough_half_width)
-    : model(given), shape(given, share_of_coating(given)), half_width(rough_half_width) {
+    : model(given), shape(given, share_of_coating(given, rough_half_width)), half_width(rough_half_width) {
   const double largest = std::max(half_width, finite_thickness(model));
   const double negligible = std::max(negligible_loss, part_of_tolerance * model.tolerance.value_or(0));
   const MemoryRange told_apart = memory_range(model.speed, 1e-3 * half_width, 1e2 * largest);

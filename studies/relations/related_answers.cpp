@@ -47,6 +47,15 @@ double value_of(const RollingSolution& solution, std::string_view key) {
   return found;
 }
 
+/// The error that an answer states for an output, in its unit; NaN where it states none.
+double own_error(const RollingSolution& solution, std::string_view key) {
+  if (key == "leading_edge" || key == "trailing_edge" || key == "half_width") return solution.edge_error;
+  if (key == "contact_area") return solution.contact_area_error;
+  if (key == "mean_pressure") return solution.mean_pressure * solution.contact_area_error / solution.contact_area;
+  if (key == "peak_pressure") return solution.peak_pressure_error;
+  return RollingSolution::absent;
+}
+
 std::string_view unit_of(std::string_view key, Indenter indenter) {
   const RollingSolution none;
   std::string_view unit;
@@ -113,33 +122,41 @@ struct Compared {
     return on_grid(one.method) && one.method == other.method && one.contact_nodes == other.contact_nodes &&
            one.slip_nodes == other.slip_nodes && std::abs(other.spacing - spacing) <= 1e-9 * spacing;
   }
+  double factor_of(std::string_view key) const { return scenes.factors.of(unit_of(key, scenes.one.indenter)); }
   /// The larger share of a cell in the contact; 0 without a grid.
-  double cell_share() const {
-    double share = 0;
-    for (const RollingSolution* const solution : {&one, &other})
-      if (on_grid(solution->method) || solution->method == Method::finite_strain)
-        share = std::max(share, solution->spacing / (solution->leading_edge - solution->trailing_edge));
-    return share;
+  static double cell_share(const RollingSolution& solution) {
+    if (!on_grid(solution.method) && solution.method != Method::finite_strain) return 0;
+    return solution.spacing / (solution.leading_edge - solution.trailing_edge);
   }
   /// What both state as errors of R_r, over what it is measured against [1].
   double stated() const {
-    const double factor = scenes.factors.of(unit_of("rolling_resistance", scenes.one.indenter));
-    return (one.rolling_resistance_error + other.rolling_resistance_error / factor) / resistance_scale(scenes.one, one);
+    return (one.rolling_resistance_error + other.rolling_resistance_error / factor_of("rolling_resistance")) /
+           resistance_scale(scenes.one, one);
   }
-  double allowed(const ComparedOutput& output) const {
-    constexpr double beyond_stated = 1.5, of_tolerance = 3;
+  /// What discretisation leaves of an output whose errors are not stated: `share` of a cell in the contact.
+  double unstated(const ComparedOutput& output, double share) const {
+    constexpr double of_tolerance = 3;
+    return of_tolerance * scenes.one.tolerance.value_or(1e-8) + output.cells * share +
+           output.smooth * std::pow(share, 1.5) + output.points;
+  }
+  /// What discretisation leaves of an output, relative to its scale.
+  double left(const ComparedOutput& output, double scale) const {
+    constexpr double beyond_stated = 1.5;
+    const double resistance = beyond_stated * stated();
+    if (output.scale == ComparedOutput::resistance) return std::max(resistance, scenes.resistance);
+    const double first = own_error(one, output.key), second = own_error(other, output.key) / factor_of(output.key);
+    const bool known = !std::isnan(first), both = known && !std::isnan(second);
+    if (both) return beyond_stated * (first + second) / scale;
+    if (!known && std::isnan(second))
+      return resistance + unstated(output, std::max(cell_share(one), cell_share(other)));
+    return resistance + unstated(output, cell_share(known ? other : one)) +
+           beyond_stated * (known ? first : second) / scale;
+  }
+  double allowed(const ComparedOutput& output, double scale) const {
     // The direction of shear is that of the slip, which vanishes at the border of the zone that sticks.
     const double exact = scenes.exact * (output.scale == ComparedOutput::shear ? 30 : 1);
     if (scenes.strict || same_cells()) return scenes.sensitivity * exact;
-    double left = beyond_stated * stated();
-    if (output.scale != ComparedOutput::resistance) {
-      const double share = cell_share();
-      left += of_tolerance * scenes.one.tolerance.value_or(1e-8) + output.cells * share +
-              output.smooth * std::pow(share, 1.5) + output.points;
-    } else {
-      left = std::max(left, scenes.resistance);
-    }
-    return scenes.sensitivity * (exact + left);
+    return scenes.sensitivity * (exact + left(output, scale));
   }
 };
 
@@ -152,7 +169,7 @@ bool doubted(const RollingSolution& solution, std::string_view key) {
 /// Compares one output, and keeps it if it is the worst until now.
 void compare_output(const Compared& compared, const ComparedOutput& output, RelationFinding& finding) {
   const RelatedScenes& scenes = compared.scenes;
-  const double factor = scenes.factors.of(unit_of(output.key, scenes.one.indenter));
+  const double factor = compared.factor_of(output.key);
   const double one = value_of(compared.one, output.key);
   const double other =
       (scenes.mirrored ? mirrored_value(compared.other, output.key) : value_of(compared.other, output.key)) / factor;
@@ -160,7 +177,7 @@ void compare_output(const Compared& compared, const ComparedOutput& output, Rela
   if (doubted(compared.one, output.key) || doubted(compared.other, output.key)) return;
   const double scale = scale_of(output, scenes.one, compared.one, one);
   const double difference = scale > 0 ? std::abs(other - one) / scale : one == other ? 0 : INFINITY;
-  const double allowed = compared.allowed(output);
+  const double allowed = compared.allowed(output, scale);
   const double ratio = std::isnan(difference) ? INFINITY : difference / allowed;
   if (ratio < finding.worst) return;
   finding.worst = ratio;

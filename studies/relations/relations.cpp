@@ -255,7 +255,14 @@ Pair exchanged(Dice& dice, RollingScene scene) {
       .one = scene, .other = known(other), .exact = 1e-7, .left_out = {"driving_force", "driving_torque"}};
 }
 
-/// On elastic layers a cylinder that slides forwards everywhere is the mirror image of one that slides backwards.
+/// Of a cylinder's layers: the contact's sagitta over their thickness, or over the half-width where that is less [1].
+double strain_estimate(const RollingScene& scene) {
+  const double half_width = estimate_contact(scene).half_width;
+  return half_width * half_width / scene.radius / std::min(half_width, total_thickness(scene));
+}
+
+/// On elastic layers a cylinder that slides forwards everywhere is the mirror image of one that slides backwards. It
+/// slides so where the creepage is larger than the strains along the surface, of about the approach over the depth.
 Pair mirrored(Dice& dice, RollingScene scene) {
   for (MaterialInputs* const layer : materials(scene)) {
     if (!layer->static_shear_modulus) return {};
@@ -267,9 +274,13 @@ Pair mirrored(Dice& dice, RollingScene scene) {
   scene.friction_coefficient = std::min(scene.friction_coefficient, 0.5);
   scene.drive = Drive::rotation;
   scene.driving_torque.reset();
-  scene.rotation_ratio = 0;
+  const double strain = strain_estimate(scene), slide = std::max(1.0, 10 * strain);
+  // A coating's strains count by how fast it turns.
+  constexpr double small_strain = 0.1;
+  if (!scene.coating_layers.empty() && strain > small_strain) return {};
+  scene.rotation_ratio = rounded(1 - slide);
   RollingScene other = scene;
-  other.rotation_ratio = rounded(dice.uniform(2, 10));
+  other.rotation_ratio = rounded(1 + slide * (dice.uniform(2, 10) - 1));
   // Grids differ from their mirror images by what their origin, the contact's centre as estimated, is known to.
   return RelatedScenes{.one = scene,
                        .other = known(other),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimate/grid_choice.hpp"
+#include "core/surface/contact_surface.hpp"
 #include "tests/catch.hpp"
 
 using namespace rollres;
@@ -110,4 +112,9 @@ TEST_CASE("a coating's share of what yields is that in passage: what it would do
   coating.relaxation_moduli.push_back(2.9e6);
   scene.coating_layers = {coating};
   CHECK(share_of_coating(scene) == Approx(fresh).epsilon(1e-9));
+  // The same contact, given by its approach.
+  const ContactEstimate contact = estimate_contact(scene);
+  scene.load.reset();
+  scene.approach = contact.approach;
+  CHECK(share_of_coating(scene) == Approx(fresh).epsilon(1e-3));  // to which half-widths are estimated
 }

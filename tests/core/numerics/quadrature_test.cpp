@@ -77,6 +77,21 @@ TEST_CASE("a vanishing memory takes the value and the slope at the start, whatev
   }
 }
 
+TEST_CASE("a memory may be any times shorter than a panel, wherever its nodes crowd", "[core][quadrature]") {
+  using enum MemoryRule::Singular;
+  for (const auto singular : {none, left, right})
+    for (const double memory : {1e-6, 1e-14, 1e-18, 1e-40}) {
+      MemoryRule rule;
+      rule.add_panel(0, 0.2, 16, singular);
+      INFO("memory " << memory << ", nodes " << static_cast<int>(singular));
+      // A polynomial of degree 4 at most of what is interpolated: rounding of 17 weights from 20 points each.
+      CHECK(integrate(rule, memory, [](double) { return 1.0; }) == Approx(1).epsilon(1e-12));
+      // Where nodes crowd at the start, weights of either sign cancel.
+      const double slope = integrate(rule, memory, [](double s) { return s; });
+      CHECK(std::abs(slope - memory) < 1e-11 * memory + (singular == left ? 1e-15 : 0));
+    }
+}
+
 TEST_CASE("the rule for a fading memory follows x log x at the end of a panel", "[core][quadrature]") {
   using enum MemoryRule::Singular;
   const double length = 0.2;

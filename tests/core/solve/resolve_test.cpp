@@ -103,6 +103,15 @@ TEST_CASE("a hard floor under a mat is taken as rigid where the tolerance allows
   CHECK(resolve(scene).decisions.empty());
 }
 
+TEST_CASE("a half-space taken as rigid gives a cylinder no approach that the scene has not", "[core][resolve]") {
+  const RollingScene scene = rubber_mat(Indenter::cylinder);
+  REQUIRE(resolve(scene).foundation.size() == 1);
+  const RollingSolution solution = solve(scene);
+  REQUIRE(solution.status == Status::converged);
+  CHECK(std::isnan(solution.approach));
+  CHECK(solution.model.find("no approach") != std::string::npos);
+}
+
 TEST_CASE("a hard floor under a mat is rigid for a ball as well", "[core][resolve]") {
   RollingScene scene = rubber_mat(Indenter::sphere);
   scene.lower_layers[1].static_shear_modulus = 4e8;
