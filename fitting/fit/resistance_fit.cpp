@@ -202,20 +202,19 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     if (set == sets.end()) sets.push_back(measured.set);
   }
   const auto model = std::make_shared<SceneModel>(std::move(rows), inputs.size(), grid_seen, options.jobs);
-  problem.predict = [model](const FitPoint& point) {
-    return unless_interrupted<Prediction>([&] { return model->predict(point); });
-  };
-  problem.predict_rows = [model](const FitPoint& point, const std::vector<std::size_t>& some) {
+  problem.model.by_rows = true;
+  problem.model.predict = [model](const FitPoint& point, const DataRows& some) {
     return unless_interrupted<Prediction>([&] { return model->predict(point, some); });
   };
   problem.noise_remedy = noise_remedy(scenes);
   if (!options.step) {
-    problem.differentiate = [model](const FitPoint& point, const Prediction& prediction) {
+    problem.model.differentiate = [model](const FitPoint& point, const Prediction& prediction) {
       return unless_interrupted<Slopes>([&] { return model->differentiate(point, prediction); });
     };
   } else {
     const FitProblem plain = problem;
-    problem.differentiate = [model, plain, step = *options.step](const FitPoint& point, const Prediction& prediction) {
+    problem.model.differentiate = [model, plain, step = *options.step](const FitPoint& point,
+                                                                       const Prediction& prediction) {
       return unless_interrupted<Slopes>([&] {
         model->calibrate_at(point);
         return differences(plain, point, prediction, step, model->noise_of(prediction));
