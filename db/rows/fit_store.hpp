@@ -89,16 +89,16 @@ struct FitFailureRecord {
 struct FitRecord {
   static constexpr double absent = FitParameterRecord::absent;
 
-  std::string name, kind;                ///< kind: "resistance", "material", "shift" or "strain"
-  std::string definition, data_digest;   ///< text of the fit's file; digest of the files of the data
-  std::string status, reason, warnings;  ///< warnings: a line each
-  std::string model = {};                ///< what the fit made of the scene: a line each
-  std::string weakest_direction = {};    ///< of the parameters, in words
-  std::string second_best = {};          ///< another least misfit that the data do not tell from the best, in words
-  std::string misfit_cause = {};         ///< what most likely makes a MISFIT; empty: nothing stands out
-  std::string stopped = {};              ///< words of the minimiser on the best descent
-  std::string output_unit = {};          ///< of the measured values; empty where they are of several kinds
-  std::string scene = {};  ///< the fitted scene or material, a JSON object with all digits; empty: not known
+  std::string name = {}, kind = {};                     ///< kind: "resistance", "material", "shift" or "strain"
+  std::string definition = {}, data_digest = {};        ///< text of the fit's file; digest of the files of the data
+  std::string status = {}, reason = {}, warnings = {};  ///< warnings: a line each
+  std::string model = {};                               ///< what the fit made of the scene: a line each
+  std::string weakest_direction = {};                   ///< of the parameters, in words
+  std::string second_best = {};   ///< another least misfit that the data do not tell from the best, in words
+  std::string misfit_cause = {};  ///< what most likely makes a MISFIT; empty: nothing stands out
+  std::string stopped = {};       ///< words of the minimiser on the best descent
+  std::string output_unit = {};   ///< of the measured values; empty where they are of several kinds
+  std::string scene = {};         ///< the fitted scene or material, a JSON object with all digits; empty: not known
   bool deviations_known = false, interrupted = false;
   /// iterations: of the best descent; it and solved are -1 where a former version stored the fit
   std::int64_t degrees = 0, starts = 0, agreeing = 0, iterations = 0;

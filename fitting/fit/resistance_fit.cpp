@@ -65,14 +65,12 @@ double material_value(const RollingScene& scene, const MeasuredScene& measured, 
 /// What a measurement is of: an output by `evaluate`, or of the material, which costs nothing.
 Objective objective_of(const MeasuredScene& measured, const std::string& usual, Evaluate evaluate) {
   const std::string& output = measured.output.empty() ? usual : measured.output;
-  if (!is_of_material(output)) return {measured.scene, {}, real_output(output), std::move(evaluate)};
-  const Evaluate material = [measured, output](const RollingScene& scene) {
-    RollingSolution solution;
-    solution.rolling_resistance = material_value(scene, measured, output);  // under the name of the output below
-    solution.status = Status::converged;
-    return solution;
-  };
-  return {measured.scene, {}, real_output("rolling_resistance"), material};
+  Objective objective{measured.scene, {}, measured_quantity(output), std::move(evaluate)};
+  if (is_of_material(output))
+    objective.value_of = [measured, output](const RollingScene& scene) {
+      return material_value(scene, measured, output);
+    };
+  return objective;
 }
 
 /// An offset or a scale as a parameter. A tenth of a middle measured value is a large offset.
