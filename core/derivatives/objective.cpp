@@ -209,7 +209,14 @@ void require_inside(const Objective& objective, std::span<const double> point) {
 ObjectiveValue value_at(const Objective& objective, std::span<const double> point) {
   ObjectiveValue answer;
   try {
-    const RollingSolution solution = objective.evaluate(scene_at(objective, point));
+    const RollingScene scene = scene_at(objective, point);
+    if (objective.value_of) {
+      answer.value = objective.value_of(scene);
+      answer.status = Status::converged;
+      if (!std::isfinite(answer.value)) answer.reason = std::string(objective.output.key) + ": has no value";
+      return answer;
+    }
+    const RollingSolution solution = objective.evaluate(scene);
     answer.status = solution.status;
     answer.reason = solution.reason;
     if (std::isfinite(solution.error_estimate)) answer.relative_error = solution.error_estimate;

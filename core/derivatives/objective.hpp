@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -57,6 +58,8 @@ struct Objective {
   std::vector<Variable> variables;
   Quantity output;
   Evaluate evaluate;  ///< called by several threads at once where a function is given several jobs
+  /// What is wanted of a scene that is no output of its solution, as a modulus of its material: then nothing is solved.
+  std::function<double(const RollingScene&)> value_of = {};
 };
 
 /// @param inputs  keys of inputs that are real numbers and present in `base`

@@ -44,8 +44,9 @@ Columns all_columns(const Database& database) {
 
 /// Names of columns without the texts of files and the axes of curves, what tells fits apart first.
 std::vector<std::string> usual_columns(const Columns& columns) {
-  constexpr std::array<std::string_view, 10> left_out{"definition",    "data_digest",   "scene",  "x_name", "x_unit",
-                                                      "x_logarithmic", "y_logarithmic", "y_name", "y_unit", "git_hash"};
+  constexpr std::array<std::string_view, 13> left_out{
+      "model",  "stopped",       "output_unit",   "definition", "data_digest", "scene",   "x_name",
+      "x_unit", "x_logarithmic", "y_logarithmic", "y_name",     "y_unit",      "git_hash"};
   std::vector<std::string> names{"id", "name", "kind", "status", "parameters", "values"};
   for (const Column& column : columns)
     if (find_name(left_out, column.name) < 0 && std::find(names.begin(), names.end(), column.name) == names.end())

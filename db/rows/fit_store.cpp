@@ -2,89 +2,16 @@
 
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <type_traits>
-#include <utility>
 
 #include "db/file/provenance.hpp"
 #include "db/file/sqlite.hpp"
+#include "db/rows/fit_columns.hpp"
 #include "db/rows/schema.hpp"
 
 namespace rollres {
 
 namespace {
-
-/// The columns of a table and where a record holds them: what is created, written and read. A column more needs a
-/// migration (schema.hpp).
-template <class Record>
-constexpr int columns = 0;
-
-using Fit = FitRecord;
-template <>
-constexpr auto columns<Fit> = std::tuple(
-    std::pair("name", &Fit::name), std::pair("kind", &Fit::kind), std::pair("definition", &Fit::definition),
-    std::pair("data_digest", &Fit::data_digest), std::pair("status", &Fit::status), std::pair("reason", &Fit::reason),
-    std::pair("warnings", &Fit::warnings), std::pair("weakest_direction", &Fit::weakest_direction),
-    std::pair("scene", &Fit::scene), std::pair("degrees", &Fit::degrees), std::pair("starts", &Fit::starts),
-    std::pair("agreeing", &Fit::agreeing), std::pair("evaluations", &Fit::evaluations),
-    std::pair("recalled", &Fit::recalled), std::pair("failures", &Fit::failures),
-    std::pair("chi_squared", &Fit::chi_squared), std::pair("reduced_chi_squared", &Fit::reduced_chi_squared),
-    std::pair("p_value", &Fit::p_value), std::pair("rms", &Fit::rms), std::pair("runs_p_value", &Fit::runs_p_value),
-    std::pair("condition", &Fit::condition), std::pair("noise", &Fit::noise), std::pair("seconds", &Fit::seconds),
-    std::pair("deviations_known", &Fit::deviations_known), std::pair("profile_threshold", &Fit::profile_threshold),
-    std::pair("x_name", &Fit::x_name), std::pair("x_unit", &Fit::x_unit), std::pair("y_name", &Fit::y_name),
-    std::pair("y_unit", &Fit::y_unit), std::pair("x_logarithmic", &Fit::x_logarithmic),
-    std::pair("y_logarithmic", &Fit::y_logarithmic));
-
-using Parameter = FitParameterRecord;
-template <>
-constexpr auto columns<Parameter> = std::tuple(
-    std::pair("name", &Parameter::name), std::pair("unit", &Parameter::unit), std::pair("fixed", &Parameter::fixed),
-    std::pair("value", &Parameter::value), std::pair("standard_error", &Parameter::standard_error),
-    std::pair("relative_error", &Parameter::relative_error), std::pair("linear_lowest", &Parameter::linear_lowest),
-    std::pair("linear_highest", &Parameter::linear_highest), std::pair("profile_lowest", &Parameter::profile_lowest),
-    std::pair("profile_highest", &Parameter::profile_highest), std::pair("profile_low", &Parameter::profile_low),
-    std::pair("profile_high", &Parameter::profile_high), std::pair("start", &Parameter::start),
-    std::pair("lowest", &Parameter::lowest), std::pair("highest", &Parameter::highest),
-    std::pair("step", &Parameter::step), std::pair("flag", &Parameter::flag));
-
-using Correlation = FitCorrelationRecord;
-template <>
-constexpr auto columns<Correlation> = std::tuple(std::pair("first", &Correlation::first),
-                                                 std::pair("second", &Correlation::second),
-                                                 std::pair("correlation", &Correlation::correlation));
-
-using Datum = FitDataRecord;
-template <>
-constexpr auto columns<Datum> = std::tuple(std::pair("place", &Datum::place), std::pair("measured", &Datum::measured),
-                                           std::pair("deviation", &Datum::deviation),
-                                           std::pair("predicted", &Datum::predicted),
-                                           std::pair("residual", &Datum::residual), std::pair("band", &Datum::band),
-                                           std::pair("x", &Datum::x), std::pair("curve", &Datum::curve));
-
-using ProfileRow = FitProfileRecord;
-template <>
-constexpr auto columns<ProfileRow> = std::tuple(std::pair("parameter", &ProfileRow::parameter),
-                                                std::pair("value", &ProfileRow::value),
-                                                std::pair("rise", &ProfileRow::rise));
-
-using InputRow = FitInputRecord;
-template <>
-constexpr auto columns<InputRow> = std::tuple(std::pair("datum", &InputRow::datum), std::pair("name", &InputRow::name),
-                                              std::pair("unit", &InputRow::unit), std::pair("value", &InputRow::value));
-
-using CurveRow = FitCurveRecord;
-template <>
-constexpr auto columns<CurveRow> = std::tuple(std::pair("curve", &CurveRow::curve),
-                                              std::pair("label", &CurveRow::label), std::pair("x", &CurveRow::x),
-                                              std::pair("value", &CurveRow::value), std::pair("band", &CurveRow::band));
-
-/// Calls `visit(name, value)` for each column of a record.
-template <class Record, class Visit>
-void visit_columns(Record& record, Visit&& visit) {
-  std::apply([&](const auto&... column) { (visit(column.first, record.*column.second), ...); },
-             columns<std::remove_const_t<Record>>);
-}
 
 std::string type_of(double) { return "REAL"; }
 std::string type_of(std::int64_t) { return "INTEGER NOT NULL"; }
@@ -155,12 +82,12 @@ void create_fit_tables(SQLite::Database& connection) {
   connection.exec(
       "CREATE TABLE fit(id INTEGER PRIMARY KEY, created TEXT NOT NULL, version TEXT NOT NULL, git_hash TEXT "
       "NOT NULL, solver TEXT NOT NULL, " +
-      column_list<Fit>(true) + ", UNIQUE(name, definition, data_digest)) STRICT");
-  connection.exec("CREATE TABLE fit_parameter" + part + "position INTEGER NOT NULL, " + column_list<Parameter>(true) +
-                  ", PRIMARY KEY(fit, position)" + rowless);
-  connection.exec("CREATE TABLE fit_correlation" + part + column_list<Correlation>(true) +
+      column_list<FitRecord>(true) + ", UNIQUE(name, definition, data_digest)) STRICT");
+  connection.exec("CREATE TABLE fit_parameter" + part + "position INTEGER NOT NULL, " +
+                  column_list<FitParameterRecord>(true) + ", PRIMARY KEY(fit, position)" + rowless);
+  connection.exec("CREATE TABLE fit_correlation" + part + column_list<FitCorrelationRecord>(true) +
                   ", PRIMARY KEY(fit, first, second)" + rowless);
-  connection.exec("CREATE TABLE fit_data" + part + "position INTEGER NOT NULL, " + column_list<Datum>(true) +
+  connection.exec("CREATE TABLE fit_data" + part + "position INTEGER NOT NULL, " + column_list<FitDataRecord>(true) +
                   ", PRIMARY KEY(fit, position)" + rowless);
 }
 
@@ -193,15 +120,29 @@ void create_part(SQLite::Database& connection, const std::string& table) {
 }  // namespace
 
 void add_fit_curves(SQLite::Database& connection) {
-  add_columns<Fit>(connection, "fit");
-  add_columns<Datum>(connection, "fit_data");
-  create_part<ProfileRow>(connection, "fit_profile");
-  create_part<CurveRow>(connection, "fit_curve");
+  add_columns<FitRecord>(connection, "fit");
+  add_columns<FitDataRecord>(connection, "fit_data");
+  create_part<FitProfileRecord>(connection, "fit_profile");
+  create_part<FitCurveRecord>(connection, "fit_curve");
 }
 
-void add_fit_inputs(SQLite::Database& connection) { create_part<InputRow>(connection, "fit_input"); }
+void add_fit_inputs(SQLite::Database& connection) { create_part<FitInputRecord>(connection, "fit_input"); }
 
-void add_fit_scenes(SQLite::Database& connection) { add_columns<Fit>(connection, "fit"); }
+void add_fit_details(SQLite::Database& connection) {
+  add_columns<FitRecord>(connection, "fit");
+  add_columns<FitParameterRecord>(connection, "fit_parameter");
+  create_part<FitFailureRecord>(connection, "fit_failure");
+  connection.exec(R"(
+    UPDATE fit SET output_unit = y_unit;
+    UPDATE fit_parameter SET noise = fixed AND flag LIKE 'noise%';
+    UPDATE fit_parameter SET
+      linear_low = CASE WHEN linear_lowest IS NULL THEN 'open' WHEN linear_lowest <= lowest THEN 'limit' ELSE 'closed' END,
+      linear_high = CASE WHEN linear_highest IS NULL THEN 'open' WHEN linear_highest >= highest THEN 'limit' ELSE 'closed' END
+      WHERE NOT fixed
+  )");
+}
+
+void add_fit_scenes(SQLite::Database& connection) { add_columns<FitRecord>(connection, "fit"); }
 
 std::vector<FitSummary> stored_fits(const Database& database) {
   return naming(database.name(), [&] {
@@ -227,8 +168,8 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
   return naming(database.name(), [&] {
     SQLite::Database& connection = database.connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
-    for (const std::string table :
-         {"fit_parameter", "fit_correlation", "fit_data", "fit_input", "fit_profile", "fit_curve", "fit"}) {
+    for (const std::string table : {"fit_parameter", "fit_correlation", "fit_data", "fit_input", "fit_profile",
+                                    "fit_curve", "fit_failure", "fit"}) {
       SQLite::Statement remove(connection, "DELETE FROM " + table + " WHERE " + (table == "fit" ? "id" : "fit") +
                                                " IN (SELECT id FROM fit WHERE name = ? AND definition = ? AND "
                                                "data_digest = ?)");
@@ -245,11 +186,13 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
       for (const auto& row : rows) insert(connection, table, "fit, position", "?, ?", row, id, ++position);
     };
     insert_all("fit_parameter", fit.parameters);
-    for (const Correlation& pair : fit.correlations) insert(connection, "fit_correlation", "fit", "?", pair, id);
+    for (const FitCorrelationRecord& pair : fit.correlations)
+      insert(connection, "fit_correlation", "fit", "?", pair, id);
     insert_all("fit_data", fit.data);
     insert_all("fit_profile", fit.profiles);
     insert_all("fit_curve", fit.curves);
     insert_all("fit_input", fit.inputs);
+    insert_all("fit_failure", fit.failure_reasons);
     transaction.commit();
     return id;
   });
@@ -258,18 +201,21 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
 std::optional<FitRecord> find_fit(const Database& database, const std::string& name, FitParts parts) {
   return naming(database.name(), [&]() -> std::optional<FitRecord> {
     SQLite::Database& connection = database.connection();
-    SQLite::Statement row(connection, "SELECT id, " + column_list<Fit>() + " FROM fit WHERE name = ? ORDER BY id DESC");
+    SQLite::Statement row(connection,
+                          "SELECT id, " + column_list<FitRecord>() + " FROM fit WHERE name = ? ORDER BY id DESC");
     row.bind(1, name);
     if (!row.executeStep()) return std::nullopt;
     const std::int64_t id = row.getColumn(0).getInt64();
-    FitRecord fit = read_record<Fit>(row, 1);
-    fit.parameters = parts_of<Parameter>(connection, "fit_parameter", " ORDER BY position", id);
-    fit.correlations = parts_of<Correlation>(connection, "fit_correlation", "", id);
+    FitRecord fit = read_record<FitRecord>(row, 1);
+    fit.parameters = parts_of<FitParameterRecord>(connection, "fit_parameter", " ORDER BY position", id);
+    fit.correlations =
+        parts_of<FitCorrelationRecord>(connection, "fit_correlation", " ORDER BY abs(correlation) DESC", id);
     if (parts == FitParts::without_data) return fit;
-    fit.data = parts_of<Datum>(connection, "fit_data", " ORDER BY position", id);
-    fit.profiles = parts_of<ProfileRow>(connection, "fit_profile", " ORDER BY position", id);
-    fit.curves = parts_of<CurveRow>(connection, "fit_curve", " ORDER BY position", id);
-    fit.inputs = parts_of<InputRow>(connection, "fit_input", " ORDER BY position", id);
+    fit.data = parts_of<FitDataRecord>(connection, "fit_data", " ORDER BY position", id);
+    fit.profiles = parts_of<FitProfileRecord>(connection, "fit_profile", " ORDER BY position", id);
+    fit.curves = parts_of<FitCurveRecord>(connection, "fit_curve", " ORDER BY position", id);
+    fit.inputs = parts_of<FitInputRecord>(connection, "fit_input", " ORDER BY position", id);
+    fit.failure_reasons = parts_of<FitFailureRecord>(connection, "fit_failure", " ORDER BY position", id);
     return fit;
   });
 }

@@ -236,7 +236,7 @@ std::span<const Migration> schema_migrations() {
                                              show_as_asked,       add_notes,
                                              add_variants,        add_fit_scenes,
                                              add_fit_curves,      add_designs,
-                                             add_fit_inputs};
+                                             add_fit_inputs,      add_fit_details};
   return migrations;
 }
 

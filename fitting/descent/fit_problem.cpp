@@ -23,18 +23,28 @@ std::vector<double> offsets_inside(const Variable& variable, double from, double
 
 double usual_loss_scale(Loss loss) { return loss == Loss::huber ? 1.345 : loss == Loss::cauchy ? 2.385 : 1; }
 
-FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows) {
+Prediction FitProblem::predict(const FitPoint& point, const DataRows& rows) const {
+  Prediction none;
+  if (ending->reached()) none.reason = ending->why();
+  return none.found() ? model.predict(point, rows) : none;
+}
+
+Slopes FitProblem::differentiate(const FitPoint& point, const Prediction& prediction) const {
+  Slopes none;
+  if (ending->reached()) none.reason = ending->why();
+  return none.found() ? model.differentiate(point, prediction) : none;
+}
+
+FitProblem part_of(const FitProblem& problem, const DataRows& rows) {
   FitProblem part = problem;
   part.data.clear();
   for (const std::size_t row : rows) part.data.push_back(problem.data[row]);
-  part.predict = [predict = problem.predict_rows, rows](const FitPoint& point) { return predict(point, rows); };
-  part.predict_rows = [predict = problem.predict_rows, rows](const FitPoint& point,
-                                                             const std::vector<std::size_t>& some) {
-    std::vector<std::size_t> own;
+  part.model.predict = [predict = problem.model.predict, rows](const FitPoint& point, const DataRows& some) {
+    DataRows own;
     for (const std::size_t row : some) own.push_back(rows[row]);
-    return predict(point, own);
+    return predict(point, some.empty() ? rows : own);
   };
-  part.differentiate = [plain = part](const FitPoint& point, const Prediction& prediction) {
+  part.model.differentiate = [plain = part](const FitPoint& point, const Prediction& prediction) {
     return rough_differences(plain, point, prediction);
   };
   return part;
@@ -61,8 +71,8 @@ FitProblem in_variables(const FitProblem& problem, const std::vector<Variable>& 
   FitProblem other = problem;
   const std::vector<Variable> own = variables_of(problem);
   for (std::size_t j = 0; j < problem.size(); ++j) other.parameters[j].variable = variables[j];
-  other.differentiate = [own, variables, differentiate = problem.differentiate](const FitPoint& point,
-                                                                                const Prediction& prediction) {
+  other.model.differentiate = [own, variables, differentiate = problem.model.differentiate](
+                                  const FitPoint& point, const Prediction& prediction) {
     return in_variables(differentiate(point, prediction), point, own, variables);
   };
   return other;

@@ -118,27 +118,39 @@ class EvaluationLog {
   std::vector<Failure> reasons_;
 };
 
+/// Places in a list of data; none stand for all of them where a prediction is asked for.
+using DataRows = std::vector<std::size_t>;
+
+/// What predicts the measured values, and the slopes of the predictions. Asked by several threads at once.
+struct FitModel {
+  using Predict = std::function<Prediction(const FitPoint&, const DataRows&)>;
+
+  Predict predict;
+  std::function<Slopes(const FitPoint&, const Prediction&)> differentiate;
+  bool by_rows = false;  ///< predicts some of the data, too, which costs less than all; else it is asked for all alone
+};
+
 struct FitProblem {
   std::vector<FitParameter> parameters;
   std::vector<MeasuredValue> data;
   bool deviations_known = false;  ///< else errors are scaled by the scatter of the residuals
   Loss loss = Loss::none;
   double loss_scale = 1;  ///< c [1]
-  std::function<Prediction(const FitPoint&)> predict;
-  /// The predictions of some of the data only, where that costs less; may be empty.
-  std::function<Prediction(const FitPoint&, const std::vector<std::size_t>& rows)> predict_rows = {};
-  std::function<Slopes(const FitPoint&, const Prediction&)> differentiate;
+  FitModel model;
   std::string noise_remedy = {};           ///< in words: what to do if the noise of the model is too large for the data
   std::vector<FitPoint> suggestions = {};  ///< points where a descent may well begin, beside the start
-  std::function<Prediction(const FitPoint&)> estimate = {};  ///< roughly the predictions at no cost; may be empty
+  FitModel::Predict estimate = {};         ///< roughly the predictions at no cost; may be empty
   std::shared_ptr<EvaluationLog> log = std::make_shared<EvaluationLog>();  ///< of what the model evaluated
   std::shared_ptr<FitEnding> ending = std::make_shared<FitEnding>();       ///< asked before every solution
 
+  /// What the model says; nothing once the fit is over.
+  Prediction predict(const FitPoint& point, const DataRows& rows = {}) const;
+  Slopes differentiate(const FitPoint& point, const Prediction& prediction) const;
   std::size_t size() const { return parameters.size(); }
 };
 
-/// The problem with some of its data, and rough slopes. @param rows  of the data; predict_rows must be there
-FitProblem part_of(const FitProblem& problem, const std::vector<std::size_t>& rows);
+/// The problem with some of its data, and rough slopes. The model must predict by rows.
+FitProblem part_of(const FitProblem& problem, const DataRows& rows);
 
 std::vector<Variable> variables_of(const FitProblem& problem);
 /// Slopes at a point, by other scaled variables.

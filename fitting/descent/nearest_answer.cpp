@@ -11,12 +11,12 @@ namespace {
 /// The point with the least value of a parameter with which these rows have an answer; nothing if twenty times its
 /// value has none.
 std::optional<FitPoint> nearest_answer(const FitProblem& problem, FitPoint point, std::size_t parameter,
-                                       const std::vector<std::size_t>& rows) {
+                                       const DataRows& rows) {
   constexpr double fine = 1.0005;
   double& value = point[parameter];
   const auto answered = [&](double tried) {
     value = tried;
-    return problem.predict_rows(point, rows).found();
+    return problem.predict(point, rows).found();
   };
   const double from = value, highest = problem.parameters[parameter].variable.highest;
   double without = from, with = 0;
@@ -41,16 +41,15 @@ std::optional<FitPoint> nearest_answer(const FitProblem& problem, FitPoint point
 }  // namespace
 
 FitProblem with_nearest_answers(const FitProblem& problem, const std::vector<std::size_t>& held) {
-  if (!problem.predict_rows) return problem;
   for (std::size_t j = 0; j < problem.size(); ++j) {
     if (!problem.parameters[j].has_least || std::find(held.begin(), held.end(), j) != held.end()) continue;
     FitProblem answered = problem;
-    answered.predict = [problem, j](const FitPoint& point) {
-      Prediction prediction = problem.predict(point);
-      std::vector<std::size_t> without;
+    answered.model.predict = [problem, j](const FitPoint& point, const DataRows& rows) {
+      Prediction prediction = problem.predict(point, rows);
+      DataRows without;
       for (Eigen::Index i = 0; i < prediction.values.size(); ++i)
         if (!std::isfinite(prediction.values[i])) without.push_back(static_cast<std::size_t>(i));
-      if (prediction.found() || without.empty() || problem.ending->over()) return prediction;
+      if (prediction.found() || without.empty() || !rows.empty() || problem.ending->over()) return prediction;
       const std::optional<FitPoint> nearest = nearest_answer(problem, point, j, without);
       if (!nearest) return prediction;
       Prediction there = problem.predict(*nearest);

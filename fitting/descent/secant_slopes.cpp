@@ -35,9 +35,9 @@ FitProblem with_secants(const FitProblem& problem, SecantOptions options) {
     SecantOptions options;
   };
   const auto state = std::make_shared<State>(State{problem, std::move(options)});
-  if (!state->options.evaluate) state->options.evaluate = problem.differentiate;
+  if (!state->options.evaluate) state->options.evaluate = problem.model.differentiate;
   FitProblem quick = problem;
-  quick.differentiate = [state](const FitPoint& point, const Prediction& prediction) {
+  quick.model.differentiate = [state](const FitPoint& point, const Prediction& prediction) {
     std::optional<KnownSlopes>& known = state->options.known;
     if (known) {
       CarriedSlopes next = carried_to(point, prediction, *known, state->problem);

@@ -139,7 +139,7 @@ void add_closed_forms(FitProblem& problem, const std::vector<MeasuredScene>& sce
   if (known == scenes.size())
     problem.estimate =
         resistance_problem(scenes, inputs, problem.parameters, estimate, {.output = std::string(output), .jobs = 1})
-            .predict;
+            .model.predict;
   std::vector<FittedInput> unstarted = inputs;
   for (FittedInput& input : unstarted) {
     if (has_closed_form_start(input.input.key)) input.start.reset();

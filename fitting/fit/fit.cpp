@@ -270,31 +270,6 @@ double interval_threshold(const FitProblem& problem) {
 
 namespace {
 
-/// The problem whose model answers no longer once the fit is over.
-FitProblem until_its_end(const FitProblem& problem) {
-  FitProblem ending = problem;
-  const auto over = [clock = problem.ending](std::string& reason) {
-    if (clock->reached()) reason = clock->why();
-    return !reason.empty();
-  };
-  ending.predict = [over, predict = problem.predict](const FitPoint& point) {
-    Prediction none;
-    return over(none.reason) ? none : predict(point);
-  };
-  if (problem.predict_rows)
-    ending.predict_rows = [over, predict = problem.predict_rows](const FitPoint& point,
-                                                                 const std::vector<std::size_t>& rows) {
-      Prediction none;
-      return over(none.reason) ? none : predict(point, rows);
-    };
-  ending.differentiate = [over, differentiate = problem.differentiate](const FitPoint& point,
-                                                                       const Prediction& prediction) {
-    Slopes none;
-    return over(none.reason) ? none : differentiate(point, prediction);
-  };
-  return ending;
-}
-
 /// Profiles are for fits that the data bind and that describe them: others need no finer intervals.
 bool worth_profiles(FitReport report, const FitProblem& problem) {
   judge(report, problem);
@@ -345,7 +320,7 @@ FitReport fit(const FitProblem& given, const FitOptions& wanted) {
   given.ending->begin(wanted.stop, wanted.limits);
   FitOptions options = wanted;
   options.stop = &given.ending->over();
-  FitProblem problem = with_loss_scale(until_its_end(given), options);
+  FitProblem problem = with_loss_scale(given, options);
   std::vector<Descent> descents = rough_descents(problem, options);
   if (!options.known) problem = sized_at(problem, best_of(descents).end);
   FitReport report = settled(problem, descents, options);

@@ -29,7 +29,7 @@ std::vector<std::size_t> few_rows(const FitProblem& problem) {
       measured.push_back(i);
   }
   const std::size_t wanted = std::max<std::size_t>(8, 2 * problem.size() + 2), all = measured.size();
-  if (!problem.predict_rows || 2 * wanted > all) return {};
+  if (!problem.model.by_rows || 2 * wanted > all) return {};
   constexpr double golden = 0.6180339887498949;
   std::set<std::size_t> chosen{0, all - 1};
   for (double turns = 0.5; chosen.size() < wanted; turns += golden)
@@ -38,9 +38,7 @@ std::vector<std::size_t> few_rows(const FitProblem& problem) {
   return {rows.begin(), rows.end()};
 }
 
-double misfit_at(const FitProblem& problem, const FitPoint& point,
-                 const std::function<Prediction(const FitPoint&)>& predict) {
-  const Prediction prediction = predict(point);
+double misfit_of(const FitProblem& problem, const Prediction& prediction) {
   if (!prediction.found()) return infinite;
   const double found = misfit(problem, residuals(problem, prediction));
   return std::isfinite(found) ? found : infinite;
@@ -116,7 +114,7 @@ std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPo
   if (!problem.estimate) return points;
   constexpr double far_worse = 30;
   std::vector<double> misfits;
-  for (const FitPoint& point : points) misfits.push_back(misfit_at(problem, point, problem.estimate));
+  for (const FitPoint& point : points) misfits.push_back(misfit_of(problem, problem.estimate(point, {})));
   const double best = *std::min_element(misfits.begin(), misfits.end());
   const FitPoint own = start_point(problem);
   std::vector<FitPoint> left;
@@ -145,7 +143,7 @@ std::vector<FitPoint> starts_of(const FitProblem& given, const FitOptions& optio
   };
   std::vector<Candidate> candidates;
   for (const FitPoint& point : not_far_worse(problem, candidates_of(problem, options)))
-    if (const double here = misfit_at(small, point, small.predict); std::isfinite(here))
+    if (const double here = misfit_of(small, small.predict(point)); std::isfinite(here))
       candidates.push_back({point, here});
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });

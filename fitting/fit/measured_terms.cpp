@@ -6,14 +6,11 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <utility>
 
 namespace rollres {
 
 namespace {
-
-using Rows = std::vector<std::size_t>;
 
 /// The model's predictions, those of the last few points kept.
 class RememberedModel {
@@ -21,8 +18,7 @@ class RememberedModel {
   RememberedModel(FitProblem model, std::vector<MeasuredTerm> terms)
       : model_(std::move(model)), terms_(std::move(terms)) {}
 
-  /// @param rows  none: all
-  Prediction predict(const FitPoint& point, const Rows& rows) {
+  Prediction predict(const FitPoint& point, const DataRows& rows) {
     FitPoint own = point;
     for (const MeasuredTerm& term : terms_) own[term.parameter] = neutral(term.key);
     {
@@ -30,7 +26,7 @@ class RememberedModel {
       for (const Known& known : known_)
         if (known.point == own && known.rows == rows) return known.prediction;
     }
-    Prediction prediction = rows.empty() ? model_.predict(own) : model_.predict_rows(own, rows);
+    Prediction prediction = model_.predict(own, rows);
     const std::lock_guard lock(mutex_);
     if (prediction.found()) known_.push_back({own, rows, prediction});
     constexpr std::size_t most = 8;
@@ -38,7 +34,7 @@ class RememberedModel {
     return prediction;
   }
 
-  Prediction predicted(const FitPoint& point, const Rows& rows) {
+  Prediction predicted(const FitPoint& point, const DataRows& rows) {
     Prediction prediction = predict(point, rows);
     for (Eigen::Index i = 0; prediction.found() && i < prediction.values.size(); ++i) {
       const std::size_t datum = rows.empty() ? static_cast<std::size_t>(i) : rows[static_cast<std::size_t>(i)];
@@ -72,7 +68,7 @@ class RememberedModel {
  private:
   struct Known {
     FitPoint point;
-    Rows rows;
+    DataRows rows;
     Prediction prediction;
   };
 
@@ -104,6 +100,27 @@ double value_of(const KnownBefore& known, const FitPoint& point) {
   return sum;
 }
 
+/// Predictions of the measured values with those of what was known before behind them.
+FitModel::Predict with_known(const FitModel::Predict& predict, const std::vector<KnownBefore>& known,
+                             std::size_t measured) {
+  return [=](const FitPoint& point, const DataRows& rows) {
+    const auto row_at = [&](std::size_t place) { return rows.empty() ? place : rows[place]; };
+    DataRows own;
+    for (const std::size_t row : rows)
+      if (row < measured) own.push_back(row);
+    Prediction prediction;
+    if (rows.empty() || !own.empty()) prediction = predict(point, own);
+    if (!prediction.found()) return prediction;
+    Eigen::VectorXd values(rows.empty() ? std::ssize(known) + prediction.values.size() : std::ssize(rows));
+    for (Eigen::Index i = 0, next = 0; i < values.size(); ++i) {
+      const std::size_t row = row_at(static_cast<std::size_t>(i));
+      values[i] = row < measured ? prediction.values[next++] : value_of(known[row - measured], point);
+    }
+    prediction.values = values;
+    return prediction;
+  };
+}
+
 }  // namespace
 
 Variable term_variable(std::string_view key, const Quantity& measured, double size) {
@@ -125,11 +142,10 @@ FitProblem with_terms(const FitProblem& model, std::vector<MeasuredTerm> terms) 
   if (terms.empty()) return model;
   const auto remembered = std::make_shared<RememberedModel>(model, std::move(terms));
   FitProblem problem = model;
-  problem.predict = [remembered](const FitPoint& point) { return remembered->predicted(point, {}); };
-  problem.predict_rows = [remembered](const FitPoint& point, const Rows& rows) {
+  problem.model.predict = [remembered](const FitPoint& point, const DataRows& rows) {
     return remembered->predicted(point, rows);
   };
-  problem.differentiate = [remembered](const FitPoint& point, const Prediction& prediction) {
+  problem.model.differentiate = [remembered](const FitPoint& point, const Prediction& prediction) {
     return remembered->differentiate(point, prediction);
   };
   return problem;
@@ -172,35 +188,9 @@ FitProblem with_priors(const FitProblem& problem, const std::vector<KnownBefore>
   for (const KnownBefore& one : known)
     with.data.push_back(
         {.value = one.mean, .deviation = one.deviation, .place = "prior of " + one.of, .set = MeasuredValue::of_prior});
-  with.predict_rows = [known, measured, problem](const FitPoint& point, const Rows& rows) {
-    Rows own;
-    for (const std::size_t row : rows)
-      if (row < measured) own.push_back(row);
-    Prediction prediction = problem.predict_rows(point, own);
-    if (!prediction.found()) return prediction;
-    Eigen::VectorXd values(std::ssize(rows));
-    for (Eigen::Index i = 0, next = 0; i < values.size(); ++i) {
-      const std::size_t row = rows[static_cast<std::size_t>(i)];
-      values[i] = row < measured ? prediction.values[next++] : value_of(known[row - measured], point);
-    }
-    prediction.values = values;
-    return prediction;
-  };
-  if (problem.estimate)
-    with.estimate = [known, measured, estimate = problem.estimate](const FitPoint& point) {
-      Prediction prediction = estimate(point);
-      if (!prediction.found()) return prediction;
-      prediction.values.conservativeResize(static_cast<Eigen::Index>(measured) + std::ssize(known));
-      for (std::size_t i = 0; i < known.size(); ++i)
-        prediction.values[static_cast<Eigen::Index>(measured + i)] = value_of(known[i], point);
-      return prediction;
-    };
-  with.predict = [predict = with.predict_rows, all = with.data.size()](const FitPoint& point) {
-    Rows rows(all);
-    std::iota(rows.begin(), rows.end(), 0);
-    return predict(point, rows);
-  };
-  with.differentiate = [known, measured, problem](const FitPoint& point, const Prediction& prediction) {
+  with.model.predict = with_known(problem.model.predict, known, measured);
+  if (problem.estimate) with.estimate = with_known(problem.estimate, known, measured);
+  with.model.differentiate = [known, measured, problem](const FitPoint& point, const Prediction& prediction) {
     Slopes slopes = problem.differentiate(point, {prediction.values.head(static_cast<Eigen::Index>(measured)), ""});
     if (!slopes.found()) return slopes;
     const auto rows = static_cast<Eigen::Index>(measured), more = std::ssize(known);

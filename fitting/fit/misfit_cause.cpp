@@ -29,13 +29,12 @@ FitProblem with_term(const FitProblem& problem, std::string_view key) {
   const Variable variable = term_variable(key, {key, "", "", ""}, 0.1 * sizes[sizes.size() / 2]);
   more.parameters.push_back({std::string(key), variable, key == offset_key ? 0.0 : 1.0});
   for (FitPoint& suggestion : more.suggestions) suggestion.push_back(more.parameters.back().start);
-  more.predict = [inner = problem.predict](const FitPoint& point) { return inner(without_last(point)); };
   more.estimate = {};
-  if (problem.predict_rows)
-    more.predict_rows = [inner = problem.predict_rows](const FitPoint& point, const std::vector<std::size_t>& rows) {
-      return inner(without_last(point), rows);
-    };
-  more.differentiate = [inner = problem.differentiate](const FitPoint& point, const Prediction& prediction) {
+  more.model.predict = [inner = problem.model.predict](const FitPoint& point, const DataRows& rows) {
+    return inner(without_last(point), rows);
+  };
+  more.model.differentiate = [inner = problem.model.differentiate](const FitPoint& point,
+                                                                   const Prediction& prediction) {
     Slopes slopes = inner(without_last(point), prediction);
     if (!slopes.found()) return slopes;
     const Eigen::Index columns = std::ssize(point);

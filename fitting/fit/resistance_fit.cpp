@@ -65,14 +65,12 @@ double material_value(const RollingScene& scene, const MeasuredScene& measured, 
 /// What a measurement is of: an output by `evaluate`, or of the material, which costs nothing.
 Objective objective_of(const MeasuredScene& measured, const std::string& usual, Evaluate evaluate) {
   const std::string& output = measured.output.empty() ? usual : measured.output;
-  if (!is_of_material(output)) return {measured.scene, {}, real_output(output), std::move(evaluate)};
-  const Evaluate material = [measured, output](const RollingScene& scene) {
-    RollingSolution solution;
-    solution.rolling_resistance = material_value(scene, measured, output);  // under the name of the output below
-    solution.status = Status::converged;
-    return solution;
-  };
-  return {measured.scene, {}, real_output("rolling_resistance"), material};
+  Objective objective{measured.scene, {}, measured_quantity(output), std::move(evaluate)};
+  if (is_of_material(output))
+    objective.value_of = [measured, output](const RollingScene& scene) {
+      return material_value(scene, measured, output);
+    };
+  return objective;
 }
 
 /// An offset or a scale as a parameter. A tenth of a middle measured value is a large offset.
@@ -201,20 +199,19 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     if (set == sets.end()) sets.push_back(measured.set);
   }
   const auto model = std::make_shared<SceneModel>(std::move(rows), inputs.size(), grid_seen, options.jobs);
-  problem.predict = [model](const FitPoint& point) {
-    return unless_interrupted<Prediction>([&] { return model->predict(point); });
-  };
-  problem.predict_rows = [model](const FitPoint& point, const std::vector<std::size_t>& some) {
+  problem.model.by_rows = true;
+  problem.model.predict = [model](const FitPoint& point, const DataRows& some) {
     return unless_interrupted<Prediction>([&] { return model->predict(point, some); });
   };
   problem.noise_remedy = noise_remedy(scenes);
   if (!options.step) {
-    problem.differentiate = [model](const FitPoint& point, const Prediction& prediction) {
+    problem.model.differentiate = [model](const FitPoint& point, const Prediction& prediction) {
       return unless_interrupted<Slopes>([&] { return model->differentiate(point, prediction); });
     };
   } else {
     const FitProblem plain = problem;
-    problem.differentiate = [model, plain, step = *options.step](const FitPoint& point, const Prediction& prediction) {
+    problem.model.differentiate = [model, plain, step = *options.step](const FitPoint& point,
+                                                                       const Prediction& prediction) {
       return unless_interrupted<Slopes>([&] {
         model->calibrate_at(point);
         return differences(plain, point, prediction, step, model->noise_of(prediction));

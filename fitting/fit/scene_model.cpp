@@ -39,7 +39,12 @@ double shift_reach(const SceneRow& row, std::size_t column) {
 
 }  // namespace
 
-Prediction SceneModel::predict(const FitPoint& point, const std::vector<std::size_t>& rows) const {
+Prediction SceneModel::predict(const FitPoint& point, const DataRows& some) const {
+  DataRows rows = some;
+  if (rows.empty()) {
+    rows.resize(rows_.size());
+    std::iota(rows.begin(), rows.end(), 0);
+  }
   Prediction prediction{Eigen::VectorXd::Constant(std::ssize(rows), RollingSolution::absent)};
   std::vector<std::string> reasons(rows.size());
   for_each_piece(rows.size(), jobs_, [&](std::size_t i) {
@@ -51,12 +56,6 @@ Prediction SceneModel::predict(const FitPoint& point, const std::vector<std::siz
   for (std::string& reason : reasons)
     if (prediction.reason.empty()) prediction.reason = std::move(reason);
   return prediction;
-}
-
-Prediction SceneModel::predict(const FitPoint& point) const {
-  std::vector<std::size_t> all(rows_.size());
-  std::iota(all.begin(), all.end(), 0);
-  return predict(point, all);
 }
 
 Slopes SceneModel::differentiate(const FitPoint& point, const Prediction& prediction) {

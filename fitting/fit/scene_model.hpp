@@ -83,9 +83,7 @@ class SceneModel {
   SceneModel(std::vector<SceneRow> rows, std::size_t inputs, std::shared_ptr<std::atomic<bool>> on_grid, int jobs)
       : rows_(std::move(rows)), calibrations_(inputs), on_grid_(std::move(on_grid)), jobs_(jobs) {}
 
-  Prediction predict(const FitPoint& point, const std::vector<std::size_t>& rows) const;
-
-  Prediction predict(const FitPoint& point) const;
+  Prediction predict(const FitPoint& point, const DataRows& some) const;
 
   Slopes differentiate(const FitPoint& point, const Prediction& prediction);
 

@@ -49,7 +49,7 @@ TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point) {
 }
 
 void answer_by(FitProblem& problem, std::function<Eigen::VectorXd(const FitPoint&)> values, double least_size) {
-  problem.predict = [values = std::move(values), log = problem.log](const FitPoint& point) {
+  problem.model.predict = [values = std::move(values), log = problem.log](const FitPoint& point, const DataRows&) {
     Prediction prediction;
     try {
       prediction.values = values(point);
@@ -61,7 +61,7 @@ void answer_by(FitProblem& problem, std::function<Eigen::VectorXd(const FitPoint
     return prediction;
   };
   const FitProblem plain = problem;
-  problem.differentiate = [plain, least_size](const FitPoint& point, const Prediction& prediction) {
+  problem.model.differentiate = [plain, least_size](const FitPoint& point, const Prediction& prediction) {
     constexpr double step = 1e-3, rounding = 1e-15;
     return differences(plain, point, prediction, step, rounding * prediction.values.cwiseAbs().cwiseMax(least_size));
   };

@@ -72,7 +72,7 @@ Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries
   if (moduli == columns) return slopes;
   FitProblem shifts = problem;
   shifts.parameters.erase(shifts.parameters.begin(), shifts.parameters.begin() + moduli);
-  shifts.predict = [&](const FitPoint& constants) {
+  shifts.model.predict = [&](const FitPoint& constants, const DataRows&) {
     FitPoint whole = point;
     std::copy(constants.begin(), constants.end(), whole.begin() + moduli);
     return problem.predict(whole);
@@ -108,7 +108,7 @@ void add_intervals(FitReport& report, const FitProblem& problem, std::size_t mod
   for (std::size_t j = 0; j < moduli; ++j) bound_modulus(report.parameters[j], threshold, options.profiles);
   const Prediction prediction = problem.predict(report.point());
   const Descent end{report.point(), report.point(), report.chi_squared, prediction, true, report.stopped};
-  for (std::size_t j = moduli; j < problem.size() && options.profiles; ++j)
+  for (std::size_t j = moduli; j < problem.size() && options.profiles && prediction.found(); ++j)
     report.parameters[j].profile = profile(problem, end, report.slopes, report.errors, j, threshold, options.stop);
   judge(report, problem);
   report.evaluations = problem.log->evaluations();
@@ -122,8 +122,8 @@ MaterialFit fit_moduli(const std::vector<MeasuredModulus>& data, const PronySeri
     return complex_modulus(series_at(series, point), omega);
   });
   const FitProblem plain = problem;
-  problem.differentiate = [data, series, plain, shift = options.shift](const FitPoint& point,
-                                                                       const Prediction& prediction) {
+  problem.model.differentiate = [data, series, plain, shift = options.shift](const FitPoint& point,
+                                                                             const Prediction& prediction) {
     return series_slopes(data, series, shift, plain, point, prediction);
   };
   FitOptions wanted = options.options;
@@ -259,7 +259,7 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
   FitPoint start = start_point(problem);
   if (start.empty()) return options.shift;
   const EvenSeries basis = automatic_series(data, shift_at(options.shift, start), options.deviations_known);
-  problem.predict = [&data, &options, &basis](const FitPoint& point) {
+  problem.model.predict = [&data, &options, &basis](const FitPoint& point, const DataRows&) {
     Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
     try {
       const TemperatureShift here = shift_at(options.shift, point);
@@ -276,7 +276,7 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
     }
     return prediction;
   };
-  problem.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
+  problem.model.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
     constexpr double step = 1e-2, rounding = 1e-12;
     return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
   };

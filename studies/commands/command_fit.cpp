@@ -8,12 +8,13 @@
 #include "core/numerics/solution_limits.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/material/material_problem.hpp"
+#include "studies/fit/coverage_summary.hpp"
 #include "studies/fit/fit_comparison.hpp"
 #include "studies/fit/fit_curves.hpp"
+#include "studies/fit/fit_design.hpp"
 #include "studies/fit/fit_file.hpp"
-#include "studies/fit/fit_inputs.hpp"
 #include "studies/fit/fit_keys.hpp"
-#include "studies/fit/fit_summary.hpp"
+#include "studies/fit/fit_record.hpp"
 #include "studies/fit/fitted_scene.hpp"
 #include "studies/fit/material_curves.hpp"
 #include "studies/fit/material_file.hpp"
@@ -25,6 +26,7 @@
 #include "studies/run/stored_evaluations.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/stored_fits/fit_chart.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -41,29 +43,6 @@ struct FitArguments {
   std::uint64_t seed = 1;
   bool json = false, no_profiles = false, design = false, compare = false;
 };
-
-/// The unit of the measured values; empty where they are of several kinds.
-std::string_view unit_of_all(const FitFile& file) {
-  for (const MeasuredScene& row : file.scenes)
-    if (row.output != file.scenes.front().output) return "";
-  return measured_quantity(file.scenes.front().output).unit_for(file.indenter());
-}
-
-FitContext context_of(const FitFile& file) {
-  FitContext context{.name = file.name,
-                     .kind = "resistance",
-                     .definition = file.definition,
-                     .data_digest = file.data_digest,
-                     .indenter = file.indenter(),
-                     .output_unit = unit_of_all(file),
-                     .data_warnings = file.warnings,
-                     .notes = file.notes,
-                     .inputs = measured_inputs(file)};
-  for (const FixedInput& fixed : file.fixed)
-    context.fixed.push_back(
-        {fixed.key, std::string(find_input(fixed.key)->quantity.unit_for(file.indenter())), fixed.value});
-  return context;
-}
 
 /// Draws around the fit, solves them without the store (nobody asks for these scenes again) and counts.
 Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArguments& arguments, Session& session) {
@@ -85,25 +64,25 @@ Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArgu
                    .report = show});
 }
 
-/// Stores the fit, and tells by the exit status what it is worth.
-void save(const FitReport& report, FitContext& context, std::chrono::steady_clock::time_point begin,
-          const FitArguments& arguments, Session& session) {
-  context.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  save_fit(open_database(arguments.database, Access::write), fit_record(report, context));
-  if (!arguments.scene.empty()) write_scene(arguments.scene, context.scene);
-  if (report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
-}
-
-void draw(const FitReport& report, const FitContext& context, const FitArguments& arguments, Session& session) {
-  for (const auto& picture : draw_fit(fit_record(report, context), arguments.out))
-    session.err << "drawn: " << picture.string() << '\n';
+void draw(const FitRecord& record, const FitArguments& arguments, Session& session) {
+  for (const auto& picture : draw_fit(record, arguments.out)) session.err << "drawn: " << picture.string() << '\n';
 }
 
 /// A fit that was made and stored, with what is told of it.
 struct MadeFit {
   FitCandidate candidate;
-  FitContext context;
+  FitRecord record;
 };
+
+/// Stores the fit, and tells by the exit status what it is worth.
+MadeFit stored(FitCandidate candidate, FitRecord fit, std::chrono::steady_clock::time_point begin,
+               const FitArguments& arguments, Session& session) {
+  fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  save_fit(open_database(arguments.database, Access::write), fit);
+  if (!arguments.scene.empty()) write_scene(arguments.scene, fit.scene);
+  if (candidate.report.status < FitStatus::usable_with_warnings) session.status = ExitStatus::no_answer;
+  return {std::move(candidate), std::move(fit)};
+}
 
 /// Answers through the store until the user wants an end.
 Evaluate until(const StopSignal& signal, StoredEvaluations& stored) {
@@ -114,30 +93,28 @@ Evaluate until(const StopSignal& signal, StoredEvaluations& stored) {
   };
 }
 
-MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredEvaluations& stored,
+MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredEvaluations& evaluations,
                             const StopSignal& signal, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   file.options.stop = &signal.requested();
   file.options.profiles = !arguments.no_profiles;
   const FitProblem problem = problem_of(
-      file, [&](const RollingScene& scene) { return stored(scene); }, arguments.jobs);
-  MadeFit made{{.source = arguments.fit, .name = file.name, .model = "scene"}, context_of(file)};
-  FitReport& report = made.candidate.report;
-  report = refusing_at(file.source, [&] { return fit(problem, file); });
-  std::vector<std::string> names;
-  for (const FittedParameter& fitted : report.parameters) names.push_back(fitted.parameter.name);
-  made.candidate.model = joined(names);
-  made.context.solved = stored.count().solved;
-  made.context.recalled = stored.count().recalled;
-  made.context.scene = fitted_scene(report, file);
-  save(report, made.context, begin, arguments, session);
-  if (report.slopes.found() && !report.interrupted) {  // the fit is stored whatever becomes of its curves
-    made.context.curves = fit_curves(file, report, until(signal, stored), arguments.jobs,
-                                     arguments.out.empty() ? for_the_store : CurveDetail{});
-    save_fit(open_database(arguments.database, Access::write), fit_record(report, made.context));
-    if (signal.requested()) session.err << "interrupted: the fit is stored, its curves are not complete\n";
-  }
-  made.candidate.resistance = std::move(file);
+      file, [&](const RollingScene& scene) { return evaluations(scene); }, arguments.jobs);
+  const FitReport report = refusing_at(file.source, [&] { return fit(problem, file); });
+  FitRecord record = with_report(begun_fit(file), report, file.indenter());
+  record.solved = static_cast<std::int64_t>(evaluations.count().solved);
+  record.recalled = static_cast<std::int64_t>(evaluations.count().recalled);
+  record.scene = fitted_scene(report, file);
+  const std::string names = joined(report.parameters, ", ", [](const auto& one) { return one.parameter.name; });
+  MadeFit made =
+      stored({.source = arguments.fit, .name = file.name, .model = names, .report = report, .resistance = file},
+             std::move(record), begin, arguments, session);
+  if (!report.slopes.found() || report.interrupted) return made;
+  // The fit is stored whatever becomes of its curves.
+  made.record = with_curves(std::move(made.record), fit_curves(file, report, until(signal, evaluations), arguments.jobs,
+                                                               arguments.out.empty() ? for_the_store : CurveDetail{}));
+  save_fit(open_database(arguments.database, Access::write), made.record);
+  if (signal.requested()) session.err << "interrupted: the fit is stored, its curves are not complete\n";
   return made;
 }
 
@@ -149,68 +126,53 @@ std::string model_in_words(const MaterialFitOptions& options, const MaterialFit&
   return words + ", " + (law < shift_names.size() ? std::string(shift_names[law]) : "table of shifts");
 }
 
-/// Of a fit of no scenes.
-template <class File>
-FitContext context_of(const File& file, const char* kind, const char* unit) {
-  return {.name = file.name,
-          .kind = kind,
-          .definition = file.definition,
-          .data_digest = file.data_digest,
-          .output_unit = unit,
-          .notes = file.notes,
-          .inputs = measured_inputs(file)};
-}
-
 MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   file.options.options.profiles = !arguments.no_profiles;
-  const MaterialFit found = refusing_at(arguments.fit, [&] { return fit_material(file.data, file.options); });
-  FitContext context = context_of(file, "material", "Pa");
-  context.notes.insert(context.notes.end(), found.notes.begin(), found.notes.end());
-  context.scene = fitted_scene(found, file);
-  if (found.report.slopes.found()) context.curves = modulus_curves(file, found);
-  save(found.report, context, begin, arguments, session);
+  MaterialFit found = refusing_at(arguments.fit, [&] { return fit_material(file.data, file.options); });
+  file.notes.insert(file.notes.end(), found.notes.begin(), found.notes.end());
+  FitRecord record = with_report(begun_fit(file), found.report, Indenter::cylinder);
+  record.scene = fitted_scene(found, file);
+  if (found.report.slopes.found()) record = with_curves(std::move(record), modulus_curves(file, found));
   const std::string model = model_in_words(file.options, found);
-  return {{.source = arguments.fit,
-           .name = file.name,
-           .model = model,
-           .report = found.report,
-           .file = std::move(file),
-           .material = found},
-          context};
+  const FitReport report = found.report;
+  return stored({.source = arguments.fit,
+                 .name = file.name,
+                 .model = model,
+                 .report = report,
+                 .file = std::move(file),
+                 .material = std::move(found)},
+                std::move(record), begin, arguments, session);
 }
 
-MadeFit make_shift_fit(const FitArguments& arguments, const ShiftFile& file, Session& session) {
+MadeFit make_shift_fit(const FitArguments& arguments, ShiftFile file, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
-  FitOptions options = file.options;
-  options.profiles = !arguments.no_profiles;
+  file.options.profiles = !arguments.no_profiles;
   const ShiftFit found = refusing_at(
-      arguments.fit, [&] { return fit_shift(file.data, file.law, file.deviation, options, file.relative_to); });
-  FitContext context = context_of(file, "shift", "1");
-  context.notes.push_back("the values are ln a_T, reference temperature " + readable(file.law.reference, "K"));
-  context.scene = fitted_scene(found, file);
-  if (found.report.slopes.found()) context.curves = shift_curves(file, shift_at(file.law, found.report.point()));
-  save(found.report, context, begin, arguments, session);
-  return {{.source = arguments.fit,
-           .name = file.name,
-           .model = std::string(shift_names[static_cast<std::size_t>(file.law.law)]),
-           .report = found.report,
-           .shift_law = file.law.law},
-          context};
+      arguments.fit, [&] { return fit_shift(file.data, file.law, file.deviation, file.options, file.relative_to); });
+  file.notes.push_back("the values are ln a_T, reference temperature " + readable(file.law.reference, "K"));
+  FitRecord record = with_report(begun_fit(file), found.report, Indenter::cylinder);
+  record.scene = fitted_scene(found, file);
+  if (found.report.slopes.found())
+    record = with_curves(std::move(record), shift_curves(file, shift_at(file.law, found.report.point())));
+  return stored({.source = arguments.fit,
+                 .name = file.name,
+                 .model = std::string(shift_names[static_cast<std::size_t>(file.law.law)]),
+                 .report = found.report,
+                 .shift_law = file.law.law},
+                std::move(record), begin, arguments, session);
 }
 
-MadeFit make_strain_fit(const FitArguments& arguments, const StrainFile& file, Session& session) {
+MadeFit make_strain_fit(const FitArguments& arguments, StrainFile file, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
-  FitOptions options = file.options;
-  options.profiles = !arguments.no_profiles;
+  file.options.profiles = !arguments.no_profiles;
   const StrainFit found =
-      refusing_at(arguments.fit, [&] { return fit_strain_sweep(file.data, file.deviations_known, options); });
-  FitContext context = context_of(file, "strain", "Pa");
-  context.scene = fitted_scene(found, file);
-  if (found.report.slopes.found()) context.curves = strain_curves(file, found);
-  save(found.report, context, begin, arguments, session);
-  return {{.source = arguments.fit, .name = file.name, .model = std::string(kraus_alone), .report = found.report},
-          context};
+      refusing_at(arguments.fit, [&] { return fit_strain_sweep(file.data, file.deviations_known, file.options); });
+  FitRecord record = with_report(begun_fit(file), found.report, Indenter::cylinder);
+  record.scene = fitted_scene(found, file);
+  if (found.report.slopes.found()) record = with_curves(std::move(record), strain_curves(file, found));
+  return stored({.source = arguments.fit, .name = file.name, .model = std::string(kraus_alone), .report = found.report},
+                std::move(record), begin, arguments, session);
 }
 
 template <class File>
@@ -233,10 +195,10 @@ void fit_alone(const FitArguments& arguments, Session& session, const Read& read
   const MadeFit made = make(arguments, std::move(file), session);
   const FitReport& report = made.candidate.report;
   if (arguments.json)
-    session.out << text_of(json_of(report, made.context), 2) << '\n';
+    session.out << text_of(json_of(made.record), 2) << '\n';
   else
-    session.out << fit_summary(report, made.context) << std::flush;
-  if (!arguments.out.empty() && report.slopes.found()) draw(report, made.context, arguments, session);
+    session.out << fit_summary(made.record) << std::flush;
+  if (!arguments.out.empty() && report.slopes.found()) draw(made.record, arguments, session);
 }
 
 void fit_resistance(const FitArguments& arguments, Session& session) {
@@ -249,8 +211,8 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
   const FitFile& given = *made.candidate.resistance;
 
   const bool known = report.slopes.found() && !report.interrupted;
-  Json object = json_of(report, made.context);
-  if (!arguments.json) session.out << fit_summary(report, made.context) << std::flush;
+  Json object = json_of(made.record);
+  if (!arguments.json) session.out << fit_summary(made.record) << std::flush;
   if (arguments.design && known) {
     const FitDesign next = design_of(given, report, until(signal, stored), arguments.jobs);
     if (signal.requested()) {
@@ -265,7 +227,7 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
     object["coverage"] = json_of(counted);
     if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
   }
-  if (!arguments.out.empty() && known) draw(report, made.context, arguments, session);
+  if (!arguments.out.empty() && known) draw(made.record, arguments, session);
   stored.flush();
   if (arguments.json) session.out << text_of(object, 2) << '\n';
 }

@@ -188,7 +188,7 @@ void add_query(Command& program, Session& session) {
   command->add_option("--sql STATEMENT", arguments.sql,
                       "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
                       "resistance, evaluation, study, study_point, fields, provenance, fit, fit_parameter, "
-                      "fit_correlation, fit_data, fit_input, fit_profile, fit_curve");
+                      "fit_correlation, fit_data, fit_input, fit_profile, fit_curve, fit_failure");
   command->add_option("--format FORMAT", arguments.format, "table, csv, json, jsonl (one object a line) or markdown")
       ->one_of(table_formats);
   command->add_flag(

@@ -17,7 +17,7 @@ namespace rollres {
 namespace {
 
 struct ScatterArguments {
-  std::string study, database, quantiles = "10,50,90", out, retry = "nothing", surrogate;
+  std::string study, database, quantiles = "10,50,90", out, retry = "nothing";
   std::vector<std::string> outputs, conditions;
   int jobs = 0;
   bool json = false, replace = false;
@@ -102,18 +102,14 @@ void draw(const ScatterReport& report, const ScatterArguments& arguments, Sessio
 }
 
 void scatter(const ScatterArguments& arguments, Session& session) {
-  Study study = read_study(arguments.study);
+  const Study study = read_study(arguments.study);
   if (!study.uncertain.any())
     throw std::invalid_argument(arguments.study + ": uncertain is missing: no input of this study scatters");
-  if (!arguments.surrogate.empty())
-    study.uncertain.surrogate =
-        static_cast<SurrogateWish>(find_name(ChoiceNames<SurrogateWish>::names, arguments.surrogate));
   const ScatterWish wish = wish_of(arguments, study);
   if (!arguments.out.empty()) chart_files(arguments.out);  // a wrong name is told before the work
   const SweepReport swept = solve(study, arguments, session);
   ResultStore store(arguments.database, Access::read);
-  ScatterReport report{study, wish, scatter_results(study, StudyPlan(study), store, wish.outputs, wish.conditions)};
-  report.surrogate = surrogate_points(study, report.results);
+  const ScatterReport report{study, wish, scatter_results(study, StudyPlan(study), store, wish.outputs, wish.conditions)};
   if (arguments.json) {
     Json object = json_of(report);
     object["recalled"] = swept.recalled;
@@ -124,7 +120,7 @@ void scatter(const ScatterArguments& arguments, Session& session) {
   } else {
     print_text(report, session.out);
     session.out << "\nbehind ±: half the width of the 95 % interval, from the " << study.uncertain.scramblings
-                << " scramblings" << (report.surrogate ? "; of a polynomial by cross-validation" : "") << '\n'
+                << " scramblings\n"
                 << swept.recalled << " points recalled, " << swept.solved << " solved in "
                 << duration_in_words(swept.seconds) << '\n';
   }
@@ -158,11 +154,6 @@ void add_scatter(Command& program, Session& session) {
                    "how probable it is that this holds, 'peak_pressure > 2 MPa'; may be repeated")
       ->one_value_each();
   command->add_option("--quantiles P,...", arguments.quantiles, "in percent; default 10,50,90");
-  command
-      ->add_option("--surrogate WHEN", arguments.surrogate,
-                   "on, off or automatic (spheres): numbers from a polynomial that is fitted to the points, where its "
-                   "cross-validated error is below that of the points; as \"surrogate\" in the file")
-      ->one_of(ChoiceNames<SurrogateWish>::names);
   command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--retry WHICH", arguments.retry, "solve again what is stored: failed, not_converged, or all")
       ->one_of({"failed", "not_converged", "all"});

@@ -192,7 +192,7 @@ void show(const ShowArguments& arguments, Session& session) {
   }
   if (const auto fit = find_fit(store.database(), arguments.what, FitParts::with_data)) {
     if (arguments.fields) throw std::invalid_argument("--fields = " + *arguments.fields + ": a fit has no fields");
-    session.out << (arguments.json ? text_of(json_of(*fit), 2) + "\n" : fit_record_summary(*fit));
+    session.out << (arguments.json ? text_of(json_of(*fit), 2) + "\n" : fit_summary(*fit));
     return;
   }
   std::int64_t id = 0;

@@ -211,10 +211,7 @@ void replace_loss_tangent(MeasuredTable& table) {
   table.leave_out(tangents);
   for (const auto& [key, values] :
        {std::pair(storage_modulus_key, &moduli.storage), std::pair(loss_modulus_key, &moduli.loss)}) {
-    if (table.find(key)) continue;
-    MeasuredColumn column{std::string(key), "Pa", {}};
-    for (const double value : *values) column.cells.push_back(message_text<17>(value));
-    table.columns.push_back(std::move(column));
+    if (!table.find(key)) table.columns.push_back({std::string(key), "Pa", {}, *values});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 #include "core/scene/scene_input.hpp"
@@ -10,6 +11,7 @@
 #include "studies/fit/design_space.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
 
@@ -164,6 +166,47 @@ Table table_of(const MeasurementPlan& design, const FitFile& file) {
   return table;
 }
 
+Json after_json(const MeasurementPlan& plan, const Eigen::VectorXd& deviations) {
+  Json after = Json::object();
+  for (std::size_t k = 0; k < plan.aims.size(); ++k)
+    after[plan.aims[k].name] = deviations[static_cast<Eigen::Index>(k)];
+  return after;
+}
+
+std::vector<std::size_t> places_of_best(const MeasurementPlan& plan) {
+  std::vector<std::size_t> places(std::min(best_shown, plan.choices.size()));
+  std::iota(places.begin(), places.end(), 0);
+  return places;
+}
+
+/// @param inputs  that are told beside speed and load
+Json choices_json(const MeasurementPlan& design, const std::vector<std::size_t>& places,
+                  const std::vector<std::string>& inputs = {}) {
+  Json choices = Json::array();
+  for (const std::size_t place : places) {
+    const DesignChoice& choice = design.choices[place];
+    choices.push_back({{"speed", choice.scene.speed},
+                       {"load", choice.scene.load ? Json(*choice.scene.load) : Json(nullptr)},
+                       {"data", choice.set},
+                       {"predicted", choice.predicted},
+                       {"deviation", choice.deviation},
+                       {"relative_errors", after_json(design, choice.deviations)},
+                       {"ratio", design.ratio(choice)}});
+    for (const std::string& key : inputs) choices.back()[key] = real_input(choice.scene, key);
+  }
+  return choices;
+}
+
+Json together_json(const FitDesign& design, const JointChoice& joint) {
+  Json measured = Json::array();
+  for (const std::size_t place : joint.choices) {
+    const DesignChoice& choice = design.anywhere.choices[place];
+    Json& one = measured.emplace_back(Json{{"data", choice.set}});
+    for (const std::string& key : design.inputs) one[key] = real_input(choice.scene, key);
+  }
+  return {{"measurements", measured}, {"relative_errors", after_json(design.anywhere, joint.deviations)}};
+}
+
 }  // namespace
 
 FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate& evaluate, int jobs) {
@@ -226,6 +269,20 @@ std::string design_summary(const FitDesign& design, const FitFile& file) {
     text << '\n';
   }
   return text.str();
+}
+
+Json json_of(const FitDesign& design) {
+  Json sequence = Json::array();
+  for (const JointChoice& joint : design.together) sequence.push_back(together_json(design, joint));
+  const MeasurementPlan& plan = design.speeds;
+  return {{"worst", plan.aims[plan.worst].name},
+          {"relative_error", finite_or_null(plan.deviations[static_cast<Eigen::Index>(plan.worst)])},
+          {"relative_errors", after_json(plan, plan.deviations)},
+          {"speeds", choices_json(design.speeds, places_of_best(design.speeds))},
+          {"loads", choices_json(design.loads, places_of_best(design.loads))},
+          {"anywhere", choices_json(design.anywhere, design.best, design.inputs)},
+          {"sequence", sequence},
+          {"together", sequence.empty() ? Json(nullptr) : sequence.back()}};
 }
 
 }  // namespace rollres

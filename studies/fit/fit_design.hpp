@@ -1,12 +1,13 @@
 #pragma once
 
-/// What to measure next.
+/// What to measure next. For sources only: it needs nlohmann_json.
 
 #include <string>
 #include <vector>
 
 #include "fitting/fit/experiment_design.hpp"
 #include "studies/fit/fit_file.hpp"
+#include "studies/text/strict_json.hpp"
 
 namespace rollres {
 
@@ -26,5 +27,7 @@ struct FitDesign {
 FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate& evaluate, int jobs);
 
 std::string design_summary(const FitDesign& design, const FitFile& file);
+
+Json json_of(const FitDesign& design);
 
 }  // namespace rollres

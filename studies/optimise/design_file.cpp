@@ -305,8 +305,6 @@ void read_uncertain(DesignProblem& problem, const Json& file, const std::vector<
   if (!problem.uncertain.probabilities.empty())
     refuse(place + ": uncertain", "probability", file["uncertain"]["probability"],
            "is told by rollres scatter; here a constraint with \"scatter\": \"P95\" keeps it below 5 %");
-  if (file["uncertain"].contains("surrogate"))
-    refuse(place + ": uncertain", "surrogate", file["uncertain"]["surrogate"], "is for rollres scatter");
   refuse_no_scatter(problem, file["uncertain"], place + ": uncertain");
   problem.uncertain_points = uncertain_points(problem.uncertain);
 }

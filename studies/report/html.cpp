@@ -77,11 +77,11 @@ std::string page(std::string_view title, std::string_view body) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>";
   markup += text(title);
-  markup += "</title>\n<style>";
+  markup += "</title>\n<style>\n";
   markup += style();
   markup += "</style>\n</head>\n<body>\n<main>\n";
   markup += body;
-  markup += "</main>\n<script>";
+  markup += "</main>\n<script>\n";
   markup += script();
   return markup + "</script>\n</body>\n</html>\n";
 }

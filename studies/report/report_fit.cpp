@@ -4,6 +4,7 @@
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/stored_fits/fit_chart.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 
@@ -15,44 +16,27 @@ using html::TableRow;
 
 std::string number(double value) { return std::isfinite(value) ? short_number(value, 4) : "-"; }
 
-std::string interval(double lowest, double highest, const std::string& unit) {
-  if (std::isnan(lowest) && std::isnan(highest)) return "-";
-  return (std::isnan(lowest) ? "open" : readable(lowest, unit)) + " to " +
-         (std::isnan(highest) ? "open" : readable(highest, unit));
-}
-
 std::string parameter_table(const FitRecord& fit) {
   std::vector<TableRow> rows;
-  for (const FitParameterRecord& p : fit.parameters)
-    rows.push_back(
-        {{in_words(p.name), readable(p.value, p.unit), p.fixed ? "fixed" : readable(p.standard_error, p.unit),
-          p.fixed ? "" : percent(p.relative_error), p.fixed ? "" : interval(p.linear_lowest, p.linear_highest, p.unit),
-          p.profile_low.empty() ? "-" : interval(p.profile_lowest, p.profile_highest, p.unit), p.flag},
-         false});
+  for (const std::vector<Cell>& row : fit_parameter_table(fit).rows) {
+    TableRow& texts = rows.emplace_back();
+    for (const Cell& cell : row) texts.cells.push_back(std::get<std::string>(cell));
+    texts.cells.front() = in_words(texts.cells.front());
+  }
   return html::table({{"parameter"},
                       {"value", true},
                       {"standard error", true},
                       {"relative", true},
                       {"95 % linear"},
                       {"95 % profile"},
+                      {"start", true},
                       {"flag"}},
                      rows);
 }
 
 std::string test_table(const FitRecord& fit) {
-  const std::vector<TableRow> rows{
-      {{"degrees of freedom", std::to_string(fit.degrees)}},
-      {{"deviations", fit.deviations_known ? "as given" : "not given: errors are scaled by the reduced chi squared"}},
-      {{"chi squared",
-        number(fit.chi_squared) + ", reduced " + number(fit.reduced_chi_squared) + ", p = " + number(fit.p_value)}},
-      {{"rms of the residuals", number(fit.rms)}},
-      {{"runs test", "p = " + number(fit.runs_p_value)}},
-      {{"condition",
-        number(fit.condition) + (fit.weakest_direction.empty() ? "" : "; weakest: " + fit.weakest_direction)}},
-      {{"noise of the model", number(fit.noise) + " (relative)"}},
-      {{"descents", std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " starts agree"}},
-      {{"evaluations", std::to_string(fit.evaluations) + ", " + std::to_string(fit.recalled) + " of them recalled, " +
-                           std::to_string(fit.failures) + " failed, in " + readable(fit.seconds, "s")}}};
+  std::vector<TableRow> rows;
+  for (const auto& [name, words] : fit_statistics(fit)) rows.push_back({{name, words}});
   return html::table({{"what"}, {"value"}}, rows);
 }
 
@@ -73,9 +57,10 @@ std::string fit_in_words(const FitRecord& fit) {
             " of their stated deviations on average; so large a misfit or a larger one comes by chance in " +
             percent(fit.p_value, 2) + " of all cases.";
   else if (std::isfinite(fit.rms))
-    text += "It misses the measurements by " +
-            (fit.y_unit.empty() ? short_number(fit.rms, 3) + " (SI, " : readable(fit.rms, fit.y_unit) + " (") +
-            "root mean square).";
+    text +=
+        "It misses the measurements by " +
+        (fit.output_unit.empty() ? short_number(fit.rms, 3) + " (SI, " : readable(fit.rms, fit.output_unit) + " (") +
+        "root mean square).";
   return text;
 }
 

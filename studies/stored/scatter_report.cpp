@@ -52,51 +52,12 @@ void add_lost(Table& table, const ScatterReport& report) {
   }
 }
 
-/// An output at a place: the numbers of the points, or of a polynomial where all of them are surer.
-struct ShownScatter {
-  ScatterStatistics numbers;
-  std::optional<SurrogateStatistics> tried = {};
-  bool from_surrogate = false;
-
-  ShownScatter(const ScatterReport& report, const ScatterBatches& values)
-      : numbers(scatter_statistics(values, report.wish.probabilities)) {
-    if (report.surrogate) tried = surrogate_statistics(*report.surrogate, values, report.wish.probabilities);
-    from_surrogate = tried && is_surer(*tried, numbers);
-    if (!from_surrogate) return;
-    numbers.mean = tried->mean;
-    numbers.deviation = tried->deviation;
-    numbers.quantiles = tried->quantiles;
-  }
-};
-
-struct ShownProbability {
-  ScatterEstimate estimate;
-  bool from_surrogate = false;
-
-  ShownProbability(const ScatterReport& report, const ScatterPlace& place, std::size_t condition)
-      : estimate(probability(place.holds[condition])) {
-    if (!report.surrogate) return;
-    const auto tried = surrogate_probability(*report.surrogate, place.excess[condition]);
-    const bool rare = tried && (tried->value == 0 || tried->value == 1);  // beyond what the points tell
-    from_surrogate = tried && !rare && tried->error < estimate.error;
-    if (from_surrogate) estimate = *tried;
-  }
-};
-
-/// "polynomial of degree 4, 23 terms, off by 1.2e-5 of the deviation"
-std::string in_words(const SurrogateStatistics& surrogate) {
-  return "polynomial of degree " + std::to_string(surrogate.degree) + ", " + std::to_string(surrogate.terms) +
-         (surrogate.terms == 1 ? " term" : " terms") + ", off by " + percent(surrogate.error, 2) +
-         " of the standard deviation";
-}
-
 void print_output(const ScatterReport& report, std::size_t output, std::ostream& out) {
-  std::vector<ShownScatter> all;
+  std::vector<ScatterStatistics> all;
   double largest = 0;
   for (const ScatterPlace& place : report.results.places) {
-    all.emplace_back(report, place.values[output]);
-    if (std::isfinite(all.back().numbers.mean.value))
-      largest = std::max(largest, std::abs(all.back().numbers.mean.value));
+    all.push_back(scatter_statistics(place.values[output], report.wish.probabilities));
+    if (std::isfinite(all.back().mean.value)) largest = std::max(largest, std::abs(all.back().mean.value));
   }
   const Formula& formula = report.wish.outputs[output];
   const ScaledUnit unit = scaled_unit(unit_of(formula, report.indenter()), largest);
@@ -104,17 +65,11 @@ void print_output(const ScatterReport& report, std::size_t output, std::ostream&
   Table table = begun(report);
   for (const char* const name : {"mean", "standard deviation"}) table.columns.emplace_back(name);
   for (const double probability : report.wish.probabilities) table.columns.push_back(quantile_name(probability));
-  if (report.surrogate) table.columns.emplace_back("from");
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const ScatterStatistics& numbers = all[i].numbers;
-    table.rows[i].emplace_back(with_error(numbers.mean, unit.factor));
-    table.rows[i].emplace_back(with_error(numbers.deviation, unit.factor));
-    for (const ScatterEstimate& quantile : numbers.quantiles)
+    table.rows[i].emplace_back(with_error(all[i].mean, unit.factor));
+    table.rows[i].emplace_back(with_error(all[i].deviation, unit.factor));
+    for (const ScatterEstimate& quantile : all[i].quantiles)
       table.rows[i].emplace_back(with_error(quantile, unit.factor));
-    if (!report.surrogate) continue;
-    table.rows[i].emplace_back(all[i].from_surrogate ? in_words(*all[i].tried)
-                               : all[i].tried        ? "the points; a " + in_words(*all[i].tried) + " is no surer"
-                                                     : "the points; no surrogate without all their answers");
   }
   add_lost(table, report);
   write_aligned(out, table, "-", "  ");
@@ -127,7 +82,7 @@ void print_probabilities(const ScatterReport& report, std::ostream& out) {
   for (std::size_t j = 0; j < report.wish.conditions.size(); ++j) {
     table.columns.push_back(report.wish.conditions[j].text());
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-      table.rows[i].emplace_back(with_error(ShownProbability(report, report.results.places[i], j).estimate, 0.01));
+      table.rows[i].emplace_back(with_error(probability(report.results.places[i].holds[j]), 0.01));
   }
   add_lost(table, report);
   write_aligned(out, table, "-", "  ");
@@ -139,37 +94,16 @@ Json json_of(const ScatterEstimate& estimate) {
 
 Json output_json(const ScatterReport& report, const ScatterPlace& place, std::size_t output) {
   const Formula& formula = report.wish.outputs[output];
-  const ShownScatter shown(report, place.values[output]);
-  const ScatterStatistics& found = shown.numbers;
+  const ScatterStatistics found = scatter_statistics(place.values[output], report.wish.probabilities);
   Json object{{"output", formula.text()},    {"unit", unit_of(formula, report.indenter())},
               {"values", found.values},      {"without", found.without},
               {"mean", json_of(found.mean)}, {"standard_deviation", json_of(found.deviation)}};
   for (std::size_t i = 0; i < found.quantiles.size(); ++i)
     object[quantile_name(report.wish.probabilities[i])] = json_of(found.quantiles[i]);
-  object["from"] = shown.from_surrogate ? "surrogate" : "points";
-  if (shown.tried)
-    object["surrogate"] = {
-        {"degree", shown.tried->degree}, {"terms", shown.tried->terms}, {"error", finite_or_null(shown.tried->error)}};
   return object;
 }
 
 }  // namespace
-
-std::optional<SurrogatePoints> surrogate_points(const Study& study, const ScatterResults& results) {
-  const UncertainInputs& uncertain = study.uncertain;
-  const bool wanted = uncertain.surrogate == SurrogateWish::on ||
-                      (uncertain.surrogate == SurrogateWish::automatic && study.base.indenter == Indenter::sphere);
-  const bool whole = std::all_of(results.places.begin(), results.places.end(),
-                                 [&](const ScatterPlace& place) { return place.points == uncertain.points; });
-  if (!wanted || !whole) return std::nullopt;
-  constexpr std::size_t points = 1U << 15U;
-  UncertainInputs many = uncertain;
-  many.points = points;
-  many.scramblings = SurrogatePoints().wanted_batches;
-  many.method = SampleMethod::sobol;
-  return SurrogatePoints{germs_of(uncertain, uncertain_points(uncertain)),
-                         germs_of(many, uncertain_points(many)).points};
-}
 
 std::string quantile_name(double probability) { return "P" + short_number(100 * probability, 6); }
 
@@ -227,9 +161,7 @@ Json json_of(const ScatterReport& report) {
       here["outputs"].push_back(output_json(report, place, i));
     here["probabilities"] = Json::array();
     for (std::size_t i = 0; i < report.wish.conditions.size(); ++i) {
-      const ShownProbability shown(report, place, i);
-      Json one = json_of(shown.estimate);
-      one["from"] = shown.from_surrogate ? "surrogate" : "points";
+      Json one = json_of(probability(place.holds[i]));
       one["condition"] = report.wish.conditions[i].text();
       here["probabilities"].push_back(one);
     }

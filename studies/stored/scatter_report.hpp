@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "studies/scatter/surrogate_statistics.hpp"
 #include "studies/stored/scatter_results.hpp"
 #include "studies/text/strict_json.hpp"
 
@@ -23,13 +22,9 @@ struct ScatterReport {
   const Study& study;
   ScatterWish wish;
   ScatterResults results;
-  std::optional<SurrogatePoints> surrogate = {};  ///< where numbers may come from a polynomial
 
   Indenter indenter() const { return study.base.indenter; }
 };
-
-/// What a surrogate of the study is fitted to, where the study wants one; nothing where constraints dropped points.
-std::optional<SurrogatePoints> surrogate_points(const Study& study, const ScatterResults& results);
 
 /// The name of a quantile: "P10" of 0.1, "P2.5" of 0.025.
 std::string quantile_name(double probability);

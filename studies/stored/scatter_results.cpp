@@ -25,8 +25,7 @@ ScatterPlace empty_place(const Study& study, std::size_t formulas, std::size_t c
   const ScatterBatches batches(study.uncertain.scramblings);
   return {.at = {},
           .values = std::vector<ScatterBatches>(formulas, batches),
-          .holds = std::vector<ScatterBatches>(conditions, batches),
-          .excess = std::vector<ScatterBatches>(conditions, batches)};
+          .holds = std::vector<ScatterBatches>(conditions, batches)};
 }
 
 }  // namespace
@@ -65,7 +64,6 @@ ScatterResults scatter_results(const Study& study, const StudyPlan& plan, Result
       place.values[i][batch].push_back(converged ? formulas[i](scene, *answer) : none);
     for (std::size_t i = 0; i < conditions.size(); ++i) {
       const double excess = converged ? conditions[i].excess(scene, *answer) : none;
-      place.excess[i][batch].push_back(excess);
       place.holds[i][batch].push_back(std::isnan(excess) ? none : conditions[i].holds_with(excess));
     }
   });

@@ -18,7 +18,6 @@ struct ScatterPlace {
   std::vector<Cell> at;                ///< values of these axes [SI], or names
   std::vector<ScatterBatches> values;  ///< of each formula
   std::vector<ScatterBatches> holds;   ///< of each condition: 1 where it holds, 0 where it does not
-  std::vector<ScatterBatches> excess;  ///< of each condition: it holds where this is at most 0
   std::size_t points = 0;
   std::size_t failed = 0;   ///< answered, but not converged
   std::size_t missing = 0;  ///< not answered

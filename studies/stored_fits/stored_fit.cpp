@@ -4,6 +4,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "db/rows/fit_columns.hpp"
+#include "studies/run/progress.hpp"
+#include "studies/scene_io/cells.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -14,13 +17,20 @@ namespace rollres {
 
 namespace {
 
-std::string interval(double lowest, double highest, const std::string& unit) {
-  if (std::isnan(lowest) && std::isnan(highest)) return "-";
+/// @param lowest, highest  an end that is absent is open
+std::string interval_in_words(double lowest, double highest, const std::string& unit) {
   const auto end = [&](double value) { return std::isnan(value) ? std::string("open") : readable(value, unit); };
   return end(lowest) + " .. " + end(highest);
 }
 
-Cell cell(double value) { return std::isnan(value) ? Cell() : Cell(value); }
+std::string four_digits(double value) { return std::isfinite(value) ? short_number(value, 4) : "-"; }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream rest(text);
+  for (std::string line; std::getline(rest, line);) lines.push_back(line);
+  return lines;
+}
 
 /// A list of names, cut off where it is long.
 std::string few(const std::string& names) {
@@ -30,24 +40,28 @@ std::string few(const std::string& names) {
   return all.front() + ", " + all[1] + " and " + std::to_string(all.size() - 2) + " others";
 }
 
-/// All of the parameters, for other programs.
-Table parameters_of(const FitRecord& fit) {
-  Table table{{"name", "unit", "fixed", "value", "standard_error", "relative_error", "linear_lowest", "linear_highest",
-               "profile_lowest", "profile_highest", "start", "flag"},
-              {}};
-  for (const FitParameterRecord& p : fit.parameters)
-    table.rows.push_back({p.name, p.unit, std::int64_t{p.fixed}, cell(p.value), cell(p.standard_error),
-                          cell(p.relative_error), cell(p.linear_lowest), cell(p.linear_highest), cell(p.profile_lowest),
-                          cell(p.profile_highest), cell(p.start), p.flag});
+/// A column as a cell; absent where a number is, or a count is none (< 0).
+Cell column_cell(double value) { return cell_of(value); }
+Cell column_cell(std::int64_t count) { return count < 0 ? Cell() : Cell(count); }
+Cell column_cell(bool yes) { return std::int64_t{yes}; }
+Cell column_cell(const std::string& text) { return text; }
+
+/// All columns of the records, for other programs.
+template <class Record>
+Table record_table(const std::vector<Record>& records) {
+  Table table;
+  const Record any{};
+  visit_columns(any, [&](const char* name, const auto&) { table.columns.emplace_back(name); });
+  for (const Record& record : records) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    visit_columns(record, [&](const char*, const auto& value) { row.push_back(column_cell(value)); });
+  }
   return table;
 }
 
 /// With a column for each input, in SI.
 Table data_of(const FitRecord& fit) {
-  Table table{{"place", "curve", "x", "measured", "deviation", "predicted", "residual", "band"}, {}};
-  for (const FitDataRecord& one : fit.data)
-    table.rows.push_back({one.place, one.curve < 0 ? Cell() : Cell(one.curve), cell(one.x), cell(one.measured),
-                          cell(one.deviation), cell(one.predicted), cell(one.residual), cell(one.band)});
+  Table table = record_table(fit.data);
   for (const FitInputRecord& input : fit.inputs) {
     if (input.datum < 1 || input.datum > std::ssize(table.rows)) continue;
     const auto found = std::find(table.columns.begin(), table.columns.end(), input.name);
@@ -56,27 +70,95 @@ Table data_of(const FitRecord& fit) {
       table.columns.push_back(input.name);
       for (auto& row : table.rows) row.emplace_back();
     }
-    table.rows[static_cast<std::size_t>(input.datum - 1)][column] = cell(input.value);
+    table.rows[static_cast<std::size_t>(input.datum - 1)][column] = cell_of(input.value);
   }
   return table;
 }
 
-Table profiles_of(const FitRecord& fit) {
-  Table table{{"parameter", "value", "rise"}, {}};
-  for (const FitProfileRecord& one : fit.profiles)
-    table.rows.push_back({one.parameter, cell(one.value), cell(one.rise)});
-  return table;
+Json number(double value) { return json_of(cell_of(value)); }
+
+Json interval_json(double lowest, double highest, const std::string& low, const std::string& high) {
+  const auto kind = [](const std::string& end) { return end.empty() ? Json(nullptr) : Json(end); };
+  return {{"lowest", number(lowest)}, {"highest", number(highest)}, {"low", kind(low)}, {"high", kind(high)}};
 }
 
-Table curves_of(const FitRecord& fit) {
-  Table table{{"curve", "label", "x", "value", "band"}, {}};
-  for (const FitCurveRecord& one : fit.curves)
-    table.rows.push_back({one.curve, one.label, cell(one.x), cell(one.value), cell(one.band)});
-  return table;
+Json fitted_json(const FitParameterRecord& p, const FitRecord& fit) {
+  Json object{{"name", p.name},
+              {"unit", p.unit},
+              {"value", number(p.value)},
+              {"standard_error", number(p.standard_error)},
+              {"relative_error", number(p.relative_error)},
+              {"linear_interval", interval_json(p.linear_lowest, p.linear_highest, p.linear_low, p.linear_high)},
+              {"profile_interval", nullptr},
+              {"start", number(p.start)},
+              {"lowest", finite_or_null(p.lowest)},
+              {"highest", finite_or_null(p.highest)},
+              {"scale", p.scale.empty() ? Json(nullptr) : Json(p.scale)},
+              {"step", number(p.step)},
+              {"slope_doubt", number(p.slope_doubt)},
+              {"flag", p.flag}};
+  if (p.profile_low.empty()) return object;
+  object["profile_interval"] = interval_json(p.profile_lowest, p.profile_highest, p.profile_low, p.profile_high);
+  object["profile"] = Json::array();
+  for (const FitProfileRecord& point : fit.profiles)
+    if (point.parameter == p.name)
+      object["profile"].push_back({{"value", number(point.value)}, {"rise", number(point.rise)}});
+  return object;
+}
+
+/// Adds what is fitted, the terms of the noise and what is fixed, each as a list of its own.
+void add_parameters(Json& object, const FitRecord& fit) {
+  for (const char* const list : {"parameters", "noise_terms", "fixed"}) object[list] = Json::array();
+  for (const FitParameterRecord& p : fit.parameters) {
+    if (p.noise)
+      object["noise_terms"].push_back(
+          {{"name", p.name},
+           {"unit", p.unit},
+           {"value", number(p.value)},
+           {"standard_error", number(p.standard_error)},
+           {"interval", interval_json(p.linear_lowest, p.linear_highest, p.linear_low, p.linear_high)}});
+    else if (p.fixed)
+      object["fixed"].push_back({{"name", p.name}, {"unit", p.unit}, {"value", number(p.value)}});
+    else
+      object["parameters"].push_back(fitted_json(p, fit));
+  }
+}
+
+/// Each value with its inputs; without its deviation where none was given.
+Json data_json(const FitRecord& fit) {
+  Json data = json_of(data_of(fit));
+  if (!fit.deviations_known)
+    for (Json& one : data) one["deviation"] = nullptr;
+  return data;
 }
 
 Json axis_json(const std::string& name, const std::string& unit, bool logarithmic) {
-  return {{"name", name}, {"unit", unit}, {"logarithmic", logarithmic}};
+  return name.empty() ? Json(nullptr) : Json{{"name", name}, {"unit", unit}, {"logarithmic", logarithmic}};
+}
+
+/// "3 solved, 12 recalled, 0 failed"
+std::string evaluations_in_words(const FitRecord& fit) {
+  return std::to_string(fit.evaluations) + ": " + (fit.solved < 0 ? "" : std::to_string(fit.solved) + " solved, ") +
+         std::to_string(fit.recalled) + " recalled, " + std::to_string(fit.failures) + " failed, in " +
+         duration_in_words(fit.seconds);
+}
+
+void write_correlations(std::ostream& text, const FitRecord& fit) {
+  std::vector<std::pair<std::string, double>> pairs;
+  for (const FitCorrelationRecord& pair : fit.correlations)
+    if (std::abs(pair.correlation) > 0.1) pairs.emplace_back(pair.first + ", " + pair.second, pair.correlation);
+  if (pairs.empty()) return;
+  constexpr std::size_t most_shown = 12;
+  text << "\ncorrelations above 0.1";
+  if (pairs.size() > most_shown) {
+    text << ", the " << most_shown << " strongest of " << pairs.size() << " (--json has all)";
+    pairs.resize(most_shown);
+  }
+  text << '\n';
+  std::size_t widest = 42;
+  for (const auto& [names, correlation] : pairs) widest = std::max(widest, width(names));
+  for (const auto& [names, correlation] : pairs)
+    text << "  " << padded(names, widest + 2) << short_number(correlation, 4) << '\n';
 }
 
 }  // namespace
@@ -87,58 +169,100 @@ bool is_logarithmic(const FitParameterRecord& one) {
   return std::abs(up - down) < 1e-3 * up;
 }
 
-std::string fit_record_summary(const FitRecord& fit) {
-  std::ostringstream text;
-  text << fit.name << ": " << fit.status << " (a fit of kind " << fit.kind << ")\n";
-  if (!fit.reason.empty()) text << "reason   " << fit.reason << '\n';
-  std::istringstream warnings(fit.warnings);
-  for (std::string warning; std::getline(warnings, warning);) text << "warning  " << warning << '\n';
-  text << '\n';
-  Table table{{"parameter", "value", "+-", "relative", "95 % linear", "95 % profile", "flag"}, {}};
+Table fit_parameter_table(const FitRecord& fit) {
+  Table table{{"parameter", "value", "+-", "relative", "95 % linear", "95 % profile", "start", "flag"}, {}};
+  for (const FitParameterRecord& p : fit.parameters) {
+    const bool linear = !std::isnan(p.linear_lowest) || !std::isnan(p.linear_highest);
+    table.rows.push_back({p.name, readable(p.value, p.unit), readable(p.standard_error, p.unit),
+                          percent(p.relative_error),
+                          linear ? interval_in_words(p.linear_lowest, p.linear_highest, p.unit) : "-",
+                          p.profile_low.empty() ? "-" : interval_in_words(p.profile_lowest, p.profile_highest, p.unit),
+                          readable(p.start, p.unit), p.flag});
+  }
+  return table;
+}
+
+std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord& fit) {
+  const bool noise = std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const auto& p) { return p.noise; });
+  std::vector<std::pair<std::string, std::string>> lines{
+      {"kind", fit.kind},
+      {"data", std::to_string(fit.data.size()) + " values, " + std::to_string(fit.degrees) +
+                   " degrees of freedom, digest " + fit.data_digest.substr(0, 12)},
+      {"deviations", fit.deviations_known ? "as given (absolute)"
+                     : noise              ? "by the fitted noise"
+                                          : "not given: errors are scaled by the reduced chi squared"},
+      {"chi squared", four_digits(fit.chi_squared) + ", reduced " + four_digits(fit.reduced_chi_squared) +
+                          (std::isnan(fit.p_value) ? "" : ", p = " + four_digits(fit.p_value))},
+      {"rms", (fit.output_unit.empty() ? "" : readable(fit.rms, fit.output_unit) + ", ") + "relative " +
+                  percent(fit.relative_rms)}};
+  const auto worst = std::max_element(fit.data.begin(), fit.data.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.residual) < std::abs(b.residual);
+  });
+  if (worst != fit.data.end())
+    lines.emplace_back("largest residual", short_number(worst->residual, 3) + " deviations" +
+                                               (worst->place.empty() ? "" : " at " + worst->place));
+  lines.insert(lines.end(),
+               {{"runs test", "p = " + four_digits(fit.runs_p_value) + "; in the order of the predicted values " +
+                                  four_digits(fit.trend_p_value)},
+                {"condition", four_digits(fit.condition) +
+                                  (fit.weakest_direction.empty() ? "" : "; weakest: " + fit.weakest_direction)},
+                {"noise of the model", four_digits(fit.noise) + " (relative)"}});
+  std::vector<std::string> steps;  // parameters whose slopes are known have none
   for (const FitParameterRecord& p : fit.parameters)
-    table.rows.push_back(
-        {p.name, readable(p.value, p.unit), p.fixed ? std::string("-") : readable(p.standard_error, p.unit),
-         p.fixed ? std::string("-") : percent(p.relative_error), interval(p.linear_lowest, p.linear_highest, p.unit),
-         p.profile_low.empty() ? "-" : interval(p.profile_lowest, p.profile_highest, p.unit), p.flag});
-  write_aligned(text, table);
-  const auto number = [](double value) { return std::isfinite(value) ? short_number(value, 4) : std::string("-"); };
-  text << "\n  data         " << fit.data.size() << " values, " << fit.degrees << " degrees of freedom, digest "
-       << fit.data_digest.substr(0, 12) << "\n  chi squared  " << number(fit.chi_squared) << ", reduced "
-       << number(fit.reduced_chi_squared) << (std::isnan(fit.p_value) ? "" : ", p = " + number(fit.p_value))
-       << "\n  evaluations  " << fit.evaluations << " in " << readable(fit.seconds, "s") << '\n';
+    if (std::isfinite(p.step)) steps.push_back(p.name + " " + four_digits(p.step));
+  if (!steps.empty()) lines.emplace_back("steps (scaled)", joined(steps));
+  lines.emplace_back(
+      "descents", std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " starts agree" +
+                      (fit.iterations < 0 ? "" : "; the best took " + std::to_string(fit.iterations) + " iterations"));
+  lines.emplace_back("evaluations", evaluations_in_words(fit));
+  return lines;
+}
+
+std::string fit_summary(const FitRecord& fit) {
+  std::ostringstream text;
+  text << fit.name << ": " << fit.status << '\n';
+  if (!fit.reason.empty()) text << "reason   " << fit.reason << '\n';
+  for (const std::string& warning : lines_of(fit.warnings)) text << "warning  " << warning << '\n';
+  for (const std::string& note : lines_of(fit.model)) text << "model    " << note << '\n';
+  for (const FitFailureRecord& failure : fit.failure_reasons)
+    text << "failed   " << failure.count << " x " << failure.reason << " (first " << failure.first_place << ")\n";
+  text << '\n';
+  write_aligned(text, fit_parameter_table(fit));
+  if (fit.data.empty()) return text.str();
+  text << '\n';
+  for (const auto& [name, words] : fit_statistics(fit)) text << "  " << padded(name, 20) << words << '\n';
+  write_correlations(text, fit);
   return text.str();
 }
 
 Json json_of(const FitRecord& fit) {
-  return {{"fit", fit.name},
-          {"kind", fit.kind},
-          {"status", fit.status},
-          {"reason", fit.reason},
-          {"warnings", fit.warnings},
-          {"data_digest", fit.data_digest},
-          {"degrees", fit.degrees},
-          {"chi_squared", finite_or_null(fit.chi_squared)},
-          {"reduced_chi_squared", finite_or_null(fit.reduced_chi_squared)},
-          {"p_value", finite_or_null(fit.p_value)},
-          {"rms", finite_or_null(fit.rms)},
-          {"runs_p_value", finite_or_null(fit.runs_p_value)},
-          {"weakest_direction", fit.weakest_direction},
-          {"evaluations", fit.evaluations},
-          {"seconds", finite_or_null(fit.seconds)},
-          {"scene", fit.scene.empty() ? Json(nullptr) : Json::parse(fit.scene)},
-          {"parameters", json_of(parameters_of(fit))},
-          {"data", json_of(data_of(fit))},
-          {"profile_threshold", finite_or_null(fit.profile_threshold)},
-          {"profiles", json_of(profiles_of(fit))},
-          {"x", fit.x_name.empty() ? Json(nullptr) : axis_json(fit.x_name, fit.x_unit, fit.x_logarithmic)},
-          {"y", fit.x_name.empty() ? Json(nullptr) : axis_json(fit.y_name, fit.y_unit, fit.y_logarithmic)},
-          {"curves", json_of(curves_of(fit))}};
+  Json object;
+  visit_columns(fit, [&](const char* name, const auto& value) { object[name] = json_of(column_cell(value)); });
+  for (const char* const told_otherwise : {"name", "definition", "deviations_known", "output_unit", "x_name", "x_unit",
+                                           "x_logarithmic", "y_name", "y_unit", "y_logarithmic"})
+    object.erase(told_otherwise);
+  object.update({{"fit", fit.name},
+                 {"warnings", lines_of(fit.warnings)},
+                 {"model", lines_of(fit.model)},
+                 {"values", fit.data.size()},
+                 {"deviations", fit.deviations_known ? "absolute" : "scaled by the reduced chi squared"},
+                 {"interrupted", fit.interrupted},
+                 {"failed", fit.failures},
+                 {"failures", json_of(record_table(fit.failure_reasons))},
+                 {"scene", fit.scene.empty() ? Json(nullptr) : Json::parse(fit.scene)},
+                 {"correlations", json_of(record_table(fit.correlations))},
+                 {"data", data_json(fit)},
+                 {"x", axis_json(fit.x_name, fit.x_unit, fit.x_logarithmic)},
+                 {"y", axis_json(fit.y_name, fit.y_unit, fit.y_logarithmic)},
+                 {"curves", json_of(record_table(fit.curves))}});
+  add_parameters(object, fit);
+  return object;
 }
 
 Table fit_table(const std::vector<FitSummary>& fits) {
   Table table{{"fit", "kind", "status", "parameters", "values", "chi squared", "created (UTC)"}, {}};
   for (const FitSummary& fit : fits)
-    table.rows.push_back({fit.name, fit.kind, fit.status, few(fit.parameters), fit.values, cell(fit.chi_squared),
+    table.rows.push_back({fit.name, fit.kind, fit.status, few(fit.parameters), fit.values, cell_of(fit.chi_squared),
                           fit.created.substr(0, 10) + " " + fit.created.substr(11, 8)});
   return table;
 }
@@ -148,10 +272,10 @@ std::vector<std::string> export_fit(const FitRecord& fit, const std::filesystem:
   std::vector<std::string> files{"fit.json", "report.json", "parameters.csv", "data.csv", "profiles.csv", "curves.csv"};
   write_file(folder / files[0], fit.definition + "\n");
   write_file(folder / files[1], text_of(json_of(fit), 2) + "\n");
-  write_file(folder / files[2], csv_of(parameters_of(fit)));
+  write_file(folder / files[2], csv_of(record_table(fit.parameters)));
   write_file(folder / files[3], csv_of(data_of(fit)));
-  write_file(folder / files[4], csv_of(profiles_of(fit)));
-  write_file(folder / files[5], csv_of(curves_of(fit)));
+  write_file(folder / files[4], csv_of(record_table(fit.profiles)));
+  write_file(folder / files[5], csv_of(record_table(fit.curves)));
   if (!fit.scene.empty()) write_file(folder / files.emplace_back("scene.json"), fit.scene + "\n");
   return files;
 }

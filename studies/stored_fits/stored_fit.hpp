@@ -1,9 +1,12 @@
 #pragma once
 
-/// A fit of the database as text, as JSON, and as a folder that stands alone. For sources only: it needs nlohmann_json.
+/// A fit, just made or of the database, as text, as JSON, and as a folder that stands alone. For sources only: it needs
+/// nlohmann_json.
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "db/queries/table.hpp"
 #include "db/rows/fit_store.hpp"
@@ -14,10 +17,16 @@ namespace rollres {
 /// Whether the parameter's linear interval is even about its logarithm rather than about itself.
 bool is_logarithmic(const FitParameterRecord& one);
 
-/// Status, parameters and tests: for people.
-std::string fit_record_summary(const FitRecord& fit);
+/// The parameters as people read them: value, errors, 95 % intervals, start, and what to mind.
+Table fit_parameter_table(const FitRecord& fit);
 
-/// All that is stored, with parameters and data.
+/// The tests of a fit, its descents and its cost: pairs of a name and of what is known.
+std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord& fit);
+
+/// Status, what to mind, parameters, tests and correlations: for people.
+std::string fit_summary(const FitRecord& fit);
+
+/// All that is known of a fit but its file, for programs; null for what is absent.
 Json json_of(const FitRecord& fit);
 
 /// Fits as rows of a table: name, kind, status, parameters, measured values, chi squared, time.

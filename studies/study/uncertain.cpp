@@ -1,7 +1,5 @@
 #include "studies/study/uncertain.hpp"
 
-#include <Eigen/Dense>
-
 #include "core/messages/message_text.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/readable_number.hpp"
@@ -17,25 +15,6 @@ std::vector<std::vector<double>> uncertain_points(const UncertainInputs& uncerta
                                 uncertain.inputs.size(), uncertain.seed);
   correlate(uniform, correlation_factor(uncertain.inputs.size(), uncertain.correlations));
   return uniform;
-}
-
-GermPoints germs_of(const UncertainInputs& uncertain, const std::vector<std::vector<double>>& probabilities) {
-  const Eigen::MatrixXd factor = correlation_factor(uncertain.inputs.size(), uncertain.correlations);
-  const auto points = static_cast<Eigen::Index>(probabilities.front().size());
-  GermPoints germs{{}, Eigen::MatrixXd(points, static_cast<Eigen::Index>(probabilities.size()))};
-  for (std::size_t i = 0; i < probabilities.size(); ++i) {
-    const DistributionKind kind = uncertain.inputs[i].distribution.kind;
-    const bool normal = factor.size() > 0 || kind == DistributionKind::normal || kind == DistributionKind::lognormal;
-    germs.germs.push_back(normal ? Germ::normal : Germ::uniform);
-    const Distribution standard{DistributionKind::normal, {0, 1}};
-    for (Eigen::Index k = 0; k < points; ++k) {
-      const double p = probabilities[i][static_cast<std::size_t>(k)];
-      germs.points(k, static_cast<Eigen::Index>(i)) = normal ? quantile(standard, p) : 2 * p - 1;
-    }
-  }
-  if (factor.size() > 0)
-    germs.points = factor.triangularView<Eigen::Lower>().solve(germs.points.transpose()).transpose().eval();
-  return germs;
 }
 
 std::vector<std::string> in_words(const UncertainInputs& uncertain, Indenter indenter) {

@@ -9,7 +9,6 @@
 #include "core/scene/scene.hpp"
 #include "studies/scatter/correlation.hpp"
 #include "studies/scatter/distribution.hpp"
-#include "studies/scatter/polynomial_chaos.hpp"
 #include "studies/scene_io/formula.hpp"
 #include "studies/study/sampling.hpp"
 
@@ -31,17 +30,6 @@ struct UncertainInput {
   Distribution own() const { return around(about); }
 };
 
-/// Whether numbers come from a polynomial that is fitted to the points, where it is surer than the points themselves.
-enum class SurrogateWish {
-  automatic,  ///< for spheres
-  on,
-  off
-};
-template <>
-struct ChoiceNames<SurrogateWish> {
-  static constexpr std::array<std::string_view, 3> names{"automatic", "on", "off"};
-};
-
 struct UncertainInputs {
   std::vector<UncertainInput> inputs = {};
   std::vector<CorrelatedPair> correlations = {};
@@ -49,7 +37,6 @@ struct UncertainInputs {
   std::size_t points = 512;     ///< all together, a multiple of the scramblings
   std::size_t scramblings = 8;  ///< parts that are independent of each other
   std::uint64_t seed = 1;
-  SurrogateWish surrogate = SurrogateWish::automatic;
   std::vector<Condition> probabilities = {};  ///< whose probability is wanted
 
   bool any() const { return !inputs.empty(); }
@@ -59,10 +46,6 @@ struct UncertainInputs {
 /// Probabilities of the inputs at the points, correlated: one list for each input, scrambling after scrambling.
 /// quantile() makes values of them.
 std::vector<std::vector<double>> uncertain_points(const UncertainInputs& uncertain);
-
-/// The same points as independent numbers: of normal and lognormal inputs, and of all where some correlate, standard
-/// normal ones; of the others uniform ones. @param probabilities  of uncertain_points
-GermPoints germs_of(const UncertainInputs& uncertain, const std::vector<std::vector<double>>& probabilities);
 
 /// Each input's distribution as a line: "creep_time: lognormal, median 250 ms, ...", and what correlates.
 std::vector<std::string> in_words(const UncertainInputs& uncertain, Indenter indenter);

@@ -187,7 +187,6 @@ void read_sampling(UncertainInputs& uncertain, const Json& object, const std::st
                std::to_string((points / scramblings + 1) * scramblings) + ", or give other \"scramblings\"");
   uncertain.points = static_cast<std::size_t>(points);
   uncertain.scramblings = static_cast<std::size_t>(scramblings);
-  uncertain.surrogate = choice_or_first<SurrogateWish>(object, "surrogate", place);
   if (const auto seed = object.find("seed"); seed != object.end()) {
     if (!seed->is_number_unsigned()) refuse(place, "seed", *seed, "must be a whole number >= 0");
     uncertain.seed = seed->get<std::uint64_t>();

@@ -40,10 +40,6 @@ inline constexpr std::array uncertain_keys{
         "parts of the points that are scrambled, or drawn, anew and tell the errors; default 8, in an optimisation 1",
         whole_from(1, 1000)},
     FileKey{"seed", "the same seed gives the same points; default 1"},
-    FileKey{"surrogate",
-            "whether numbers come from a polynomial fitted to the points where it is surer: automatic (for spheres; "
-            "default), on or off",
-            one_of(ChoiceNames<SurrogateWish>::names)},
     FileKey{"probability", "conditions of inputs and outputs whose probability is wanted"},
 };
 

@@ -143,6 +143,7 @@ MeasuredTable read_measured_table(const std::filesystem::path& file) {
 
 double measured_number(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row,
                        std::string_view unit) {
+  if (!column.values.empty()) return column.values[row];
   const std::string& cell = column.cells.at(row);
   const std::string place = table.place(row);
   if (cell.empty()) fail(place, heading(column) + " is missing");

@@ -15,8 +15,9 @@
 namespace rollres {
 
 struct MeasuredColumn {
-  std::string name, unit;          ///< unit empty if none is given
-  std::vector<std::string> cells;  ///< without blanks around them
+  std::string name, unit;           ///< unit empty if none is given
+  std::vector<std::string> cells;   ///< without blanks around them
+  std::vector<double> values = {};  ///< in place of cells where they were computed [unit, of SI]
 };
 
 struct MeasuredTable {

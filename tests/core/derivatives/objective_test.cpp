@@ -1,5 +1,6 @@
 #include "core/derivatives/objective.hpp"
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -20,6 +21,18 @@ TEST_CASE("an objective maps named inputs to a named output", "[core][objective]
   const ObjectiveValue answer = value_at(f, point);
   CHECK(answer.found());
   CHECK(answer.value == closed_form(scene).rolling_resistance);
+}
+
+TEST_CASE("an objective may be what is no output of a solution: then nothing is solved", "[core][objective]") {
+  const Evaluate unasked = [](const RollingScene&) -> RollingSolution { throw std::logic_error("solved"); };
+  Objective f{plain_scene(), variables_of(plain_scene(), {{"speed"}}), {"square", "", "m2/s2", ""}, unasked};
+  f.value_of = [](const RollingScene& scene) { return scene.speed < 3 ? scene.speed * scene.speed : std::nan(""); };
+  const ObjectiveValue answer = value_at(f, std::vector{2.0});
+  CHECK(answer.found());
+  CHECK(answer.value == 4);
+  const ObjectiveValue none = value_at(f, std::vector{4.0});
+  CHECK_FALSE(none.found());
+  CHECK(none.reason == "square: has no value");
 }
 
 TEST_CASE("sizes, stresses, times and speeds vary in the logarithm, ratios and zeros do not", "[core][objective]") {

@@ -226,7 +226,14 @@ TEST_CASE("fits of before their scenes were stored are listed and read, without 
   fit.definition = "{}";
   FitParameterRecord time;
   time.name = "creep_time";
-  fit.parameters.push_back(time);
+  time.linear_lowest = 0;
+  time.lowest = 0;
+  FitParameterRecord level;
+  level.name = "noise_level";
+  level.fixed = true;
+  level.flag = "noise, by likelihood";
+  fit.parameters = {time, level};
+  fit.y_unit = "N/m";
   fit.data.push_back({"data.csv, line 2", 1, 0.1, 1.1, 1, 0.05, 3, 0});
   save_fit(open_database(file, Access::write), fit);
   {
@@ -234,6 +241,8 @@ TEST_CASE("fits of before their scenes were stored are listed and read, without 
     plain.exec(
         "DROP VIEW resistance; DROP VIEW converged; DROP VIEW result; ALTER TABLE fit DROP COLUMN scene;"
         "DROP TABLE fit_profile; DROP TABLE fit_curve;"
+        "DROP TABLE fit_failure; ALTER TABLE fit DROP COLUMN iterations; ALTER TABLE fit DROP COLUMN output_unit;"
+        "ALTER TABLE fit_parameter DROP COLUMN noise; ALTER TABLE fit_parameter DROP COLUMN linear_low;"
         "ALTER TABLE fit DROP COLUMN x_name; ALTER TABLE fit_data DROP COLUMN x;"
         "ALTER TABLE fit_data DROP COLUMN curve; PRAGMA user_version = 7");  // the schema before
     take_out_designs(plain);
@@ -249,9 +258,17 @@ TEST_CASE("fits of before their scenes were stored are listed and read, without 
   CHECK(read.data.front().measured == 1);
   CHECK(std::isnan(read.data.front().x));
   CHECK(read.data.front().curve == -1);
+  CHECK(read.iterations == -1);  // not known
+  CHECK(read.output_unit == "N/m");
+  CHECK(read.failure_reasons.empty());
+  REQUIRE(read.parameters.size() == 2);
+  CHECK(read.parameters[0].linear_low == "limit");
+  CHECK(read.parameters[0].linear_high == "open");
+  CHECK_FALSE(read.parameters[0].noise);
+  CHECK(read.parameters[1].noise);
 }
 
-TEST_CASE("profiles and curves of a fit are read as they were stored", "[db][fit_store]") {
+TEST_CASE("profiles, curves and failures of a fit are read as they were stored", "[db][fit_store]") {
   const TemporaryDirectory folder;
   const auto file = folder / "fits.db";
   FitRecord fit{};
@@ -264,6 +281,7 @@ TEST_CASE("profiles and curves of a fit are read as they were stored", "[db][fit
   fit.data.push_back({"data.csv, line 2", 1, 0.1, 1.1, 1, 0.05, 3, 0});
   fit.profiles = {{"creep_time", 0.1, 3.8}, {"creep_time", 0.2, 4.1}};
   fit.curves = {{0, "P = 1 kN/m", 0.5, 10, 0.3}, {0, "P = 1 kN/m", 1.5, 11, std::nan("")}};
+  fit.failure_reasons = {{"no steady state", 3, "data.csv, line 2"}};
   for (int again = 0; again < 2; ++again) save_fit(open_database(file, Access::write), fit);
   const FitRecord read = *find_fit(open_database(file, Access::read), "a fit", FitParts::with_data);
   CHECK(read.x_name == "speed");
@@ -281,4 +299,8 @@ TEST_CASE("profiles and curves of a fit are read as they were stored", "[db][fit
   CHECK(read.curves[1].label == "P = 1 kN/m");
   CHECK(read.curves[0].band == 0.3);
   CHECK(std::isnan(read.curves[1].band));
+  REQUIRE(read.failure_reasons.size() == 1);
+  CHECK(read.failure_reasons[0].reason == "no steady state");
+  CHECK(read.failure_reasons[0].count == 3);
+  CHECK(read.failure_reasons[0].first_place == "data.csv, line 2");
 }

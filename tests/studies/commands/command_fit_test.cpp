@@ -8,8 +8,8 @@
 #include "tests/studies/fit_files.hpp"
 #include "tests/studies/half_space_fit.hpp"
 
-// Covers report_fit, fit_design, fit_file, fit_data, fit_summary, fit_json, fit_chart, fit_curves, fit_comparison,
-// fitted_scene and stored_fit, too.
+// Covers report_fit, fit_design, fit_file, fit_data, fit_record, coverage_summary, fit_chart, fit_curves,
+// fit_comparison, fitted_scene and stored_fit, too.
 
 using namespace rollres;
 using nlohmann::json;
@@ -60,6 +60,40 @@ TEST_CASE("rollres fit reports, stores and recalls", "[studies][fit]") {
   CHECK_THAT(text.out, (Catch::StartsWith("half space: GOOD") || Catch::StartsWith("half space: USABLE")) &&
                            Catch::Contains("95 % profile") && Catch::Contains("degrees of freedom") &&
                            Catch::Contains("recalled"));
+}
+
+TEST_CASE("a stored fit is shown with the keys, numbers and words that the fit itself told", "[studies][fit]") {
+  FitFiles files;
+  json noisy = half_space_fit(), partly = half_space_fit();
+  noisy["fit"] = "noisy";
+  noisy["data"] = {{"file", "table.csv"}, {"ignore_columns", {"sigma"}}};
+  noisy["parameters"]["relative_noise"] = json::object();
+  partly["fit"] = "partly";
+  partly["scene"]["spacing"] = "1 mm";  // left out, with a note
+  partly["parameters"]["stiffening"] = {{"start", 2}, {"fixed", true}};
+  for (const json& fit : {noisy, partly}) {
+    const json told = json::parse(files.run(fit, {"--json"}).out);
+    const std::vector<std::string> show{"show", fit["fit"].get<std::string>(), "--db", files.database()};
+    std::vector<std::string> as_json = show;
+    as_json.emplace_back("--json");
+    const json shown = json::parse(run_rollres(as_json, quick_resistance).out);
+    const json told_flat = told.flatten(), shown_flat = shown.flatten();
+    for (const auto& [key, value] : told_flat.items()) {
+      CAPTURE(key);
+      CHECK(shown_flat.contains(key));
+      if (shown_flat.contains(key)) CHECK(shown_flat[key] == value);
+    }
+    for (const auto& [key, value] : shown_flat.items()) {
+      CAPTURE(key);
+      CHECK(told_flat.contains(key));
+    }
+    CHECK(told["parameters"][0]["profile"].size() >= 3);
+    CHECK(told["data"][3].contains("speed"));
+    const std::string text = run_rollres(show, quick_resistance).out;
+    const auto without_time = [](const std::string& all) { return all.substr(0, all.find("evaluations")); };
+    CHECK(without_time(text) == without_time(files.run(fit).out));
+    CHECK_THAT(text, Catch::Contains("correlations above 0.1"));
+  }
 }
 
 TEST_CASE("a fit with an offset or a scale of its measured values is stored, written and compared", "[studies][fit]") {

@@ -4,7 +4,7 @@
 #include "db/rows/fit_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/fit/fit_comparison.hpp"
-#include "studies/fit/fit_inputs.hpp"
+#include "studies/fit/fit_record.hpp"
 #include "studies/stored_fits/fit_chart.hpp"
 #include "studies/stored_fits/stored_comparison.hpp"
 #include "tests/catch.hpp"
