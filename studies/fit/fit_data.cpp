@@ -136,7 +136,7 @@ void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::s
 /// Whether the scene has smooth answers without its spacing.
 bool smooth_without_spacing(const RollingScene& scene) {
   if (!scene.spacing) return false;
-  if (scene.indenter == Indenter::sphere) return scene.method == Method::automatic || scene.method == Method::newton;
+  if (dimension_of(scene.indenter) == 3) return scene.method == Method::automatic || scene.method == Method::newton;
   RollingScene free = scene;
   free.spacing.reset();
   return resolved_method(free) == Method::spectral;
@@ -196,8 +196,8 @@ void leave_out_spacing(FitFile& fit, RollingScene& scene) {
   if (fit.notes.empty())
     fit.notes.push_back("spacing = " + readable(*scene.spacing, "m") +
                         " of the scene left out, for answers without a grid's jumps: " +
-                        (scene.indenter == Indenter::sphere ? "the grid is tied to the contact"
-                                                            : "the edges of contact are continuous"));
+                        (dimension_of(scene.indenter) == 3 ? "the grid is tied to the contact"
+                                                           : "the edges of contact are continuous"));
   scene.spacing.reset();
 }
 

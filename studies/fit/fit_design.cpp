@@ -156,7 +156,7 @@ Table table_of(const MeasurementPlan& design, const FitFile& file) {
   const auto worst = static_cast<Eigen::Index>(design.worst);
   for (std::size_t i = 0; i < std::min(best_shown, design.choices.size()); ++i) {
     const DesignChoice& choice = design.choices[i];
-    const std::string_view load_unit = choice.scene.indenter == Indenter::cylinder ? "N/m" : "N";
+    const std::string_view load_unit = dimension_of(choice.scene.indenter) == 2 ? "N/m" : "N";
     table.rows.push_back({readable(choice.scene.speed, "m/s"),
                           choice.scene.load ? readable(*choice.scene.load, load_unit) : std::string("-"), choice.set,
                           readable(choice.predicted, output.unit_for(choice.scene.indenter)),

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/estimate/grid_choice.hpp"
-#include "core/surface/contact_surface.hpp"
+#include "core/model/contact_surface.hpp"
 #include "tests/catch.hpp"
 
 using namespace rollres;
