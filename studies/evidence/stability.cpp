@@ -124,7 +124,8 @@ std::vector<Trial> planned(const StabilityPlan& plan) {
     trial.scene =
         stability_scene(next_is_sphere ? Indenter::sphere : Indenter::cylinder, plan.seed, trial.number, plan.spectra);
     for (const Method method : plan.methods) {
-      if (method == Method::spectral && next_is_sphere) continue;
+      // Of bodies and surfaces that continuous edges are not there for.
+      if (method == Method::spectral && !spectral_refusal(ContactModel(trial.scene)).empty()) continue;
       Trial& added = trials.emplace_back(trial);
       added.scene.method = method;
       added.scene.time_limit = plan.time_limit;
