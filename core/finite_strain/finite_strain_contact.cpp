@@ -7,6 +7,7 @@
 
 #include "core/finite_strain/mesh_level.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/stated_error.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/surface/edge_peak.hpp"
 
@@ -125,9 +126,8 @@ class FiniteStrainSolution {
       return;
     }
     if (solution_.rolling_resistance_error > tolerance_ * scale())
-      solution_.warnings.push_back(message_text("the tolerance ", tolerance_, " was not reached with ", level_->cells(),
-                                                " cells in the contact: estimated error ", solution_.error_estimate,
-                                                outcome_.reason.empty() ? "" : "; ", outcome_.reason));
+      solution_.warnings.push_back(tolerance_missed(
+          tolerance_, solution_, message_text(level_->cells(), " cells in the contact"), outcome_.reason));
     else
       solution_.warnings.push_back(message_text("length and peaks of the contact still changed by ", changed_,
                                                 " with the last mesh, of ", level_->cells(), " cells in the contact",

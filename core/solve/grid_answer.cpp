@@ -102,11 +102,8 @@ RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& mod
     take_slow_rolling(model, level.error, answer.powers, solution);
     set_error(nested.error_estimate(level.error, solution.rolling_resistance), solution);
     if (model.asked_tolerance && !(solution.rolling_resistance_error <= *model.tolerance * answer.powers.scale())) {
-      std::ostringstream text;
-      text << "the tolerance " << *model.tolerance << " was not reached with " << solution.contact_nodes
-           << " nodes: estimated error " << solution.error_estimate;
-      if (!nested.reason.empty()) text << "; " << nested.reason;
-      solution.warnings.push_back(text.str());
+      solution.warnings.push_back(
+          tolerance_missed(*model.tolerance, solution, message_text(solution.contact_nodes, " nodes"), nested.reason));
     }
   }
   solution.status = nested.status;

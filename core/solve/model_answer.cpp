@@ -119,8 +119,7 @@ RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZone
     return without_answer(solution.method, Status::not_converged, std::move(why));
   const bool said_by_material = take_spectrum_error(model, solution);
   if (!said_by_method && !said_by_material && misses_tolerance(model, model.asked_tolerance, solution))
-    solution.warnings.push_back(message_text("the tolerance ", *model.asked_tolerance,
-                                             " was not reached: estimated error ", solution.error_estimate));
+    solution.warnings.push_back(tolerance_missed(*model.asked_tolerance, solution));
   const std::optional<LinearityError> nonlinear = linearity_error(model, solution);
   if (nonlinear) solution.model_error = nonlinear->value;
   for (std::string& warning : warnings_for(model, solution, nonlinear)) solution.warnings.push_back(std::move(warning));

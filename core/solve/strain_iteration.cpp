@@ -9,6 +9,7 @@
 #include "core/interior/interior_summary.hpp"
 #include "core/material/strain_softening.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/stated_error.hpp"
 #include "core/scene/layer_name.hpp"
 
 namespace rollres {
@@ -279,12 +280,10 @@ class StrainIteration {
   void add_error_of_amplitudes(const Answered& answer, RollingSolution& solution) const {
     const double error = error_of_amplitudes(answer);
     const bool missed = model_.tolerance && solution.error_estimate > *model_.tolerance;
-    solution.error_estimate += error;
-    solution.rolling_resistance_error += error * std::abs(solution.rolling_resistance);
+    add_error(error, solution);
     if (model_.tolerance && !missed && solution.error_estimate > *model_.tolerance)
-      solution.warnings.push_back(message_text("the tolerance ", *model_.tolerance,
-                                               " was not reached: estimated error ", solution.error_estimate,
-                                               ", of which the strain amplitudes are ", error));
+      solution.warnings.push_back(tolerance_missed(*model_.tolerance, solution, "",
+                                                   message_text("the strain amplitudes are ", error, " of it")));
   }
 
   RollingSolution finished(Answered answer, const Factors& factors) const {

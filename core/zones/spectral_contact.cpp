@@ -8,6 +8,7 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
+#include "core/model/stated_error.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/spectral/graded_system.hpp"
 #include "core/zones/spectral_field.hpp"
@@ -137,9 +138,8 @@ class SpectralContact {
     best_->solution.status = Status::converged;
     best_->solution.iterations = evaluations_;
     if (model_.tolerance && best_->solution.rolling_resistance_error > *model_.tolerance * scale_)
-      best_->solution.warnings.push_back(message_text("the tolerance ", *model_.tolerance, " was not reached with ",
-                                                      best_->solution.contact_nodes, " coefficients: estimated error ",
-                                                      best_->solution.error_estimate));
+      best_->solution.warnings.push_back(tolerance_missed(
+          *model_.tolerance, best_->solution, message_text(best_->solution.contact_nodes, " coefficients")));
     SpectralOutcome found{std::move(best_->solution), {}};
     if (model_.friction_coefficient > 0) found.zones = std::move(zones_);
     return found;
