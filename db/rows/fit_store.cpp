@@ -133,7 +133,8 @@ void add_fit_details(SQLite::Database& connection) {
   add_columns<FitParameterRecord>(connection, "fit_parameter");
   create_part<FitFailureRecord>(connection, "fit_failure");
   connection.exec(R"(
-    UPDATE fit SET output_unit = y_unit;
+    UPDATE fit SET output_unit = y_unit
+      WHERE NOT EXISTS (SELECT 1 FROM fit_data WHERE fit_data.fit = fit.id AND curve < 0);
     UPDATE fit_parameter SET noise = fixed AND flag LIKE 'noise%';
     UPDATE fit_parameter SET
       linear_low = CASE WHEN linear_lowest IS NULL THEN 'open' WHEN linear_lowest <= lowest THEN 'limit' ELSE 'closed' END,

@@ -258,14 +258,30 @@ TEST_CASE("fits of before their scenes were stored are listed and read, without 
   CHECK(read.data.front().measured == 1);
   CHECK(std::isnan(read.data.front().x));
   CHECK(read.data.front().curve == -1);
-  CHECK(read.iterations == -1);  // not known
-  CHECK(read.output_unit == "N/m");
+  CHECK(read.iterations == -1);     // not known
+  CHECK(read.output_unit.empty());  // of one kind or of several: not known
   CHECK(read.failure_reasons.empty());
   REQUIRE(read.parameters.size() == 2);
   CHECK(read.parameters[0].linear_low == "limit");
   CHECK(read.parameters[0].linear_high == "open");
   CHECK_FALSE(read.parameters[0].noise);
   CHECK(read.parameters[1].noise);
+}
+
+TEST_CASE("fits of former versions have the unit of their curves, unless other values have no curve",
+          "[db][fit_store]") {
+  const TemporaryDirectory folder;
+  for (const std::int64_t curve : {0, -1}) {
+    const auto file = folder / ("fit" + std::to_string(curve) + ".db");
+    FitRecord fit{};
+    fit.name = "a fit";
+    fit.y_unit = "N/m";
+    fit.data = {{"data.csv, line 2", 1, 0.1, 1.1, 1, 0.05, 3, 0}, {"data.csv, line 3", 1, 0.1, 1.1, 1, 0.05, 3, curve}};
+    save_fit(open_database(file, Access::write), fit);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
+        .exec("ALTER TABLE fit DROP COLUMN output_unit; PRAGMA user_version = 11");  // the schema before
+    CHECK(find_fit(open_database(file, Access::read), "a fit")->output_unit == (curve == 0 ? "N/m" : ""));
+  }
 }
 
 TEST_CASE("profiles, curves and failures of a fit are read as they were stored", "[db][fit_store]") {
