@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/influence/influence.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/stated_error.hpp"
 #include "core/newton/contact_powers.hpp"
@@ -69,6 +70,12 @@ std::string unknown_resistance(const ContactModel& model, const RollingSolution&
                                          : "give a tolerance, such as 0.01";
   return message_text("the rolling resistance, ", solution.rolling_resistance, ", has an estimated error of ", error,
                       ", more than itself: ", advice);
+}
+
+double expansion_share(const ContactModel& model, const RollingSolution& solution) {
+  constexpr double amplified = 3;  // phases, of which R_r is made, are worse than compliances
+  if (!model.composite() || model.period || !on_grid(solution.method)) return 0;
+  return amplified * expansion_error(model);
 }
 
 bool misses_tolerance(const ContactModel& model, const std::optional<double>& tolerance,

@@ -17,6 +17,9 @@ std::string doubt(const ContactModel& model, const RollingSolution& solution);
 /// is none beside the lever of the load, as an elastic layer's.
 std::string unknown_resistance(const ContactModel& model, const RollingSolution& solution);
 
+/// What the expansion of memories in fixed times, on grids of composite surfaces, changes R_r by at most [1].
+double expansion_share(const ContactModel& model, const RollingSolution& solution);
+
 /// Whether the error stated is more than a tolerance asks for; an elastic layer resists with nothing.
 bool misses_tolerance(const ContactModel& model, const std::optional<double>& tolerance,
                       const RollingSolution& solution);

@@ -8,7 +8,6 @@
 #include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/linearity_error.hpp"
 #include "core/finite_strain/finite_strain_contact.hpp"
-#include "core/influence/influence.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/model/stated_error.hpp"
@@ -80,13 +79,6 @@ RollingSolution trusted_answer(const ContactModel& model, std::optional<FoundZon
   if (std::string why = doubt(model, solution); !why.empty())
     return without_answer(solution.method, Status::not_converged, std::move(why));
   return solution;
-}
-
-/// What the expansion of memories in fixed times, on grids of composite surfaces, changes R_r by at most [1].
-double expansion_share(const ContactModel& model, const RollingSolution& solution) {
-  constexpr double amplified = 3;  // phases, of which R_r is made, are worse than compliances
-  if (!model.composite() || model.period || !on_grid(solution.method)) return 0;
-  return amplified * expansion_error(model);
 }
 
 /// Adds what a master curve leaves open. @return whether a warning says so

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/newton/surface_window.hpp"
 #include "core/numerics/solution_limits.hpp"
@@ -59,20 +60,21 @@ class SpectralAssessment {
     return values;
   }
 
-  /// Largest of |value| near its largest value at a node, by golden section between the node's neighbours.
+  /// Largest of |value| near its largest value at a node, by golden section between the node's neighbours, of which one
+  /// may be the next panel's.
   template <class Value>
   double peak(const Value& value, const Eigen::ArrayXd SurfacePanel::*nodes) const {
-    double largest = 0, low = 0, high = 0;
+    std::vector<double> x, at;
     for (const SurfacePanel& panel : panels_) {
       if (!contact(panel)) continue;
-      const Eigen::ArrayXd& at = panel.*nodes;
-      for (Eigen::Index k = 0; k < at.size(); ++k)
-        if (std::abs(at(k)) > largest) {
-          largest = std::abs(at(k));
-          low = panel.x(std::min(k + 1, at.size() - 1));
-          high = panel.x(std::max<Eigen::Index>(k - 1, 0));
-        }
+      const bool adjoins = !x.empty() && x.back() == panel.x(0);
+      for (Eigen::Index k = adjoins ? 1 : 0; k < panel.x.size(); ++k) {
+        x.push_back(panel.x(k));
+        at.push_back(std::abs((panel.*nodes)(k)));
+      }
     }
+    const auto place = static_cast<std::size_t>(std::max_element(at.begin(), at.end()) - at.begin());
+    double largest = at[place], high = x[place > 0 ? place - 1 : 0], low = x[std::min(place + 1, x.size() - 1)];
     constexpr double golden = 0.6180339887498949;
     double left = high - golden * (high - low), right = low + golden * (high - low);
     double at_left = std::abs(value(left)), at_right = std::abs(value(right));

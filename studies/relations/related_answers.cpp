@@ -4,6 +4,7 @@
 
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
+#include "core/solve/doubts.hpp"
 #include "studies/relations/relations.hpp"
 #include "studies/scene_io/solution_json.hpp"
 
@@ -136,7 +137,10 @@ struct Compared {
   /// What discretisation leaves of an output whose errors are not stated: `share` of a cell in the contact.
   double unstated(const ComparedOutput& output, double share) const {
     constexpr double of_tolerance = 3;
-    return of_tolerance * scenes.one.tolerance.value_or(1e-8) + output.cells * share +
+    // A creepage that is given is met as well as one that is found, and hands that on to what friction makes of it.
+    const bool drives = output.scale == ComparedOutput::force || output.scale == ComparedOutput::torque;
+    const double cells = drives && scenes.one.drive == Drive::rotation && scenes.one.friction_coefficient > 0;
+    return of_tolerance * scenes.one.tolerance.value_or(1e-8) + (output.cells + cells) * share +
            output.smooth * std::pow(share, 1.5) + output.points;
   }
   /// What discretisation leaves of an output, relative to its scale.
@@ -204,12 +208,21 @@ RelationFinding compare_statuses(const RelatedScenes& scenes, const RollingSolut
                : without_answer(outcome, "the other scene alone has an answer; the first: ", one);
 }
 
+/// What memories expanded in fixed times leave of the influence coefficients of composite surfaces on a grid, as it
+/// acts on what is a difference of phases [1].
+double expansion_left(const RollingScene& scene, const RollingSolution& solution) {
+  return solution.status == Status::converged ? expansion_share(ContactModel(scene), solution) : 0;
+}
+
 RelationFinding solve_and_compare(const RelatedScenes& scenes, const Evaluate& evaluate, RollingScene& second) {
   const RollingSolution one = evaluate(scenes.one);
   second = scenes.other(one);
   // Without a first answer there may be nothing to give to the second.
   if (!check(second).empty()) return without_answer(RelationOutcome::unanswered, "the first: ", one);
-  return compare_statuses(scenes, one, evaluate(second));
+  const RollingSolution other = evaluate(second);
+  RelatedScenes related = scenes;
+  if (!scenes.strict) related.exact += expansion_left(scenes.one, one) + expansion_left(second, other);
+  return compare_statuses(related, one, other);
 }
 
 }  // namespace

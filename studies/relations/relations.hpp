@@ -5,11 +5,13 @@
 /// Scenes are random (stability_scene.hpp), with any method, with load or approach given, with friction or without, and
 /// with either kinematics. Each output of the other scene may differ from what the first says by
 ///   - `exact`, relative to the output's own scale. It is 1e-7 where the same equations are solved: laws are held to
-///     1e-9 of the largest pressure, and resultants are differences; or what the relation itself is known to;
+///     1e-9 of the largest pressure, and resultants are differences; or what the relation itself is known to; and by
+///     what either says of memories expanded in fixed times;
 ///   - where the discretisations differ (not `strict`, and not as many nodes of the same spacing), also by 1.5 times
 ///     the errors that both solutions state: estimates cover 95 %, not all. Stated are those of R_r, of edges, of the
 ///     area, whose is that of the mean pressure, and of the largest pressure;
-///   - and there, of a solution that does not state the output's error, by 1.5 times those of R_r, with continuous edges
+///   - and there, of a solution that does not state the output's error, by 1.5 times those of R_r, with continuous
+///   edges
 ///     by three times the tolerance, on grids by a cell at each edge and what the pressure varies by within it.
 /// The scale of a resistance is at least a hundredth of the load's lever, P a/R: far below it is rounding.
 
