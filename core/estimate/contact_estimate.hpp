@@ -16,16 +16,10 @@
 /// the base adds, the confined incompressible layer in series with a foundation of modulus 2 G (1 - nu)/(1 - 2 nu) over
 /// H (Johnson 1985, section 5.8). Within 20 % in half-width.
 
+#include "core/model/contact_model.hpp"
 #include "core/scene/quantity.hpp"
-#include "core/surface/layer_compliance.hpp"
 
 namespace rollres {
-
-struct ContactEstimate {
-  double half_width;  ///< a [m]; radius of the contact for a sphere
-  double approach;    ///< d [m]; NaN for a cylinder on a half-space, where it is not defined
-  double load;        ///< P [N/m] for a cylinder, [N] for a sphere
-};
 
 /// @param dimension 2: of a cylinder; 3: of a sphere   @param radius R [m]   @param shear_modulus G [Pa]
 /// @param load P [N/m] for a cylinder, [N] for a sphere

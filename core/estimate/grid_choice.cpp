@@ -21,6 +21,7 @@ ContactEstimate elastic_contact(const ContactModel& model, double modulus) {
 }  // namespace
 
 ContactEstimate estimate_contact(const ContactModel& model) {
+  if (model.estimate) return *model.estimate;
   if (model.composite()) return composite_estimate(model);
   const CreepSpectrum& creep = model.top().creep;
   ContactEstimate estimate = elastic_contact(model, 1 / creep.at_rest());
@@ -31,6 +32,7 @@ ContactEstimate estimate_contact(const ContactModel& model) {
 }
 
 double share_of_coating(const ContactModel& model) {
+  if (model.coating_share) return *model.coating_share;
   return model.coating.empty() ? 0 : share_of_coating(model, estimate_contact(model).half_width);
 }
 

@@ -8,7 +8,8 @@
 
 namespace rollres {
 
-/// Contact of the scene if its layer were elastic with the modulus it has at the frequency V / half-width.
+/// Contact of the model if its layer were elastic with the modulus it has at the frequency V / half-width; the model's
+/// own estimate if it has one.
 ContactEstimate estimate_contact(const ContactModel& model);
 
 /// The coating's share of what that contact yields (contact_surface.hpp) [1].

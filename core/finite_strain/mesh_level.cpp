@@ -68,6 +68,7 @@ FiniteProblem::FiniteProblem(const ContactModel& given) : model(given), covered(
   length = std::min(estimate.half_width, 0.8 * given.radius);
   modulus = layers.front().modulus_at_rest;
   approach = std::min(estimate.approach, 0.5 * layers.front().layer_thickness) / length;
+  model.estimate.reset();
   model.radius /= length;
   if (model.load) *model.load /= modulus * length;
   if (model.approach) approach = *model.approach /= length;

@@ -85,6 +85,8 @@ ContactModel::ContactModel(const RollingScene& scene)
 
 void ContactModel::decide() {
   if (inertia_automatic) inertia = inertia_counts(*this);
+  estimate.reset();
+  coating_share.reset();
   choose_method();
 }
 

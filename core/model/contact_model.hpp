@@ -26,6 +26,13 @@ struct ModelLayer : BondedLayer {
   explicit ModelLayer(BondedLayer inputs, const SofteningFactors& factors = {});
 };
 
+/// A contact before it is solved (estimate/grid_choice.hpp).
+struct ContactEstimate {
+  double half_width;  ///< a [m]; radius of the contact for a sphere
+  double approach;    ///< d [m]; NaN for a cylinder on a half-space, where it is not defined
+  double load;        ///< P [N/m] for a cylinder, [N] for a sphere
+};
+
 struct ContactModel {
   /// The scene as it stands, with nothing left out. @pre it obeys `check`
   ContactModel(const RollingScene& scene);
@@ -52,13 +59,15 @@ struct ContactModel {
   std::optional<double> period;        // L [m]
   int series_terms;
 
-  Method asked_method, method;            // as the scene names it, and what solves it first
-  std::optional<double> spacing;          // a [m]
-  std::optional<double> tolerance;        // what is left for numbers [1]
-  std::optional<double> asked_tolerance;  // of it [1]
-  double left_out = 0;                    // estimate of what simplifications change R_r by [1]
-  std::vector<std::string> decisions;     // simplifications in words, each with the number it rests on
-  SlipStencil slip_stencil;               // of method active_set, as are the next three
+  Method asked_method, method;              // as the scene names it, and what solves it first
+  std::optional<double> spacing;            // a [m]
+  std::optional<double> tolerance;          // what is left for numbers [1]
+  std::optional<double> asked_tolerance;    // of it [1]
+  std::optional<ContactEstimate> estimate;  // of the contact, and
+  std::optional<double> coating_share;  // of the coating in what it yields in passage [1]; both made by `simplified`
+  double left_out = 0;                  // estimate of what simplifications change R_r by [1]
+  std::vector<std::string> decisions;   // simplifications in words, each with the number it rests on
+  SlipStencil slip_stencil;             // of method active_set, as are the next three
   double slip_threshold;
   Resticking resticking;
   SlipRule slip_rule;

@@ -84,6 +84,8 @@ ContactModel coating_alone(const ContactModel& model) {
   const double flow = std::abs(model.flow);
   alone.foundation = std::move(alone.coating);
   alone.coating.clear();
+  alone.estimate.reset();
+  alone.coating_share.reset();
   if (flow == 0)
     for (ModelLayer& layer : alone.foundation) {
       layer.creep = {.instantaneous = layer.creep.at_rest(), .terms = {}};

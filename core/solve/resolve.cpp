@@ -27,7 +27,8 @@ class Simplification {
   ContactModel run() {
     if (!model_.tolerance || !model_.composite()) return std::move(model_);
     allowed_ = share_of_tolerance * *model_.tolerance;
-    half_width_ = std::min(estimate_contact(model_).half_width, model_.radius);
+    model_.estimate = estimate_contact(model_);
+    half_width_ = std::min(model_.estimate->half_width, model_.radius);
     full_ = hertz_response(model_, half_width_);
     leave_inertia_out();
     cut(&ContactModel::foundation, 1);
@@ -49,6 +50,7 @@ class Simplification {
   bool take(ContactModel simpler, double change, const std::string& decision) {
     if (!(change <= allowed_ - model_.left_out)) return false;
     model_ = std::move(simpler);
+    model_.estimate.reset();
     model_.choose_method();
     model_.left_out += change;
     model_.decisions.push_back(decision + message_text(", which changes R_r by ", change, " at most (estimate)"));
@@ -119,6 +121,11 @@ class Simplification {
 
 ContactModel resolve(const RollingScene& scene) { return simplified(ContactModel(scene)); }
 
-ContactModel simplified(const ContactModel& full) { return Simplification(full).run(); }
+ContactModel simplified(const ContactModel& full) {
+  ContactModel model = Simplification(full).run();
+  model.estimate = estimate_contact(model);
+  model.coating_share = share_of_coating(model);
+  return model;
+}
 
 }  // namespace rollres
