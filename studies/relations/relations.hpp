@@ -10,9 +10,8 @@
 ///   - where the discretisations differ (not `strict`, and not as many nodes of the same spacing), also by 1.5 times
 ///     the errors that both solutions state: estimates cover 95 %, not all. Stated are those of R_r, of edges, of the
 ///     area, whose is that of the mean pressure, and of the largest pressure;
-///   - and there, of a solution that does not state the output's error, by 1.5 times those of R_r, with continuous
-///   edges
-///     by three times the tolerance, on grids by a cell at each edge and what the pressure varies by within it.
+///   - and there, of one that does not state the output's error, by 1.5 times those of R_r, with continuous edges by
+///     three times the tolerance, on grids by a cell at each edge and what the pressure varies by within it.
 /// The scale of a resistance is at least a hundredth of the load's lever, P a/R: far below it is rounding.
 
 #include <functional>
