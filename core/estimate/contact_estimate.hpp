@@ -17,7 +17,6 @@
 /// H (Johnson 1985, section 5.8). Within 20 % in half-width.
 
 #include "core/model/contact_model.hpp"
-#include "core/scene/quantity.hpp"
 
 namespace rollres {
 

@@ -96,6 +96,13 @@ void ContactModel::choose_method() {
                                                          : Method::newton;
 }
 
+std::vector<const ModelLayer*> ContactModel::layers() const {
+  std::vector<const ModelLayer*> all;
+  for (const ModelLayer& layer : foundation) all.push_back(&layer);
+  for (const ModelLayer& layer : coating) all.push_back(&layer);
+  return all;
+}
+
 ContactModel ContactModel::with_flow(double ratio) const {
   ContactModel other = *this;
   other.flow = ratio;

@@ -72,6 +72,8 @@ struct ContactModel {
   Resticking resticking;
   SlipRule slip_rule;
 
+  /// All layers, under the body from the contact and then on it.
+  std::vector<const ModelLayer*> layers() const;
   /// The top layer under the body.
   const ModelLayer& top() const { return foundation.front(); }
   /// Whether the surface is more than one layer of one material without inertia.

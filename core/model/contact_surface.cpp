@@ -107,8 +107,7 @@ double share_of_coating(const ContactModel& model, double half_width) {
 
 double total_thickness(const ContactModel& model) {
   double sum = 0;
-  for (const std::vector<ModelLayer>* const layers : {&model.foundation, &model.coating})
-    for (const ModelLayer& layer : *layers) sum += layer.layer_thickness;
+  for (const ModelLayer* const layer : model.layers()) sum += layer->layer_thickness;
   return sum;
 }
 

@@ -303,6 +303,10 @@ void require_valid(const RollingScene& scene) {
     throw std::invalid_argument(joined(broken, "; "));
 }
 
+SolutionLimits limits_of(const RollingScene& scene) {
+  return SolutionLimits(scene.memory_limit.value_or(usual_memory_limit()), scene.time_limit.value_or(usual_time_limit));
+}
+
 std::string why_absent(const RollingScene& scene, std::string_view output) {
   return why_absent(dimension_of(scene.indenter) == 3, on_half_space(scene), output);
 }

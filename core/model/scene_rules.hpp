@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/contact_model.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -16,6 +17,9 @@ std::vector<std::string> check(const RollingScene& scene);
 
 /// @throws std::invalid_argument with all of them if there are any
 void require_valid(const RollingScene& scene);
+
+/// The limits of a solution that the scene gives, or the usual ones, from now on.
+SolutionLimits limits_of(const RollingScene& scene);
 
 /// Why an output is absent from every answer to such a scene, as the approach of a cylinder on a half-space is; empty
 /// if it is not.

@@ -30,8 +30,7 @@ void take_over_what_was_asked(const RollingScene& scene, RollingSolution& soluti
 
 RollingSolution solve(const RollingScene& scene) {
   const auto begin = std::chrono::steady_clock::now();
-  const SolutionLimits limits(scene.memory_limit.value_or(usual_memory_limit()),
-                              scene.time_limit.value_or(usual_time_limit));
+  const SolutionLimits limits = limits_of(scene);
   RollingSolution solution;
   const auto refused = [&](const std::string& reason) {
     solution = {};

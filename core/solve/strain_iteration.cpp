@@ -28,14 +28,6 @@ constexpr int most_halvings = 12;
 constexpr int most_stuck = 8;
 constexpr double first_retreat = 0.2;  // of ln gamma
 
-/// Under the body from the contact, then on it.
-std::vector<const ModelLayer*> layers_of(const ContactModel& model) {
-  std::vector<const ModelLayer*> layers;
-  for (const ModelLayer& layer : model.foundation) layers.push_back(&layer);
-  for (const ModelLayer& layer : model.coating) layers.push_back(&layer);
-  return layers;
-}
-
 /// A layer that softens.
 struct SoftLayer {
   std::size_t place;      ///< among all: under the body from the contact, then on it
@@ -54,7 +46,7 @@ class StrainIteration {
  public:
   StrainIteration(const ContactModel& model, const std::function<RollingSolution(const ContactModel&)>& solve_linear)
       : model_(model), solve_linear_(solve_linear) {
-    const std::vector<const ModelLayer*> layers = layers_of(model);
+    const std::vector<const ModelLayer*> layers = model.layers();
     layers_ = layers.size();
     for (std::size_t i = 0; i < layers.size(); ++i)
       if (softens(*layers[i])) soft_.push_back({i, *layers[i], layers[i]->creep});
@@ -353,7 +345,7 @@ class StrainIteration {
 }  // namespace
 
 bool softens(const ContactModel& model) {
-  const std::vector<const ModelLayer*> layers = layers_of(model);
+  const std::vector<const ModelLayer*> layers = model.layers();
   return std::any_of(layers.begin(), layers.end(), [](const ModelLayer* layer) { return softens(*layer); });
 }
 

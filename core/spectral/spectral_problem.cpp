@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimate/grid_choice.hpp"
 #include "core/material/lumped_spectrum.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
@@ -79,7 +80,7 @@ bool single_incompressible(const ContactModel& model) { return !model.composite(
 }  // namespace
 
 SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum& material, double rough_half_width)
-    : model(given), shape(given, share_of_coating(given, rough_half_width)), half_width(rough_half_width) {
+    : model(given), shape(given, share_of_coating(given)), half_width(rough_half_width) {
   const double largest = std::max(half_width, finite_thickness(model));
   const double negligible = std::max(negligible_loss, part_of_tolerance * model.tolerance.value_or(0));
   const MemoryRange told_apart = memory_range(model.speed, 1e-3 * half_width, 1e2 * largest);
@@ -103,8 +104,9 @@ SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum&
   if (single_incompressible(model)) {
     if (std::isfinite(model.top().layer_thickness))
       correction = std::make_shared<LayerSlopeCorrection>(model.top().layer_thickness, creep_length);
-  } else if (std::isfinite(nearest_interface(model))) {
-    correction = std::make_shared<PassageSlopes>(steady_surface(model, told_apart), creep, slowest_decay(model));
+  } else if (const double nearest = nearest_interface(model); std::isfinite(nearest)) {
+    correction = std::make_shared<PassageSlopes>(steady_surface(model, told_apart), creep,
+                                                 nearest * slowest_decay(model), has_rigid_base(model));
   }
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     relaxation_length.push_back(model.speed * term.time);

@@ -7,11 +7,11 @@ namespace rollres {
 
 using complex = std::complex<double>;
 
-PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double slowest_decay)
+PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double depth, bool rigid_base)
     : surface_(std::move(surface)),
       deep_(deep),
-      depth_(surface_.nearest_interface() * slowest_decay),
-      rigid_base_(surface_.has_rigid_base()),
+      depth_(depth),
+      rigid_base_(rigid_base),
       table_(first_memory_ + deep.terms.size(), 0.1 * depth_ / surface_.longest_wave(),
              [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {
   const SurfaceCompliance at_rest = surface_.half_spaces(surface_.moduli(0));

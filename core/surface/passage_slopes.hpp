@@ -21,8 +21,9 @@ class PassageSlopes final : public SlopeCorrection {
   /// of its terms in their order
   /// @param surface whose memories are joined as those of D are: where the layers are at rest, the quotient by D must
   /// be that of the half-spaces, down to the longest waves
-  /// @param slowest_decay of waves in the layers over that at rest, 1 without inertia [1]
-  PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double slowest_decay = 1);
+  /// @param depth over which the layers' part fades: that of the nearest face, less where inertia slows the decay [m]
+  /// @param rigid_base whether one lies below all layers: over a half-space there are no displacements
+  PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double depth, bool rigid_base);
 
   PassageSlopes(const PassageSlopes&) = delete;
   PassageSlopes& operator=(const PassageSlopes&) = delete;

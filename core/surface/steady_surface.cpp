@@ -72,14 +72,6 @@ SurfaceCompliance SteadySurface::long_waves() const {
   return half_space_compliance(media_.foundation.back(), 1.0 / media_.foundation.back().material(0), speed_);
 }
 
-double SteadySurface::nearest_interface() const {
-  return std::min(layer_.thickness, media_.coating.empty() ? INFINITY : media_.coating.front().thickness);
-}
-
-bool SteadySurface::has_rigid_base() const {
-  return std::isfinite(composite_ ? media_.foundation.back().thickness : layer_.thickness);
-}
-
 double SteadySurface::longest_wave() const {
   double softest = INFINITY, hardest = 0, time = 0;
   const auto take = [&](const CreepSpectrum& material) {

@@ -44,9 +44,6 @@ class SteadySurface {
   SurfaceCompliance long_waves() const;
 
   double speed() const { return speed_; }  ///< [m/s]
-  /// Distance of the nearest face below the surface or inside the body; infinite where both are half-spaces [m].
-  double nearest_interface() const;
-  bool has_rigid_base() const;  ///< below all layers, and not a half-space
   /// Longest of the lengths over which the surface answers: all thicknesses together, bending of a stiff layer on a
   /// soft one, and the memories [m].
   double longest_wave() const;

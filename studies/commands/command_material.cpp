@@ -4,6 +4,7 @@
 
 #include "core/material/material_functions.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/program/commands.hpp"
@@ -126,8 +127,7 @@ std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, co
 
 void run_material(const MaterialArguments& arguments, Session& session) {
   const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
-  const SolutionLimits limits(scene.memory_limit.value_or(usual_memory_limit()),
-                              scene.time_limit.value_or(usual_time_limit));
+  const SolutionLimits limits = limits_of(scene);
   std::optional<CreepSpectrum> found;
   try {
     found = creep_spectrum(scene);

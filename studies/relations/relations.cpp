@@ -293,9 +293,8 @@ Pair mirrored(Dice& dice, RollingScene scene) {
 double longest_memory(const RollingScene& scene) {
   const ContactModel model(scene);
   double longest = 0;
-  for (const std::vector<ModelLayer>* const layers : {&model.foundation, &model.coating})
-    for (const ModelLayer& layer : *layers)
-      if (!layer.creep.terms.empty()) longest = std::max(longest, layer.creep.terms.back().time);
+  for (const ModelLayer* const layer : model.layers())
+    if (!layer->creep.terms.empty()) longest = std::max(longest, layer->creep.terms.back().time);
   return scene.speed * longest * std::max(1.0, std::abs(model.flow));
 }
 

@@ -19,8 +19,7 @@ namespace {
 /// Within the limits of the scene.
 ContactModel model_of_valid(const RollingScene& scene) {
   require_valid(scene);
-  const SolutionLimits limits(scene.memory_limit.value_or(usual_memory_limit()),
-                              scene.time_limit.value_or(usual_time_limit));
+  const SolutionLimits limits = limits_of(scene);
   return resolve(scene);
 }
 

@@ -38,8 +38,8 @@ TEST_CASE("a single incompressible layer forgets as its material does: its slope
     scene.speed = speed;
     CAPTURE(speed);
     const CreepSpectrum deep = near_spectrum(scene);
-    CHECK(largest_difference(PassageSlopes(steady_surface(scene), deep), scene.layer_thickness,
-                             {speed * deep.terms[0].time}) < 1e-12);
+    CHECK(largest_difference(PassageSlopes(steady_surface(scene), deep, nearest_interface(scene), true),
+                             scene.layer_thickness, {speed * deep.terms[0].time}) < 1e-12);
   }
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a face between two layers of one material is no face", "[core][passag
   scene.layer_thickness = 0.3 * thickness;
   scene.lower_layers = {rest};
   const CreepSpectrum deep = near_spectrum(scene);
-  const PassageSlopes passage(steady_surface(scene), deep);
+  const PassageSlopes passage(steady_surface(scene), deep, nearest_interface(scene), true);
   CHECK(passage.depth() == 0.3 * thickness);
   CHECK(largest_difference(passage, thickness, {scene.speed * deep.terms[0].time}) < 1e-12);
 }
@@ -64,7 +64,7 @@ TEST_CASE("what a buried layer remembers is behind the force only", "[core][pass
   lower.layer_thickness = 0.01;
   scene.material = MaterialModel::elastic;
   scene.lower_layers = {lower};
-  const PassageSlopes passage(steady_surface(scene), near_spectrum(scene));
+  const PassageSlopes passage(steady_surface(scene), near_spectrum(scene), nearest_interface(scene), true);
   // Far ahead the surface is at rest; the half-space's slope -1/(2 pi x) is taken back.
   const double x = 0.6;
   CHECK(passage.slope(x)(0) == Approx(1 / (2 * M_PI * x)).epsilon(1e-9));
