@@ -156,6 +156,22 @@ HertzResponse hertz_response(const ContactModel& model, double half_width) {
   return HertzPressure(model).response(half_width, true);
 }
 
+double flat_coating_error(const ContactModel& model, double half_width) {
+  if (model.coating.empty() || model.curved) return 0;
+  ContactModel flat = model;
+  flat.dimension = 2;
+  flat.inertia = false;
+  flat.approach.reset();
+  flat.load = HertzPressure(flat).at(half_width).load;
+  ContactModel ring = flat;
+  ring.bend_coating(0);
+  const auto loss = [](const ContactModel& cylinder) {
+    return hertz_response(cylinder, composite_estimate(cylinder).half_width).loss;
+  };
+  const double as_flat = loss(flat);
+  return as_flat == 0 ? 0 : std::abs(loss(ring) / as_flat - 1);
+}
+
 double spectrum_error(const ContactModel& model, double half_width) {
   // Two deviations, and half of one for the fit's own distance from the mean of what is open.
   constexpr double deviations = 2.5;

@@ -24,6 +24,10 @@ struct HertzResponse {
 };
 HertzResponse hertz_response(const ContactModel& model, double half_width);
 
+/// What R_r of a coating taken as flat lacks of one that is bent around its core, relative: by that answer of a
+/// cylinder of the same radius and coating, at the load that gives this half-width. 0 without a coating, and of rings.
+double flat_coating_error(const ContactModel& model, double half_width);
+
 /// Relative error of R_r by what the tables of its master curves leave open (OpenSpectrum), not exceeded in 95 % of
 /// all tables: by the derivatives of that answer, also through the half-width, with respect to the spectra. 0 without
 /// a master curve.

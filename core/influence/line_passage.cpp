@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include "core/influence/passage_kernel.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/numerics/chebyshev.hpp"
+#include "core/numerics/memory_functions.hpp"
 #include "core/numerics/recently_made.hpp"
 #include "core/surface/deep_response.hpp"
 #include "core/surface/fourier_table.hpp"
@@ -89,6 +93,7 @@ class AddedDisplacements {
         cell_(cell),
         at_rest_(surface_.half_spaces(surface_.moduli(0))),
         long_waves_(surface_.long_waves()),
+        curvature_(surface_.curvature()),
         table_(1, 0.1 * depth_ / surface_.longest_wave(),
                [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {}
   AddedDisplacements(const AddedDisplacements&) = delete;
@@ -98,6 +103,7 @@ class AddedDisplacements {
     LayerSlopes sum = table_(0, x / depth_);
     const double logarithm = std::log(x * x + 4 * depth_ * depth_) / (2 * M_PI);
     sum(layer_slope::normal) += (at_rest_.normal - long_waves_.normal).real() * logarithm;
+    if (!curvature_.none()) sum(layer_slope::normal) += curvature_.at_rest() * logarithm + curvature_.displacement(x);
     sum(layer_slope::tangential) += (at_rest_.longitudinal - long_waves_.longitudinal).real() * logarithm;
     return sum;
   }
@@ -110,7 +116,8 @@ class AddedDisplacements {
     const SteadySurface::Moduli moduli = surface_.moduli(along);
     const SurfaceCompliance c = surface_(moduli, along, 0), deep = surface_.half_spaces(moduli);
     const double fade = std::exp(-2 * k), scale = 1 / (M_PI * k);
-    values[0] = scale * (spread * (along * c.normal - deep.normal) + fade * (at_rest_.normal - long_waves_.normal));
+    values[0] = scale * (spread * (along * c.normal - deep.normal) - curvature_(along) +
+                         fade * (at_rest_.normal - long_waves_.normal + curvature_.at_rest()));
     values[1] = scale * (spread * (along * c.longitudinal - deep.longitudinal) +
                          fade * (at_rest_.longitudinal - long_waves_.longitudinal));
     values[2] = i * scale * spread * (along * c.cross - deep.cross);
@@ -119,8 +126,88 @@ class AddedDisplacements {
   SteadySurface surface_;
   double depth_, cell_;
   SurfaceCompliance at_rest_, long_waves_;
+  RingCurvature curvature_;  // of a ring's short waves: taken out of the transform
   FourierTable table_;
 };
+
+/// Displacements that a ring still has of the same line force one turn, two turns, ... ago: the harmonics of a closed
+/// ring are whole numbers, and their sum is that of all turns of one that goes on for ever (Poisson).
+class EarlierTurns {
+ public:
+  /// @param alone the ring as a layer on a rigid base, without inertia   @param reach of the distances asked for [m]
+  EarlierTurns(const ContactModel& alone, double cell, const MemoryRange& told_apart, double reach)
+      : added_(alone, cell, told_apart), turn_(2 * M_PI * alone.radius), reach_(reach), turns_(turns_felt(alone)) {
+    const MediumLayer face = foundation_of(alone, told_apart).front();
+    deep_ = half_space_symbols(face.poisson_ratio);
+    for (const CreepSpectrum::Term& term : face.material.terms)
+      terms_.push_back({term.compliance, term.time * alone.speed});
+    at_once_ = face.material.instantaneous;
+    const ChebyshevFit& fit = chebyshev_fit(nodes);
+    Eigen::MatrixXd values(nodes, 4);
+    for (Eigen::Index i = 0; i < nodes; ++i) values.row(i) = sum_of_turns(reach_ * fit.nodes(i)).matrix().transpose();
+    const Eigen::MatrixXd series = fit.from_values * values;
+    for (Eigen::Index i = 0; i < nodes; ++i) series_.push_back(series.row(i).transpose().array());
+  }
+
+  LayerSlopes operator()(double x) const { return chebyshev_sum(std::span<const LayerSlopes>(series_), x / reach_); }
+
+ private:
+  static constexpr int nodes = 24;
+  /// Turns until nothing is left, e^-30.
+  static int turns_felt(const ContactModel& alone) {
+    const double turns = std::ceil(-30 / std::log(left_after_turn(alone)));
+    constexpr double most = 2000;
+    if (!(turns <= most))
+      throw std::invalid_argument(message_text("coating_layers: the cover remembers its last ", turns,
+                                               " turns; more than ", most, " are not summed"));
+    return static_cast<int>(turns);
+  }
+
+  LayerSlopes sum_of_turns(double x) const {
+    LayerSlopes sum = LayerSlopes::Zero();
+    for (int turn = 1; turn <= turns_; ++turn) sum += at(x + turn * turn_) + at(x - turn * turn_);
+    return sum;
+  }
+
+  /// The whole displacement far from the force.
+  LayerSlopes at(double x) const {
+    LayerSlopes sum = added_(x);
+    const double logarithm = std::log(std::abs(x)), step = x > 0 ? 1 : -1;
+    double pole = at_once_ * logarithm, side = at_once_ * step;
+    for (const CreepSpectrum::Term& term : terms_) {  // its time is a length here
+      pole += term.compliance * (logarithm + term.time * remembered_pole(x, term.time));
+      side += term.compliance * (x > 0 ? 1 : 2 * std::exp(x / term.time) - 1);
+    }
+    sum(layer_slope::normal) -= deep_.normal * pole / M_PI;
+    sum(layer_slope::tangential) -= deep_.longitudinal * pole / M_PI;
+    sum(layer_slope::cross) -= 0.5 * deep_.cross * side;
+    return sum;
+  }
+
+  AddedDisplacements added_;
+  double turn_, reach_, at_once_ = 0;
+  int turns_;
+  LayerSymbols deep_;
+  std::vector<CreepSpectrum::Term> terms_;
+  std::vector<LayerSlopes> series_;
+};
+
+/// Adds what rings have not recovered from in a turn.
+void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double cell, const MemoryRange& told_apart) {
+  if (!model.ring() || left_after_turn(model) <= recovered) return;
+  const bool alone = model.coating.empty();
+  const int reach = table.reach_x();
+  const EarlierTurns turns(alone ? model : coating_alone(model), cell, told_apart, reach * cell);
+  InfluenceTable earlier(reach, 0);
+  for (int column = -reach; column <= reach; ++column) {
+    const auto at = static_cast<std::size_t>(table.index(column, 0));
+    const LayerSlopes values = turns(column * cell);
+    earlier.ww[at] = values(layer_slope::normal);
+    earlier.uu[at] = values(layer_slope::tangential);
+    earlier.uw[at] = values(layer_slope::cross) * (alone ? -1 : 1);
+  }
+  table.add_coating(coating_remembers_ahead(model) ? earlier.reversed() : earlier);
+}
 
 }  // namespace
 
@@ -156,6 +243,7 @@ InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& 
     table.uu[at] += values(layer_slope::tangential);
     table.uw[at] += values(layer_slope::cross);
   }
+  add_earlier_turns(table, model, cell, told_apart);
   return table;
 }
 

@@ -16,6 +16,10 @@ constexpr double inertia_share = 0.1;
 /// either.
 constexpr double always_negligible_inertia = 1e-3;
 
+/// Thickness of a coating over the radius below which the bending around its core is left out: it changes R_r by less
+/// than so much of it (core/surface/ring_compliance.hpp). The first is over the tolerance.
+constexpr double flat_share = 0.1, always_flat = 1e-9;
+
 /// Speed of Rayleigh waves over that of shear waves, squared (Viktorov 1967): 0.912 for nu = 1/2.
 double rayleigh_square(double poisson_ratio) {
   return std::pow((0.87 + 1.12 * poisson_ratio) / (1 + poisson_ratio), 2);
@@ -85,9 +89,21 @@ ContactModel::ContactModel(const RollingScene& scene)
 
 void ContactModel::decide() {
   if (inertia_automatic) inertia = inertia_counts(*this);
+  bend_coating(std::max(flat_share * asked_tolerance.value_or(0), always_flat));
   estimate.reset();
   coating_share.reset();
   choose_method();
+}
+
+void ContactModel::bend_coating(double least) {
+  double thickness = 0;
+  for (const ModelLayer& layer : coating) thickness += layer.layer_thickness;
+  curved = dimension == 2 && !inertia && thickness > least * radius;
+  double face = radius;
+  for (ModelLayer& layer : coating) {
+    layer.ring_radius = curved ? face : INFINITY;
+    face -= layer.layer_thickness;
+  }
 }
 
 void ContactModel::choose_method() {

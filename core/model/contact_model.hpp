@@ -7,6 +7,7 @@
 /// (solve/resolve.hpp) leaves out what a tolerance allows to leave out. Solvers, estimates and fields take the model
 /// and ask nobody else; what changes with the answer makes a new model (`with_flow`, `with_softening`).
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,9 @@ namespace rollres {
 
 /// One layer of a model.
 struct ModelLayer : BondedLayer {
-  CreepSpectrum creep;         // of its material, at its temperature and at the strain amplitude taken
-  double modulus_at_rest = 0;  // G'(0) [Pa]
+  CreepSpectrum creep;            // of its material, at its temperature and at the strain amplitude taken
+  double modulus_at_rest = 0;     // G'(0) [Pa]
+  double ring_radius = INFINITY;  // of its face towards the contact, if it is a ring on the core; infinite: flat [m]
 
   explicit ModelLayer(BondedLayer inputs, const SofteningFactors& factors = {});
 };
@@ -52,6 +54,7 @@ struct ContactModel {
 
   std::vector<ModelLayer> foundation;  // under the body, from the contact down; at least one
   std::vector<ModelLayer> coating;     // on the body, from its surface inwards
+  bool curved;                         // the coating is a ring on the body's core, not a flat layer
   bool half_space;                     // lies below all layers of the scene: then a cylinder has no approach
   double flow;                         // R Omega/V at which the coating flows through the contact [1]
   bool inertia;                        // of the layers is part of the model
@@ -77,7 +80,12 @@ struct ContactModel {
   /// The top layer under the body.
   const ModelLayer& top() const { return foundation.front(); }
   /// Whether the surface is more than one layer of one material without inertia.
-  bool composite() const { return foundation.size() > 1 || !coating.empty() || inertia; }
+  bool composite() const { return foundation.size() > 1 || !coating.empty() || inertia || rings(foundation); }
+  /// Whether layers are rings on a core and not flat: the coating, or the foundation of a coating alone.
+  static bool rings(const std::vector<ModelLayer>& layers) {
+    return !layers.empty() && std::isfinite(layers.front().ring_radius);
+  }
+  bool ring() const { return rings(coating) || rings(foundation); }
   /// The single layer of a surface that is not composite.
   Layer layer() const { return {top().layer_thickness, top().poisson_ratio}; }
 
@@ -90,6 +98,8 @@ struct ContactModel {
   ContactModel with_answer(const RollingSolution& solution) const;
   /// Decides anew which method solves it: where layers were left out.
   void choose_method();
+  /// Takes a cylinder's coating without inertia as a ring on the core, if it is thicker than this part of the radius.
+  void bend_coating(double least);
 
  private:
   void decide();

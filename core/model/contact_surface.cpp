@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/messages/message_text.hpp"
+
 namespace rollres {
 
 namespace {
 
 /// As motion meets it, with the inertia that it has.
 MediumLayer medium_layer(const ModelLayer& layer) {
-  return {layer.layer_thickness, layer.poisson_ratio, layer.layer_density, layer.creep};
+  return {layer.layer_thickness, layer.poisson_ratio, layer.layer_density, layer.creep, layer.ring_radius};
 }
 
 /// All layers under (or on) the body with their densities.
@@ -105,6 +107,21 @@ double share_of_coating(const ContactModel& model, double half_width) {
   return coating / (coating + foundation);
 }
 
+double left_after_turn(const ContactModel& model) {
+  if (!model.ring()) return 0;
+  constexpr double elastic_decay = 0.74;  // of an incompressible layer, over a thickness (surface/layer_slopes.hpp)
+  const double turn = 2 * M_PI * model.radius;
+  const std::vector<ModelLayer>& rings = model.coating.empty() ? model.foundation : model.coating;
+  double thickness = 0, memory = 0;
+  for (const ModelLayer& ring : rings) {
+    thickness += ring.layer_thickness;
+    const CreepSpectrum creep = model.coating.empty() ? ring.creep : creep_in_flow(model, ring);
+    for (const CreepSpectrum::Term& term : creep.terms)
+      if (term.compliance > 0) memory = std::max(memory, model.speed * term.time);
+  }
+  return std::max(std::exp(-elastic_decay * turn / thickness), memory > 0 ? std::exp(-turn / memory) : 0);
+}
+
 double total_thickness(const ContactModel& model) {
   double sum = 0;
   for (const ModelLayer* const layer : model.layers()) sum += layer->layer_thickness;
@@ -143,6 +160,22 @@ CreepSpectrum near_spectrum(const ContactModel& model, const MemoryRange& told_a
   }
   sum.terms = std::move(joined);
   return sum;
+}
+
+std::string coating_in_words(const ContactModel& model) {
+  if (model.coating.empty()) return {};
+  double thickness = 0;
+  for (const ModelLayer& layer : model.coating) thickness += layer.layer_thickness;
+  const std::string share = message_text<4>("H/R = ", thickness / model.radius);
+  if (!model.curved)
+    return "the coating is taken as flat, " + share +
+           (model.dimension == 3 ? ": a sphere's is"
+            : model.inertia      ? ": with inertia it is"
+                                 : ": the core is not felt");
+  return "the coating is a ring on the core, " + share +
+         (left_after_turn(model) < recovered
+              ? ", recovered when it comes round again"
+              : message_text<4>(", with what is left of earlier turns, ", left_after_turn(model)));
 }
 
 std::string surface_in_words(const ContactModel& model) {

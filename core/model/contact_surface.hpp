@@ -46,6 +46,12 @@ ContactModel coating_alone(const ContactModel& model);
 /// wavenumber of one over the half-width, and at the speed's frequency [1].
 double share_of_coating(const ContactModel& model, double half_width);
 
+/// What is left of a ring's displacement when it comes round, over that under the body, roughly: of its elastic part
+/// and of its longest memory; 0 without a ring [1].
+double left_after_turn(const ContactModel& model);
+/// Of that, what counts as recovered.
+constexpr double recovered = 1e-8;
+
 /// Thickness of all layers under and on the body [m]; infinite over a half-space.
 double total_thickness(const ContactModel& model);
 
@@ -61,6 +67,9 @@ double nearest_interface(const ContactModel& model);
 /// Normal compliance that short waves see, of the half-spaces of the two materials next to the contact, as the spectrum
 /// of creep in shear of the incompressible half-space that yields as much: sum of 2 (1 - nu)/G*. Without inertia.
 CreepSpectrum near_spectrum(const ContactModel& model, const MemoryRange& told_apart = {});
+
+/// What a coating is taken as, in words: a ring, or flat and why; empty without one.
+std::string coating_in_words(const ContactModel& model);
 
 /// What bounds the surface, top and bottom, in words: "2 bonded layers on a rigid base, coated rigid body".
 std::string surface_in_words(const ContactModel& model);

@@ -21,7 +21,7 @@ LeverArm IndenterShape::torque(double x, double y) const {
 
 RigidSlip IndenterShape::slip(double x, double y) const {
   if (kinematics_ == Kinematics::consistent) {
-    const double slope_x = slope(x, y), turning = (height(x, y) + x * slope_x) / radius_;
+    const double slope_x = slope(x, y), q = height(x, y), turning = (q + x * x / q) / radius_;
     return {.forward = 1 + (1 - share_) * slope_x * slope_x, .turning = turning - share_ * (turning - 1)};
   }
   if (flat_in_y_) return {};
@@ -37,7 +37,7 @@ RigidSlip IndenterShape::law_slip(double x, double y) const {
 double IndenterShape::resisting_curvature(double x, double y) const {
   if (kinematics_ == Kinematics::printed) return 1 / radius_;
   const double q = height(x, y);
-  return (radius_ * radius_ - y * y) / (q * q * q);
+  return (1 - bent_) * (radius_ * radius_ - y * y) / (q * q * q) + bent_ * std::cos(x / radius_) / radius_;
 }
 
 LeverArm IndenterShape::unbalanced_power(double omega, double x, double y) const {

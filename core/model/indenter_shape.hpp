@@ -30,6 +30,10 @@
 /// k of b_x = w_x + c_x taken as one number (`coating_share`),
 ///   forward = 1 + (1 - k) b_x^2,   turning = k + (1 - k) (R^2 - y^2)/(R q)
 ///
+/// A cover that is a ring is measured along its face, at the arc x = R phi. There its height above a plane is R (1 -
+/// cos phi), so that with the coating's share k, in both kinematics,
+///   B = (1 - k) (R - q) + k R (1 - cos(x/R)),   b_x = (1 - k) x/q + k sin(x/R)
+///
 /// `printed` (Zehil and Gavin 2013, eqs. 12, 15, 17, 19, 21, 25, 26, 37): a cylinder's pressure and shear act normal to
 /// and along its arc, a sphere's vertically and horizontally, and the slip is that on a flat surface,
 ///              P                    Q                    T                forward   turning
@@ -62,7 +66,8 @@ class IndenterShape {
       : radius_(model.radius),
         flat_in_y_(model.dimension == 2),
         kinematics_(model.kinematics),
-        share_(kinematics_ == Kinematics::consistent ? coating_share : 0) {}
+        share_(kinematics_ == Kinematics::consistent ? coating_share : 0),
+        bent_(model.ring() ? coating_share : 0) {}
 
   double radius() const { return radius_; }  // R [m]
   /// Whether there is a lower surface above this place.
@@ -72,9 +77,16 @@ class IndenterShape {
     return std::sqrt(std::max(radius_ * radius_ - x * x - y * y, 1e-4 * radius_ * radius_));
   }
   /// Height of the lower surface above its lowest point, without the cancellation of R - q [m].
-  double profile(double x, double y = 0) const { return (x * x + y * y) / (radius_ + height(x, y)); }
+  double profile(double x, double y = 0) const {
+    const double square = x * x + y * y;
+    const double flat = (1 - bent_) * square / (radius_ + height(x, y)), sine = std::sin(0.5 * x / radius_);
+    return bent_ == 0 ? flat : flat + bent_ * 2 * radius_ * sine * sine;
+  }
   /// Its derivative along x [1].
-  double slope(double x, double y = 0) const { return x / height(x, y); }
+  double slope(double x, double y = 0) const {
+    const double flat = (1 - bent_) * x / height(x, y);
+    return bent_ == 0 ? flat : flat + bent_ * std::sin(x / radius_);
+  }
 
   LeverArm load(double x, double y = 0) const;           // P
   LeverArm driving_force(double x, double y = 0) const;  // Q
@@ -107,6 +119,7 @@ class IndenterShape {
   bool flat_in_y_;
   Kinematics kinematics_;
   double share_;  // of the coating in what yields, 0 to 1
+  double bent_;   // the same where the coating is a ring, else 0
 };
 
 /// The row of the drive, from torques and driving forces (numbers or rows of a system): T/R, less Q if a force at the

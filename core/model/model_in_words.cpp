@@ -83,6 +83,7 @@ std::vector<ModelStatement> model_in_words(const ContactModel& model) {
     all.push_back({words("layer ", i + 1), layer(model.foundation[i], model.inertia)});
   for (std::size_t i = 0; i < model.coating.size(); ++i)
     all.push_back({words("coating ", i + 1), layer(model.coating[i], model.inertia)});
+  if (const std::string coating = coating_in_words(model); !coating.empty()) all.push_back({"shape", coating});
   if (coating_flow_counts(model))
     all.push_back({"flow", words("the coating flows at ", model.flow, " V",
                                  model.drive == Drive::rotation ? "" : ", to begin with")});

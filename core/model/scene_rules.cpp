@@ -258,6 +258,24 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 
 }  // namespace
 
+/// Why continuous edges do not apply to a ring; empty if they do. What its curvature adds has one logarithm, without
+/// memory of its own.
+std::string ring_refusal(const ContactModel& model) {
+  if (!model.ring()) return {};
+  if (const double left = left_after_turn(model); left > recovered)
+    return message_text("the cover has not recovered when it comes round again, ", left,
+                        " is left: not with method \"spectral\"");
+  const CreepSpectrum near = near_spectrum(model), cover = creep_in_flow(model, model.coating.front());
+  const auto share = [&](double omega) { return cover(omega) / near(omega); };
+  const std::complex<double> at_rest = share(0);
+  double apart = 0;
+  for (const CreepSpectrum::Term& term : near.terms)
+    if (term.time > 0) apart = std::max(apart, std::abs(share(1 / term.time) / at_rest - 1.0));
+  if (constexpr double in_proportion = 1e-3; apart > in_proportion)
+    return "a cover and a layer that creep each in their own way: not with method \"spectral\"";
+  return {};
+}
+
 std::string spectral_refusal(const ContactModel& model) {
   if (model.dimension == 3) return "method = spectral: only for a cylinder";
   if (model.period) return message_text("period = ", *model.period, ": not with method \"spectral\"");
@@ -266,6 +284,7 @@ std::string spectral_refusal(const ContactModel& model) {
   if (coating_remembers_ahead(model))
     return message_text("rotation_ratio = ", model.flow,
                         ": must be >= 0 with method \"spectral\" and a viscoelastic coating");
+  if (std::string rule = ring_refusal(model); !rule.empty()) return rule;
   // Two half-spaces whose pressure moves the surface sideways do so with memories of their own.
   const bool on_body = model.coating.front().poisson_ratio < 0.5;
   if (!on_body && !(model.top().poisson_ratio < 0.5)) return {};

@@ -43,4 +43,16 @@ Eigen::VectorXd chebyshev_images(double t, int count) {
   return values;
 }
 
+Eigen::RowVectorXd logarithm_missed(int order, double t) {
+  // With f = sum f_m U_m the integral is sum f_m lambda_m, lambda_m' = pi T_{m+1}; f_m is a sum over nodes.
+  const ChebyshevRule& rule = chebyshev_rule(order);
+  const Eigen::VectorXd images = chebyshev_images(t, order + 2);
+  Eigen::RowVectorXd integrals(order);  // 2/pi lambda_m
+  integrals(0) = 0.5 * images(2) - std::log(2 * (std::abs(t) > 1 ? std::abs(images(1)) : 1));
+  for (int m = 1; m < order; ++m) integrals(m) = images(m + 2) / (m + 2) - images(m) / m;
+  const Eigen::VectorXd weights = rule.densities.col(0);
+  const Eigen::RowVectorXd sums = integrals * rule.densities.transpose();
+  return sums.array() / weights.transpose().array() - (t - rule.nodes.transpose().array()).abs().log();
+}
+
 }  // namespace rollres

@@ -59,6 +59,10 @@ const ChebyshevFit& chebyshev_fit(int count);
 /// T_n(t) for n = 0 ... count - 1, |t| <= 1; beyond 1 the continuation (t - sqrt(t^2 - 1))^n of the density's field.
 Eigen::VectorXd chebyshev_images(double t, int count);
 
+/// What sums over the zeros s of U_order lack where a density is integrated against f(s) ln|t - s|, f smooth: by node,
+/// to be added to the logarithm there. Any t that is not a node.
+Eigen::RowVectorXd logarithm_missed(int order, double t);
+
 /// c_0 + c_1 T_1(t) + ... by Clenshaw's recurrence; at least one coefficient, of any type of array of fixed size.
 template <class Value>
 Value chebyshev_sum(std::span<const Value> c, double t) {

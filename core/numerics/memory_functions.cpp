@@ -115,6 +115,10 @@ double scaled_growing_integral(double x) {
   return sum;
 }
 
+double remembered_pole(double x, double length) {
+  return (x > 0 ? scaled_exponential_integral(x / length) : -scaled_growing_integral(-x / length)) / length;
+}
+
 TrigonometricIntegrals trigonometric_integrals(double x) {
   if (x < 4) {
     double sine = 0, cosine = 0.57721566490153286 + std::log(x), power = 1;

@@ -26,6 +26,8 @@ Eigen::VectorXd edge_memory(double x, int count, const ScaledBesselK& k);
 double scaled_exponential_integral(double x);
 /// e^{-x} Ei(x), x > 0, the principal value.
 double scaled_growing_integral(double x);
+/// PV int_0^inf e^{-s/T}/T /(x + s) ds, x != 0, T > 0: the mean of a pole over a memory.
+double remembered_pole(double x, double length);
 
 /// Ci(x) and Si(x), x > 0 (Abramowitz and Stegun, section 5.2).
 struct TrigonometricIntegrals {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimate/composite_estimate.hpp"
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
@@ -20,6 +21,8 @@ double half_length(const RollingSolution& solution) {
 }
 
 constexpr double noticeable_strain = 0.1;
+/// Change of the rolling resistance by the bending of a coating that is taken as flat.
+constexpr double noticeable_bending = 0.002;
 
 /// Of two digits.
 double in_percent(double part) {
@@ -97,6 +100,11 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
   if (linear && slope > 0.3)
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
                                     " is not small: displacements are taken as small"));
+  if (const double bending = flat_coating_error(model, half_length(solution)); linear && bending > noticeable_bending)
+    warnings.push_back(
+        message_text("the coating is taken as flat: bent around the core of a cylinder it would change the "
+                     "rolling resistance by about ",
+                     in_percent(bending), " %"));
   const double mach = inertia(model, solution);
   constexpr double noticeable_inertia = 0.01;
   if (!model.inertia &&
@@ -159,6 +167,7 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
   if (const double flow = model.flow; coating_flow_counts(model))
     text += flow == 0 ? "; the body is locked: its coating is at rest"
                       : message_text<6>("; the coating flows at ", flow, " V", flow < 0 ? ", backwards" : "");
+  if (const std::string coating = coating_in_words(model); !coating.empty()) text += "; " + coating;
   if (spectral) text += "; continuous edges of contact, no grid";
   if (gridded && !model.spacing && sphere && solution.method != Method::active_set)
     text += "; grid tied to the contact";

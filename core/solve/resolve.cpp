@@ -97,7 +97,9 @@ class Simplification {
       top->static_young_modulus.reset();
       top->temperature.reset();
       top->poisson_ratio = 0.5;
+      const double ring_radius = top->ring_radius;
       *top = ModelLayer(*top);
+      top->ring_radius = ring_radius;
     }
     if (!spectral_refusal(simpler).empty() || spectral_refusal(model).empty()) return;
     const SteadySurface surface = steady_surface(model);

@@ -74,6 +74,17 @@ MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& la
   return slopes;
 }
 
+RowVectorXd missed_slopes(const SlopeCorrection& correction, const Interval& contact, int order, double x) {
+  const double half = contact.half_length();
+  if (correction.logarithmic_slope(half) == 0) return {};
+  const double t = place_in(contact, x);
+  RowVectorXd missed = logarithm_missed(order, t);
+  const VectorXd& nodes = chebyshev_rule(order).nodes;
+  for (Index q = 0; q < nodes.size(); ++q)
+    missed(q) = t == nodes(q) ? 0 : missed(q) * correction.logarithmic_slope(half * (t - nodes(q)));
+  return missed;
+}
+
 RowVectorXd resultant_row(const IndenterShape& shape, LeverArm (IndenterShape::*arm)(double, double) const,
                           const TractionSources& sources) {
   RowVectorXd of_pressure(sources.x.size()), of_shear(sources.x.size());

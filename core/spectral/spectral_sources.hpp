@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/spectral/sliding_base.hpp"
-#include "core/surface/layer_slopes.hpp"
+#include "core/surface/slope_correction.hpp"
 
 namespace rollres {
 
@@ -31,6 +31,10 @@ using LayerKernel = std::function<LayerSlopes(double)>;
 /// (core/spectral/README.md, (S2)).
 Eigen::MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 Eigen::MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
+
+/// What the sums miss of the part of normal slopes that goes with ln|x|, of a ring's curvature: by forces at the nodes
+/// of the contact, to be subtracted [1/m]. Empty where there is no such part.
+Eigen::RowVectorXd missed_slopes(const SlopeCorrection& correction, const Interval& contact, int order, double x);
 
 /// A resultant by unknown, from its lever arms (S18): `load`, `driving_force` [N/m] or `torque` [N] of the shape.
 Eigen::RowVectorXd resultant_row(const IndenterShape& shape, LeverArm (IndenterShape::*arm)(double, double) const,

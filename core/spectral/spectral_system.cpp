@@ -82,7 +82,13 @@ class System : private ZonedSystem {
     matrix_.topLeftCorner(n_ + 1, n_) = 0.5 * rule_.images.rightCols(n_);
     matrix_.block(0, slack_, n_ + 1, 1).setOnes();
     if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * memory_.series;
-    if (problem_.layered()) matrix_.topRows(n_ + 1) += normal_slopes(sources_, layer(), x);
+    if (problem_.layered()) {
+      matrix_.topRows(n_ + 1) += normal_slopes(sources_, layer(), x);
+      for (Index i = 0; i <= n_; ++i)
+        if (const RowVectorXd missed = missed_slopes(*problem_.correction, edges_.contact, static_cast<int>(n_), x(i));
+            missed.size() > 0)
+          matrix_.row(i).head(n_) -= missed * sources_.of_pressure.topLeftCorner(n_, n_);
+    }
     prescribe_contact(x);
   }
 

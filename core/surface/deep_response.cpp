@@ -19,11 +19,6 @@ using Ratios = Eigen::Array3cd;
 /// Of the shortest of the memories, up to where powers of the distance stand for exponentials.
 constexpr double series_reach = 0.3;
 
-/// PV int_0^inf e^{-s/T}/T /(x + s) ds
-double remembered_pole(double x, double length) {
-  return (x > 0 ? scaled_exponential_integral(x / length) : -scaled_growing_integral(-x / length)) / length;
-}
-
 /// The half-space next to the contact at rates s per length: J = J_inf + sum C/(1 + s T).
 class DeepMedium {
  public:

@@ -5,6 +5,7 @@
 
 #include "core/numerics/solution_limits.hpp"
 #include "core/surface/layer_waves.hpp"
+#include "core/surface/ring_compliance.hpp"
 
 namespace rollres {
 
@@ -24,6 +25,7 @@ struct Below {
 SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<const complex> moduli, double wavenumber,
                                      double wave_speed) {
   require_time();
+  if (is_ring(medium)) return ring_compliance(medium, moduli, wavenumber);
   Below below;
   for (std::size_t i = medium.size(); i-- > 0;) {
     const MediumLayer& layer = medium[i];

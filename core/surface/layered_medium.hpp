@@ -11,6 +11,7 @@
 /// difference of both over epsilon, so that nothing cancels at rest, where it becomes (.. k z) e^{-k z}. From the base
 /// up, each layer's decaying waves are reflected at what lies below: no growing exponential appears.
 
+#include <cmath>
 #include <complex>
 #include <span>
 #include <vector>
@@ -26,11 +27,13 @@ struct MediumLayer {
   double poisson_ratio;  ///< [1]
   double density;        ///< [kg/m3]; 0: without inertia
   CreepSpectrum material;
+  double radius = INFINITY;  ///< of the face towards the contact, of a ring on its core [m]; infinite: flat
 
   bool operator==(const MediumLayer&) const = default;
 };
 
-/// From the surface down; on a rigid base unless the last layer is infinite.
+/// From the surface down; on a rigid base unless the last layer is infinite. Rings have the first one's outer radius in
+/// all of them, each less what lies above it (ring_compliance.hpp).
 using LayeredMedium = std::vector<MediumLayer>;
 
 /// Thickness of the layers that are not infinite [m].
@@ -41,6 +44,7 @@ struct SurfaceCompliance {
   std::complex<double> normal, longitudinal, cross, transverse;
 };
 
+/// Of rings by `ring_compliance`.
 /// @param moduli G_i of each layer [Pa]   @param wavenumber k > 0 [1/m]   @param wave_speed V cos, for the inertia
 /// [m/s]
 SurfaceCompliance surface_compliance(const LayeredMedium& medium, std::span<const std::complex<double>> moduli,

@@ -2,6 +2,7 @@
 
 /// Slopes of any layered surface under a line force in steady passage, as corrections to those of a half-space.
 ///
+/// A ring's curvature goes with ln|x| in them, as far as its creep is in proportion to D (ring_curvature.hpp).
 /// Fourier integrals of the surface's compliance at the frequencies of the passage over that of the half-spaces next to
 /// the contact, for their means over a memory as well (core/spectral/README.md, (S24); fourier_table.hpp).
 
@@ -28,13 +29,12 @@ class PassageSlopes final : public SlopeCorrection {
   PassageSlopes(const PassageSlopes&) = delete;
   PassageSlopes& operator=(const PassageSlopes&) = delete;
 
-  LayerSlopes slope(double x) const override { return table_(slopes_, x / depth_) / depth_; }
-  LayerSlopes memory(std::size_t term, double x) const override {
-    return table_(first_memory_ + term, x / depth_) / depth_;
-  }
+  LayerSlopes slope(double x) const override;
+  LayerSlopes memory(std::size_t term, double x) const override;
   LayerSlopes displacement(double x) const override;
   double depth() const override { return depth_; }
   double reach() const override { return INFINITY; }
+  double logarithmic_slope(double x) const override;
 
  private:
   static constexpr std::size_t slopes_ = 0, displacements_ = 1, first_memory_ = 2;
@@ -46,6 +46,9 @@ class PassageSlopes final : public SlopeCorrection {
   double depth_;                        // [m]
   Eigen::Array2d at_rest_;              // 2 k c_ww/D and 2 k c_ll/D of the half-spaces under long waves [1]
   bool rigid_base_;
+  double glass_;                           // 1/D of short waves [Pa]
+  RingCurvature curvature_;                // of a ring's short waves: taken out of the transforms
+  std::vector<RingCurvature> remembered_;  // the same by memory
   FourierTable table_;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/numerics/solution_limits.hpp"
+#include "core/surface/ring_compliance.hpp"
 
 namespace rollres {
 
@@ -72,6 +73,12 @@ SurfaceCompliance SteadySurface::long_waves() const {
   return half_space_compliance(media_.foundation.back(), 1.0 / media_.foundation.back().material(0), speed_);
 }
 
+RingCurvature SteadySurface::curvature() const {
+  if (is_ring(media_.coating)) return {media_.coating.front(), media_.backwards ? -speed_ : speed_};
+  if (is_ring(media_.foundation)) return {media_.foundation.front(), speed_};
+  return {};
+}
+
 double SteadySurface::longest_wave() const {
   double softest = INFINITY, hardest = 0, time = 0;
   const auto take = [&](const CreepSpectrum& material) {
@@ -84,7 +91,10 @@ double SteadySurface::longest_wave() const {
     for (const MediumLayer& layer : *medium) take(layer.material);
   const double thickness =
       composite_ ? finite_thickness(media_.foundation) + finite_thickness(media_.coating) : layer_.thickness;
-  return std::max((std::isinf(thickness) ? 0 : thickness) * std::cbrt(hardest / softest), speed_ * time);
+  double round = 0;  // radius of rings
+  for (const LayeredMedium* const medium : {&media_.foundation, &media_.coating})
+    if (is_ring(*medium)) round = medium->front().radius;
+  return std::max({(std::isinf(thickness) ? 0 : thickness) * std::cbrt(hardest / softest), speed_ * time, round});
 }
 
 }  // namespace rollres

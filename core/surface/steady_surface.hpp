@@ -4,14 +4,15 @@
 /// body and those on it.
 ///
 /// Tractions on a coating are opposite to those on the foundation, and so are their normals: compliances add, but for
-/// the cross terms, which subtract (Johnson 1985, section 5.1, for two half-spaces). A coating is taken as flat, bonded
-/// to the rigid core of the body, and to have recovered when it comes round again. One that flows backwards answers
-/// with the conjugate of its moduli.
+/// the cross terms, which subtract (Johnson 1985, section 5.1, for two half-spaces). A coating is bonded to
+/// the rigid core of the body, flat or a ring (ring_compliance.hpp), and taken to have recovered when it comes round
+/// again. One that flows backwards answers with the conjugate of its moduli.
 
 #include <complex>
 #include <vector>
 
 #include "core/surface/layered_medium.hpp"
+#include "core/surface/ring_curvature.hpp"
 
 namespace rollres {
 
@@ -42,6 +43,9 @@ class SteadySurface {
   SurfaceCompliance half_spaces(const Moduli& moduli) const;
   /// And what long waves see: the half-space below, at rest, or nothing over a rigid base [1/Pa].
   SurfaceCompliance long_waves() const;
+
+  /// What a ring's curvature adds to the half-spaces under pressure; none of flat layers.
+  RingCurvature curvature() const;
 
   double speed() const { return speed_; }  ///< [m/s]
   /// Longest of the lengths over which the surface answers: all thicknesses together, bending of a stiff layer on a

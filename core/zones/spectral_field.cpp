@@ -6,6 +6,7 @@
 #include "core/model/contact_surface.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
+#include "core/spectral/spectral_sources.hpp"
 #include "core/spectral/graded_system.hpp"
 
 namespace rollres {
@@ -152,7 +153,13 @@ SpectralField::Slopes SpectralField::sum_of_sources(const SpectralProblem& part,
 
 SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, double x) const {
   if (!part.layered()) return {0, 0};
-  return sum_of_sources(part, x, [&](double r) { return part.correction->slope(r); });
+  Slopes sum = sum_of_sources(part, x, [&](double r) { return part.correction->slope(r); });
+  if (state_.graded) return sum;
+  const auto order = static_cast<int>(state_.pressure.coefficients.size());
+  if (const Eigen::RowVectorXd missed = missed_slopes(*part.correction, state_.edges.contact, order, x);
+      missed.size() > 0)
+    sum.w -= missed.dot(state_.pressure_forces.head(order));
+  return sum;
 }
 
 SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& added) const {

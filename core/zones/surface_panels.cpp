@@ -65,13 +65,15 @@ const PanelRule& panel_rule() {
 class AddedSlopes {
  public:
   /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.
-  AddedSlopes(const SpectralProblem& part, const SpectralField& field, double from, double to, std::size_t most)
+  AddedSlopes(const SpectralProblem& part, const SpectralField& field, const Interval& contact, double from, double to,
+              std::size_t most)
       : part_(part), field_(field), layered_(part.layered()), from_(from), to_(to) {
     if (!layered_) return;
     const double panels = std::ceil((to - from) / part.correction->depth());
     if (panels * (degree + 1) > static_cast<double>(most)) return;
     std::vector<double> borders;
     for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(from + (to - from) * i / panels);
+    if (part.correction->logarithmic_slope(contact.half_length()) != 0) split_at_edges(borders, contact);
     table_.emplace(std::move(borders), degree, [&](double x) {
       const SpectralField::Slopes value = field.added_slopes(part_, x);
       return Eigen::Array2d(value.w, value.u);
@@ -86,6 +88,19 @@ class AddedSlopes {
   }
 
  private:
+  /// What goes with x ln|x| has powers of the distance from the edges of contact, of order 5/2.
+  static void split_at_edges(std::vector<double>& borders, const Interval& contact) {
+    const double from = borders.front(), to = borders.back();
+    for (const double edge : {contact.from, contact.to})
+      for (const double off : {0.0, 0.05})
+        for (const double side : {-1.0, 1.0}) {
+          const double border = edge + side * off * contact.half_length();
+          if (border > from && border < to) borders.push_back(border);
+        }
+    std::sort(borders.begin(), borders.end());
+    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  }
+
   static constexpr int degree = 17;
   const SpectralProblem& part_;
   const SpectralField& field_;
@@ -269,7 +284,7 @@ class MarchedSlopes {
                 const SpectralField& field, const std::vector<double>& borders)
       : part_(part),
         field_(field),
-        added_(part, field, state.edges.contact.from - 1.5 * state.edges.contact.half_length(),
+        added_(part, field, state.edges.contact, state.edges.contact.from - 1.5 * state.edges.contact.half_length(),
                state.edges.contact.to + 0.5 * state.edges.contact.half_length(),
                (borders.size() - 1) * PanelRule::count / 2),
         memories_(memories_ahead(part, field, borders.front(), from_points(problem))) {}

@@ -225,6 +225,7 @@ Pair given_back(Dice&, RollingScene scene) {
 
 /// Without friction only the sum of what both sides yield counts.
 Pair exchanged(Dice& dice, RollingScene scene) {
+  if (dimension_of(scene.indenter) == 2) return {};  // its coating is a ring
   const double thickest = dice.uniform(0.1, 0.3) * scene.radius;
   if (scene.coating_layers.empty()) {
     if (scene.lower_layers.empty()) return {};
@@ -354,7 +355,7 @@ constexpr std::array<Relation, 13> all_relations{{
     {"scaled", "lengths, moduli and times in other units", all_scaled},
     {"speed and memories", "a speed times a number, all times over it", speed_scaled},
     {"given back", "load given, approach found and given in its place, or the other way round", given_back},
-    {"exchanged", "without friction, the body's coating for what lies below", exchanged},
+    {"exchanged", "of a sphere without friction, the coating for what lies below", exchanged},
     {"mirrored", "on elastic layers, sliding forwards for sliding backwards", mirrored, false},
     {"long period", "bodies far apart for a single one", long_period, false},
     {"deep layer", "a layer of 1,000 half-widths for a half-space", deep_layer},

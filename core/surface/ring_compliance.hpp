@@ -1,0 +1,39 @@
+#pragma once
+
+/// Surface compliance of rings on a rigid core, one harmonic at a time: covers on rollers and wheels.
+///
+/// A ring of outer radius R under the tractions e^{i n phi} answers with displacements of the same harmonic. In t = ln
+/// r the equations of plane strain have constant coefficients: the state (u_r, u_phi, r sigma_rr/G, r sigma_rphi/G)
+/// obeys dy/dt = A y, with f = 1/(1 - nu),
+///     A = [-nu f    -n nu f  (1-2nu)f/2    0 ]
+///         [  n         1         0         1 ]
+///         [ 2f        2n f      nu f      -n ]
+///         [2n f      2n^2 f    n nu f     -1 ],    eigenvalues +-(n - 1), +-(n + 1),
+/// so that a ring of any thickness is exp(A h), h = ln(outer/inner radius), whatever n and nu, n = 0, n = 1 and nu =
+/// 1/2 among them. Rings follow one another from the core outwards. The harmonic n = k R is continuous: the ring is
+/// taken to have recovered when it comes round again.
+///
+/// What slides and what does work is the strain along the surface, (du_phi/dphi + u_r)/R, and not du_phi/dx alone: the
+/// compliance along is that of a displacement whose slope is this strain. Under pressure a disc strains as a half-space
+/// does, -(1 - 2 nu)/2 p/G at the same place, and so do its cross terms: of short waves, the normal compliance alone
+/// differs from the flat one, by the disc's
+///     2 k c_ww = [2 (1 - nu) n^2 - (1 - 2 nu) n]/(n^2 - 1)/G                                  (Muskhelishvili 1953,
+///     56)
+/// Shear moves the surface radially by the same cross term, so that an elastic ring takes no power from its tractions.
+
+#include <complex>
+#include <span>
+
+#include "core/surface/layered_medium.hpp"
+
+namespace rollres {
+
+/// Whether the layers are rings.
+bool is_ring(const LayeredMedium& medium);
+
+/// @pre `is_ring(medium)`, without inertia   @param moduli G_i of each ring [Pa]   @param wavenumber k > 0 [1/m]
+/// @return c_ww, c_ll and c_x as of `surface_compliance` [m/Pa]; the transverse one is 0
+SurfaceCompliance ring_compliance(const LayeredMedium& rings, std::span<const std::complex<double>> moduli,
+                                  double wavenumber);
+
+}  // namespace rollres

@@ -1,0 +1,169 @@
+#include "core/surface/ring_curvature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/memory_functions.hpp"
+
+namespace rollres {
+
+namespace {
+
+using complex = std::complex<double>;
+
+constexpr int count = 4;  // of squares
+constexpr double euler = 0.57721566490153286;
+/// Of the powers of x/R, up to x = R: 2^27/27! is 1e-20.
+constexpr std::size_t series_terms = 14;
+
+/// R_T of 1/x for lengths of either sign: a negative one is of a memory that lies ahead.
+double mean_of_pole(double x, double length) {
+  return length > 0 ? remembered_pole(x, length) : -remembered_pole(-x, -length);
+}
+
+/// ln|x| + T R_T of 1/x, whose slope that is.
+double remembered_logarithm(double x, double length) {
+  if (x == 0) return std::log(std::abs(length)) - euler;
+  return std::log(std::abs(x)) + length * mean_of_pole(x, length);
+}
+
+/// R_T of a unit force at 0, and half of it there.
+double remembered_force(double x, double length) {
+  if (x == 0) return 0.5 / std::abs(length);
+  return x / length < 0 ? std::exp(x / length) / std::abs(length) : 0;
+}
+
+/// Its antiderivative, 0 far ahead.
+double remembered_step(double x, double length) {
+  const double fading = x / length < 0 ? std::exp(x / length) : 1;
+  return length > 0 ? (x < 0 ? fading - 1 : 0) : (x > 0 ? -fading : -1);
+}
+
+/// Squares 1 to 4 times a number by which no length is a memory's.
+std::vector<double> squares_apart(const CreepSpectrum& creep, double radius, double speed) {
+  std::vector<double> squares(count);
+  for (double factor = 1;; factor *= 1.01) {
+    for (int j = 0; j < count; ++j) squares[static_cast<std::size_t>(j)] = factor * (j + 1);
+    const bool apart = std::all_of(squares.begin(), squares.end(), [&](double s) {
+      return std::all_of(creep.terms.begin(), creep.terms.end(), [&](const CreepSpectrum::Term& term) {
+        return std::abs(std::abs(speed) * term.time * std::sqrt(s) / radius - 1) > 1e-3;
+      });
+    });
+    if (apart || factor > 2) return squares;
+  }
+}
+
+/// What makes sum of w_j f(s_j) = f(-1) for polynomials.
+std::vector<double> weights_for(const std::vector<double>& squares) {
+  std::vector<double> weights(squares.size(), 1);
+  for (std::size_t j = 0; j < squares.size(); ++j)
+    for (std::size_t i = 0; i < squares.size(); ++i)
+      if (i != j) weights[j] *= (-1 - squares[i]) / (squares[j] - squares[i]);
+  return weights;
+}
+
+}  // namespace
+
+RingCurvature::RingCurvature(const MediumLayer& ring, double speed)
+    : ring_(ring),
+      speed_(speed),
+      squares_(squares_apart(ring.material, ring.radius, speed)),
+      weights_(weights_for(squares_)) {
+  const double even = 1 - ring.poisson_ratio, odd = -0.5 * (1 - 2 * ring.poisson_ratio);
+  const auto add = [&](double compliance, double memory) {
+    Part own{memory, 0, 0};
+    for (std::size_t j = 0; j < squares_.size(); ++j) {
+      // even/(n^2 + s) + odd n/(n^2 + s) by 1/(1 - ik tau) and 1/(1 + ik tau), each times 1/(1 - ik memory)
+      const double root = std::sqrt(squares_[j]), tau = ring.radius / root;
+      const double a = compliance * even * weights_[j] / (2 * squares_[j]);
+      const double b = compliance * odd * weights_[j] / (2 * root);
+      const double ahead = memory - tau, behind = memory + tau;
+      parts_.push_back({tau, -a * tau / ahead, -b * tau / ahead});
+      parts_.push_back({-tau, a * tau / behind, -b * tau / behind});
+      own.pole += a * (memory / ahead + memory / behind);
+      own.jump += b * (memory / ahead - memory / behind);
+    }
+    if (memory != 0) parts_.push_back(own);
+  };
+  if (ring.material.instantaneous != 0) add(ring.material.instantaneous, 0);
+  for (const CreepSpectrum::Term& term : ring.material.terms) add(term.compliance, speed * term.time);
+  for (const Part& part : parts_) at_rest_ += part.pole;
+  if (ring.material.terms.empty()) make_series();
+}
+
+void RingCurvature::make_series() {
+  // Of e^{-z} Ei(z) + e^z E_1(z) = 2 sum over odd k of (harmonic number - euler - ln z) z^k/k!, z = sqrt(s) x/R.
+  logarithms_.assign(series_terms, 0);
+  rests_.assign(series_terms, 0);
+  for (std::size_t j = 0; j < squares_.size(); ++j) {
+    const double root = std::sqrt(squares_[j]), logarithm = euler + std::log(root);
+    double term = ring_.material.instantaneous * (1 - ring_.poisson_ratio) * weights_[j] / (M_PI * ring_.radius);
+    double harmonic = 1;
+    for (std::size_t i = 0; i < series_terms; ++i) {
+      logarithms_[i] += term;
+      rests_[i] += term * (logarithm - harmonic);
+      const double k = 2 * static_cast<double>(i) + 2;
+      term *= squares_[j] / (k * (k + 1));
+      harmonic += 1 / k + 1 / (k + 1);
+    }
+  }
+}
+
+RingCurvature RingCurvature::at_once() const {
+  if (none()) return {};
+  MediumLayer elastic = ring_;
+  elastic.material.terms.clear();
+  return {elastic, speed_};
+}
+
+RingCurvature RingCurvature::remembered(double length) const {
+  MediumLayer seen = ring_;
+  seen.material = {.instantaneous = 0, .terms = {{ring_.material.instantaneous, length / speed_}}};
+  return {seen, speed_};
+}
+
+complex RingCurvature::operator()(double wavenumber) const {
+  if (none()) return 0;
+  const double n = wavenumber * ring_.radius;
+  double sum = 0;
+  for (std::size_t j = 0; j < squares_.size(); ++j) sum += weights_[j] / (n * n + squares_[j]);
+  return ring_.material(-wavenumber * speed_) * ((1 - ring_.poisson_ratio) - 0.5 * (1 - 2 * ring_.poisson_ratio) * n) *
+         sum;
+}
+
+double RingCurvature::slope(double x) const {
+  const double ratio = x / ring_.radius, square = ratio * ratio;
+  if (!logarithms_.empty() && square <= 1 && ring_.poisson_ratio == 0.5) {
+    double logarithms = 0, rests = 0;
+    for (std::size_t i = series_terms; i-- > 0;) {
+      logarithms = logarithms_[i] + square * logarithms;
+      rests = rests_[i] + square * rests;
+    }
+    return x == 0 ? 0 : ratio * (logarithms * std::log(std::abs(ratio)) + rests);
+  }
+  double sum = 0;
+  for (const Part& part : parts_) {
+    // What goes with ln|x| at 0 is the same of all, and cancels.
+    sum -= part.pole / M_PI * (x == 0 ? std::log(std::abs(part.length)) / part.length : mean_of_pole(x, part.length));
+    if (part.jump != 0) sum += part.jump * remembered_force(x, part.length);
+  }
+  return sum;
+}
+
+double RingCurvature::displacement(double x) const {
+  double sum = 0;
+  for (const Part& part : parts_) {
+    sum -= part.pole / M_PI * remembered_logarithm(x, part.length);
+    if (part.jump != 0) sum += part.jump * remembered_step(x, part.length);
+  }
+  return sum;
+}
+
+double RingCurvature::logarithmic_slope(double x) const {
+  const double ratio = x / ring_.radius, square = ratio * ratio;
+  double sum = 0;
+  for (std::size_t i = logarithms_.size(); i-- > 0;) sum = logarithms_[i] + square * sum;
+  return ratio * sum;
+}
+
+}  // namespace rollres

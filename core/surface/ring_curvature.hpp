@@ -1,0 +1,57 @@
+#pragma once
+
+/// What the curvature of a ring's face adds to its normal response to short waves: that of a disc less that of a
+/// half-space (ring_compliance.hpp), which fades like a power of the wavenumber and not exponentially.
+///
+/// With n = k R the quotient 1/(n^2 - 1) is replaced by a sum of w_j/(n^2 + s_j) that agrees with it to n^-10: what
+/// is missing belongs to long waves, and is smooth. With the creep of the ring, sum of C/(1 - i k T), all is a sum of
+/// a/(1 - i k T) and -i b/(1 - i k T) over positive and negative lengths T, whose slopes are R_T of a pole and of a
+/// unit force (core/spectral/README.md, (S3), (S30)).
+
+#include <complex>
+#include <vector>
+
+#include "core/surface/layered_medium.hpp"
+
+namespace rollres {
+
+class RingCurvature {
+ public:
+  /// None: 0 everywhere.
+  RingCurvature() = default;
+  /// @param ring the outer one   @param speed V [m/s], negative where the ring flows backwards
+  RingCurvature(const MediumLayer& ring, double speed);
+
+  /// That of a ring with none of the memories, and the same seen through one, R_T of it: T in m, not 0.
+  RingCurvature at_once() const;
+  RingCurvature remembered(double length) const;
+
+  /// What it adds to k c_ww at a wavenumber along the motion [1/Pa].
+  std::complex<double> operator()(double wavenumber) const;
+  /// Re 1/pi int i k c e^{i k x} dk [1/(Pa m)]
+  double slope(double x) const;
+  /// Its antiderivative, Re 1/pi int [k c - at_rest() e^{-2 k depth}] e^{i k x}/k dk less
+  /// at_rest() ln(x^2 + 4 depth^2)/(2 pi), whatever the depth [1/Pa]
+  double displacement(double x) const;
+  /// What goes with ln|x| in the slope, of a ring without memory [1/(Pa m)].
+  double logarithmic_slope(double x) const;
+  /// k c of long waves [1/Pa].
+  double at_rest() const { return at_rest_; }
+  bool none() const { return parts_.empty(); }
+
+ private:
+  struct Part {
+    double length;      // T [m]
+    double pole, jump;  // a, b [1/Pa]
+  };
+  void make_series();
+
+  MediumLayer ring_{0, 0.5, 0, {}};
+  double speed_ = 1, at_rest_ = 0;
+  std::vector<double> squares_, weights_;  // s_j, w_j
+  std::vector<Part> parts_;
+  // Without memory the even part's slope is (x/R) sum (x/R)^{2i} (logarithms_i ln|x/R| + rests_i).
+  std::vector<double> logarithms_, rests_;
+};
+
+}  // namespace rollres

@@ -1,0 +1,74 @@
+#include "core/surface/ring_curvature.hpp"
+
+#include <cmath>
+
+#include "core/numerics/quadrature.hpp"
+#include "core/surface/ring_compliance.hpp"
+#include "tests/catch.hpp"
+
+using namespace rollres;
+
+namespace {
+
+MediumLayer cover(double poisson_ratio) {
+  return {0.3, poisson_ratio, 0, {.instantaneous = 0.4, .terms = {{0.5, 0.05}, {0.3, 2.0}}}, 1.3};
+}
+
+/// Re int_0^inf f(k) e^{ikx} dk by panels; f falls off like a power, which `slowly` takes out: a/(1 + (k/c)^2).
+template <class Transform>
+double transformed(const Transform& f, double x) {
+  std::complex<double> sum = 0;
+  const QuadratureRule& gauss = gauss_rule(16);
+  const double width = 0.5;
+  for (double from = 0; from < 4000; from += width)
+    for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
+      const double k = from + width * gauss.nodes[q];
+      sum += width * gauss.weights[q] * f(k) * std::exp(std::complex<double>(0, k * x));
+    }
+  return sum.real();
+}
+
+}  // namespace
+
+TEST_CASE("slopes of a ring's curvature are the transform of what it adds, forwards and backwards",
+          "[core][ring_curvature]") {
+  for (const double poisson_ratio : {0.3, 0.5})
+    for (const double speed : {1.0, -1.0}) {
+      const RingCurvature curvature(cover(poisson_ratio), speed);
+      for (const double x : {-3.0, -0.4, 0.2, 1.5}) {
+        CAPTURE(poisson_ratio, speed, x);
+        const double slope = transformed([&](double k) { return std::complex<double>(0, 1) * curvature(k) / M_PI; }, x);
+        CHECK(curvature.slope(x) == Approx(slope).margin(2e-4));  // the integral ends at k = 4000, where 1/k is left
+        const double step = 1e-5;
+        CHECK((curvature.displacement(x + step) - curvature.displacement(x - step)) / (2 * step) ==
+              Approx(curvature.slope(x)).margin(1e-8));
+      }
+    }
+}
+
+TEST_CASE("a ring without memory has its logarithm alone at the force", "[core][ring_curvature]") {
+  const RingCurvature curvature = RingCurvature(cover(0.5), 1).at_once();
+  const auto rest = [&](double x) {
+    return curvature.slope(x) - curvature.logarithmic_slope(x) * std::log(std::abs(x));
+  };
+  // What is left is smooth: its differences at half the distance are half of it.
+  CHECK(rest(1e-3) / rest(5e-4) == Approx(2).epsilon(1e-6));
+  // Beyond the series' end both routes agree.
+  CHECK(curvature.slope(1.3 * (1 + 1e-9)) == Approx(curvature.slope(1.3 * (1 - 1e-9))).epsilon(1e-7));
+}
+
+TEST_CASE("short waves on a ring are those of the half-space and its curvature", "[core][ring_curvature]") {
+  for (const double poisson_ratio : {0.2, 0.5}) {
+    MediumLayer ring = cover(poisson_ratio);
+    const RingCurvature curvature(ring, 0.7);
+    ring.thickness = 0.9;  // the core is not felt: e^{-2.3 n}
+    for (const double n : {12.0, 24.0}) {
+      const double k = n / ring.radius;
+      const std::vector<std::complex<double>> moduli = moduli_at({ring}, -0.7 * k);
+      const std::complex<double> c = k * surface_compliance({ring}, moduli, k, 0.7).normal,
+                                 deep = half_space_compliance(ring, moduli.front(), 0.7).normal;
+      CHECK(std::abs(c - deep - curvature(k)) < (500 * std::pow(n, -9) + 1e-12) * std::abs(deep));
+      CHECK(std::abs(c - deep) > 0.5 * std::pow(n, -2) * std::abs(deep));
+    }
+  }
+}
