@@ -133,6 +133,21 @@ TEST_CASE("one memory split into two nearly equal ones is one memory", "[core][s
   CHECK(outcome.solution->rolling_resistance == Approx(357.1785671916).epsilon(1e-7));
 }
 
+TEST_CASE("a memory far longer than the passage leaves the approach as it is", "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0);
+  scene.material = MaterialModel::prony;
+  scene.static_shear_modulus = 0.8e6;
+  scene.relaxation_times = {2e-6, 1e-4, 4};  // the first far below the contact
+  scene.relaxation_moduli = {8e6, 4e6, 0.2e6};
+  const RollingSolution without = spectral(scene);
+  scene.static_shear_modulus = 0.2e6;
+  scene.relaxation_times.push_back(1e9);
+  scene.relaxation_moduli.push_back(0.6e6);
+  const RollingSolution with = spectral(scene);
+  // It relaxes by 1e-11 over the layer's reach of a decimetre.
+  CHECK(with.approach == Approx(without.approach).epsilon(1e-9));
+}
+
 TEST_CASE("the resistance is smooth in the scene's numbers, and continuous where zones change", "[core][spectral]") {
   std::vector<double> logarithms;
   for (int i = 0; i < 24; ++i) {
