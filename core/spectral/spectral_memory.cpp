@@ -54,8 +54,10 @@ IntervalMemory::IntervalMemory(const SpectralProblem& problem, const Interval& i
     for (Index m = 0; m < terms; ++m) {  // all orders together (S13), less those of the series
       const double decay = half / problem.creep_length[static_cast<std::size_t>(m)];
       const ScaledBesselK& k = edge[static_cast<std::size_t>(m)];
-      const double all =
-          decay * (rate * (bessel(1) * k.order_0 + bessel(0) * k.order_1) - 1) / (rate - decay) - bessel(0);
+      // A_1 of (S12), to all its digits: of a long memory `all` is in proportion to the decay, and is multiplied by the
+      // memory's length where the approach is summed up.
+      const double first = decay < 1 ? 1 - memory(1, m) : k.order_1 - 1 / decay;
+      const double all = decay * (rate * (bessel(1) * k.order_0 + bessel(0) * first) + bessel(0) - 1) / (rate - decay);
       tails(j, m) = all - series.col(j).tail(order).dot(memory.col(m).tail(order));
     }
   }

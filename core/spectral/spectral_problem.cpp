@@ -25,10 +25,41 @@ constexpr double caution_on_one_layer = 6, caution_on_several = 30;
 struct TidySpectrum {
   CreepSpectrum creep;
   double left_out = 0;
+  bool taken_up = false;    // terms too short to matter, by the shortest
+  double made_elastic = 0;  // and compliance * time of those that no term took up
 };
 
-/// Ascending, with terms of nearly the same time joined and those too short to matter made elastic: beside a glassy
-/// modulus many times the rubbery one they leave boundary layers that no number of coefficients resolves.
+/// Takes the terms too short to matter into the shortest that does, with all their compliance and compliance * time:
+/// that leaves losses as they are to second order of the times, and the pressure nearly up to the leading edge. Where
+/// the joined memory would be much shorter, or change more than it saves, these terms are made elastic.
+void take_up(TidySpectrum& tidy, const std::vector<CreepSpectrum::Term>& shorter, double half_time) {
+  // Of the shortest term's time; boundary layers much thinner cost patterns of zones, and so whole answers.
+  constexpr double least_time = 0.4;
+  constexpr double least_gain = 10;  // in losses
+  double compliance = 0, moment = 0, second = 0;
+  const auto add = [&](const CreepSpectrum::Term& term) {
+    compliance += term.compliance;
+    moment += term.compliance * term.time;
+    second += term.compliance * term.time * term.time;
+  };
+  std::for_each(shorter.begin(), shorter.end(), add);
+  const double elastic = compliance, lost = moment;
+  if (elastic > 0 && !tidy.creep.terms.empty()) {
+    CreepSpectrum::Term& shortest = tidy.creep.terms.front();
+    add(shortest);
+    const double time = moment / compliance, changed = (second - moment * time) / half_time;
+    if (time > least_time * shortest.time && least_gain * changed < lost) {
+      shortest = {compliance, time};
+      tidy.taken_up = true;
+      return;
+    }
+  }
+  tidy.creep.instantaneous += elastic;
+  tidy.made_elastic = lost;
+}
+
+/// Ascending, with terms of nearly the same time joined and those too short to matter taken up or made elastic: beside
+/// a glassy modulus many times the rubbery one they leave boundary layers that no number of coefficients resolves.
 TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible, double caution) {
   std::sort(creep.terms.begin(), creep.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   // To first order in a short time a term loses compliance * time; a long one loses as little.
@@ -37,10 +68,11 @@ TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible, do
     all += term.compliance * term.time / (1 + std::pow(term.time / half_time, 2));
   TidySpectrum tidy{.creep = {.instantaneous = creep.instantaneous, .terms = {}}};
   std::vector<CreepSpectrum::Term>& terms = tidy.creep.terms;
+  std::vector<CreepSpectrum::Term> shorter;
   for (const CreepSpectrum::Term& term : creep.terms) {
     short_loss += caution * term.compliance * term.time;
     if (term.time < shortest_memory * half_time || short_loss <= negligible * all) {
-      tidy.creep.instantaneous += term.compliance;
+      shorter.push_back(term);
       tidy.left_out = std::min(short_loss / all, negligible);
     } else if (!terms.empty() && term.time < (1 + 1e-9) * terms.back().time) {
       terms.back().compliance += term.compliance;
@@ -48,6 +80,7 @@ TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible, do
       terms.push_back(term);
     }
   }
+  take_up(tidy, shorter, half_time);
   return tidy;
 }
 
@@ -89,6 +122,8 @@ SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum&
              half_width / model.speed, negligible, model.composite() ? caution_on_several : caution_on_one_layer);
   const CreepSpectrum& creep = tidy.creep;
   left_out = tidy.left_out;
+  taken_up = tidy.taken_up;
+  made_elastic = model.speed * tidy.made_elastic;
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
   glassy = relaxation.instantaneous;
   glassy_compliance = rubbery_compliance = creep.instantaneous;

@@ -26,7 +26,9 @@ struct SpectralProblem {
   IndenterShape shape;
   double half_width;                                          // the rough one [m]
   double glassy, rubbery;                                     // G_inf, G0 [Pa]
-  double left_out;                                            // loss of the memories that count as elastic [1]
+  double left_out;                                            // loss of the memories too short to matter [1]
+  bool taken_up;                                              // whether the shortest memory stands for these as well
+  double made_elastic;                                        // sum of C T of those for which none does [m/Pa]
   double rubbery_compliance;                                  // J_inf + sum C [1/Pa]
   double glassy_compliance;                                   // J_inf [1/Pa]
   std::vector<double> creep_length, creep_compliance;         // T_m, C_m

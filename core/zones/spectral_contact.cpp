@@ -402,12 +402,33 @@ class SpectralContact {
       return false;
     const double relative = estimate_of(assessed, told);
     RollingSolution& solution = assessed.solution;
+    solution.peak_pressure_error = peak_error(assessed, told);
     solution.rolling_resistance_error = relative * told.scale + problem_.left_out * std::abs(told.resistance);
     solution.error_estimate = solution.rolling_resistance_error / std::abs(told.resistance);
     scale_ = told.scale;
     best_ = std::move(assessed);
     zones_ = {last_->pattern, last_->edges, static_cast<double>(told.order), search.slopes(), problem_.coating_moment};
     return true;
+  }
+
+  /// What memories too short to matter leave of the pressure at a place [Pa]. At many lengths rho_1 behind the leading
+  /// edge, a share x = rho_1/distance, an amplitude Z_1 is answered by a pressure of Z_1 x^(1/2); a change that leaves
+  /// the loss as it is, as where the shortest memory stands for those below it, by one of x^(3/2).
+  double left_by_short_memories(double place) const {
+    if (problem_.terms() == 0) return 0;
+    const double length = problem_.relaxation_length.front(), share = length / (last_->edges.contact.to - place);
+    const double amplitude = std::abs(last_->pressure.amplitudes(0));
+    constexpr double covering = 1.5;  // where the peak is but a few lengths behind the edge
+    if (problem_.taken_up) return amplitude * std::min(1.0, covering * std::pow(share, 1.5));
+    const double loss = problem_.glassy * problem_.glassy * problem_.made_elastic;
+    return amplitude * loss / (problem_.relaxation_modulus.front() * length) * std::min(1.0, std::sqrt(share));
+  }
+
+  /// Of the largest pressure [Pa]: what coefficients, or graded points, and short memories leave.
+  double peak_error(const AssessedSpectral& assessed, const Told& told) const {
+    constexpr double over_resistance = 3;  // of random scenes
+    const double share = last_->graded ? graded_field_error(told.order) : over_resistance * estimate_of(assessed, told);
+    return (share + assessed.violation) * assessed.solution.peak_pressure + left_by_short_memories(assessed.peak_place);
   }
 
   /// What few graded points tell of a pattern for little work.

@@ -60,10 +60,13 @@ class SpectralAssessment {
     return values;
   }
 
+  struct Peak {
+    double value, place;
+  };
   /// Largest of |value| near its largest value at a node, by golden section between the node's neighbours, of which one
   /// may be the next panel's.
   template <class Value>
-  double peak(const Value& value, const Eigen::ArrayXd SurfacePanel::*nodes) const {
+  Peak peak(const Value& value, const Eigen::ArrayXd SurfacePanel::*nodes) const {
     std::vector<double> x, at;
     for (const SurfacePanel& panel : panels_) {
       if (!contact(panel)) continue;
@@ -94,7 +97,7 @@ class SpectralAssessment {
         at_right = std::abs(value(right));
       }
     }
-    return largest;
+    return {largest, 0.5 * (low + high)};
   }
 
   void measure_contact() {
@@ -106,8 +109,10 @@ class SpectralAssessment {
     s_.contact_nodes = static_cast<int>(state_.pressure.coefficients.size());
     for (Eigen::Index k = 0; k < s_.contact_nodes; ++k)
       if (field_.zone(state_.sources(k)) == Zone::slip) ++s_.slip_nodes;
-    s_.peak_pressure = peak([&](double x) { return field_.pressure(x); }, &SurfacePanel::pressure);
-    if (sheared()) s_.peak_shear_x = peak([&](double x) { return field_.shear(x); }, &SurfacePanel::shear);
+    const Peak pressure = peak([&](double x) { return field_.pressure(x); }, &SurfacePanel::pressure);
+    s_.peak_pressure = pressure.value;
+    assessed_.peak_place = pressure.place;
+    if (sheared()) s_.peak_shear_x = peak([&](double x) { return field_.shear(x); }, &SurfacePanel::shear).value;
   }
 
   void sum_forces() {

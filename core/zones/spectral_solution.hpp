@@ -28,6 +28,7 @@ struct AssessedSpectral {
   int overload_direction = 0;
   /// Up to where from the trailing edge the body slips against the shear there, if at all [m].
   double reversed = RollingSolution::absent;
+  double peak_place = RollingSolution::absent;  ///< of the largest pressure [m]
 };
 
 AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state);

@@ -133,6 +133,54 @@ TEST_CASE("one memory split into two nearly equal ones is one memory", "[core][s
   CHECK(outcome.solution->rolling_resistance == Approx(357.1785671916).epsilon(1e-7));
 }
 
+TEST_CASE("a memory far longer than the passage leaves the approach as it is", "[core][spectral]") {
+  RollingScene scene = gridless_cylinder(0);
+  scene.material = MaterialModel::prony;
+  scene.static_shear_modulus = 0.8e6;
+  scene.relaxation_times = {2e-6, 1e-4, 4};  // the first far below the contact
+  scene.relaxation_moduli = {8e6, 4e6, 0.2e6};
+  const RollingSolution without = spectral(scene);
+  scene.static_shear_modulus = 0.2e6;
+  scene.relaxation_times.push_back(1e9);
+  scene.relaxation_moduli.push_back(0.6e6);
+  const RollingSolution with = spectral(scene);
+  // It relaxes by 1e-11 over the layer's reach of a decimetre.
+  CHECK(with.approach == Approx(without.approach).epsilon(1e-9));
+}
+
+TEST_CASE("the largest pressure is known to what is said where it stands in the boundary layer of short memories",
+          "[core][spectral]") {
+  RollingScene scene;
+  scene.radius = 8.82e-3;
+  scene.layer_thickness = static_cast<double>(INFINITY);
+  scene.material = MaterialModel::fractional_zener;
+  scene.static_shear_modulus = 4.02e6;
+  scene.stiffening = 558.1;
+  scene.creep_time = 1.137e-3;
+  scene.fractional_order = 0.5877;
+  scene.speed = 0.1384;
+  scene.load = 79.48;
+  scene.friction_coefficient = 0;
+  const RollingScene whole = scene;
+  BondedLayer lower;
+  static_cast<MaterialInputs&>(lower) = scene;
+  lower.layer_thickness = static_cast<double>(INFINITY);
+  scene.layer_thickness = 117.16e-6;
+  scene.lower_layers = {lower};
+  // Of two layers fewer memories count as too short to matter.
+  const double known = spectral(scene).peak_pressure;
+  for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
+    for (RollingScene other : {whole, scene}) {
+      other.tolerance = tolerance;
+      const RollingSolution solution = spectral(other);
+      CAPTURE(tolerance, solution.peak_pressure, solution.peak_pressure_error);
+      CHECK(std::abs(solution.peak_pressure - known) < solution.peak_pressure_error);
+      // 6e-5 where short memories leave the loss as it is, 6e-4 where they are elastic.
+      if (tolerance == 1e-6) CHECK(solution.peak_pressure == Approx(known).epsilon(2e-4));
+    }
+  }
+}
+
 TEST_CASE("the resistance is smooth in the scene's numbers, and continuous where zones change", "[core][spectral]") {
   std::vector<double> logarithms;
   for (int i = 0; i < 24; ++i) {
