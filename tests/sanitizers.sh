@@ -1,12 +1,13 @@
 #!/bin/sh
 # The suite under address and undefined-behaviour sanitizers, then what runs on several threads under the thread sanitizer:
 # their tests, spheres, a fit, a gradient and a sweep with 8 jobs. Asserts of libstdc++, Eigen and rollres are on. Slow
-# tests have a tenth of their random input (ROLLRES_THIN). The tests are those that the release preset has compiled, run
-# with libraries that are compiled anew. Left out are tests tagged [long], whose code shorter tests run as well, and tests
-# that run none of these libraries: of the Python package, of an outside program on the installed library, of the Debian
-# package. A pointer that is null ends the program under the address sanitizer, too: the checks of pointers that the
-# undefined-behaviour sanitizer has besides, half of the compiler's time, are off. Needs what tests/run.sh has installed
-# and built. The last line says what was found; the exit status is 0 if nothing was.
+# tests have a tenth of their random input, those of tests/fuzz a quarter (ROLLRES_THIN). The tests are those that the
+# release preset has compiled, run with libraries that are compiled anew. Left out are tests tagged [long], whose code
+# shorter tests run as well, and tests that run none of these libraries: of the Python package, of an outside program on
+# the installed library, of the Debian package. What is read or written by a pointer that is null or points beyond
+# an object ends the program under the address sanitizer, too: the checks of pointers that the undefined-behaviour
+# sanitizer has besides, half of the compiler's time, are off. Needs what tests/run.sh has installed and built. The last
+# line says what was found; the exit status is 0 if nothing was.
 set -u
 script=tests/sanitizers.sh
 cd "$(dirname "$0")/.." || exit 1
@@ -106,12 +107,15 @@ if build_sanitized tsan; then
 {"study": "threads", "scene": {"indenter": "cylinder", "radius": 0.02, "layer_thickness": 0.005, "static_shear_modulus": 3e6,
   "stiffening": 1, "creep_time": 0.25, "speed": 0.05, "load": 100, "friction_coefficient": 0.2},
  "axes": {"indenter": ["cylinder", "sphere"], "method": ["automatic", "newton"],
-  "speed": {"from": 0.01, "to": 1, "points": 6, "spacing": "logarithmic"}, "poisson_ratio": [0.5, 0.3]}}
+  "speed": {"from": 0.01, "to": 1, "points": 3, "spacing": "logarithmic"}, "poisson_ratio": [0.5, 0.3]}}
 STUDY
+  # The example's fit of one parameter: threads share the rows of an evaluation, however many evaluations there are.
+  sed "/shear_modulus\|stiffening/d; s#paper_cylinder.json\|fit_cylinder.csv#$PWD/studies/examples/&#" \
+    studies/examples/fit_cylinder.json >"$folder/fit.json"
   threads sweep "$folder/study.json" --db "$folder/a.db" --jobs 8
   threads report --db "$folder/a.db" --out "$folder/a.html"
   threads solve studies/examples/paper_sphere.json --set "spacing=0.08 mm"
-  threads fit studies/examples/fit_cylinder.json --db "$folder/f.db" --jobs 8
+  threads fit "$folder/fit.json" --db "$folder/f.db" --jobs 8
   threads gradient studies/examples/paper_cylinder.json --inputs speed,layer_thickness --jobs 8
   wait $! || trouble="$trouble tests of threads fail under the thread sanitizer;"
   cat "$folder/tests"

@@ -119,8 +119,8 @@ constexpr double memory_share = 5;
 constexpr double memory_share = 1.1;
 #endif
 
-/// A tenth with ROLLRES_THIN in the environment.
-double thinned(double amount) { return std::getenv("ROLLRES_THIN") ? amount / 10 : amount; }
+/// A quarter with ROLLRES_THIN in the environment.
+double thinned(double amount) { return std::getenv("ROLLRES_THIN") ? amount / 4 : amount; }
 /// Ten times as much there, as instrumented programs need.
 double patience(double seconds) { return std::getenv("ROLLRES_THIN") ? 10 * seconds : seconds; }
 

@@ -145,6 +145,7 @@ TEST_CASE("a sphere's edge in its cells keeps the laws of contact on every layer
           "[core][contact_edge][long]") {
   RollingScene plain = paper_sphere();
   plain.kinematics = Kinematics::consistent;
+  plain.spacing = 0.4e-3;
   std::vector<RollingScene> scenes;
   const auto add = [&](const auto& change) { change(scenes.emplace_back(plain)); };
   add([](RollingScene& s) { s.drive = Drive::free; });

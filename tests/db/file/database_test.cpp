@@ -9,6 +9,7 @@
 #include "db/rows/schema.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
 using namespace rollres;
@@ -189,7 +190,7 @@ TEST_CASE("a database that lacks columns of newer quantities gets them, and its 
 
 TEST_CASE("processes that create one database at the same moment all get it", "[db][database]") {
   const TemporaryDirectory folder;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < thinned(12); ++round) {
     const auto file = folder.path / std::to_string(round);
     int gate[2];
     REQUIRE(pipe(gate) == 0);

