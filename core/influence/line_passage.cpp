@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 #include "core/influence/passage_kernel.hpp"
-#include "core/messages/message_text.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/recently_made.hpp"
 #include "core/surface/deep_response.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
+#include "core/surface/ring_curvature.hpp"
 
 namespace rollres {
 
@@ -153,14 +152,16 @@ class EarlierTurns {
 
  private:
   static constexpr int nodes = 24;
-  /// Turns until nothing is left, e^-30.
+  /// Turns until nothing is left of the longest memory, e^-30, or until what is left is the same along the contact.
   static int turns_felt(const ContactModel& alone) {
-    const double turns = std::ceil(-30 / std::log(left_after_turn(alone)));
-    constexpr double most = 2000;
-    if (!(turns <= most))
-      throw std::invalid_argument(message_text("coating_layers: the cover remembers its last ", turns,
-                                               " turns; more than ", most, " are not summed"));
-    return static_cast<int>(turns);
+    double memory = 0, thickness = 0;
+    for (const ModelLayer& ring : alone.foundation) {
+      thickness += ring.layer_thickness;
+      for (const CreepSpectrum::Term& term : ring.creep.terms) memory = std::max(memory, alone.speed * term.time);
+    }
+    constexpr double most = 40;
+    return static_cast<int>(
+        std::clamp(std::ceil(30 * std::max(memory, 2 * thickness) / (2 * M_PI * alone.radius)), 1.0, most));
   }
 
   LayerSlopes sum_of_turns(double x) const {
@@ -194,7 +195,7 @@ class EarlierTurns {
 
 /// Adds what rings have not recovered from in a turn.
 void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double cell, const MemoryRange& told_apart) {
-  if (!model.ring() || left_after_turn(model) <= recovered) return;
+  if (!model.ring() || left_after_turn(model) <= recovered(model)) return;
   const bool alone = model.coating.empty();
   const int reach = table.reach_x();
   const EarlierTurns turns(alone ? model : coating_alone(model), cell, told_apart, reach * cell);

@@ -107,19 +107,27 @@ double share_of_coating(const ContactModel& model, double half_width) {
   return coating / (coating + foundation);
 }
 
+double recovered(const ContactModel& model) { return std::max(1e-8, 0.03 * model.asked_tolerance.value_or(0)); }
+
 double left_after_turn(const ContactModel& model) {
   if (!model.ring()) return 0;
   constexpr double elastic_decay = 0.74;  // of an incompressible layer, over a thickness (surface/layer_slopes.hpp)
-  const double turn = 2 * M_PI * model.radius;
   const std::vector<ModelLayer>& rings = model.coating.empty() ? model.foundation : model.coating;
-  double thickness = 0, memory = 0;
+  const double turn = 2 * M_PI * model.radius;
+  double thickness = 0, most = 0;
+  for (const ModelLayer& ring : rings) thickness += ring.layer_thickness;
   for (const ModelLayer& ring : rings) {
-    thickness += ring.layer_thickness;
     const CreepSpectrum creep = model.coating.empty() ? ring.creep : creep_in_flow(model, ring);
+    // A long memory sees the ring's longest waves, under pressure at constant volume (H k)^3 of it.
+    const double power = ring.poisson_ratio == 0.5 && model.friction_coefficient == 0 ? 3 : 1;
+    double left = 0;
     for (const CreepSpectrum::Term& term : creep.terms)
-      if (term.compliance > 0) memory = std::max(memory, model.speed * term.time);
+      if (const double length = model.speed * term.time; length > 0)
+        left += term.compliance / creep.at_rest() * std::pow(std::min(1.0, thickness / length), power) *
+                std::exp(-turn / length);
+    most = std::max(most, left);
   }
-  return std::max(std::exp(-elastic_decay * turn / thickness), memory > 0 ? std::exp(-turn / memory) : 0);
+  return std::max(std::exp(-elastic_decay * turn / thickness), most);
 }
 
 double total_thickness(const ContactModel& model) {
@@ -173,9 +181,9 @@ std::string coating_in_words(const ContactModel& model) {
             : model.inertia      ? ": with inertia it is"
                                  : ": the core is not felt");
   return "the coating is a ring on the core, " + share +
-         (left_after_turn(model) < recovered
+         (left_after_turn(model) <= recovered(model)
               ? ", recovered when it comes round again"
-              : message_text<4>(", with what is left of earlier turns, ", left_after_turn(model)));
+              : message_text<4>(", with earlier turns: of each about ", left_after_turn(model), " is left after one"));
 }
 
 std::string surface_in_words(const ContactModel& model) {

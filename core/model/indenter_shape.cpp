@@ -22,8 +22,7 @@ LeverArm IndenterShape::torque(double x, double y) const {
 RigidSlip IndenterShape::slip(double x, double y) const {
   if (kinematics_ == Kinematics::consistent) {
     const double slope_x = slope(x, y), q = height(x, y), turning = (q + x * x / q) / radius_;
-    const double stretch = bent_ == 0 ? 0 : x * x / (radius_ * radius_);  // where it lies flat: of second order
-    return {.forward = 1 + (1 - share_) * slope_x * slope_x, .turning = turning - share_ * (turning - 1 - 0.5 * stretch)};
+    return {.forward = 1 + (1 - share_) * slope_x * slope_x, .turning = turning - share_ * (turning - 1)};
   }
   if (flat_in_y_) return {};
   return {.turning = std::sqrt(std::max(1 - y * y / (radius_ * radius_), 1e-4))};

@@ -33,7 +33,9 @@
 /// A cover that is a ring is measured along its face, at the arc x = R phi. There its height above a plane is R (1 -
 /// cos phi), so that with the coating's share k, in both kinematics,
 ///   B = (1 - k) (R - q) + k R (1 - cos(x/R)),   b_x = (1 - k) x/q + k sin(x/R)
-/// Pressed flat, it turns by x/R against its core, and is longer by the square of that: turning gains k x^2/(2 R^2).
+/// Pressed flat, it turns by x/R against its core and would be longer by half the square of that; the pressure, which
+/// stays vertical, shortens it by as much on the mean. Both are left out: one alone is worse than none
+/// (finite_strain/README.md).
 ///
 /// `printed` (Zehil and Gavin 2013, eqs. 12, 15, 17, 19, 21, 25, 26, 37): a cylinder's pressure and shear act normal to
 /// and along its arc, a sphere's vertically and horizontally, and the slip is that on a flat surface,

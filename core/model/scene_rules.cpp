@@ -258,21 +258,12 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 
 }  // namespace
 
-/// Why continuous edges do not apply to a ring; empty if they do. What its curvature adds has one logarithm, without
-/// memory of its own.
+/// Why continuous edges do not apply to a ring; empty if they do.
 std::string ring_refusal(const ContactModel& model) {
   if (!model.ring()) return {};
-  if (const double left = left_after_turn(model); left > recovered)
+  if (const double left = left_after_turn(model); left > recovered(model))
     return message_text("the cover has not recovered when it comes round again, ", left,
                         " is left: not with method \"spectral\"");
-  const CreepSpectrum near = near_spectrum(model), cover = creep_in_flow(model, model.coating.front());
-  const auto share = [&](double omega) { return cover(omega) / near(omega); };
-  const std::complex<double> at_rest = share(0);
-  double apart = 0;
-  for (const CreepSpectrum::Term& term : near.terms)
-    if (term.time > 0) apart = std::max(apart, std::abs(share(1 / term.time) / at_rest - 1.0));
-  if (constexpr double in_proportion = 1e-3; apart > in_proportion)
-    return "a cover and a layer that creep each in their own way: not with method \"spectral\"";
   return {};
 }
 

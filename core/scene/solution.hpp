@@ -136,7 +136,7 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
           s.contact_area_error);
   visitor(Q{"mean_pressure", "p_m", "Pa", "load over area of contact"}, s.mean_pressure);
   visitor(Q{"peak_pressure", "p_0", "Pa", "largest pressure"}, s.peak_pressure);
-  visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure on a grid"},
+  visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure"},
           s.peak_pressure_error);
   visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
   visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere)"}, s.peak_shear_y);

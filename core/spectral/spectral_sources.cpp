@@ -76,12 +76,12 @@ MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& la
 
 RowVectorXd missed_slopes(const SlopeCorrection& correction, const Interval& contact, int order, double x) {
   const double half = contact.half_length();
-  if (correction.logarithmic_slope(half) == 0) return {};
+  if (correction.logarithmic_slope(half, 2 * half) == 0) return {};
   const double t = place_in(contact, x);
   RowVectorXd missed = logarithm_missed(order, t);
   const VectorXd& nodes = chebyshev_rule(order).nodes;
   for (Index q = 0; q < nodes.size(); ++q)
-    missed(q) = t == nodes(q) ? 0 : missed(q) * correction.logarithmic_slope(half * (t - nodes(q)));
+    missed(q) = t == nodes(q) ? 0 : missed(q) * correction.logarithmic_slope(half * (t - nodes(q)), 2 * half);
   return missed;
 }
 

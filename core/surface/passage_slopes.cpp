@@ -12,8 +12,7 @@ PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, d
       deep_(deep),
       depth_(depth),
       rigid_base_(rigid_base),
-      glass_(1 / deep_.instantaneous),
-      curvature_(surface_.curvature().at_once()),
+      curvature_(surface_.curvature().over(deep_)),
       table_(first_memory_ + deep.terms.size(), 0.1 * depth_ / surface_.longest_wave(),
              [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {
   const SurfaceCompliance at_rest = surface_.half_spaces(surface_.moduli(0));
@@ -30,7 +29,7 @@ void PassageSlopes::transform(double k, std::span<complex> values) const {
   const SteadySurface::Moduli moduli = surface_.moduli(along);
   const SurfaceCompliance c = surface_(moduli, along, 0), c_deep = surface_.half_spaces(moduli);
   const complex per_deep = 1 / M_PI / deep_(-along * surface_.speed());
-  const complex bent = curvature_(along) * glass_ / M_PI;
+  const complex bent = curvature_(along) / M_PI;
   const complex normal = (along * c.normal - c_deep.normal) * per_deep - bent;
   const complex tangential = (along * c.longitudinal - c_deep.longitudinal) * per_deep;
   const complex cross = (along * c.cross - c_deep.cross) * per_deep;
@@ -42,7 +41,7 @@ void PassageSlopes::transform(double k, std::span<complex> values) const {
   put(slopes_, i * normal, i * tangential, -cross);
   // With the half-space's -ln|x|/(2 pi) but for its long waves, which ln(x^2 + 4 depth^2)/(4 pi) takes.
   const double half_space = 0.5 / M_PI * std::exp(-2 * k);
-  put(displacements_, (normal + at_rest_(0) * half_space + curvature_.at_rest() * glass_ / M_PI * std::exp(-2 * k)) / k,
+  put(displacements_, (normal + at_rest_(0) * half_space + curvature_.at_rest() / M_PI * std::exp(-2 * k)) / k,
       (tangential + at_rest_(1) * half_space) / k, i * cross / k);
   for (std::size_t m = 0; m < memory_lengths_.size(); ++m) {
     const complex mean = 1.0 / (1.0 - i * k * memory_lengths_[m]);
@@ -52,18 +51,18 @@ void PassageSlopes::transform(double k, std::span<complex> values) const {
 
 LayerSlopes PassageSlopes::slope(double x) const {
   LayerSlopes sum = table_(slopes_, x / depth_) / depth_;
-  if (!curvature_.none()) sum(layer_slope::normal) += glass_ * curvature_.slope(x);
+  if (!curvature_.none()) sum(layer_slope::normal) += curvature_.slope(x);
   return sum;
 }
 
 LayerSlopes PassageSlopes::memory(std::size_t term, double x) const {
   LayerSlopes sum = table_(first_memory_ + term, x / depth_) / depth_;
-  if (!curvature_.none()) sum(layer_slope::normal) += glass_ * remembered_[term].slope(x);
+  if (!curvature_.none()) sum(layer_slope::normal) += remembered_[term].slope(x);
   return sum;
 }
 
-double PassageSlopes::logarithmic_slope(double x) const {
-  return curvature_.none() ? 0 : glass_ * curvature_.logarithmic_slope(x);
+double PassageSlopes::logarithmic_slope(double x, double length) const {
+  return curvature_.none() ? 0 : curvature_.logarithmic_slope(x, length);
 }
 
 LayerSlopes PassageSlopes::displacement(double x) const {
@@ -72,7 +71,7 @@ LayerSlopes PassageSlopes::displacement(double x) const {
   const double logarithm = std::log(x * x + 4 * depth_ * depth_) / (4 * M_PI);
   sum.head<2>() += at_rest_ * logarithm;
   if (!curvature_.none())
-    sum(layer_slope::normal) += glass_ * (2 * curvature_.at_rest() * logarithm + curvature_.displacement(x));
+    sum(layer_slope::normal) += (2 * curvature_.at_rest() * logarithm + curvature_.displacement(x));
   return sum;
 }
 

@@ -2,7 +2,7 @@
 
 /// Slopes of any layered surface under a line force in steady passage, as corrections to those of a half-space.
 ///
-/// A ring's curvature goes with ln|x| in them, as far as its creep is in proportion to D (ring_curvature.hpp).
+/// A ring's curvature goes with ln|x| in them (ring_curvature.hpp).
 /// Fourier integrals of the surface's compliance at the frequencies of the passage over that of the half-spaces next to
 /// the contact, for their means over a memory as well (core/spectral/README.md, (S24); fourier_table.hpp).
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/surface/fourier_table.hpp"
+#include "core/surface/ring_curvature.hpp"
 #include "core/surface/slope_correction.hpp"
 #include "core/surface/steady_surface.hpp"
 
@@ -34,7 +35,7 @@ class PassageSlopes final : public SlopeCorrection {
   LayerSlopes displacement(double x) const override;
   double depth() const override { return depth_; }
   double reach() const override { return INFINITY; }
-  double logarithmic_slope(double x) const override;
+  double logarithmic_slope(double x, double length) const override;
 
  private:
   static constexpr std::size_t slopes_ = 0, displacements_ = 1, first_memory_ = 2;
@@ -46,8 +47,7 @@ class PassageSlopes final : public SlopeCorrection {
   double depth_;                        // [m]
   Eigen::Array2d at_rest_;              // 2 k c_ww/D and 2 k c_ll/D of the half-spaces under long waves [1]
   bool rigid_base_;
-  double glass_;                           // 1/D of short waves [Pa]
-  RingCurvature curvature_;                // of a ring's short waves: taken out of the transforms
+  RingCurvature curvature_;                // over D, of a ring's short waves: taken out of the transforms
   std::vector<RingCurvature> remembered_;  // the same by memory
   FourierTable table_;
 };

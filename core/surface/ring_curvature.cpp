@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/material/prony_series.hpp"
 #include "core/numerics/memory_functions.hpp"
 
 namespace rollres {
@@ -15,6 +16,8 @@ constexpr int count = 4;  // of squares
 constexpr double euler = 0.57721566490153286;
 /// Of the powers of x/R, up to x = R: 2^27/27! is 1e-20.
 constexpr std::size_t series_terms = 14;
+/// Of a length, below which a memory counts as at once in its logarithms: the exponentials would grow along it.
+constexpr double short_share = 0.06;
 
 /// R_T of 1/x for lengths of either sign: a negative one is of a memory that lies ahead.
 double mean_of_pole(double x, double length) {
@@ -70,6 +73,8 @@ RingCurvature::RingCurvature(const MediumLayer& ring, double speed)
       squares_(squares_apart(ring.material, ring.radius, speed)),
       weights_(weights_for(squares_)) {
   const double even = 1 - ring.poisson_ratio, odd = -0.5 * (1 - 2 * ring.poisson_ratio);
+  for (const double square : squares_)
+    for (const double side : {1.0, -1.0}) parts_.push_back({side * ring.radius / std::sqrt(square), 0, 0});
   const auto add = [&](double compliance, double memory) {
     Part own{memory, 0, 0};
     for (std::size_t j = 0; j < squares_.size(); ++j) {
@@ -78,8 +83,11 @@ RingCurvature::RingCurvature(const MediumLayer& ring, double speed)
       const double a = compliance * even * weights_[j] / (2 * squares_[j]);
       const double b = compliance * odd * weights_[j] / (2 * root);
       const double ahead = memory - tau, behind = memory + tau;
-      parts_.push_back({tau, -a * tau / ahead, -b * tau / ahead});
-      parts_.push_back({-tau, a * tau / behind, -b * tau / behind});
+      Part &forwards = parts_[2 * j], &backwards = parts_[2 * j + 1];
+      forwards.pole -= a * tau / ahead;
+      forwards.jump -= b * tau / ahead;
+      backwards.pole += a * tau / behind;
+      backwards.jump -= b * tau / behind;
       own.pole += a * (memory / ahead + memory / behind);
       own.jump += b * (memory / ahead - memory / behind);
     }
@@ -88,7 +96,7 @@ RingCurvature::RingCurvature(const MediumLayer& ring, double speed)
   if (ring.material.instantaneous != 0) add(ring.material.instantaneous, 0);
   for (const CreepSpectrum::Term& term : ring.material.terms) add(term.compliance, speed * term.time);
   for (const Part& part : parts_) at_rest_ += part.pole;
-  if (ring.material.terms.empty()) make_series();
+  make_series();
 }
 
 void RingCurvature::make_series() {
@@ -97,7 +105,7 @@ void RingCurvature::make_series() {
   rests_.assign(series_terms, 0);
   for (std::size_t j = 0; j < squares_.size(); ++j) {
     const double root = std::sqrt(squares_[j]), logarithm = euler + std::log(root);
-    double term = ring_.material.instantaneous * (1 - ring_.poisson_ratio) * weights_[j] / (M_PI * ring_.radius);
+    double term = (1 - ring_.poisson_ratio) * weights_[j] / (M_PI * ring_.radius);
     double harmonic = 1;
     for (std::size_t i = 0; i < series_terms; ++i) {
       logarithms_[i] += term;
@@ -109,16 +117,33 @@ void RingCurvature::make_series() {
   }
 }
 
-RingCurvature RingCurvature::at_once() const {
+RingCurvature RingCurvature::over(const CreepSpectrum& deep) const {
   if (none()) return {};
-  MediumLayer elastic = ring_;
-  elastic.material.terms.clear();
-  return {elastic, speed_};
+  const CreepSpectrum& own = ring_.material;
+  MediumLayer quotient = ring_;
+  const RelaxationSpectrum relaxation = relaxation_spectrum(deep);
+  quotient.material = {.instantaneous = own.instantaneous * relaxation.instantaneous, .terms = {}};
+  for (const RelaxationSpectrum::Term& term : relaxation.terms) {
+    double at_pole = own.instantaneous;  // of the ring's creep
+    for (const CreepSpectrum::Term& memory : own.terms) at_pole += memory.compliance / (1 - memory.time / term.time);
+    const double residue = -term.modulus * at_pole;
+    if (constexpr double nothing = 1e-9; std::abs(residue) > nothing * quotient.material.instantaneous)
+      quotient.material.terms.push_back({residue, term.time});
+  }
+  return {quotient, speed_};
 }
 
 RingCurvature RingCurvature::remembered(double length) const {
+  // 1/((1 + sT)(1 + s rho)) = [T/(1 + sT) - rho/(1 + s rho)]/(T - rho)
   MediumLayer seen = ring_;
-  seen.material = {.instantaneous = 0, .terms = {{ring_.material.instantaneous, length / speed_}}};
+  const double time = length / speed_;
+  seen.material = {.instantaneous = 0, .terms = {{ring_.material.instantaneous, time}}};
+  for (const CreepSpectrum::Term& term : ring_.material.terms) {
+    double apart = time - term.time;
+    if (constexpr double equal = 1e-7; std::abs(apart) < equal * time) apart = equal * time;
+    seen.material.terms[0].compliance += term.compliance * time / apart;
+    seen.material.terms.push_back({-term.compliance * term.time / apart, term.time});
+  }
   return {seen, speed_};
 }
 
@@ -133,13 +158,13 @@ complex RingCurvature::operator()(double wavenumber) const {
 
 double RingCurvature::slope(double x) const {
   const double ratio = x / ring_.radius, square = ratio * ratio;
-  if (!logarithms_.empty() && square <= 1 && ring_.poisson_ratio == 0.5) {
+  if (ring_.material.terms.empty() && square <= 1 && ring_.poisson_ratio == 0.5) {
     double logarithms = 0, rests = 0;
     for (std::size_t i = series_terms; i-- > 0;) {
       logarithms = logarithms_[i] + square * logarithms;
       rests = rests_[i] + square * rests;
     }
-    return x == 0 ? 0 : ratio * (logarithms * std::log(std::abs(ratio)) + rests);
+    return x == 0 ? 0 : ring_.material.instantaneous * ratio * (logarithms * std::log(std::abs(ratio)) + rests);
   }
   double sum = 0;
   for (const Part& part : parts_) {
@@ -159,11 +184,24 @@ double RingCurvature::displacement(double x) const {
   return sum;
 }
 
-double RingCurvature::logarithmic_slope(double x) const {
+double RingCurvature::logarithmic_slope(double x, double length) const {
   const double ratio = x / ring_.radius, square = ratio * ratio;
-  double sum = 0;
-  for (std::size_t i = logarithms_.size(); i-- > 0;) sum = logarithms_[i] + square * sum;
-  return ratio * sum;
+  double at_once = 0, own = ring_.material.instantaneous, remembered = 0;
+  for (std::size_t i = logarithms_.size(); i-- > 0;) at_once = logarithms_[i] + square * at_once;
+  for (const CreepSpectrum::Term& term : ring_.material.terms) {
+    const double memory = speed_ * term.time;
+    if (std::abs(memory) < short_share * length) {
+      own += term.compliance;
+      continue;
+    }
+    for (std::size_t j = 0; j < squares_.size(); ++j) {
+      const double tau = ring_.radius / std::sqrt(squares_[j]), wave = std::exp(x / tau);
+      remembered += term.compliance * weights_[j] / squares_[j] *
+                    ((1 / (memory - tau) + 1 / (memory + tau)) * std::exp(x / memory) - wave / (memory - tau) -
+                     1 / (wave * (memory + tau)));
+    }
+  }
+  return own * ratio * at_once + (1 - ring_.poisson_ratio) / (2 * M_PI) * remembered;
 }
 
 }  // namespace rollres

@@ -22,8 +22,9 @@ class RingCurvature {
   /// @param ring the outer one   @param speed V [m/s], negative where the ring flows backwards
   RingCurvature(const MediumLayer& ring, double speed);
 
-  /// That of a ring with none of the memories, and the same seen through one, R_T of it: T in m, not 0.
-  RingCurvature at_once() const;
+  /// The same over a spectrum whose terms have all the ring's times, as a sum over its relaxation times [1].
+  RingCurvature over(const CreepSpectrum& deep) const;
+  /// Seen through a memory, R_T of it: T in m, not 0.
   RingCurvature remembered(double length) const;
 
   /// What it adds to k c_ww at a wavenumber along the motion [1/Pa].
@@ -33,8 +34,8 @@ class RingCurvature {
   /// Its antiderivative, Re 1/pi int [k c - at_rest() e^{-2 k depth}] e^{i k x}/k dk less
   /// at_rest() ln(x^2 + 4 depth^2)/(2 pi), whatever the depth [1/Pa]
   double displacement(double x) const;
-  /// What goes with ln|x| in the slope, of a ring without memory [1/(Pa m)].
-  double logarithmic_slope(double x) const;
+  /// What goes with ln|x| in the slope, as far as distances up to this length tell memories from none [1/(Pa m)].
+  double logarithmic_slope(double x, double length) const;
   /// k c of long waves [1/Pa].
   double at_rest() const { return at_rest_; }
   bool none() const { return parts_.empty(); }
@@ -50,7 +51,7 @@ class RingCurvature {
   double speed_ = 1, at_rest_ = 0;
   std::vector<double> squares_, weights_;  // s_j, w_j
   std::vector<Part> parts_;
-  // Without memory the even part's slope is (x/R) sum (x/R)^{2i} (logarithms_i ln|x/R| + rests_i).
+  // Without memory the even part's slope is C (x/R) sum (x/R)^{2i} (logarithms_i ln|x/R| + rests_i).
   std::vector<double> logarithms_, rests_;
 };
 

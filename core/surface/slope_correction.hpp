@@ -24,8 +24,8 @@ class SlopeCorrection {
   /// The antiderivatives that vanish far ahead with the half-space's -ln|x|/(2 pi); NaN over a half-space [1].
   virtual LayerSlopes displacement(double x) const = 0;
 
-  /// What goes with ln|x| in the normal slope: sums over points miss it [1/m].
-  virtual double logarithmic_slope(double) const { return 0; }
+  /// What goes with ln|x| in the normal slope, along a contact of this length: sums over points miss it [1/m].
+  virtual double logarithmic_slope(double /*x*/, double /*length*/) const { return 0; }
 
   /// Distance of the nearest face that they come from [m]: they are singular at twice as much from the real axis.
   virtual double depth() const = 0;

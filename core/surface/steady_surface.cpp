@@ -6,6 +6,7 @@
 
 #include "core/numerics/solution_limits.hpp"
 #include "core/surface/ring_compliance.hpp"
+#include "core/surface/ring_curvature.hpp"
 
 namespace rollres {
 

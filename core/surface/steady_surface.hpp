@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/surface/layered_medium.hpp"
-#include "core/surface/ring_curvature.hpp"
 
 namespace rollres {
 
@@ -21,6 +20,8 @@ struct SurfaceMedia {
   LayeredMedium foundation, coating;  ///< the latter may be none
   bool backwards = false;             ///< the coating flows against the motion
 };
+
+class RingCurvature;
 
 class SteadySurface {
  public:

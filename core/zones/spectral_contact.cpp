@@ -26,6 +26,7 @@ constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
 constexpr double smallest_tolerance = 1e-13;  // that rounding allows
 constexpr double largest_violation = 5e-9;    // of any law
+constexpr double of_rings = 1e-8;             // the same: between points their curvature is known to its memories
 constexpr double rounded_tail = 1e-12;        // last coefficients, relative to the largest
 constexpr double wrong_pattern = 1e-7;        // violation of an inequality that no order mends
 constexpr double plainly_wrong = 0.01;        // the same, seen at once
@@ -396,11 +397,11 @@ class SpectralContact {
 
   /// Takes the last state for the answer if all laws hold.
   bool accept(AssessedSpectral& assessed, const Told& told, const EdgeSearch& search) {
-    const double largest = std::max(largest_violation, between_points(told.order));
-    if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) ||
-        !(imposed_violation(assessed) < largest_violation))
+    const bool ring = model_.ring();
+    const double held = ring ? of_rings : largest_violation, largest = std::max(held, between_points(told.order));
+    if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) || !(imposed_violation(assessed) < held))
       return false;
-    const double relative = estimate_of(assessed, told);
+    const double relative = estimate_of(assessed, told) + (ring ? told.lever / told.scale * assessed.violation : 0);
     RollingSolution& solution = assessed.solution;
     solution.peak_pressure_error = peak_error(assessed, told);
     solution.rolling_resistance_error = relative * told.scale + problem_.left_out * std::abs(told.resistance);

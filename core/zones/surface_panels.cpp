@@ -73,7 +73,8 @@ class AddedSlopes {
     if (panels * (degree + 1) > static_cast<double>(most)) return;
     std::vector<double> borders;
     for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(from + (to - from) * i / panels);
-    if (part.correction->logarithmic_slope(contact.half_length()) != 0) split_at_edges(borders, contact);
+    if (part.correction->logarithmic_slope(contact.half_length(), 2 * contact.half_length()) != 0)
+      split_at_edges(borders, contact);
     table_.emplace(std::move(borders), degree, [&](double x) {
       const SpectralField::Slopes value = field.added_slopes(part_, x);
       return Eigen::Array2d(value.w, value.u);
@@ -92,7 +93,7 @@ class AddedSlopes {
   static void split_at_edges(std::vector<double>& borders, const Interval& contact) {
     const double from = borders.front(), to = borders.back();
     for (const double edge : {contact.from, contact.to})
-      for (const double off : {0.0, 0.05})
+      for (const double off : {0.0, 0.01, 0.15})
         for (const double side : {-1.0, 1.0}) {
           const double border = edge + side * off * contact.half_length();
           if (border > from && border < to) borders.push_back(border);

@@ -70,12 +70,12 @@ double rolling_power(const RollingScene& scene, const RollingSolution& solution)
 TEST_CASE("all resistance of a tyre on a hard road passes through friction", "[core][coated_resultants]") {
   const RollingScene scene = thin_tyre();
   const RollingSolution free = converged(scene);
-  // By method "finite_strain" with 96 cells in the contact: deformed positions and normals, a cover bent around its
-  // core, which makes R_r 2.6 % more; its mesh does not resolve the peak at the edge (15.6 kPa with half as many
-  // cells).
-  CHECK(free.rolling_resistance == Approx(1.4272).epsilon(0.03));
-  CHECK(free.rotation_ratio - 1 == Approx(-1.3273e-3).epsilon(0.01));
-  CHECK(free.frictional_loss == Approx(135.5e-6).epsilon(0.12));
+  // By method "finite_strain" with 96 cells in the contact: deformed positions and normals; its mesh does not resolve
+  // the peak at the edge (15.6 kPa with half as many cells). A flat cover would miss R_r by 2.6 %.
+  CHECK(free.rolling_resistance == Approx(1.4272).epsilon(2e-3));
+  CHECK(free.approach == Approx(18.785e-6).epsilon(4e-3));
+  CHECK(free.rotation_ratio - 1 == Approx(-1.3273e-3).epsilon(0.035));
+  CHECK(free.frictional_loss == Approx(135.5e-6).epsilon(0.08));
   CHECK(free.peak_shear_x == Approx(17.11e3).epsilon(0.17));
   CHECK(free.viscous_loss + free.frictional_loss == Approx(rolling_power(scene, free)).epsilon(1e-7));
 
@@ -92,9 +92,9 @@ TEST_CASE("a coated cylinder on a rigid plane is a rigid one on layers, with act
   RollingScene layered;
   static_cast<MaterialInputs&>(layered) = tyre_rubber(5e-3);
   layered.layer_thickness = 5e-3;
-  layered.radius = 0.05;
+  layered.radius = 500;  // a coating of which is flat, to 1e-5
   layered.speed = 0.8;
-  layered.load = 50;  // slopes of 1e-2, whose squares the arms of the load leave open
+  layered.load = 5e-3;
   layered.friction_coefficient = 0.4;
   layered.kinematics = Kinematics::printed;  // arms of shear and slip are the same for both
   const Method method = GENERATE(Method::spectral, Method::newton);
@@ -103,6 +103,7 @@ TEST_CASE("a coated cylinder on a rigid plane is a rigid one on layers, with act
   const RollingSolution expected = converged(layered);
   RollingScene coated = thin_tyre();
   coated.static_shear_modulus = 1e14;
+  coated.radius = layered.radius;
   coated.load = layered.load;
   coated.kinematics = layered.kinematics;
   coated.drive = layered.drive;  // top_force: T/R = Q, seen from both sides
@@ -140,6 +141,9 @@ TEST_CASE("what drives a coated body is lost inside its layers and in friction",
   if (ratio != 1) scene = turning_at(scene, ratio);
   if (ratio < 0) scene.method = Method::newton;
   scene.interior = Interior::on;
+  // The inside is that of a flat coating: of a radius that makes the ring one.
+  scene.radius = 50;
+  scene.load = 1e-3 * *scene.load;
   CAPTURE(ratio, hard);
   const RollingSolution solution = converged(scene);
   const double tolerance = ratio == 1 ? 1e-4 : 1e-3;
@@ -199,7 +203,7 @@ TEST_CASE("spectral and newton agree on the friction of a free tyre", "[core][co
   const RollingSolution expected = converged(scene);
   CHECK(expected.method == Method::spectral);
   scene.method = Method::newton;
-  scene.spacing = 4e-6;
+  scene.spacing = 1.5e-6;
   const RollingSolution got = converged(scene);
   CHECK(got.rolling_resistance == Approx(expected.rolling_resistance).epsilon(1e-5));
   // Slip by forward differences: of first order in the spacing. The peak lies at an edge.

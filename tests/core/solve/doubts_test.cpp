@@ -48,7 +48,8 @@ TEST_CASE("an error larger than the resistance is no answer, but where a layer h
   CHECK(unknown_resistance(model, good).empty());
   RollingSolution open = good;
   open.rolling_resistance_error = 1.1 * open.rolling_resistance;
-  CHECK_THAT(unknown_resistance(model, open), Contains("more than itself: give a smaller spacing, or a tolerance in its place"));
+  CHECK_THAT(unknown_resistance(model, open),
+             Contains("more than itself: give a smaller spacing, or a tolerance in its place"));
   open.rolling_resistance *= 1e-6;
   open.rolling_resistance_error *= 1e-6;
   CHECK(unknown_resistance(model, open).empty());

@@ -46,13 +46,39 @@ TEST_CASE("slopes of a ring's curvature are the transform of what it adds, forwa
     }
 }
 
+TEST_CASE("a ring's curvature over a spectrum, and seen through a memory, are quotient and product",
+          "[core][ring_curvature]") {
+  CreepSpectrum deep = cover(0.3).material;
+  deep.instantaneous += 0.2;
+  deep.terms.insert(deep.terms.begin() + 1, {0.4, 0.3});
+  const double speed = 0.8, length = 0.7;
+  const RingCurvature curvature(cover(0.3), speed), over = curvature.over(deep), seen = over.remembered(length);
+  for (const double k : {0.01, 0.7, 5.0, 300.0}) {
+    const std::complex<double> quotient = curvature(k) / deep(-k * speed);
+    CHECK(std::abs(over(k) - quotient) < 1e-12 * std::abs(quotient));
+    const std::complex<double> product = quotient / std::complex<double>(1, -k * length);
+    CHECK(std::abs(seen(k) - product) < 1e-12 * std::abs(quotient));
+  }
+}
+
 TEST_CASE("a ring without memory has its logarithm alone at the force", "[core][ring_curvature]") {
-  const RingCurvature curvature = RingCurvature(cover(0.5), 1).at_once();
+  MediumLayer elastic = cover(0.5);
+  elastic.material.terms.clear();
+  const RingCurvature curvature(elastic, 1);
   const auto rest = [&](double x) {
-    return curvature.slope(x) - curvature.logarithmic_slope(x) * std::log(std::abs(x));
+    return curvature.slope(x) - curvature.logarithmic_slope(x, 0.1) * std::log(std::abs(x));
   };
   // What is left is smooth: its differences at half the distance are half of it.
   CHECK(rest(1e-3) / rest(5e-4) == Approx(2).epsilon(1e-6));
+  // A memory as long as the distances has an even part as well.
+  const RingCurvature slow(cover(0.5), 1);
+  const auto second = [&](double x) {
+    const auto value = [&](double at) {
+      return slow.slope(at) - slow.logarithmic_slope(at, 0.1) * std::log(std::abs(at));
+    };
+    return value(x) + value(-x) - 2 * slow.slope(0);
+  };
+  CHECK(second(2e-3) / second(1e-3) == Approx(4).epsilon(1e-3));
   // Beyond the series' end both routes agree.
   CHECK(curvature.slope(1.3 * (1 + 1e-9)) == Approx(curvature.slope(1.3 * (1 - 1e-9))).epsilon(1e-7));
 }
