@@ -110,7 +110,7 @@ class Simplification {
     const double load = model.load.value_or(-half_width_ / (2 * model.radius * full_.slope));
     const double lever = half_width_ / model.radius, share = std::min(load * full_.loss / lever, 1.0);
     const double leverage = driven ? std::max(1.0, model.friction_coefficient / share) : 1;
-    constexpr double of_rings = 1.5;  // full solutions change by up to 1.2 times the sideways share
+    constexpr double of_rings = 2;  // full solutions change by up to 1.7 times the sideways share
     const double change = std::max(of_rings * leverage * sideways, largest_change(simpler));
     take(simpler, change, "the hard surface taken as incompressible, its normal compliance kept");
   }
