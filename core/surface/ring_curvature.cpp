@@ -16,6 +16,7 @@ constexpr int count = 4;  // of squares
 constexpr double euler = 0.57721566490153286;
 /// Of the powers of x/R, up to x = R: 2^27/27! is 1e-20.
 constexpr std::size_t series_terms = 14;
+constexpr double nearest_tabled = 1e-7;  // of the radius
 /// Of a length, below which a memory counts as at once in its logarithms: the exponentials would grow along it.
 constexpr double short_share = 0.06;
 
@@ -130,7 +131,21 @@ RingCurvature RingCurvature::over(const CreepSpectrum& deep) const {
     if (constexpr double nothing = 1e-9; std::abs(residue) > nothing * quotient.material.instantaneous)
       quotient.material.terms.push_back({residue, term.time});
   }
-  return {quotient, speed_};
+  RingCurvature over(quotient, speed_);
+  if (!quotient.material.terms.empty()) over.tabulate();
+  return over;
+}
+
+void RingCurvature::tabulate() {
+  constexpr double width = 0.5;
+  constexpr int degree = 15;
+  std::vector<double> borders{0};
+  while (borders.back() > std::log(nearest_tabled)) borders.push_back(borders.back() - width);
+  std::reverse(borders.begin(), borders.end());
+  table_ = std::make_shared<const ChebyshevTable<2>>(std::move(borders), degree, [this](double logarithm) {
+    const double x = ring_.radius * std::exp(logarithm);
+    return Eigen::Array2d(sum_of_parts(x), sum_of_parts(-x));
+  });
 }
 
 RingCurvature RingCurvature::remembered(double length) const {
@@ -166,6 +181,12 @@ double RingCurvature::slope(double x) const {
     }
     return x == 0 ? 0 : ring_.material.instantaneous * ratio * (logarithms * std::log(std::abs(ratio)) + rests);
   }
+  if (const double distance = std::abs(ratio); table_ && distance > nearest_tabled && distance < 1)
+    return (*table_)(std::log(distance))(x > 0 ? 0 : 1);
+  return sum_of_parts(x);
+}
+
+double RingCurvature::sum_of_parts(double x) const {
   double sum = 0;
   for (const Part& part : parts_) {
     // What goes with ln|x| at 0 is the same of all, and cancels.

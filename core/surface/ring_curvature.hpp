@@ -9,8 +9,10 @@
 /// unit force (core/spectral/README.md, (S3), (S30)).
 
 #include <complex>
+#include <memory>
 #include <vector>
 
+#include "core/numerics/chebyshev.hpp"
 #include "core/surface/layered_medium.hpp"
 
 namespace rollres {
@@ -46,11 +48,14 @@ class RingCurvature {
     double pole, jump;  // a, b [1/Pa]
   };
   void make_series();
+  void tabulate();
+  double sum_of_parts(double x) const;
 
   MediumLayer ring_{0, 0.5, 0, {}};
   double speed_ = 1, at_rest_ = 0;
   std::vector<double> squares_, weights_;  // s_j, w_j
   std::vector<Part> parts_;
+  std::shared_ptr<const ChebyshevTable<2>> table_;  // of slopes ahead and behind over ln|x/R|, where there are memories
   // Without memory the even part's slope is C (x/R) sum (x/R)^{2i} (logarithms_i ln|x/R| + rests_i).
   std::vector<double> logarithms_, rests_;
 };
