@@ -225,7 +225,6 @@ Pair given_back(Dice&, RollingScene scene) {
 
 /// Without friction only the sum of what both sides yield counts.
 Pair exchanged(Dice& dice, RollingScene scene) {
-  if (dimension_of(scene.indenter) == 2) return {};  // its coating is a ring
   const double thickest = dice.uniform(0.1, 0.3) * scene.radius;
   if (scene.coating_layers.empty()) {
     if (scene.lower_layers.empty()) return {};
@@ -235,6 +234,12 @@ Pair exchanged(Dice& dice, RollingScene scene) {
   scene.layer_thickness = std::min(scene.layer_thickness, thickest);
   for (BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
     for (BondedLayer& layer : *layers) layer.layer_thickness = std::min(layer.layer_thickness, thickest);
+  // A cylinder's coating is a ring, and flat to H/R: the same contact of a much larger one.
+  const bool ring = dimension_of(scene.indenter) == 2;
+  if (constexpr double larger = 1e5; ring) {
+    scene.radius *= larger;
+    if (scene.load) *scene.load /= larger;
+  }
   scene.friction_coefficient = 0;
   scene.drive = Drive::top_force;
   scene.driving_torque.reset();
@@ -252,8 +257,10 @@ Pair exchanged(Dice& dice, RollingScene scene) {
   other.coating_layers = {first};
   other.coating_layers.insert(other.coating_layers.end(), scene.lower_layers.begin(), scene.lower_layers.end());
   // Whose slope the pressure pushes against decides how the resistance is shared by force and torque.
-  return RelatedScenes{
-      .one = scene, .other = known(other), .exact = 1e-7, .left_out = {"driving_force", "driving_torque"}};
+  return RelatedScenes{.one = scene,
+                       .other = known(other),
+                       .exact = ring ? 1e-5 : 1e-7,
+                       .left_out = {"driving_force", "driving_torque"}};
 }
 
 /// Of a cylinder's layers: the contact's sagitta over their thickness, or over the half-width where that is less [1].
@@ -355,7 +362,7 @@ constexpr std::array<Relation, 13> all_relations{{
     {"scaled", "lengths, moduli and times in other units", all_scaled},
     {"speed and memories", "a speed times a number, all times over it", speed_scaled},
     {"given back", "load given, approach found and given in its place, or the other way round", given_back},
-    {"exchanged", "of a sphere without friction, the coating for what lies below", exchanged},
+    {"exchanged", "without friction, the body's coating for what lies below", exchanged},
     {"mirrored", "on elastic layers, sliding forwards for sliding backwards", mirrored, false},
     {"long period", "bodies far apart for a single one", long_period, false},
     {"deep layer", "a layer of 1,000 half-widths for a half-space", deep_layer},
