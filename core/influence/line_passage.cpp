@@ -141,11 +141,7 @@ class EarlierTurns {
     for (const CreepSpectrum::Term& term : face.material.terms)
       terms_.push_back({term.compliance, term.time * alone.speed});
     at_once_ = face.material.instantaneous;
-    const ChebyshevFit& fit = chebyshev_fit(nodes);
-    Eigen::MatrixXd values(nodes, 4);
-    for (Eigen::Index i = 0; i < nodes; ++i) values.row(i) = sum_of_turns(reach_ * fit.nodes(i)).matrix().transpose();
-    const Eigen::MatrixXd series = fit.from_values * values;
-    for (Eigen::Index i = 0; i < nodes; ++i) series_.push_back(series.row(i).transpose().array());
+    series_ = chebyshev_fit(nodes).series<LayerSlopes>([&](double t) { return sum_of_turns(reach_ * t); });
   }
 
   LayerSlopes operator()(double x) const { return chebyshev_sum(std::span<const LayerSlopes>(series_), x / reach_); }

@@ -258,15 +258,6 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 
 }  // namespace
 
-/// Why continuous edges do not apply to a ring; empty if they do.
-std::string ring_refusal(const ContactModel& model) {
-  if (!model.ring()) return {};
-  if (const double left = left_after_turn(model); left > recovered(model))
-    return message_text("the cover has not recovered when it comes round again, ", left,
-                        " is left: not with method \"spectral\"");
-  return {};
-}
-
 std::string spectral_refusal(const ContactModel& model) {
   if (model.dimension == 3) return "method = spectral: only for a cylinder";
   if (model.period) return message_text("period = ", *model.period, ": not with method \"spectral\"");
@@ -275,7 +266,9 @@ std::string spectral_refusal(const ContactModel& model) {
   if (coating_remembers_ahead(model))
     return message_text("rotation_ratio = ", model.flow,
                         ": must be >= 0 with method \"spectral\" and a viscoelastic coating");
-  if (std::string rule = ring_refusal(model); !rule.empty()) return rule;
+  if (const double left = left_after_turn(model); left > recovered(model))
+    return message_text("the cover has not recovered when it comes round again, ", left,
+                        " is left: not with method \"spectral\"");
   // Two half-spaces whose pressure moves the surface sideways do so with memories of their own.
   const bool on_body = model.coating.front().poisson_ratio < 0.5;
   if (!on_body && !(model.top().poisson_ratio < 0.5)) return {};

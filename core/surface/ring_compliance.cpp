@@ -30,11 +30,11 @@ double sinh_over(double x, double h) { return x == 0 ? h : std::sinh(x * h) / x;
 /// [sinh((n+1)h)/(n+1) - sinh((n-1)h)/(n-1)]/(4n), by its series in h where the difference would cancel.
 double sinh_difference(double n, double h) {
   if ((n + 1) * h > 1) return (sinh_over(n + 1, h) - sinh_over(n - 1, h)) / (4 * n);
-  const double s = n * n + 1, p = n * n - 1;  // half the sum of (n+1)^2 and (n-1)^2, and the root of their product
+  const double s = n * n + 1;  // half the sum of (n+1)^2 and (n-1)^2, whose difference is 4n
   double difference = 1, sum = s, factor = h * h * h / 6, all = factor;  // ((n+1)^2j -+ (n-1)^2j)/(4n), /2
   for (int j = 2; j < 12; ++j) {
     const double next = s * difference + sum;
-    sum = s * sum + (s * s - p * p) * difference;
+    sum = s * sum + 4 * n * n * difference;
     difference = next;
     factor *= h * h / ((2 * j) * (2 * j + 1));
     all += factor * difference;

@@ -16,9 +16,8 @@
 /// What slides and what does work is the strain along the surface, (du_phi/dphi + u_r)/R, and not du_phi/dx alone: the
 /// compliance along is that of a displacement whose slope is this strain. Under pressure a disc strains as a half-space
 /// does, -(1 - 2 nu)/2 p/G at the same place, and so do its cross terms: of short waves, the normal compliance alone
-/// differs from the flat one, by the disc's
-///     2 k c_ww = [2 (1 - nu) n^2 - (1 - 2 nu) n]/(n^2 - 1)/G                                  (Muskhelishvili 1953,
-///     56)
+/// differs from the flat one, by the disc's (Michell's stress functions r^n and r^(n+2))
+///     2 k c_ww = [2 (1 - nu) n^2 - (1 - 2 nu) n]/(n^2 - 1)/G
 /// Shear moves the surface radially by the same cross term, so that an elastic ring takes no power from its tractions.
 
 #include <complex>
