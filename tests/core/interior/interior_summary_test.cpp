@@ -56,7 +56,7 @@ TEST_CASE("the half-length on a grid follows the contact smoothly, and is that o
   }
 }
 
-TEST_CASE("of a soft layer on an elastic one all is lost in the soft one; a coating loses what is its own",
+TEST_CASE("of a soft layer on an elastic one all is lost in the soft one, a coating loses what is its own",
           "[core][interior]") {
   const RollingScene scene = on_hard_layer(continuous(0));
   const RollingSolution s = converged(scene);
@@ -69,7 +69,9 @@ TEST_CASE("of a soft layer on an elastic one all is lost in the soft one; a coat
   CHECK(inside.bonds[1].z == Approx(-0.009));
   CHECK(inside.bonds[0].shear > 0);
 
-  const RollingScene coated = coated_alike(continuous(0));
+  RollingScene coated = coated_alike(continuous(0));
+  coated.load = *coated.load * coated.radius / 500;  // as long a contact of so large a cylinder that its ring is flat
+  coated.radius = 500;
   const RollingSolution both = converged(coated);
   const InteriorSummary halves = interior_summary(coated, both.fields, Detail::inside);
   REQUIRE(halves.layers.size() == 2);

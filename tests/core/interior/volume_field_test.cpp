@@ -131,7 +131,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the density of the loss adds up along a line of flow, lines to a depth; backward flow is the mirror image",
+TEST_CASE("the density of the loss adds up along a line of flow, lines to a depth, and backward flow is the mirror image",
           "[core][interior]") {
   const SurfaceFields tractions = bell_tractions(2, 0);
   const VolumeField field(two_layers(), 1.3, 1, tractions, Detail::surface);

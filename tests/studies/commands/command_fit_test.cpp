@@ -139,7 +139,7 @@ TEST_CASE("rollres fit designs, counts coverage and says what it keeps fixed", "
   CHECK(answer["coverage"]["parameters"][1]["linear"].get<int>() >= 15);
 }
 
-TEST_CASE("an offset is fitted, stored and left out of the fitted scene; columns are ignored by name",
+TEST_CASE("an offset is fitted, stored and left out of the fitted scene, columns are ignored by name",
           "[studies][fit]") {
   FitFiles files;
   files.table.replace(files.table.find("sigma [%]"), 9, "sigma [%],oven");

@@ -213,7 +213,7 @@ TEST_CASE("a client whose scenes take long holds up no other, and they end with 
   CHECK(begun == 1);  // neither of the other two lines
 }
 
-TEST_CASE("a server that is stopped ends what it solves and removes its socket; a dead socket is replaced",
+TEST_CASE("a server that is stopped ends what it solves and removes its socket, a dead socket is replaced",
           "[studies][serve]") {
   const TemporaryDirectory folder;
   const std::filesystem::path socket = folder / "rollres.socket";

@@ -10,7 +10,7 @@
 using namespace rollres;
 using Catch::Matchers::Contains;
 
-TEST_CASE("what changed in a study is told by its keys; comments and charts do not count", "[studies][stored]") {
+TEST_CASE("what changed in a study is told by its keys, comments and charts do not count", "[studies][stored]") {
   const std::string former =
       R"({"study": "a", "scene": {"creep_time": "0.1 s", "radius": 1}, "axes": {"speed": [1, 2]}})";
   CHECK(changes_between(former, former).empty());
