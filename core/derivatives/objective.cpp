@@ -26,7 +26,7 @@ constexpr bool is_real = std::is_same_v<Value, double> || std::is_same_v<Value, 
 
 /// What an input that is zero is compared with.
 double natural_size(const RollingScene& scene, const Quantity& quantity) {
-  const std::string_view unit = quantity.unit_for(scene.indenter);
+  const std::string_view unit = quantity.unit_for(body_of(scene));
   if (unit == "Pa") return static_modulus(scene);
   if (unit == "s") return scene.radius / scene.speed;
   if (quantity.key == "driving_torque" && scene.load) return *scene.load * scene.radius;

@@ -47,6 +47,12 @@ bool inertia_counts(const ContactModel& model) {
   return number > negligible_inertia(model) && number < 1 && !bends_more;
 }
 
+/// Of a cylinder whose width is given, a load or torque as the model has it: per metre.
+std::optional<double> per_metre(std::optional<double> of_body, const RollingScene& scene) {
+  if (of_body && scene.width) *of_body /= *scene.width;
+  return of_body;
+}
+
 BondedLayer first_layer(const RollingScene& scene) {
   BondedLayer layer;
   static_cast<MaterialInputs&>(layer) = scene;
@@ -68,12 +74,12 @@ ContactModel::ContactModel(const RollingScene& scene)
       radius(scene.radius),
       kinematics(scene.kinematics),
       speed(scene.speed),
-      load(scene.load),
+      load(per_metre(scene.load, scene)),
       approach(scene.approach),
       friction_coefficient(scene.friction_coefficient),
       adhesion_threshold(scene.adhesion_threshold),
       drive(scene.drive),
-      driving_torque(scene.driving_torque),
+      driving_torque(per_metre(scene.driving_torque, scene)),
       rotation_ratio(scene.rotation_ratio),
       flow(scene.drive == Drive::rotation ? scene.rotation_ratio.value_or(1) : 1),
       inertia(scene.inertia == Inertia::on),

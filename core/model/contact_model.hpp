@@ -1,6 +1,7 @@
 #pragma once
 
-/// What is solved: a scene resolved into one body, one surface and one steady motion, as a plain value.
+/// What is solved: a scene resolved into one body, one surface and one steady motion, as a plain value. Of a cylinder
+/// all is per metre of its length here, whether or not the scene gives a width; `solve` counts its answer for the body.
 ///
 /// A scene is a question; a model is the plan to answer it. `ContactModel(scene)` takes the scene as it stands and
 /// decides what follows from it alone: whether inertia counts, and which method solves it. `resolve`

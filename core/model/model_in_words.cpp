@@ -25,7 +25,7 @@ std::string pressed(const ContactModel& model) {
 std::string driven(const ContactModel& model) {
   if (model.friction_coefficient == 0) return "no friction";
   std::string text = words("friction ", model.friction_coefficient, ", drive ", name_of(model.drive));
-  if (model.driving_torque) text += words(" ", *model.driving_torque, model.dimension == 3 ? " N m" : " N");
+  if (model.driving_torque) text += words(" ", *model.driving_torque, model.dimension == 3 ? " N m" : " N m/m");
   if (model.rotation_ratio) text += words(" at RΩ/V = ", *model.rotation_ratio);
   return text;
 }

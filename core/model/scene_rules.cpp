@@ -179,6 +179,8 @@ void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
 void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
   if (scene.load && scene.approach) broken.add("approach", *scene.approach, "give load or approach, not both");
   if (!scene.load && !scene.approach) broken.add_missing("load", "give load or approach");
+  if (scene.width && scene.indenter == Indenter::sphere)
+    broken.add("width", *scene.width, "only for a cylinder: loads and forces of a sphere are those of the whole body");
   if (scene.spacing && scene.tolerance)
     broken.add("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
 }

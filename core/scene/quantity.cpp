@@ -66,6 +66,8 @@ std::string Range::rule() const {
   return text;
 }
 
+std::string_view Body::name() const { return of_width ? "cylinder with a width" : name_of(indenter); }
+
 int find_name(std::span<const std::string_view> names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());

@@ -5,6 +5,7 @@
 /// of a chart all walk the same lists, through `visit_inputs` (scene.hpp) and `visit_outputs` (solution.hpp).
 
 #include <array>
+#include <compare>
 #include <limits>
 #include <span>
 #include <string>
@@ -12,11 +13,24 @@
 
 namespace rollres {
 
-/// Body that rolls: a cylinder (plane strain, everything per metre of its length) or a sphere.
+/// Body that rolls: a cylinder (plane strain, solved per metre of its length) or a sphere.
 enum class Indenter { cylinder, sphere };
 
 /// Dimension of its contact problem: 2 (per metre of length, no y) or 3.
 constexpr int dimension_of(Indenter body) { return body == Indenter::sphere ? 3 : 2; }
+
+/// Of what loads, forces, torques, powers and areas of contact are: of a metre of a cylinder, of a cylinder whose width
+/// is given, or of a sphere. Their units depend on it.
+struct Body {
+  Indenter indenter = Indenter::cylinder;
+  bool of_width = false;  ///< a cylinder whose width is given
+
+  constexpr Body(Indenter body, bool width_given = false) : indenter(body), of_width(width_given) {}
+  constexpr bool per_metre() const { return indenter == Indenter::cylinder && !of_width; }
+  /// "cylinder", "cylinder with a width", "sphere".
+  std::string_view name() const;
+  friend constexpr auto operator<=>(const Body&, const Body&) = default;
+};
 
 /// Values a number may take; `above` and `below` are excluded, the others included.
 struct Range {
@@ -39,15 +53,15 @@ inline constexpr Range not_negative{.lowest = 0.0};
 struct Quantity {
   std::string_view key;      ///< the name used everywhere: "layer_thickness"
   std::string_view symbol;   ///< "H"; empty if there is none
-  std::string_view unit;     ///< SI unit for a sphere: "m", "N"; "1" if dimensionless, "" for text
+  std::string_view unit;     ///< SI unit for a whole body: "m", "N"; "1" if dimensionless, "" for text
   std::string_view meaning;  ///< one line
   Range range = any_number;
-  std::string_view unit_2d = {};  ///< unit for a cylinder where it differs ("N/m")
+  std::string_view unit_2d = {};  ///< unit per metre of a cylinder where it differs ("N/m")
 
-  /// SI unit for a sphere or for a cylinder.
-  std::string_view unit_for(Indenter indenter) const {
-    return indenter == Indenter::cylinder && !unit_2d.empty() ? unit_2d : unit;
-  }
+  /// Whether it is counted per metre of a cylinder without a width.
+  bool grows_with_width() const { return !unit_2d.empty(); }
+  /// SI unit for this body.
+  std::string_view unit_for(Body body) const { return body.per_metre() && grows_with_width() ? unit_2d : unit; }
 };
 
 /// Whether a quantity of this name is a temperature and no difference of two: a scale with an origin of its own (degC)

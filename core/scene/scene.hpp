@@ -96,17 +96,18 @@ struct ChoiceNames<Interior> {
 struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
   double radius = 0;            // R [m]
+  std::optional<double> width;  // of a cylinder whose load, torque, forces and powers are those of the whole body [m]
   double layer_thickness = 0;   // H [m]; infinity for a half-space
   double layer_density = 1000;  // rho [kg/m3]
   BondedLayers lower_layers;    // bonded under the first, from above; under the last a rigid base
   BondedLayers coating_layers;  // bonded on the body, from its surface inwards to a rigid core
   Inertia inertia = Inertia::automatic;
   double speed = 0;                 // V [m/s]
-  std::optional<double> load;       // P [N/m] or [N]; this or
+  std::optional<double> load;       // P [N], of a cylinder without a width [N/m]; this or
   std::optional<double> approach;   // d [m]
   double friction_coefficient = 0;  // mu [1]
   Drive drive = Drive::top_force;
-  std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"
+  std::optional<double> driving_torque;  // T [N m], of a cylinder without a width [N], with drive "torque"
   std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
   Kinematics kinematics = Kinematics::consistent;
   double adhesion_threshold = 0;    // [Pa]
@@ -132,6 +133,10 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   using Q = Quantity;
   visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
   visitor(Q{"radius", "R", "m", "radius of the body", positive}, scene.radius);
+  visitor(Q{"width", "", "m",
+            "length of a cylinder along its axis; loads, forces, torques and powers are then those of the whole body",
+            positive},
+          scene.width);
   visit_layer_inputs(scene, visitor);
   visitor(Q{"lower_layers", "", "", "layers bonded under the first, from above, each an object; a rigid base below"},
           scene.lower_layers);
@@ -189,5 +194,13 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
 
 /// Keys of all inputs, in the order of the list.
 std::vector<std::string_view> input_keys();
+
+/// The body on which the units of the scene and of its answer depend.
+inline Body body_of(const RollingScene& scene) {
+  return {scene.indenter, scene.indenter == Indenter::cylinder && scene.width.has_value()};
+}
+
+/// Length of the body to which loads, forces, torques and powers of the scene belong: its width, or 1 m of it [m].
+inline double body_length(const RollingScene& scene) { return scene.width.value_or(1); }
 
 }  // namespace rollres

@@ -130,7 +130,7 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"half_width", "b", "m", "largest y of the contact (sphere)"}, s.half_width);
   visitor(Q{"edge_error", "", "m", "estimated error of leading_edge, trailing_edge and half_width on a grid"},
           s.edge_error);
-  visitor(Q{"contact_area", "A", "m2", "area of contact (cylinder: its length along x)", any_number, "m"},
+  visitor(Q{"contact_area", "A", "m2", "area of contact (per metre of a cylinder: its length along x)", any_number, "m"},
           s.contact_area);
   visitor(Q{"contact_area_error", "", "m2", "estimated error of the area of contact on a grid", any_number, "m"},
           s.contact_area_error);

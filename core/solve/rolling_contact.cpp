@@ -4,8 +4,10 @@
 #include <cmath>
 #include <new>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/interior/interior_summary.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/solve/model_answer.hpp"
@@ -14,6 +16,22 @@
 namespace rollres {
 
 namespace {
+
+/// From an answer per metre to that of the body whose width is given.
+void count_for_body(const RollingScene& scene, RollingSolution& solution) {
+  if (!scene.width) return;
+  visit_outputs(solution, [&](const Quantity& quantity, auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+      if (quantity.grows_with_width()) value *= *scene.width;
+  });
+  // The strain is not plane within about half a contact of each end.
+  constexpr double long_enough = 4;
+  const double contact = solution.leading_edge - solution.trailing_edge;
+  if (*scene.width < long_enough * contact)
+    solution.warnings.push_back(message_text("width = ", *scene.width, " m: is ", *scene.width / contact,
+                                             " times the contact's length; the ends are left out (plane strain), which "
+                                             "reach half a contact inwards"));
+}
 
 /// What the scene asks for is part of the answer as it was asked for: methods meet it to their own rounding.
 void take_over_what_was_asked(const RollingScene& scene, RollingSolution& solution) {
@@ -49,6 +67,7 @@ RollingSolution solve(const RollingScene& scene) {
   } catch (const std::bad_alloc&) {
     refused("this scene needs more memory than there is; give a larger spacing or tolerance");
   }
+  count_for_body(scene, solution);
   take_over_what_was_asked(scene, solution);
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;

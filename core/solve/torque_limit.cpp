@@ -43,7 +43,7 @@ double torque_of_sliding(const ContactModel& model) {
 std::string unbearable_torque(const ContactModel& model) {
   if (model.drive != Drive::torque || model.friction_coefficient == 0) return {};
   const double asked = std::abs(*model.driving_torque), most = largest_torque(model);
-  const char* const unit = model.dimension == 2 ? " N" : " N m";
+  const char* const unit = model.dimension == 2 ? " N m/m" : " N m";
   const auto refused = [&](const auto&... gives) {
     return message_text("the drive asks for more torque than friction can give: ", asked, unit, ", and ", gives...);
   };

@@ -29,10 +29,10 @@ const Placeholder* find(std::string_view key) {
   return found == placeholders.end() ? nullptr : found;
 }
 
-/// Half-width and the factor of tan(delta) a/R P.
+/// Half-width and the factor of tan(delta) a/R P, which of a cylinder is per metre here.
 std::pair<double, double> contact(const RollingScene& scene, double modulus) {
   const bool cylinder = dimension_of(scene.indenter) == 2, finite = std::isfinite(scene.layer_thickness);
-  const double radius = scene.radius, load = *scene.load;
+  const double radius = scene.radius, load = *scene.load / body_length(scene);
   const ConstantLossCoefficients coefficients = constant_loss_coefficients();
   const double thick =
       cylinder ? hertz_line(radius, load, modulus).half_width : hertz_sphere(radius, load, modulus).half_width;

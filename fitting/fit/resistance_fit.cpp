@@ -192,7 +192,7 @@ FitProblem resistance_problem(const std::vector<MeasuredScene>& scenes, const st
     problem.data.push_back(measured.measured);
     problem.data.back().set = static_cast<int>(set - sets.begin());
     problem.data.back().unit =
-        measured_quantity(measured.output.empty() ? options.output : measured.output).unit_for(measured.scene.indenter);
+        measured_quantity(measured.output.empty() ? options.output : measured.output).unit_for(body_of(measured.scene));
     problem.data.back().along = is_curve(measured.output)         ? measured.time
                                 : is_of_material(measured.output) ? measured.angular_frequency
                                                                   : measured.scene.speed;

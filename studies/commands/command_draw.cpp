@@ -21,7 +21,7 @@ std::string title_of(const std::string& file, const RollingScene& scene, const R
   std::replace(name.begin(), name.end(), '_', ' ');
   if (solution.status != Status::converged) return name + ": no answer";
   return name + ": rolling resistance " +
-         readable(solution.rolling_resistance, dimension_of(scene.indenter) == 3 ? "N" : "N/m");
+         readable(solution.rolling_resistance, body_of(scene).per_metre() ? "N/m" : "N");
 }
 
 void draw_scene(const DrawArguments& arguments, Session& session) {

@@ -37,7 +37,7 @@ std::string chosen_axis(const StudySummary& study, const std::string& wish) {
 
 std::string unit_of_input(std::string_view key, const RollingScene& scene) {
   std::string unit;
-  visit_input(scene, key, [&](const Quantity& quantity, const auto&) { unit = quantity.unit_for(scene.indenter); });
+  visit_input(scene, key, [&](const Quantity& quantity, const auto&) { unit = quantity.unit_for(body_of(scene)); });
   return unit;
 }
 

@@ -101,7 +101,7 @@ MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredE
   const FitProblem problem = problem_of(
       file, [&](const RollingScene& scene) { return evaluations(scene); }, arguments.jobs);
   const FitReport report = refusing_at(file.source, [&] { return fit(problem, file); });
-  FitRecord record = with_report(begun_fit(file), report, file.indenter());
+  FitRecord record = with_report(begun_fit(file), report, file.body());
   record.solved = static_cast<std::int64_t>(evaluations.count().solved);
   record.recalled = static_cast<std::int64_t>(evaluations.count().recalled);
   record.scene = fitted_scene(report, file);

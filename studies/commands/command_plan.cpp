@@ -89,7 +89,7 @@ Table shown_plan(Table table, const StudyPlan& plan, ShownUnits units) {
   for (const std::string& key : table.columns)
     columns.quantities.push_back(find_input(key) ? find_quantity_column(input_column(key)) : nullptr);
   for (std::size_t point = 0; point < table.rows.size(); ++point)
-    columns.bodies.emplace_back(plan.scene(point).indenter);
+    columns.bodies.emplace_back(body_of(plan.scene(point)));
   return shown_table(std::move(table), columns, units);
 }
 

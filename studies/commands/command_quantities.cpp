@@ -39,6 +39,7 @@ Row row_of(const Quantity& quantity) {
 }
 
 std::string default_text(const InputKind& kind) {
+  if (!kind.held_as.empty()) return "or " + std::string(kind.held_as);
   if (kind.optional) {
     const std::string others = joined(replaced_inputs(kind.quantity.key, 0.0));
     return others.empty() ? "" : "or " + others;
@@ -52,7 +53,7 @@ std::string default_text(const InputKind& kind) {
 
 std::vector<Row> input_rows() {
   std::vector<Row> rows;
-  for (const InputKind& kind : input_kinds()) {
+  for (const InputKind& kind : written_kinds()) {
     rows.push_back(row_of(kind.quantity));
     rows.back().range = kind.layers ? "list of layers" : range_text(kind.quantity, kind.choices, kind.list);
     rows.back().default_value = default_text(kind);
@@ -103,7 +104,7 @@ std::vector<Row> output_rows() {
 Table table_of(const std::vector<Row>& rows) {
   const std::array columns{&Row::key,   &Row::symbol,        &Row::unit_2d, &Row::unit_3d,
                            &Row::range, &Row::default_value, &Row::meaning};
-  constexpr std::array names{"key", "symbol", "cylinder", "sphere", "values", "default", "meaning"};
+  constexpr std::array names{"key", "symbol", "per metre", "whole body", "values", "default", "meaning"};
   Table table;
   table.rows.resize(rows.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {

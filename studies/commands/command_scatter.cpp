@@ -43,7 +43,7 @@ ScatterWish wish_of(const ScatterArguments& arguments, const Study& study) {
     refusing_at("--output", [&] { wish.outputs.emplace_back(text, FormulaNames::inputs_and_outputs); });
   for (const std::string& text : arguments.conditions)
     refusing_at("--probability",
-                [&] { wish.conditions.emplace_back(text, FormulaNames::inputs_and_outputs, study.base.indenter); });
+                [&] { wish.conditions.emplace_back(text, FormulaNames::inputs_and_outputs, body_of(study.base)); });
   for (const std::string& word : split_at_commas(arguments.quantiles)) {
     const std::optional<double> percent = plain_number(word);
     if (!percent || !(*percent > 0 && *percent < 100))
@@ -81,11 +81,11 @@ void draw(const ScatterReport& report, const ScatterArguments& arguments, Sessio
     const Formula& formula = report.wish.outputs[i];
     ScatterPicture picture{.title = report.study.name,
                            .axis = {.name = in_words(formula.text())},
-                           .unit = unit_of(formula, report.indenter()),
+                           .unit = unit_of(formula, report.body()),
                            .labels = {},
                            .values = {}};
     const std::string ending = report.wish.outputs.size() == 1 ? "" : formula.text() + "_";
-    for (const std::string& line : in_words(report.study.uncertain, report.indenter()))
+    for (const std::string& line : in_words(report.study.uncertain, report.body()))
       picture.comment += (picture.comment.empty() ? "" : "\n") + line;
     for (const ScatterPlace& place : report.results.places) {
       picture.labels.push_back(place_in_words(report, place));

@@ -100,8 +100,8 @@ class ModelsBeside {
     const CreepSpectrum creep = ContactModel(scene_).top().creep;
     double weighted = 0;  // tau' = sum J_m tau_m / J0
     for (const CreepSpectrum::Term& term : creep.terms) weighted += term.compliance * term.time;
-    const double load = solution_.load;
-    const auto add = [&](const std::string& name, double value) { models_.push_back({name, value, 0, 0}); };
+    const double length = body_length(scene_), load = solution_.load / length;  // of these forms: per metre
+    const auto add = [&](const std::string& name, double value) { models_.push_back({name, value * length, 0, 0}); };
     add("the limit of slow rolling",
         slow_rolling_resistance(load, scene_.radius, scene_.speed, weighted / creep.at_rest()));
     if (scene_.material != MaterialModel::zener) return;
@@ -180,7 +180,7 @@ std::string verdict(const std::vector<SimplerModel>& models, const std::optional
 
 std::string simpler_models_text(const RollingScene& scene, const RollingSolution& solution,
                                 const std::vector<SimplerModel>& models) {
-  const std::string_view unit = dimension_of(scene.indenter) == 3 ? "N" : "N/m";
+  const std::string_view unit = body_of(scene).per_metre() ? "N/m" : "N";
   const double full = solution.rolling_resistance;
   const std::string none;
   Table table{{"model", "R_r", "off by", "own error", "seconds", ""}, {}};

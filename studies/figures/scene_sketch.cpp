@@ -345,7 +345,8 @@ class SceneSketch {
   }
 
   void draw_motion() {
-    const std::string_view force_unit = dimension_of(scene_.indenter) == 3 ? "N" : "N/m";
+    const bool per_metre = body_of(scene_).per_metre();
+    const std::string_view force_unit = per_metre ? "N/m" : "N";
     const double r = radius(), centre = r - approach_;
     const char* const force = "head size screen 0.026,20 filled lw 2.6";
     const char* const motion = "head size screen 0.026,20 empty lw 1.6";
@@ -377,7 +378,7 @@ class SceneSketch {
     if (!whole) return;
     std::string turning = gnuplot::symbol("Ω");
     if (scene_.drive == Drive::torque && scene_.driving_torque)
-      turning = named("T", shown(*scene_.driving_torque, dimension_of(scene_.indenter) == 3 ? "N.m" : "N"));
+      turning = named("T", shown(*scene_.driving_torque, per_metre ? "N" : "N.m"));
     else if (answered_ && std::isfinite(solution_.rotation_ratio))
       turning = named("RΩ/V", short_number(solution_.rotation_ratio, 4));
     if (scene_.drive != Drive::rotation || scene_.rotation_ratio.value_or(1) != 0) {

@@ -1,5 +1,7 @@
 #include "studies/file_schema/json_schema.hpp"
 
+#include <algorithm>
+
 #include "core/scene/solution.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/fit/measured_terms.hpp"
@@ -20,9 +22,17 @@ using namespace json_schema;
 
 namespace {
 
+bool written_otherwise(const InputKind& kind) {
+  const auto is_other = [&](const InputKind& other) { return other.held_as == kind.quantity.key; };
+  return std::any_of(written_kinds().begin(), written_kinds().end(), is_other);
+}
+
 /// What several keys of a scene ask of each other.
 Json joint_rules() {
   Json rules = Json::array();
+  for (const InputKind& kind : written_kinds())
+    if (!kind.held_as.empty())
+      rules.push_back({{"oneOf", {{{"required", {kind.held_as}}}, {{"required", {kind.quantity.key}}}}}});
   for (const InputKind& kind : input_kinds())
     if (kind.optional)
       for (const std::string_view other : replaced_inputs(kind.quantity.key, 0.0))
@@ -228,7 +238,7 @@ std::string scene_schema() {
   schema["properties"] = properties;
   schema["required"] = Json::array();
   for (const InputKind& kind : input_kinds())
-    if (kind.needed_by_all()) schema["required"].push_back(kind.quantity.key);
+    if (kind.needed_by_all() && !written_otherwise(kind)) schema["required"].push_back(kind.quantity.key);
   schema["allOf"] = joint_rules();
   schema["definitions"] = common_definitions();
   return printed(schema);

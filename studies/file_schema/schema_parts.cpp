@@ -16,8 +16,8 @@ std::string described(const Quantity& quantity) {
   if (!quantity.symbol.empty()) text = std::string(quantity.symbol) + ": " + text;
   if (quantity.unit.empty() || quantity.unit == "1") return text;
   text += quantity.unit_2d.empty() ? " [" + std::string(quantity.unit) + "]"
-                                   : " [" + std::string(quantity.unit_2d) + " for a cylinder, " +
-                                         std::string(quantity.unit) + " for a sphere]";
+                                   : " [" + std::string(quantity.unit_2d) + " for a cylinder without width, else " +
+                                         std::string(quantity.unit) + "]";
   return text;
 }
 
@@ -82,7 +82,7 @@ Json common_definitions() {
 
 Json input_definitions() {
   Json definitions = common_definitions();
-  for (const InputKind& kind : input_kinds()) definitions[std::string(kind.quantity.key)] = input(kind);
+  for (const InputKind& kind : written_kinds()) definitions[std::string(kind.quantity.key)] = input(kind);
   return definitions;
 }
 
@@ -118,7 +118,7 @@ std::string layer_pattern(std::string_view own_key) {
 
 Json input_key(bool (*accepts)(const InputKind&)) {
   std::vector<std::string_view> own;
-  for (const InputKind& kind : input_kinds())
+  for (const InputKind& kind : written_kinds())
     if (accepts(kind)) own.push_back(kind.quantity.key);
   std::string of_layers;
   for (const InputKind& kind : layer_kinds())

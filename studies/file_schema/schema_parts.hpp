@@ -48,7 +48,7 @@ Json input_key(bool (*accepts)(const InputKind&));
 template <class ValueOf>
 Json inputs(ValueOf&& value_of, bool (*accepts)(const InputKind&)) {
   Json properties = Json::object();
-  for (const InputKind& kind : input_kinds())
+  for (const InputKind& kind : written_kinds())
     if (accepts(kind)) properties[std::string(kind.quantity.key)] = value_of(kind);
   return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
 }

@@ -25,7 +25,7 @@ const InputKind& free_input(const FitFile& fit, const std::string& key, const Js
   const InputKind* const kind = find_input(key);
   if (!kind) refuse(place, key, value, unknown_input(keys_like(key), key));
   if (!kind->real()) refuse(place, key, value, "must be an input that is a number");
-  if (is_fitted(fit, key)) refuse(place, key, value, "is fitted: it has no place here");
+  if (is_fitted(fit, held_key(key))) refuse(place, key, value, "is fitted: it has no place here");
   return *kind;
 }
 
@@ -36,9 +36,9 @@ DesignRange given_range(const FitFile& fit, const std::string& key, const Json& 
   refuse_unknown_keys(value, design_range_keys, inside);
   const auto end = [&](const char* name) {
     const Json& given = needed(value, name, inside, "must be the end of a range");
-    return std::get<double>(input_value({key, given, inside + ": " + name}, fit.indenter()));
+    return std::get<double>(input_value({key, given, inside + ": " + name}, fit.body()));
   };
-  const DesignRange range{key, end("from"), end("to")};
+  const DesignRange range{held_key(key), end("from"), end("to")};
   if (!(range.highest > range.lowest)) refuse(inside, "to", value.at("to"), "must be above from");
   if (!std::isfinite(range.highest)) refuse(inside, "to", value.at("to"), "must be finite");
   return range;
@@ -56,9 +56,10 @@ MeasuredScene given_target(const FitFile& fit, const Json& value, const std::str
   for (const auto& [key, given] : value.items()) {
     if (key == "data") continue;
     const InputKind& kind = free_input(fit, key, given, place);
-    const double number = std::get<double>(input_value({key, given, place}, fit.indenter()));
-    set_input(target.scene, key, number);
-    words += (words.empty() ? " at " : ", ") + key + " = " + readable(number, kind.quantity.unit_for(fit.indenter()));
+    const double number = std::get<double>(input_value({key, given, place}, fit.body()));
+    set_input(target.scene, held_key(key), number);
+    words +=
+        (words.empty() ? " at " : ", ") + held_key(key) + " = " + readable(number, kind.quantity.unit_for(fit.body()));
   }
   if (const auto broken = check(target.scene); !broken.empty())
     throw std::invalid_argument(place + ": " + broken.front());

@@ -161,7 +161,7 @@ std::optional<LargestDifference> material_difference(const FitCandidate& a, cons
 std::optional<LargestDifference> scene_difference(const FitCandidate& a, const FitCandidate& b) {
   std::optional<LargestDifference> largest;
   const double scatter = std::sqrt(std::min(a.report.errors.scale, b.report.errors.scale));
-  const std::string_view unit = real_output(a.resistance->output).unit_for(a.resistance->indenter());
+  const std::string_view unit = real_output(a.resistance->output).unit_for(a.resistance->body());
   for (std::size_t row = 0; row < a.report.values.size(); ++row) {
     const FittedValue &x = a.report.values[row], &y = b.report.values[row];
     const auto finite = [](double e) { return std::isfinite(e) ? e : 0; };
@@ -222,7 +222,7 @@ std::optional<LargestDifference> next_difference(const FitCandidate& a, const Fi
       values.push_back(std::isfinite(one.deviations) ? -one.deviations : std::numeric_limits<double>::infinity());
       if (!std::isfinite(one.deviations) || (largest && one.deviations <= largest->deviations)) continue;
       const Quantity output = measured_quantity(scenes[i].output.empty() ? a.resistance->output : scenes[i].output);
-      const Indenter body = scenes[i].scene.indenter;
+      const Body body = body_of(scenes[i].scene);
       one.unit = output.unit_for(body);
       for (const DesignRange& range : space.ranges) {
         const double value = real_input(scenes[i].scene, range.key);

@@ -34,7 +34,7 @@ std::string label_of(const FitFile& file, const MeasuredScene& row, const std::s
     if (key == x || !is_number(key)) continue;
     const Quantity& quantity = find_input(key)->quantity;
     parts.push_back(std::string(quantity.symbol.empty() ? quantity.key : quantity.symbol) + " = " +
-                    readable(real_input(row.scene, key), quantity.unit_for(file.indenter())));
+                    readable(real_input(row.scene, key), quantity.unit_for(file.body())));
   }
   return joined(parts);
 }
@@ -60,10 +60,10 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   const Quantity output = real_output(file.output);
   FitCurves answer{{.name = in_words(x),
                     .symbol = std::string(symbol_beside_name(quantity)),
-                    .unit = std::string(quantity.unit_for(file.indenter()))},
+                    .unit = std::string(quantity.unit_for(file.body()))},
                    {.name = in_words(output.key),
                     .symbol = std::string(output.symbol),
-                    .unit = std::string(output.unit_for(file.indenter()))},
+                    .unit = std::string(output.unit_for(file.body()))},
                    {}};
   std::map<std::string, std::size_t> places;
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;

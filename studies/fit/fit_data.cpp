@@ -122,6 +122,7 @@ void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::s
   for (const MeasuredColumn& column : table.columns) {
     std::vector<std::string_view> known = keys_like(column.name);
     std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
+    if (held_key(column.name) != column.name) known.emplace_back(column.name);
     known.insert(known.end(), others.begin(), others.end());
     known.insert(known.end(), {"sigma", "note"});
     if (moduli) known.insert(known.end(), {"frequency", "angular_frequency", storage_modulus_key, loss_modulus_key});
@@ -179,7 +180,7 @@ Deviation deviation_of(const FitFile& fit, const GivenSet& set, const MeasuredTa
 void add_value(FitFile& fit, const GivenSet& set, const MeasuredTable& table, const MeasuredColumn& output,
                std::size_t row, MeasuredScene measured) {
   const std::string place = table.place(row);
-  const std::string_view unit = measured_quantity(measured.output).unit_for(measured.scene.indenter);
+  const std::string_view unit = measured_quantity(measured.output).unit_for(body_of(measured.scene));
   const double value = measured_number(table, output, row, unit);
   const Deviation deviation = deviation_of(fit, set, table, output, row, value, unit);
   if (deviation.relative && !(value > 0))
@@ -246,13 +247,15 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::vector<SceneEntry> own;
     for (const MeasuredColumn& column : table.columns)
-      if (find_input(column.name) && !is_other(column)) own.push_back(entry_of(table, column, row));
+      if (find_input(column.name) && !is_other(column)) own.push_back(held_entry(entry_of(table, column, row)));
     const std::string place = table.place(row);
     RollingScene scene = scene_from(overridden(common, own), place);
     if (!keep_spacing && !value_given(set.set, "spacing") && !value_given(own, "spacing"))
       leave_out_spacing(fit, scene);
-    if (!fit.scenes.empty() && scene.indenter != fit.indenter())
+    if (!fit.scenes.empty() && scene.indenter != fit.body().indenter)
       throw std::invalid_argument(place + ": indenter: must be the same in all rows");
+    if (!fit.scenes.empty() && body_of(scene) != fit.body())
+      throw std::invalid_argument(place + ": width: must be given in all rows or in none");
     for (const MeasuredColumn* const column : columns)
       add_value(fit, set, table, *column, row,
                 {.scene = scene,
@@ -269,8 +272,8 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
   fit.deviations_known = known;
   for (const MeasuredColumn& column : table.columns)
     if (find_input(column.name) && !is_other(column) &&
-        std::find(fit.varying.begin(), fit.varying.end(), column.name) == fit.varying.end())
-      fit.varying.push_back(column.name);
+        std::find(fit.varying.begin(), fit.varying.end(), held_key(column.name)) == fit.varying.end())
+      fit.varying.push_back(held_key(column.name));
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ std::vector<Cell> inputs_of(const DesignChoice& choice, const FitDesign& design)
   std::vector<Cell> cells;
   for (const std::string& key : design.inputs)
     cells.emplace_back(
-        readable(real_input(choice.scene, key), find_input(key)->quantity.unit_for(choice.scene.indenter)));
+        readable(real_input(choice.scene, key), find_input(key)->quantity.unit_for(body_of(choice.scene))));
   return cells;
 }
 
@@ -156,10 +156,10 @@ Table table_of(const MeasurementPlan& design, const FitFile& file) {
   const auto worst = static_cast<Eigen::Index>(design.worst);
   for (std::size_t i = 0; i < std::min(best_shown, design.choices.size()); ++i) {
     const DesignChoice& choice = design.choices[i];
-    const std::string_view load_unit = dimension_of(choice.scene.indenter) == 2 ? "N/m" : "N";
+    const std::string_view load_unit = find_input("load")->quantity.unit_for(body_of(choice.scene));
     table.rows.push_back({readable(choice.scene.speed, "m/s"),
                           choice.scene.load ? readable(*choice.scene.load, load_unit) : std::string("-"), choice.set,
-                          readable(choice.predicted, output.unit_for(choice.scene.indenter)),
+                          readable(choice.predicted, output.unit_for(body_of(choice.scene))),
                           percent(design.deviations[worst]), percent(choice.deviations[worst]),
                           short_number(design.ratio(choice), 3)});
   }

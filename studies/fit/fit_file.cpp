@@ -27,6 +27,7 @@ namespace {
 /// A parameter before units and rules.
 struct GivenParameter {
   std::string key, place, set;
+  std::string written;  // the key as it stands in the file
   std::optional<Json> start = {}, lowest = {}, highest = {};
   std::optional<bool> logarithmic = {};
   bool fixed = false;
@@ -48,7 +49,7 @@ GivenParameter given_parameter(const std::string& key, const Json& value, const 
   if (!kind && !term && !is_noise_term(key)) refuse(place, key, value, unknown_input(known, key));
   const bool list = kind && kind->list && !kind->layers;
   if (kind && !kind->real() && !list) refuse(place, key, value, "must be an input that is a real number");
-  GivenParameter given{.key = key, .place = place + ": " + key, .set = ""};
+  GivenParameter given{.key = held_key(key), .place = place + ": " + key, .set = "", .written = key};
   if (is_noise_term(key) && !value.is_object()) refuse(place, key, value, noise_rule);
   if (value.is_number() || value.is_string()) {
     given.start = value;
@@ -99,6 +100,7 @@ std::vector<GivenParameter> each_number(const std::vector<GivenParameter>& given
     for (std::size_t i = 0; i < count; ++i) {
       GivenParameter& number = numbers.emplace_back(one);
       number.key += "[" + std::to_string(i) + "]";
+      number.written = number.key;
       number.place += "[" + std::to_string(i) + "]";
       if (i == 0) number.smooth.reset();
     }
@@ -108,13 +110,13 @@ std::vector<GivenParameter> each_number(const std::vector<GivenParameter>& given
 
 /// A number of a parameter, in its unit; an offset has that of what is measured, a scale none.
 double number_of(const GivenParameter& given, const Json& value, const std::string& what, const FitFile& fit) {
-  const Indenter indenter = fit.indenter();
+  const Body body = fit.body();
   if (is_measured_term(given.key)) {
     const auto row = std::find_if(fit.scenes.begin(), fit.scenes.end(), [&](const MeasuredScene& scene) {
       return given.set.empty() || scene.set == given.set;
     });
     const std::string_view unit =
-        given.key == scale_key || row == fit.scenes.end() ? "1" : measured_quantity(row->output).unit_for(indenter);
+        given.key == scale_key || row == fit.scenes.end() ? "1" : measured_quantity(row->output).unit_for(body);
     if (value.is_number()) return value.get<double>();
     try {
       if (value.is_string()) return si_value(value.get_ref<const std::string&>(), unit);
@@ -123,7 +125,7 @@ double number_of(const GivenParameter& given, const Json& value, const std::stri
     refuse(given.place, what, value, "must be a number, or have " + unit_in_words(unit));
   }
   const InputValue found =
-      input_value({given.key, value, given.place + ": " + what}, *find_number(given.key), indenter);
+      input_value({given.written, value, given.place + ": " + what}, *find_number(given.written), body);
   return std::get<double>(found);
 }
 
@@ -184,7 +186,7 @@ std::vector<SceneEntry> started(std::vector<SceneEntry> entries, const std::vect
     const InputKind* const kind = find_input(given.key);
     if (!kind || kind->list) continue;  // numbers of lists start once there are scenes
     if (given.start && (given.set.empty() || !has(given.key)))
-      entries = overridden(entries, {{given.key, *given.start, given.place}});
+      entries = overridden(entries, {held_entry({given.written, *given.start, given.place})});
     else if (!given.start && !has(given.key) && has_closed_form_start(given.key))
       entries.push_back({given.key, closed_form_placeholder(given.key), given.place});
   }

@@ -94,7 +94,7 @@ struct FitFile {
   std::vector<std::string> warnings = {};  ///< rows given twice, a negative output
   std::vector<std::string> notes = {};     ///< a spacing of the scene that was left out
 
-  Indenter indenter() const { return scenes.front().scene.indenter; }
+  Body body() const { return body_of(scenes.front().scene); }
 };
 
 /// @throws std::invalid_argument one line naming file, line of the table or key, value and rule

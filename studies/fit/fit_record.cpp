@@ -26,11 +26,11 @@ std::vector<FitCorrelationRecord> correlations_of(const FitReport& report) {
   return pairs;
 }
 
-FitParameterRecord fitted_row(const FittedParameter& fitted, Indenter indenter) {
+FitParameterRecord fitted_row(const FittedParameter& fitted, Body body) {
   const Variable& variable = fitted.parameter.variable;
   const ConfidenceInterval& profile = fitted.profile.interval;
   FitParameterRecord row{.name = fitted.parameter.name,
-                         .unit = std::string(variable.quantity.unit_for(indenter)),
+                         .unit = std::string(variable.quantity.unit_for(body)),
                          .value = fitted.value,
                          .standard_error = fitted.standard_error,
                          .relative_error = fitted.standard_error / std::abs(fitted.value),
@@ -76,7 +76,7 @@ constexpr const char* angular_frequency = "angular_frequency";
 std::string_view unit_of_all(const FitFile& file) {
   for (const MeasuredScene& row : file.scenes)
     if (row.output != file.scenes.front().output) return "";
-  return measured_quantity(file.scenes.front().output).unit_for(file.indenter());
+  return measured_quantity(file.scenes.front().output).unit_for(file.body());
 }
 
 /// @param unit  of the measured values
@@ -102,8 +102,7 @@ std::vector<FitInputRecord> measured_inputs(const FitFile& file) {
       const InputKind& kind = *find_input(key);
       const bool acts = !is_of_material(row.output) || key == "temperature";  // on a modulus nothing of the scene does
       if (kind.real() && acts)
-        inputs.push_back(
-            {datum, key, std::string(kind.quantity.unit_for(file.indenter())), real_input(row.scene, key)});
+        inputs.push_back({datum, key, std::string(kind.quantity.unit_for(file.body())), real_input(row.scene, key)});
     }
     if (is_curve(row.output))
       inputs.push_back({datum, "time", "s", row.time});
@@ -144,7 +143,7 @@ FitRecord begun_fit(const FitFile& file) {
   fit.warnings = joined(file.warnings, "\n");
   for (const FixedInput& fixed : file.fixed)
     fit.parameters.push_back({.name = fixed.key,
-                              .unit = std::string(find_input(fixed.key)->quantity.unit_for(file.indenter())),
+                              .unit = std::string(find_input(fixed.key)->quantity.unit_for(file.body())),
                               .fixed = true,
                               .value = fixed.value,
                               .flag = "fixed"});
@@ -155,7 +154,7 @@ FitRecord begun_fit(const MaterialFile& file) { return begun_of(file, "material"
 FitRecord begun_fit(const ShiftFile& file) { return begun_of(file, "shift", "1"); }
 FitRecord begun_fit(const StrainFile& file) { return begun_of(file, "strain", "Pa"); }
 
-FitRecord with_report(FitRecord begun, const FitReport& report, Indenter indenter) {
+FitRecord with_report(FitRecord begun, const FitReport& report, Body body) {
   FitRecord fit = std::move(begun);
   const std::vector<FitParameterRecord> fixed = std::exchange(fit.parameters, {});
   std::vector<std::string> warnings = report.warnings;
@@ -185,7 +184,7 @@ FitRecord with_report(FitRecord begun, const FitReport& report, Indenter indente
   fit.condition = report.errors.condition;
   fit.noise = report.noise;
   for (const FittedParameter& fitted : report.parameters) {
-    fit.parameters.push_back(fitted_row(fitted, indenter));
+    fit.parameters.push_back(fitted_row(fitted, body));
     for (const ProfilePoint& point : fitted.profile.points)
       fit.profiles.push_back({fitted.parameter.name, point.value, point.rise});
   }

@@ -29,8 +29,8 @@ FitRecord begun_fit(const MaterialFile& file);
 FitRecord begun_fit(const ShiftFile& file);
 FitRecord begun_fit(const StrainFile& file);
 
-/// What a fit found, joined to what its file said. @param begun  of begun_fit   @param indenter  which decides units
-FitRecord with_report(FitRecord begun, const FitReport& report, Indenter indenter);
+/// What a fit found, joined to what its file said. @param begun  of begun_fit   @param body  which decides units
+FitRecord with_report(FitRecord begun, const FitReport& report, Body body);
 
 /// The fit with its curves for pictures, where there are some.
 FitRecord with_curves(FitRecord fit, const FitCurves& curves);

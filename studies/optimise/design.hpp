@@ -109,10 +109,10 @@ struct DesignProblem {
   /// Points at which each scene stands: 1 where nothing scatters.
   std::size_t scatter_points() const { return uncertain_points.empty() ? 1 : uncertain_points.front().size(); }
   std::size_t scenes_of_a_design() const { return scenes.size() * scatter_points(); }
-  Indenter indenter() const { return scenes.front().scene.indenter; }
+  Body body() const { return body_of(scenes.front().scene); }
   /// Of a value, or of a formula's, in the scenes.
-  std::string_view unit(const Quantity& quantity) const { return quantity.unit_for(indenter()); }
-  std::string unit(const Formula& formula) const { return unit_of(formula, indenter()); }
+  std::string_view unit(const Quantity& quantity) const { return quantity.unit_for(body()); }
+  std::string unit(const Formula& formula) const { return unit_of(formula, body()); }
 };
 
 /// Both sides of a constraint at a design [unit of the left side]; NaN if one is absent.

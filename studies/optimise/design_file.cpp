@@ -46,10 +46,11 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
   const InputKind& kind = *find_input(key);
   if (!kind.real()) refuse(variables_place, key, object, "must be an input that is a real number");
 
-  const Indenter indenter = indenter_of(scene);
+  const std::string held = held_key(key);
+  const Body body = body_of(scene);
   const auto number = [&](const std::string& name) {
     const Json& given = needed(object, name, place, "a variable has from and to");
-    const double value = std::get<double>(input_value({key, given, place + ": " + name}, indenter));
+    const double value = std::get<double>(input_value({key, given, place + ": " + name}, body));
     if (!std::isfinite(value)) refuse(place, name, given, "must be finite");
     return value;
   };
@@ -64,11 +65,11 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
     start = number("start");
     if (start < from || start > to) refuse(place, "start", object["start"], "must be between \"from\" and \"to\"");
   } else {
-    if (const Json* const given = value_given(scene, key))
-      if (const double own = std::get<double>(input_value({key, *given, place}, indenter)); own >= from && own <= to)
+    if (const Json* const given = value_given(scene, held))
+      if (const double own = std::get<double>(input_value({held, *given, place}, body)); own >= from && own <= to)
         start = own;
   }
-  return {{key, start, place}, {key, from, to, logarithmic}};
+  return {{held, start, place}, {held, from, to, logarithmic}};
 }
 
 /// One value of a variable that is a list.
@@ -91,8 +92,9 @@ std::vector<Alternative> alternatives_of(const std::string& key, const Json& lis
   std::vector<Alternative> all;
   for (const Json& value : list) {
     for (const Alternative& other : all)
-      if (other.entries.front().value == value) refuse(place, key, value, "value given twice");
-    all.push_back({{{key, value, place}}});
+      if (other.entries.front().value == held_entry({key, value, place}).value)
+        refuse(place, key, value, "value given twice");
+    all.push_back({{held_entry({key, value, place})}});
   }
   return all;
 }
@@ -111,7 +113,7 @@ Choices choices_in(const Json& variables, const std::filesystem::path& path, con
     if (is_of_variants(key)) continue;
     refuse_given_twice(choices.variants, key, "is a variable too");
     if (!value.is_array()) continue;
-    choices.lists.emplace_back(key, alternatives_of(key, value, place));
+    choices.lists.emplace_back(held_key(key), alternatives_of(key, value, place));
     count *= static_cast<double>(value.size());
   }
   constexpr double most_choices = 1000;
@@ -122,7 +124,8 @@ Choices choices_in(const Json& variables, const std::filesystem::path& path, con
 
 void refuse_set_variables(const std::vector<SceneEntry>& set, const Json& variables, const Choices& choices) {
   for (const SceneEntry& entry : set) {
-    if (variables.contains(entry.key)) refuse(entry.place, entry.key, entry.value, "is a variable too");
+    for (const auto& [key, value] : variables.items())
+      if (held_key(key) == entry.key) refuse(entry.place, entry.key, entry.value, "is a variable too");
     refuse_given_twice(choices.variants, entry.key, "is in \"set\" too");
   }
 }
@@ -162,7 +165,7 @@ std::vector<DutyScene> duty_scenes(const Json& file, const std::vector<SceneEntr
 /// What goals and constraints of one file share.
 struct GoalContext {
   const FormulaDefinitions& formulas;
-  Indenter indenter;
+  Body body;
   OverScenes over;  ///< of a goal that does not say so itself
   bool uncertain;   ///< inputs scatter
 };
@@ -201,7 +204,7 @@ Goal goal_of(const Json& object, const GoalContext& context, const std::string& 
                                      "must be a formula of inputs and outputs, or an object with formula");
   Goal goal = refusing_at(given.place, [&] {
     const Formula formula(given.text, FormulaNames::inputs_and_outputs, context.formulas);
-    refuse_different_units(formula, context.indenter);
+    refuse_different_units(formula, context.body);
     return Goal{formula, greatest, context.over};
   });
   if (given.options.contains("over")) goal.over = choice_or_first<OverScenes>(given.options, "over", given.place);
@@ -210,14 +213,14 @@ Goal goal_of(const Json& object, const GoalContext& context, const std::string& 
 }
 
 /// One condition. A number of scenes or points is one of its left side.
-DesignConstraint constraint_of(const Json& item, std::size_t number, Indenter indenter, const GoalContext& context,
+DesignConstraint constraint_of(const Json& item, std::size_t number, Body body, const GoalContext& context,
                                const std::string& place) {
   const std::string name = "constraint " + std::to_string(number);
   const GivenText given =
       given_text(item, place, name.c_str(), "condition", constraint_keys,
                  "must be a list of conditions of inputs and outputs, or of objects with condition");
   DesignConstraint constraint = refusing_at(given.place, [&] {
-    return DesignConstraint(given.text, FormulaNames::inputs_and_outputs, indenter, context.formulas);
+    return DesignConstraint(given.text, FormulaNames::inputs_and_outputs, body, context.formulas);
   });
   if (given.options.contains("over")) constraint.over = choice_or_first<OverScenes>(given.options, "over", given.place);
   const auto scatter = scatter_of(given, context.uncertain);
@@ -231,14 +234,14 @@ DesignConstraint constraint_of(const Json& item, std::size_t number, Indenter in
   return constraint;
 }
 
-std::vector<DesignConstraint> constraints_of(const Json& file, Indenter indenter, const GoalContext& context,
+std::vector<DesignConstraint> constraints_of(const Json& file, Body body, const GoalContext& context,
                                              const std::string& place) {
   std::vector<DesignConstraint> conditions;
   const auto found = file.find("constraints");
   if (found == file.end()) return conditions;
   if (!found->is_array()) refuse(place, "constraints", *found, "must be a list of conditions of inputs and outputs");
   for (const Json& item : *found)
-    conditions.push_back(constraint_of(item, conditions.size() + 1, indenter, context, place));
+    conditions.push_back(constraint_of(item, conditions.size() + 1, body, context, place));
   return conditions;
 }
 
@@ -317,10 +320,14 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
   for (const auto& [key, value] : file["variables"].items())
     if (!value.is_array() && !is_of_variants(key))
       variables.push_back(given_variable(key, value, base, variables_place));
+  for (const GivenVariable& variable : variables)
+    for (const GivenVariable& other : variables)
+      if (&other < &variable && other.start.key == variable.start.key)
+        throw std::invalid_argument(variables_place + ": " + variable.start.key + ": is a variable already");
 
-  const Indenter indenter = indenter_of(base);
-  const FormulaDefinitions formulas = compute_wish(file, {&indenter, 1}, place).formulas;
-  const GoalContext context{formulas, indenter, choice_or_first<OverScenes>(file, "over_scenes", place),
+  const Body body = body_of(base);
+  const FormulaDefinitions formulas = compute_wish(file, {&body, 1}, place).formulas;
+  const GoalContext context{formulas, body, choice_or_first<OverScenes>(file, "over_scenes", place),
                             file.contains("uncertain")};
   DesignProblem problem{.name = needed_text(file, "study", place, "must be the name of the study"),
                         .scenes = duty_scenes(file, base, variables, choices, place),
@@ -333,7 +340,7 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
     for (const DutyScene& duty : problem.scenes) problem.variables = variables_of(duty.scene, inputs);
   });
   problem.start = base_point({problem.scenes.front().scene, problem.variables, {}, {}});
-  problem.constraints = constraints_of(file, indenter, context, place);
+  problem.constraints = constraints_of(file, body, context, place);
   read_uncertain(problem, file, base, variables, choices, place);
   if (file.contains("algorithm")) problem.algorithm = choice_or_first<Algorithm>(file, "algorithm", place);
   problem.global = is_true(file, "global", place);
@@ -378,7 +385,7 @@ std::vector<DesignProblem> problems_in(Json file, const std::filesystem::path& p
       const Alternative& one = alternatives[combination / of_each % alternatives.size()];
       entries = overridden(std::move(entries), one.entries);
       chosen.push_back(
-          {key, key == variant_key ? InputValue(one.name) : input_value(one.entries.front(), indenter_of(base))});
+          {key, key == variant_key ? InputValue(one.name) : input_value(one.entries.front(), body_of(base))});
     }
     problems.push_back(problem_in(file, entries, choices, place));
     problems.back().chosen = std::move(chosen);

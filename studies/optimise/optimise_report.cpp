@@ -154,7 +154,7 @@ void print_nearest(const DesignProblem& problem, const Design& design, std::ostr
   for (std::size_t i = 0; i < design.point.size(); ++i) {
     const Quantity& quantity = problem.variables[i].quantity;
     out << (i == 0 ? " " : ", ") << quantity.key << " = "
-        << readable(quantity, design.point[i], quantity.unit_for(problem.indenter()));
+        << readable(quantity, design.point[i], quantity.unit_for(problem.body()));
   }
   out << '\n';
   for (std::size_t j = 0; j < design.constraints.size(); ++j)
@@ -205,9 +205,9 @@ std::string limits_in_words(const DesignProblem& problem, const OptimiseReport& 
 void print_text(const DesignProblem& problem, const OptimiseReport& report, std::ostream& out) {
   out << problem.name << ": " << name_of(report.status) << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
   if (report.best) {
-    const Indenter indenter = problem.indenter();
-    out << goal_in_words(problem, problem.goal) << ": "
-        << readable(report.value(), unit_of(problem.goal.formula, indenter)) << "\n\n";
+    const Body body = problem.body();
+    out << goal_in_words(problem, problem.goal) << ": " << readable(report.value(), unit_of(problem.goal.formula, body))
+        << "\n\n";
     write_aligned(out, variables_table(problem, report));
     out << '\n';
     if (!report.best->constraints.empty()) {
@@ -254,7 +254,7 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
   if (problem.uncertain.any()) {
     object["scatter"] = problem.goal.scatter.text();
     object["scatter_points"] = problem.scatter_points();
-    object["uncertain"] = in_words(problem.uncertain, problem.indenter());
+    object["uncertain"] = in_words(problem.uncertain, problem.body());
   }
   object["evaluations"]["limit"] = evaluation_limit(problem);
   for (const SearchReport& search : report.searches) {

@@ -38,8 +38,9 @@ struct Completion {
 };
 
 std::vector<std::string> keys_of_inputs() {
-  const auto keys = input_keys();
-  return {keys.begin(), keys.end()};
+  std::vector<std::string> keys;
+  for (const InputKind& kind : written_kinds()) keys.emplace_back(kind.quantity.key);
+  return keys;
 }
 
 std::vector<std::string> all_keys() {

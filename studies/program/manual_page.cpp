@@ -75,7 +75,7 @@ std::string inputs() {
       section("INPUTS OF A SCENE") +
       "Keys of a scene file and of\n.BR \\-\\-set .\nNumbers are SI, or texts with a unit: \\(dq5 mm\\(dq.\n" +
       bold("rollres quantities") + "\ntells ranges and defaults as well, and the keys of the answer.\n";
-  for (const InputKind& kind : input_kinds()) {
+  for (const InputKind& kind : written_kinds()) {
     const Quantity& quantity = kind.quantity;
     const std::string_view line = quantity.unit_for(Indenter::cylinder), point = quantity.unit_for(Indenter::sphere);
     std::string head = bold(quantity.key);

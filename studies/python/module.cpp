@@ -239,7 +239,9 @@ std::string described(const Quantity& quantity) {
   std::string text(quantity.meaning);
   if (!quantity.symbol.empty()) text = std::string(quantity.symbol) + ": " + text;
   const std::string_view line = quantity.unit_for(Indenter::cylinder), point = quantity.unit;
-  if (!point.empty()) text += " [" + std::string(line) + (line == point ? "" : ", sphere: " + std::string(point)) + "]";
+  if (!point.empty())
+    text +=
+        " [" + std::string(line) + (line == point ? "" : ", with width and of a sphere: " + std::string(point)) + "]";
   return text;
 }
 
@@ -252,16 +254,31 @@ void take_away(RollingScene& scene, const std::string& key) {
   visit_input(scene, key, [](const Quantity&, auto& target) { target = {}; });
 }
 
+/// A load or torque that was given per metre of a cylinder is not that of a body with a width, nor the other way round.
+void refuse_other_length(const RollingScene& before, const RollingScene& after,
+                         const std::vector<SceneEntry>& entries) {
+  if (before.width.has_value() == after.width.has_value() || before.indenter != after.indenter) return;
+  visit_inputs(after, [&](const Quantity& quantity, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
+      if (value && quantity.grows_with_width() && !value_given(entries, quantity.key))
+        throw std::invalid_argument(
+            "width: " + std::string(quantity.key) + " was given " +
+            (before.width ? "of the whole body: give it too, per metre" : "per metre: give it too, of the whole body"));
+  });
+}
+
 /// Another scene with some inputs replaced, as by --set; those that are None are taken away.
 RollingScene replaced(RollingScene scene, const py::dict& inputs) {
+  const RollingScene before = scene;
   const std::string place = "--set";
   for (const auto& [key, value] : inputs)
     if (value.is_none()) take_away(scene, key.cast<std::string>());
   const std::vector<SceneEntry> entries = replacing_entries(given_inputs(inputs), place);
   const auto has = [&](std::string_view key) { return value_given(entries, key) != nullptr; };
   const Indenter indenter = has("indenter") ? indenter_of(entries) : scene.indenter;
+  const Body body(indenter, indenter == Indenter::cylinder && (scene.width || has("width")));
   for (const SceneEntry& entry : entries) {
-    const InputValue value = input_value(entry, indenter);
+    const InputValue value = input_value(entry, body);
     assign_input(scene, entry.key, value);
     for (const std::string_view other : replaced_inputs(entry.key, value))
       if (!has(other))
@@ -269,6 +286,7 @@ RollingScene replaced(RollingScene scene, const py::dict& inputs) {
           if constexpr (std::is_same_v<std::decay_t<decltype(target)>, std::optional<double>>) target.reset();
         });
   }
+  refuse_other_length(before, scene, entries);
   if (const auto broken = check(scene); !broken.empty()) throw std::invalid_argument(place + ": " + broken.front());
   return scene;
 }
@@ -313,6 +331,8 @@ void add_scene(py::module_& module) {
   const auto walk = [](const py::object& self, const auto& visitor) {
     visit_inputs(self.cast<const RollingScene&>(), visitor);
   };
+  scene.def_property_readonly(
+      "diameter", [](const RollingScene& self) { return 2 * self.radius; }, "2R: diameter of the body [m]");
   visit_inputs(no_scene, [&](const Quantity& quantity, const auto&) {
     scene.def_property_readonly(quantity.key.data(), getter(std::string(quantity.key), walk),
                                 described(quantity).c_str());

@@ -90,11 +90,12 @@ def stubs():
     inputs = "".join(f"    {key}: {given(kind, choices)}\n" for key, kind, _, choices in rollres.quantities("inputs"))
     fields = "".join(f"    @property\n    def {name}(self) -> numpy.ndarray | None:\n        {value.__doc__!r}\n"
                      for name, value in vars(rollres.Fields).items() if isinstance(value, property))
-    return (HEAD + "\nclass _Inputs(TypedDict, total=False):\n" + inputs +
+    return (HEAD + "\nclass _Inputs(TypedDict, total=False):\n    diameter: _Number\n" + inputs +
             "\nclass Scene:\n    def __init__(self, base: Any = None, /, **inputs: Unpack[_Inputs]) -> None: ...\n"
             "    def replace(self, **inputs: Unpack[_Inputs]) -> Scene: ...\n"
             "    def replaced(self, inputs: Mapping[str, Any]) -> Scene: ...\n"
-            "    def to_dict(self) -> dict[str, Any]: ...\n    def json(self) -> str: ...\n" + "".join(members("inputs")) +
+            "    def to_dict(self) -> dict[str, Any]: ...\n    def json(self) -> str: ...\n"
+            "    @property\n    def diameter(self) -> float: ...\n" + "".join(members("inputs")) +
             "\nclass Fields:\n" + fields +
             "\nclass Result:\n    @property\n    def scene(self) -> Scene: ...\n"
             "    @property\n    def fields(self) -> Fields | None: ...\n    def summary(self) -> str: ...\n"

@@ -57,11 +57,11 @@ double own_error(const RollingSolution& solution, std::string_view key) {
   return RollingSolution::absent;
 }
 
-std::string_view unit_of(std::string_view key, Indenter indenter) {
+std::string_view unit_of(std::string_view key, Body body) {
   const RollingSolution none;
   std::string_view unit;
   visit_outputs(none, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == key) unit = quantity.unit_for(indenter);
+    if (quantity.key == key) unit = quantity.unit_for(body);
   });
   return unit;
 }
@@ -123,7 +123,7 @@ struct Compared {
     return on_grid(one.method) && one.method == other.method && one.contact_nodes == other.contact_nodes &&
            one.slip_nodes == other.slip_nodes && std::abs(other.spacing - spacing) <= 1e-9 * spacing;
   }
-  double factor_of(std::string_view key) const { return scenes.factors.of(unit_of(key, scenes.one.indenter)); }
+  double factor_of(std::string_view key) const { return scenes.factors.of(unit_of(key, body_of(scenes.one))); }
   /// The larger share of a cell in the contact; 0 without a grid.
   static double cell_share(const RollingSolution& solution) {
     if (!on_grid(solution.method) && solution.method != Method::finite_strain) return 0;

@@ -466,7 +466,7 @@ double UnitFactors::of(std::string_view unit) const {
 RollingScene in_units(RollingScene scene, const UnitFactors& factors) {
   visit_all_inputs(scene, [&](const Quantity& quantity, auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    const double factor = quantity.key == "time_limit" ? 1 : factors.of(quantity.unit_for(scene.indenter));
+    const double factor = quantity.key == "time_limit" ? 1 : factors.of(quantity.unit_for(body_of(scene)));
     if constexpr (std::is_same_v<Value, double>)
       value *= factor;
     else if constexpr (std::is_same_v<Value, std::optional<double>>) {

@@ -243,7 +243,7 @@ PictureSection sketch_section(const ReportSource& source, const std::optional<St
     const RollingScene& scene = answer->scene;
     const std::string place = joined(source.varied(), ", ", [&](const QuantityColumn* axis) {
       return in_words(axis->quantity.key) + " = " +
-             value_in_words(axis->quantity, input_of(scene, key_of(*axis)), axis->quantity.unit_for(scene.indenter));
+             value_in_words(axis->quantity, input_of(scene, key_of(*axis)), axis->quantity.unit_for(body_of(scene)));
     });
     Pictures pictures;
     const std::string meaning =

@@ -18,9 +18,11 @@ using html::TableRow;
 
 const QuantityColumn& output(const std::string& key) { return *find_quantity_column(key); }
 
-Indenter indenter_of(const StudyRows& rows, std::size_t row) {
-  return rows.cell(row, output("indenter")) == Cell(std::string(name_of(Indenter::sphere))) ? Indenter::sphere
-                                                                                            : Indenter::cylinder;
+/// Whether some rows are per metre and others of a whole body.
+bool has_both_units(const StudyRows& rows) {
+  for (std::size_t row = 1; row < rows.size(); ++row)
+    if (body_at(rows, row).per_metre() != body_at(rows, 0).per_metre()) return true;
+  return false;
 }
 
 std::string to_the_second(const std::string& time) {
@@ -57,7 +59,7 @@ struct ResultColumn {
 
   ResultColumn(const ReportSource& source, const QuantityColumn& quantity) : column(&quantity) {
     if (quantity.type == "TEXT") return;
-    const bool mixed = source.rows.values(output("indenter")).size() > 1 && !quantity.quantity.unit_2d.empty();
+    const bool mixed = quantity.quantity.grows_with_width() && has_both_units(source.rows);
     if (!mixed) scale = scale_of(source.rows, quantity, AxisScale::automatic, false, "");
   }
   TableColumn head() const {
@@ -120,7 +122,7 @@ std::vector<RollingScene> some_scenes(const ReportSource& source) {
 }  // namespace
 
 std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
-  return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(indenter_of(rows, row)));
+  return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(body_at(rows, row)));
 }
 
 std::string place_of(const ReportSource& source, std::size_t row) {
@@ -149,9 +151,7 @@ std::string scene_section(const ReportSource& source) {
     const Quantity& q = column.quantity;
     const std::string key = in_words(q.key), symbol(symbol_beside_name(q)), meaning(q.meaning);
     const std::set<Cell> values = source.rows.values(column);
-    const auto shown = [&](const Cell& cell) {
-      return value_in_words(q, cell, q.unit_for(indenter_of(source.rows, 0)));
-    };
+    const auto shown = [&](const Cell& cell) { return value_in_words(q, cell, q.unit_for(body_at(source.rows, 0))); };
     if (values.size() > 1) {
       constexpr std::size_t few = 8;
       const std::string list = values.size() <= few ? joined(values, ", ", shown)

@@ -74,12 +74,12 @@ std::string name_of_unit(const Exponents& exponents) {
   return name;
 }
 
-std::string_view unit_of_key(const std::string& key, Indenter indenter) {
+std::string_view unit_of_key(const std::string& key, Body body) {
   std::string_view unit;
-  if (const InputKind* const input = find_input(key)) unit = input->quantity.unit_for(indenter);
+  if (const InputKind* const input = find_input(key)) unit = input->quantity.unit_for(body);
   const RollingSolution solution;
   visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == key) unit = quantity.unit_for(indenter);
+    if (quantity.key == key) unit = quantity.unit_for(body);
   });
   return unit;
 }
@@ -104,10 +104,10 @@ std::vector<Place> places_for(const Formula& formula) {
 
 }  // namespace
 
-std::optional<std::string> unit_of_value(const Formula& formula, Indenter indenter) {
+std::optional<std::string> unit_of_value(const Formula& formula, Body body) {
   constexpr double factor = 1.0001, least_share = 0.25;  // near 1: no comparison turns out otherwise
   std::map<std::string, Exponents> exponents;
-  for (const std::string& key : formula.keys()) exponents[key] = exponents_of(unit_of_key(key, indenter));
+  for (const std::string& key : formula.keys()) exponents[key] = exponents_of(unit_of_key(key, body));
   const std::vector<Place> places = places_for(formula);
   Exponents found{};
   for (std::size_t base = 0; base < found.size(); ++base) {
@@ -136,9 +136,9 @@ std::optional<std::string> unit_of_value(const Formula& formula, Indenter indent
   return name_of_unit(found);
 }
 
-std::string units_in(const Formula& formula, Indenter indenter) {
+std::string units_in(const Formula& formula, Body body) {
   return joined(formula.keys(), ", ",
-                [&](const std::string& key) { return key + unit_in_brackets(unit_of_key(key, indenter)); });
+                [&](const std::string& key) { return key + unit_in_brackets(unit_of_key(key, body)); });
 }
 
 }  // namespace rollres

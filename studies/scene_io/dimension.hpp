@@ -16,9 +16,9 @@ namespace rollres {
 
 /// The SI unit of the formula's value: "m/s", "1"; nothing if its terms do not fit, empty if it has no value at most
 /// places, so that nothing can be told.
-std::optional<std::string> unit_of_value(const Formula& formula, Indenter indenter);
+std::optional<std::string> unit_of_value(const Formula& formula, Body body);
 
 /// The numbers of a formula with their units, for messages: "speed [m/s], radius [m]".
-std::string units_in(const Formula& formula, Indenter indenter);
+std::string units_in(const Formula& formula, Body body);
 
 }  // namespace rollres

@@ -59,7 +59,7 @@ std::string field_data(const RollingScene& scene, const RollingSolution& solutio
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
       if (std::isfinite(value))
         text += "<DataArray type=\"Float64\" Name=\"" + std::string(quantity.key) +
-                unit_in_brackets(quantity.unit_for(scene.indenter)) + "\" NumberOfTuples=\"1\" format=\"ascii\">\n" +
+                unit_in_brackets(quantity.unit_for(body_of(scene))) + "\" NumberOfTuples=\"1\" format=\"ascii\">\n" +
                 shortest(value) + "\n</DataArray>\n";
   });
   return text + "</FieldData>\n";

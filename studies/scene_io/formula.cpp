@@ -57,8 +57,8 @@ constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDE
 std::string constant_name(std::size_t number) { return "constant_" + std::to_string(number); }
 
 /// The right side as a formula in SI: "2 MPa" becomes 2000000 if the left side is a pressure.
-std::string in_si(const std::string& right, const Formula& left, Indenter indenter) {
-  const std::string unit = unit_of(left, indenter);
+std::string in_si(const std::string& right, const Formula& left, Body body) {
+  const std::string unit = unit_of(left, body);
   const bool begins_as_number = !right.empty() && (std::isdigit(static_cast<unsigned char>(right.front())) ||
                                                    right.front() == '.' || right.front() == '-');
   if (unit.empty() || unit == "1" || !begins_as_number || plain_number(right)) return right;
@@ -71,6 +71,13 @@ std::string in_si(const std::string& right, const Formula& left, Indenter indent
     if (number_and_word) throw std::invalid_argument(right + ": " + error.what() + " for " + left.text());
     return right;  // a formula that begins with a number
   }
+}
+
+/// A name as what the scene holds for it: "(radius / 0.5)" for diameter.
+std::string held_formula(const std::string& name) {
+  const InputKind* const kind = layer_key(name) ? nullptr : find_input(name);
+  if (!kind || kind->held_as.empty()) return name;
+  return "(" + std::string(kind->held_as) + " / " + text_of(InputValue(kind->factor)) + ")";
 }
 
 /// muParser would read "load = 3" as an order, and a text up to its first NUL.
@@ -94,14 +101,14 @@ std::size_t sign_in(const std::string& text) {
 
 }  // namespace
 
-std::string unit_of(const Formula& formula, Indenter indenter) {
+std::string unit_of(const Formula& formula, Body body) {
   if (formula.keys().size() != 1 || formula.keys().front() != formula.text())
-    return unit_of_value(formula, indenter).value_or("");
+    return unit_of_value(formula, body).value_or("");
   std::string_view unit;
-  if (const InputKind* const input = find_input(formula.text())) unit = input->quantity.unit_for(indenter);
+  if (const InputKind* const input = find_input(formula.text())) unit = input->quantity.unit_for(body);
   const RollingSolution solution;
   visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == formula.text()) unit = quantity.unit_for(indenter);
+    if (quantity.key == formula.text()) unit = quantity.unit_for(body);
   });
   return std::string(unit);
 }
@@ -116,7 +123,7 @@ std::string with_definitions(std::string_view text, const FormulaDefinitions& de
     const std::string_view word = text.substr(name, end - name);
     const auto found =
         std::find_if(definitions.begin(), definitions.end(), [&](const auto& one) { return one.first == word; });
-    complete += found == definitions.end() ? std::string(word) : "(" + found->second + ")";
+    complete += found == definitions.end() ? held_formula(std::string(word)) : "(" + found->second + ")";
     begin = end;
   }
   return complete;
@@ -249,24 +256,23 @@ double Formula::operator()(const std::function<double(const std::string&)>& numb
   return parts_->value(number_of_key, factors);
 }
 
-void refuse_different_units(const Formula& formula, Indenter indenter) {
-  if (unit_of_value(formula, indenter)) return;
+void refuse_different_units(const Formula& formula, Body body) {
+  if (unit_of_value(formula, body)) return;
   throw std::invalid_argument(
-      formula.text() + ": its terms have different units, and a number alone has none: " + units_in(formula, indenter) +
+      formula.text() + ": its terms have different units, and a number alone has none: " + units_in(formula, body) +
       "; a number has a unit in brackets, as in 2 [kN/m2] * approach");
 }
 
-Condition::Condition(const std::string& text, FormulaNames names, Indenter indenter,
-                     const FormulaDefinitions& definitions)
+Condition::Condition(const std::string& text, FormulaNames names, Body body, const FormulaDefinitions& definitions)
     : text_(trimmed(text)),
       sign_(sign_in(text_)),
       at_most_(text_[sign_] == '<'),
       strict_(text_.substr(sign_ + 1, 1) != "="),
       left_(text_.substr(0, sign_), names, definitions),
-      right_(in_si(std::string(trimmed(std::string_view(text_).substr(sign_ + (strict_ ? 1 : 2)))), left_, indenter),
-             names, definitions) {
-  refuse_different_units(left_, indenter);
-  refuse_different_units(right_, indenter);
+      right_(in_si(std::string(trimmed(std::string_view(text_).substr(sign_ + (strict_ ? 1 : 2)))), left_, body), names,
+             definitions) {
+  refuse_different_units(left_, body);
+  refuse_different_units(right_, body);
 }
 
 double Condition::excess(const RollingScene& scene, const RollingSolution& solution) const {

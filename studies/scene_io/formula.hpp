@@ -76,19 +76,19 @@ class Formula {
 };
 
 /// @throws std::invalid_argument naming the formula and the units in it if its terms have different ones
-void refuse_different_units(const Formula& formula, Indenter indenter);
+void refuse_different_units(const Formula& formula, Body body);
 
 /// The unit of a formula's value (dimension.hpp); empty if its terms have different ones.
-std::string unit_of(const Formula& formula, Indenter indenter);
+std::string unit_of(const Formula& formula, Body body);
 
 /// A condition between two formulas.
 class Condition {
  public:
   /// @param text         "LEFT <= RIGHT" with <= < >= or >
-  /// @param indenter     whose units hold
+  /// @param body     whose units hold
   /// @param definitions  names that it may use, too
   /// @throws std::invalid_argument as Formula, or if there is not one comparison
-  Condition(const std::string& text, FormulaNames names, Indenter indenter, const FormulaDefinitions& definitions = {});
+  Condition(const std::string& text, FormulaNames names, Body body, const FormulaDefinitions& definitions = {});
 
   const std::string& text() const { return text_; }
   const Formula& left() const { return left_; }

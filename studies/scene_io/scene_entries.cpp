@@ -28,41 +28,58 @@ void refuse_unknown_key(const SceneEntry& entry) {
 }
 
 /// The unit in the words of a rule; where the units of cylinder and sphere differ, with the body.
-std::string wanted_unit(const Quantity& quantity, Indenter indenter) {
-  std::string text = unit_in_words(quantity.unit_for(indenter));
-  if (!quantity.unit_2d.empty()) text += " for a " + std::string(name_of(indenter));
+std::string wanted_unit(const Quantity& quantity, Body body) {
+  std::string text = unit_in_words(quantity.unit_for(body));
+  if (quantity.grows_with_width()) text += " for a " + std::string(body.name());
   return text;
 }
 
-double number(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
-  const std::string_view unit = quantity.unit_for(indenter);
+bool has_unit(const std::string& text, std::string_view unit) {
+  try {
+    si_value(text, unit);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+/// What goes with the unit of a text that is per metre, or of the whole body, where the other is wanted; else empty.
+std::string about_width(const std::string& text, const Quantity& quantity, Body body) {
+  if (body.per_metre() && has_unit(text, quantity.unit)) return "; give its width too for that of the whole body";
+  if (body.of_width && has_unit(text, quantity.unit_2d)) return ": leave width out for that of a metre";
+  return {};
+}
+
+double number(const SceneEntry& entry, const Quantity& quantity, Body body) {
+  const std::string_view unit = quantity.unit_for(body);
   auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
   if (entry.value.is_number()) return entry.value.get<double>();
   if (!entry.value.is_string())
-    fail(unit == "1" ? "must be a number" : "must be a number or a text with " + wanted_unit(quantity, indenter));
+    fail(unit == "1" ? "must be a number" : "must be a number or a text with " + wanted_unit(quantity, body));
   const auto& text = entry.value.get_ref<const std::string&>();
   if (quantity.range.infinity_allowed && text == "infinite") return std::numeric_limits<double>::infinity();
   if (plain_number(text))
     fail(unit == "1" ? "must be a number without quotes"
-                     : "must be a number without quotes, or have " + wanted_unit(quantity, indenter));
+                     : "must be a number without quotes, or have " + wanted_unit(quantity, body));
   try {
     const bool temperature = is_temperature(quantity.key) || quantity.key == "shift_temperatures";
     return temperature ? kelvin(text) : si_value(text, unit);
   } catch (const std::invalid_argument& error) {
-    const bool per_body = !quantity.unit_2d.empty();
-    fail(error.what() + (per_body ? " for a " + std::string(name_of(indenter)) : std::string()));
+    std::string rule = error.what();
+    if (quantity.grows_with_width()) rule += " for a " + std::string(body.name()) + about_width(text, quantity, body);
+    fail(rule);
   }
   return std::nan("");
 }
 
 /// A list whose values are as a number of the same quantity is.
-std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, Indenter indenter) {
+std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, Body body) {
   if (!entry.value.is_array() || entry.value.empty())
     refuse(entry.place, entry.key, entry.value, "must be a list of numbers: [1, 2]");
   std::vector<double> values;
   for (const Json& item : entry.value) {
     const SceneEntry single{entry.key + "[" + std::to_string(values.size()) + "]", item, entry.place};
-    values.push_back(number(single, quantity, indenter));
+    values.push_back(number(single, quantity, body));
     if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.range.rule());
   }
   return values;
@@ -88,9 +105,25 @@ void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& 
     const std::string who =
         kind.needed_by_all() ? "every scene" : "material \"" + std::string(name_of(scene.material)) + '"';
     throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who + " needs it (" +
-                                std::string(kind.quantity.unit_for(scene.indenter)) + ")" +
+                                std::string(kind.quantity.unit_for(body_of(scene))) + ")" +
                                 other_material(entries, scene.material));
   }
+}
+
+/// "key given twice", or which keys write the same input.
+std::string given_again(const std::string& key) {
+  std::string ways;
+  for (const InputKind& kind : written_kinds())
+    if (kind.held_as == key) ways += " or " + std::string(kind.quantity.key);
+  return ways.empty() ? "key given twice" : "give " + key + ways + ", once";
+}
+
+/// Adds an entry as it is held. @throws std::invalid_argument if its input is among the entries
+void add_held(std::vector<SceneEntry>& entries, const SceneEntry& given) {
+  SceneEntry held = held_entry(given);
+  if (std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& other) { return other.key == held.key; }))
+    refuse(given.place, given.key, given.value, given_again(held.key));
+  entries.push_back(std::move(held));
 }
 
 /// The inputs that an override takes the place of.
@@ -103,6 +136,18 @@ std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
 template <class Entries>
 auto entry_of(Entries& entries, std::string_view key) {
   return std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
+}
+
+/// A width given to a scene without one makes its loads and torques those of the whole body: plain numbers among them,
+/// which no unit tells apart, are refused unless they are given anew.
+void refuse_numbers_per_metre(const std::vector<SceneEntry>& entries, const std::vector<SceneEntry>& overrides) {
+  const auto width = entry_of(overrides, "width");
+  if (width == overrides.end() || entry_of(entries, "width") != entries.end()) return;
+  for (const SceneEntry& entry : entries)
+    if (entry.value.is_number() && find_input(entry.key)->quantity.grows_with_width() &&
+        entry_of(overrides, entry.key) == overrides.end())
+      refuse(width->place, width->key, width->value,
+             entry.key + " = " + shown(entry.value) + " was given per metre: give it too, of the whole body");
 }
 
 /// The object of the layer that an override means.
@@ -146,6 +191,11 @@ Indenter indenter_of(const std::vector<SceneEntry>& entries) {
   return scene.indenter;
 }
 
+Body body_of(const std::vector<SceneEntry>& entries) {
+  const Indenter indenter = indenter_of(entries);
+  return {indenter, indenter == Indenter::cylinder && value_given(entries, "width")};
+}
+
 std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,
                                       const std::string& place) {
   std::vector<SceneEntry> entries;
@@ -155,21 +205,27 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
       if (!value.is_string()) refuse(place, key, value, "must be a text");
       continue;
     }
-    entries.push_back({key, value, place});
-    refuse_unknown_key(entries.back());
+    refuse_unknown_key({key, value, place});
+    add_held(entries, {key, value, place});
     if (const auto layered = layer_key(key))
       refuse(place, key, value, "must stand in the layer's own object, in the list " + std::string(layered->list));
   }
-  const Indenter indenter = indenter_of(entries);
-  for (const SceneEntry& entry : entries) input_value(entry, indenter);
+  const Body body = body_of(entries);
+  for (const SceneEntry& entry : entries) input_value(entry, body);
   return entries;
+}
+
+SceneEntry held_entry(SceneEntry entry) {
+  const InputKind* const kind = find_input(entry.key);
+  if (!kind || kind->held_as.empty()) return entry;
+  return {std::string(kind->held_as), std::get<double>(input_value(entry, *kind, Indenter::cylinder)), entry.place};
 }
 
 std::vector<SceneEntry> replacing_entries(const Json& object, const std::string& place) {
   std::vector<SceneEntry> entries;
   for (const auto& [key, value] : object.items()) {
     if (!find_input(key)) refuse(place, key, value, unknown_input(keys_like(key), key));
-    entries.push_back({key, value, place});
+    add_held(entries, {key, value, place});
   }
   return entries;
 }
@@ -201,16 +257,13 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
     } else {
       refuse_unknown_key(entry);
     }
-    for (SceneEntry& one : meant) {
-      for (const SceneEntry& earlier : entries)
-        if (earlier.key == one.key) refuse(place, one.key, one.value, "key given twice");
-      entries.push_back(std::move(one));
-    }
+    for (const SceneEntry& one : meant) add_held(entries, one);
   }
   return entries;
 }
 
 std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides) {
+  refuse_numbers_per_metre(entries, overrides);
   std::vector<SceneEntry> of_layers;
   std::set<std::string, std::less<>> dropped;
   for (const SceneEntry& entry : overrides) {
@@ -243,13 +296,13 @@ const Json* value_given(const std::vector<SceneEntry>& entries, std::string_view
   return value == layer.end() ? nullptr : &*value;
 }
 
-InputValue input_value(const SceneEntry& entry, Indenter indenter) {
+InputValue input_value(const SceneEntry& entry, Body body) {
   const InputKind* const kind = find_input(entry.key);
   if (!kind) refuse(entry.place, entry.key, entry.value, "unknown key");
-  return input_value(entry, *kind, indenter);
+  return input_value(entry, *kind, body);
 }
 
-InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter indenter) {
+InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body) {
   if (kind.layers) return layers_of(entry);
   auto fail = [&](const std::string& rule) { refuse(entry.place, entry.key, entry.value, rule); };
   if (!kind.choices.empty()) {
@@ -263,19 +316,20 @@ InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter 
     if (find_name(kind.choices, name) < 0) fail(unknown(rule, kind.choices, name));
     return name;
   }
-  if (kind.list) return numbers(entry, kind.quantity, indenter);
-  const double value = number(entry, kind.quantity, indenter);
+  if (kind.list) return numbers(entry, kind.quantity, body);
+  const double value = number(entry, kind.quantity, body);
   const bool whole = !kind.whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
   if (!whole) fail("must be a whole number");
   if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
-  return value;
+  return kind.factor * value;
 }
 
 RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {
   RollingScene scene;
-  scene.indenter = indenter_of(entries);  // first: the units of the others depend on it
+  const Body body = body_of(entries);  // first: the units of the others depend on it
+  scene.indenter = body.indenter;
   // Nothing is cleared here, so that `check` sees two inputs that exclude each other.
-  for (const SceneEntry& entry : entries) assign_input(scene, entry.key, input_value(entry, scene.indenter));
+  for (const SceneEntry& entry : entries) assign_input(scene, entry.key, input_value(entry, body));
   refuse_missing(entries, scene, place);
   return scene;
 }

@@ -44,18 +44,23 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
 /// @throws std::invalid_argument naming the override of a layer that the entries have not
 std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides);
 
+/// An entry under the key of the input that its own is another way to write: a radius for a diameter.
+/// @throws std::invalid_argument as input_value
+SceneEntry held_entry(SceneEntry entry);
+
 /// The value that the entries give an input, or nullptr.
 const Json* value_given(const std::vector<SceneEntry>& entries, std::string_view key);
 
-/// An entry's value, in SI and inside the range of its input.
+/// An entry's value, in SI and inside the range of its input, as the scene holds it.
 /// @throws std::invalid_argument naming place, key, value and rule
-InputValue input_value(const SceneEntry& entry, Indenter indenter);
+InputValue input_value(const SceneEntry& entry, Body body);
 
 /// The same for an input of this kind, whatever the entry's key.
-InputValue input_value(const SceneEntry& entry, const InputKind& kind, Indenter indenter);
+InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body);
 
-/// The body that the entries give: the units of other inputs depend on it.
+/// The body that the entries give: the units of other inputs depend on it, and on whether its width is given.
 Indenter indenter_of(const std::vector<SceneEntry>& entries);
+Body body_of(const std::vector<SceneEntry>& entries);
 
 /// The scene that the entries give.
 /// @param place named in messages about what is missing and what does not go together

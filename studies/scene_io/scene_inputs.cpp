@@ -116,6 +116,22 @@ const std::vector<InputKind>& input_kinds() {
   return kinds;
 }
 
+const std::vector<InputKind>& written_kinds() {
+  static const std::vector<InputKind> kinds = [] {
+    std::vector<InputKind> list;
+    for (const InputKind& kind : input_kinds()) {
+      list.push_back(kind);
+      if (kind.quantity.key == "radius")
+        list.push_back({.quantity = {"diameter", "2R", "m", "diameter of the body, in place of radius", positive},
+                        .optional = true,
+                        .held_as = "radius",
+                        .factor = 0.5});
+    }
+    return list;
+  }();
+  return kinds;
+}
+
 const std::vector<InputKind>& layer_kinds() {
   static const std::vector<InputKind> kinds = [] {
     std::vector<InputKind> list;
@@ -129,7 +145,7 @@ const std::vector<InputKind>& layer_kinds() {
 
 const InputKind* find_input(std::string_view key) {
   const std::optional<LayerKey> layered = layer_key(key);
-  if (!layered) return find_kind(input_kinds(), key);
+  if (!layered) return find_kind(written_kinds(), key);
   const InputKind* const list = find_kind(input_kinds(), layered->list);
   const InputKind* const own = find_kind(layer_kinds(), layered->input);
   if (!list || !list->layers || !own) return nullptr;
@@ -143,6 +159,11 @@ const InputKind* find_number(std::string_view key) {
   const InputKind* const list = element ? find_input(element->list) : nullptr;
   if (!list || !list->list || list->layers) return find_input(key);
   return &kept_kind({.quantity = element_quantity(list->quantity, element->place)});
+}
+
+std::string held_key(const std::string& key) {
+  const InputKind* const kind = find_input(key);
+  return kind && !kind->held_as.empty() ? std::string(kind->held_as) : key;
 }
 
 std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value) {

@@ -25,6 +25,8 @@ struct InputKind {
   bool layers = false;                             ///< a list of layers
   bool optional = false;                           ///< may be absent
   InputValue default_value = 0.0;                  ///< of no meaning if `optional` or `list`
+  std::string_view held_as = {};                   ///< the input that it is another way to write; empty: none
+  double factor = 1;                               ///< of that input over this one
 
   /// Whether it is one real number, which can vary between two ends.
   bool real() const { return choices.empty() && !whole && !list; }
@@ -38,14 +40,21 @@ struct InputKind {
 /// All inputs, in the order of the list.
 const std::vector<InputKind>& input_kinds();
 
+/// The same and other ways to write them, each after the input that it is held as: diameter after radius.
+const std::vector<InputKind>& written_kinds();
+
 /// The inputs of a further layer, by their own keys, in the order of the list.
 const std::vector<InputKind>& layer_kinds();
 
-/// The input with this key, or nullptr. One of a further layer is found whether or not a scene has that layer.
+/// The input with this key, or another way to write one, or nullptr. One of a further layer is found whether or not a
+/// scene has that layer.
 const InputKind* find_input(std::string_view key);
 
 /// The same, or a number of a list, "relaxation_moduli[2]", whether or not a scene has such a number.
 const InputKind* find_number(std::string_view key);
+
+/// The key under which a scene holds what is written under this one: radius for diameter.
+std::string held_key(const std::string& key);
 
 /// The inputs that giving `key` this value takes the place of: load and approach, spacing and tolerance, and what
 /// belongs to another drive.

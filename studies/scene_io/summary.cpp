@@ -75,14 +75,14 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   const std::map<std::string_view, std::string> usual = usual_layer();
   visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
     if (is_idle(scene, quantity.key)) return;
-    const std::string shown = value_text(quantity, value, quantity.unit_for(scene.indenter));
+    const std::string shown = value_text(quantity, value, quantity.unit_for(body_of(scene)));
     const std::optional<LayerKey> layered = layer_key(quantity.key);
     if (!layered || shown != usual.at(layered->input)) add(inputs, quantity, symbol_beside_name(quantity), shown);
   });
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_arithmetic_v<Value>)
-      add(outputs, quantity, quantity.symbol, value_text(quantity, value, quantity.unit_for(scene.indenter)));
+      add(outputs, quantity, quantity.symbol, value_text(quantity, value, quantity.unit_for(body_of(scene))));
   });
   std::ostringstream tables;
   write_aligned(tables << "\nscene\n", inputs, "", "  ");

@@ -17,13 +17,13 @@ struct UsualNames {
 };
 
 const UsualNames usual_names[] = {
-    {{"diameter", "d_roll"}, "the key is radius, half of it"},
+    {{"d_roll"}, "the key is diameter"},
     {{"thickness", "height", "h"}, "the key is layer_thickness"},
     {{"density"}, "the key is layer_density"},
     {{"velocity", "v"}, "the key is speed"},
     {{"force", "weight", "normal_load", "normal_force", "line_load"},
-     "the key is load, for a cylinder per metre of width"},
-    {{"width", "length"}, "a cylinder has none: its load is per metre of width"},
+     "the key is load, for a cylinder without a width per metre of it"},
+    {{"length", "face_width"}, "the key is width, of a cylinder"},
     {{"mu", "friction", "cof", "coefficient_of_friction"}, "the key is friction_coefficient"},
     {{"nu", "poisson"}, "the key is poisson_ratio"},
     {{"g", "modulus", "shear_modulus"}, "the key is static_shear_modulus, or static_young_modulus: at rest"},

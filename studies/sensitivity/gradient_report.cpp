@@ -31,7 +31,7 @@ int GradientReport::evaluations() const {
 }
 
 std::string GradientReport::derivative_unit(const Variable& variable) const {
-  const std::string unit(variable.quantity.unit_for(indenter()));
+  const std::string unit(variable.quantity.unit_for(body()));
   if (unit == "1") return std::string(output_unit());
   return std::string(output_unit()) + " / " + (unit.find('/') == std::string::npos ? unit : '(' + unit + ')');
 }
@@ -78,12 +78,12 @@ Table table_of(const GradientReport& report) {
     const InputReport input = report[i];
     const InputGradient& gradient = input.gradient;
     const Quantity& quantity = input.variable.quantity;
-    table.rows.push_back(
-        {std::string(quantity.key), readable(quantity, input.value, quantity.unit_for(report.indenter())),
-         number(gradient.elasticity), rough(input.elasticity_error()), number(gradient.derivative),
-         rough(gradient.error()), report.derivative_unit(input.variable), rough(input.relative_noise()),
-         std::string(name_of(input.variable.scaling)), rough(gradient.step), std::string(name_of(gradient.scheme)),
-         static_cast<std::int64_t>(input.evaluations())});
+    table.rows.push_back({std::string(quantity.key), readable(quantity, input.value, quantity.unit_for(report.body())),
+                          number(gradient.elasticity), rough(input.elasticity_error()), number(gradient.derivative),
+                          rough(gradient.error()), report.derivative_unit(input.variable),
+                          rough(input.relative_noise()), std::string(name_of(input.variable.scaling)),
+                          rough(gradient.step), std::string(name_of(gradient.scheme)),
+                          static_cast<std::int64_t>(input.evaluations())});
   }
   return table;
 }
@@ -107,7 +107,7 @@ Json json_of(const GradientReport& report) {
       for (const FailedPoint& point : *points)
         failures.push_back({{"value", point.value}, {"status", name_of(point.status)}, {"reason", point.reason}});
     object["inputs"].push_back({{"key", variable.quantity.key},
-                                {"unit", variable.quantity.unit_for(report.indenter())},
+                                {"unit", variable.quantity.unit_for(report.body())},
                                 {"value", input.value},
                                 {"lowest", finite_or_null(variable.lowest)},
                                 {"highest", finite_or_null(variable.highest)},

@@ -33,8 +33,8 @@ struct GradientReport {
   Gradient gradient;  ///< without inputs if the centre has no value
   double seconds;
 
-  Indenter indenter() const { return objective.base.indenter; }
-  std::string_view output_unit() const { return objective.output.unit_for(indenter()); }
+  Body body() const { return body_of(objective.base); }
+  std::string_view output_unit() const { return objective.output.unit_for(body()); }
   std::size_t size() const { return gradient.inputs.size(); }
   InputReport operator[](std::size_t i) const;
   int evaluations() const;

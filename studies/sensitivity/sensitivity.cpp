@@ -47,7 +47,7 @@ DesignProblem problem_of(RollingScene scene, const std::vector<GivenRange>& rang
   DesignProblem problem{.name = {}, .scenes = {}, .variables = {}, .start = {}, .goal = {output}};
   std::vector<InputChoice> choices;
   for (const auto& [from_entry, to_entry, logarithmic] : ranges) {
-    const InputValue from = input_value(from_entry, scene.indenter), to = input_value(to_entry, scene.indenter);
+    const InputValue from = input_value(from_entry, body_of(scene)), to = input_value(to_entry, body_of(scene));
     const auto* const lowest = std::get_if<double>(&from);
     const auto* const highest = std::get_if<double>(&to);
     if (!lowest || !highest) refuse(from_entry.place, from_entry.key, from_entry.value, "must be a real number");

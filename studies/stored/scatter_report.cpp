@@ -30,7 +30,7 @@ std::string fixed(double value, int decimals) {
 std::string in_words(const ScatterReport& report, std::size_t axis, const Cell& cell) {
   if (const auto* const name = std::get_if<std::string>(&cell)) return *name;
   const Quantity& quantity = find_input(report.results.axes[axis])->quantity;
-  return value_in_words(quantity, cell, quantity.unit_for(report.indenter()));
+  return value_in_words(quantity, cell, quantity.unit_for(report.body()));
 }
 
 /// The columns of the axes, and of points without an answer where there are any.
@@ -60,7 +60,7 @@ void print_output(const ScatterReport& report, std::size_t output, std::ostream&
     if (std::isfinite(all.back().mean.value)) largest = std::max(largest, std::abs(all.back().mean.value));
   }
   const Formula& formula = report.wish.outputs[output];
-  const ScaledUnit unit = scaled_unit(unit_of(formula, report.indenter()), largest);
+  const ScaledUnit unit = scaled_unit(unit_of(formula, report.body()), largest);
   out << '\n' << formula.text() << (unit.name.empty() ? "" : " [" + typeset_unit(unit.name) + "]") << '\n';
   Table table = begun(report);
   for (const char* const name : {"mean", "standard deviation"}) table.columns.emplace_back(name);
@@ -95,7 +95,7 @@ Json json_of(const ScatterEstimate& estimate) {
 Json output_json(const ScatterReport& report, const ScatterPlace& place, std::size_t output) {
   const Formula& formula = report.wish.outputs[output];
   const ScatterStatistics found = scatter_statistics(place.values[output], report.wish.probabilities);
-  Json object{{"output", formula.text()},    {"unit", unit_of(formula, report.indenter())},
+  Json object{{"output", formula.text()},    {"unit", unit_of(formula, report.body())},
               {"values", found.values},      {"without", found.without},
               {"mean", json_of(found.mean)}, {"standard_deviation", json_of(found.deviation)}};
   for (std::size_t i = 0; i < found.quantiles.size(); ++i)
@@ -134,7 +134,7 @@ void print_text(const ScatterReport& report, std::ostream& out) {
       << name_of(uncertain.method) << ", seed " << uncertain.seed << ')'
       << (report.results.axes.empty() ? "" : " at each of " + std::to_string(report.results.places.size()) + " places")
       << '\n';
-  for (const std::string& line : in_words(uncertain, report.indenter())) out << "  " << line << '\n';
+  for (const std::string& line : in_words(uncertain, report.body())) out << "  " << line << '\n';
   for (std::size_t i = 0; i < report.wish.outputs.size(); ++i) print_output(report, i, out);
   print_probabilities(report, out);
 }
@@ -148,7 +148,7 @@ Json json_of(const ScatterReport& report) {
               {"method", name_of(uncertain.method)},
               {"scramblings", uncertain.scramblings},
               {"seed", uncertain.seed},
-              {"uncertain", in_words(uncertain, report.indenter())},
+              {"uncertain", in_words(uncertain, report.body())},
               {"places", Json::array()}};
   for (const ScatterPlace& place : report.results.places) {
     Json& here = object["places"].emplace_back(Json::object());

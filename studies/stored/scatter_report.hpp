@@ -23,7 +23,7 @@ struct ScatterReport {
   ScatterWish wish;
   ScatterResults results;
 
-  Indenter indenter() const { return study.base.indenter; }
+  Body body() const { return body_of(study.base); }
 };
 
 /// The name of a quantile: "P10" of 0.1, "P2.5" of 0.025.

@@ -24,10 +24,10 @@ const QuantityColumn* quantity_in(const std::string& name, const FormulaDefiniti
 
 /// The unit of all rows; nothing where it differs.
 std::optional<std::string_view> common_unit(const QuantityColumn& column, const ShownColumns& columns) {
-  if (column.quantity.unit_2d.empty()) return column.quantity.unit;
+  if (!column.quantity.grows_with_width()) return column.quantity.unit;
   if (columns.bodies.empty() || !columns.bodies.front()) return std::nullopt;
   for (const auto& body : columns.bodies)
-    if (body != columns.bodies.front()) return std::nullopt;
+    if (!body || body->per_metre() != columns.bodies.front()->per_metre()) return std::nullopt;
   return column.quantity.unit_for(*columns.bodies.front());
 }
 
@@ -80,7 +80,7 @@ struct GroupColumns {
 
 bool differs_by_body(const ShownColumns& columns) {
   return std::any_of(columns.quantities.begin(), columns.quantities.end(),
-                     [](const QuantityColumn* one) { return one && !one->quantity.unit_2d.empty(); });
+                     [](const QuantityColumn* one) { return one && one->quantity.grows_with_width(); });
 }
 
 /// Columns that may be shown by themselves: inputs by the key under which answers have them, too.
@@ -113,12 +113,24 @@ std::vector<std::string> varied_in_layers(const Database& database, Query query,
   return names;
 }
 
+/// What all rows of a question have as indenter; nothing where they differ.
+Cell common_indenter(const Database& database, const GroupQuery& query) {
+  if (std::find(query.by.begin(), query.by.end(), "indenter") != query.by.end()) return {};  // each group has its own
+  // Where all of a database are of one kind, an index tells, whatever the filters.
+  Table found = run_group_query(database, {.by = {"indenter"}});
+  if (found.rows.size() != 1)
+    found = run_group_query(database, {.filters = query.filters, .by = {"indenter"}, .computed = query.computed});
+  return found.rows.size() == 1 ? found.rows.front().front() : Cell();
+}
+
 }  // namespace
 
-std::optional<Indenter> indenter_in(const Cell& cell) {
-  const auto* const text = std::get_if<std::string>(&cell);
+std::optional<Body> body_in(const Cell& indenter, const Cell& width) {
+  const auto* const text = std::get_if<std::string>(&indenter);
   const int place = text ? find_name(ChoiceNames<Indenter>::names, *text) : -1;
-  return place < 0 ? std::nullopt : std::optional(static_cast<Indenter>(place));
+  if (place < 0) return std::nullopt;
+  const auto body = static_cast<Indenter>(place);
+  return Body(body, body == Indenter::cylinder && !std::holds_alternative<std::monostate>(width));
 }
 
 Table shown_table(Table table, const ShownColumns& columns, ShownUnits units) {
@@ -148,13 +160,14 @@ Table shown_rows(const Database& database, Query query, const FormulaDefinitions
   ShownColumns shown;
   for (const std::string& name : query.columns) shown.quantities.push_back(quantity_in(name, formulas));
   const bool needs_body = differs_by_body(shown);
-  if (needs_body) query.columns.emplace_back("indenter");
+  if (needs_body) query.columns.insert(query.columns.end(), {"indenter", "width"});
   Table table = run_query(database, query);
   if (needs_body) {
-    table.columns.pop_back();
+    const std::size_t own = table.columns.size() - 2;
+    table.columns.resize(own);
     for (auto& row : table.rows) {
-      shown.bodies.push_back(indenter_in(row.back()));
-      row.pop_back();
+      shown.bodies.push_back(body_in(row[own], row[own + 1]));
+      row.resize(own);
     }
   }
   if (!headings.empty()) table.columns = headings;
@@ -164,17 +177,20 @@ Table shown_rows(const Database& database, Query query, const FormulaDefinitions
 Table shown_groups(const Database& database, const GroupQuery& query, const FormulaDefinitions& formulas,
                    ShownUnits units) {
   GroupColumns columns(query, formulas);
-  Table table = run_group_query(database, query);
+  if (!differs_by_body(columns.shown)) return shown_table(run_group_query(database, query), columns.shown, units);
+  const Cell common = common_indenter(database, query);
   const auto by_body = std::find(query.by.begin(), query.by.end(), "indenter");
-  if (by_body != query.by.end()) {
-    for (const auto& row : table.rows)
-      columns.shown.bodies.push_back(indenter_in(row[static_cast<std::size_t>(by_body - query.by.begin())]));
-  } else if (differs_by_body(columns.shown)) {
-    // Where all of a database are of one kind, an index tells, whatever the filters.
-    Table found = run_group_query(database, {.by = {"indenter"}});
-    if (found.rows.size() != 1)
-      found = run_group_query(database, {.filters = query.filters, .by = {"indenter"}, .computed = query.computed});
-    columns.shown.bodies = {found.rows.size() == 1 ? indenter_in(found.rows.front().front()) : std::nullopt};
+  GroupQuery counting = query;
+  counting.aggregates.insert(counting.aggregates.end(), {{Statistic::count, "indenter"}, {Statistic::count, "width"}});
+  Table table = run_group_query(database, counting);
+  const std::size_t own = table.columns.size() - 2;
+  table.columns.resize(own);
+  for (auto& row : table.rows) {
+    const bool any = row[own + 1] != Cell(std::int64_t{0}), all = row[own] == row[own + 1];
+    const Cell indenter =
+        by_body == query.by.end() ? common : row[static_cast<std::size_t>(by_body - query.by.begin())];
+    columns.shown.bodies.push_back(any && !all ? std::nullopt : body_in(indenter, any ? Cell(1.0) : Cell()));
+    row.resize(own);
   }
   return shown_table(std::move(table), columns.shown, units);
 }

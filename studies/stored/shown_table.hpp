@@ -18,16 +18,16 @@ enum class ShownUnits { scaled, si };
 /// What stands in the columns of a table.
 struct ShownColumns {
   std::vector<const QuantityColumn*> quantities;  ///< one for each column; nullptr: shown as it is
-  /// Of the rows, one for each, or one for all: cylinders' numbers are per metre of their length; nothing: not known.
-  std::vector<std::optional<Indenter>> bodies;
+  /// Of the rows, one for each, or one for all: numbers may be per metre of a cylinder; nothing: not known.
+  std::vector<std::optional<Body>> bodies;
 };
 
 /// The table with its units. Where a column's unit differs from row to row each cell has its own.
 /// @param units  si: the numbers as they are
 Table shown_table(Table table, const ShownColumns& columns, ShownUnits units);
 
-/// The body that a cell names.
-std::optional<Indenter> indenter_in(const Cell& cell);
+/// The body that a cell of `indenter` names, with what stands in that of `width`.
+std::optional<Body> body_in(const Cell& indenter, const Cell& width);
 
 /// Answers a question for people: as run_query, shown.
 /// @param formulas  of the columns that are none of the store

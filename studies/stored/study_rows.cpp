@@ -142,12 +142,23 @@ const QuantityColumn& number_column(const std::string& key, const StudySummary& 
 }
 
 std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column) {
-  const auto indenters = rows.values(*find_quantity_column("indenter"));
-  if (indenters.size() > 1 && !column.quantity.unit_2d.empty())
-    throw std::invalid_argument(column.name + ": has another unit for a cylinder than for a sphere; choose one with " +
-                                "indenter=cylinder or indenter=sphere");
-  const bool cylinder = *indenters.begin() == Cell(std::string(name_of(Indenter::cylinder)));
-  return column.quantity.unit_for(cylinder ? Indenter::cylinder : Indenter::sphere);
+  const Body first = body_at(rows, 0);
+  for (std::size_t row = 1; column.quantity.grows_with_width() && row < rows.size(); ++row) {
+    const Body body = body_at(rows, row);
+    if (body.per_metre() == first.per_metre()) continue;
+    if (body.indenter != first.indenter)
+      throw std::invalid_argument(column.name + ": has another unit for a cylinder than for a sphere; choose one " +
+                                  "with indenter=cylinder or indenter=sphere");
+    throw std::invalid_argument(column.name + ": is per metre where no width is given, and of the whole body where " +
+                                "one is; choose one width with width=VALUE");
+  }
+  return column.quantity.unit_for(first);
+}
+
+Body body_at(const StudyRows& rows, std::size_t row) {
+  const bool sphere = rows.text(row, "indenter") == name_of(Indenter::sphere);
+  const Cell& width = rows.cell(row, *find_quantity_column("width"));
+  return {sphere ? Indenter::sphere : Indenter::cylinder, !sphere && !std::holds_alternative<std::monostate>(width)};
 }
 
 std::string value_in_words(const Cell& cell, std::string_view unit) {

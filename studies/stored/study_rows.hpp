@@ -80,6 +80,9 @@ const QuantityColumn& number_column(const std::string& key, const StudySummary& 
 /// @throws std::invalid_argument if it is not the same in all, because cylinders stand beside spheres
 std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column);
 
+/// The body of a row.
+Body body_at(const StudyRows& rows, std::size_t row);
+
 /// A value as people read it; "none" if it is absent.
 std::string value_in_words(const Cell& cell, std::string_view unit);
 /// The same of a quantity, whose temperatures people read in degrees Celsius.

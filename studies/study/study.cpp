@@ -44,14 +44,14 @@ void add_scenes(Study& study, const std::vector<SceneEntry>& entries, const std:
                 const std::vector<GivenVariant>& variants, const std::string& place) {
   if (variants.empty()) {
     study.base = base_scene(entries, axes, place);
-    study.axes = axes_of(axes, study.base.indenter);
+    study.axes = axes_of(axes, body_of(study.base));
     return;
   }
   Axis names{.key = std::string(variant_key)};
   for (const GivenVariant& variant : variants) {
     study.variants.push_back(
         {variant.name, base_scene(overridden(entries, variant.entries), axes, variant.entries.front().place)});
-    study.axes = axes_of(axes, study.variants.back().base.indenter);
+    study.axes = axes_of(axes, body_of(study.variants.back().base));
     names.texts.push_back(variant.name);
   }
   study.axes.insert(study.axes.begin(), names);
@@ -59,14 +59,14 @@ void add_scenes(Study& study, const std::vector<SceneEntry>& entries, const std:
 }
 
 /// The bodies of the study.
-std::vector<Indenter> indenters_of(const Study& study) {
-  std::vector<Indenter> indenters{study.base.indenter};
-  for (const Variant& variant : study.variants) indenters.push_back(variant.base.indenter);
+std::vector<Body> bodies_of(const Study& study) {
+  std::vector<Body> bodies{body_of(study.base)};
+  for (const Variant& variant : study.variants) bodies.push_back(body_of(variant.base));
   for (const Axis& axis : study.axes)
     if (axis.key == "indenter")
       for (const std::string& name : axis.texts)
-        indenters.push_back(static_cast<Indenter>(find_name(ChoiceNames<Indenter>::names, name)));
-  return indenters;
+        bodies.push_back(static_cast<Indenter>(find_name(ChoiceNames<Indenter>::names, name)));
+  return bodies;
 }
 
 }  // namespace
@@ -98,11 +98,11 @@ Study read_study(const std::filesystem::path& file) {
     given = given_axes(object, place, variants.size(), uncertain_axes(study.uncertain, place));
   }
   add_scenes(study, entries, given, variants, place);
-  const std::vector<Indenter> indenters = indenters_of(study);
-  ComputeWish wish = compute_wish(object, indenters, place);
+  const std::vector<Body> bodies = bodies_of(study);
+  ComputeWish wish = compute_wish(object, bodies, place);
   study.compute = std::move(wish.columns);
   study.formulas = std::move(wish.formulas);
-  study.constraints = study_constraints(object, indenters, study.formulas, place);
+  study.constraints = study_constraints(object, bodies, study.formulas, place);
   study.fields = is_true(object, "fields", place);
   study.charts = study_charts(object, study.axes, study.formulas, place);
   return study;

@@ -20,10 +20,10 @@ int number_of_points(const Json& object, int least, const std::string& place, co
 
 /// An axis between two ends, its positions still to be filled.
 GivenAxis between(const std::string& key, const Json& object, const std::string& place, const std::string& rule) {
-  GivenAxis axis{.key = key, .place = place, .shown = object, .values = {}};
+  GivenAxis axis{.key = held_key(key), .place = place, .shown = object, .values = {}};
   if (axis.choice()) refuse(place, key, object, "must be a list of names");
   for (const char* const end : {"from", "to"})
-    axis.values.push_back({key, needed(object, end, place, rule), place + ": " + end});
+    axis.values.push_back(held_entry({key, needed(object, end, place, rule), place + ": " + end}));
   axis.logarithmic = name_or_first(object, "spacing", spacing_names, place) == "logarithmic";
   return axis;
 }
@@ -46,8 +46,8 @@ GivenAxis single_axis(const std::string& key, const Json& value, const std::stri
   if (value.is_object()) return interval(key, value, place + ": " + key);
   if (value.is_array() && value.empty()) refuse(place, key, value, "has no value: leave the axis out, or give it one");
   if (!value.is_array()) refuse(place, key, value, "must be a list of values, or an object with from, to and points");
-  GivenAxis axis{.key = key, .place = place + ": " + key, .shown = value, .values = {}};
-  for (const Json& item : value) axis.values.push_back({key, item, place});
+  GivenAxis axis{.key = held_key(key), .place = place + ": " + key, .shown = value, .values = {}};
+  for (const Json& item : value) axis.values.push_back(held_entry({key, item, place}));
   return axis;
 }
 
@@ -126,9 +126,8 @@ std::vector<double> spaced(const GivenAxis& axis, double from, double to) {
 }
 
 /// The body that goes with a value of an axis, or the bodies.
-std::vector<Indenter> indenters_at(const std::vector<GivenAxis>& axes, const GivenAxis& axis, std::size_t index,
-                                   Indenter usual) {
-  auto body = [&](const SceneEntry& entry) {
+std::vector<Body> bodies_at(const std::vector<GivenAxis>& axes, const GivenAxis& axis, std::size_t index, Body usual) {
+  auto body = [&](const SceneEntry& entry) -> Body {
     return static_cast<Indenter>(
         find_name(ChoiceNames<Indenter>::names, std::get<std::string>(input_value(entry, usual))));
   };
@@ -136,19 +135,19 @@ std::vector<Indenter> indenters_at(const std::vector<GivenAxis>& axes, const Giv
     if (other.key != "indenter") continue;
     const bool row_by_row = !axis.group.empty() && other.group == axis.group && axis.positions.empty();
     if (row_by_row) return {body(other.values[index])};
-    std::vector<Indenter> bodies;
+    std::vector<Body> bodies;
     for (const SceneEntry& entry : other.values) bodies.push_back(body(entry));
     return bodies;
   }
   return {usual};
 }
 
-Axis axis_of(const std::vector<GivenAxis>& all, const GivenAxis& given, Indenter usual) {
+Axis axis_of(const std::vector<GivenAxis>& all, const GivenAxis& given, Body usual) {
   Axis axis{.key = given.key, .logarithmic = given.logarithmic, .group = given.group};
   for (std::size_t i = 0; i < given.values.size(); ++i) {
     const SceneEntry& entry = given.values[i];
     InputValue value;
-    for (const Indenter indenter : indenters_at(all, given, i, usual)) value = input_value(entry, indenter);
+    for (const Body body : bodies_at(all, given, i, usual)) value = input_value(entry, body);
     if (const auto* const name = std::get_if<std::string>(&value))
       axis.texts.push_back(*name);
     else
@@ -207,7 +206,7 @@ std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, s
   return given;
 }
 
-std::vector<Axis> axes_of(const std::vector<GivenAxis>& given, Indenter usual) {
+std::vector<Axis> axes_of(const std::vector<GivenAxis>& given, Body usual) {
   std::vector<Axis> axes;
   for (const GivenAxis& axis : given) axes.push_back(axis_of(given, axis, usual));
   refuse_repeated_values(given, axes);

@@ -76,6 +76,6 @@ void for_each_combination(const std::vector<AnyAxis>& axes, SizeOf&& size_of, Vi
 /// The axes with their values in SI.
 /// @param usual  the body of the study where no axis varies it
 /// @throws std::invalid_argument if a value is wrong for the body, or for one of the bodies, that goes with it
-std::vector<Axis> axes_of(const std::vector<GivenAxis>& given, Indenter usual);
+std::vector<Axis> axes_of(const std::vector<GivenAxis>& given, Body usual);
 
 }  // namespace rollres

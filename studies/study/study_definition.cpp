@@ -32,7 +32,7 @@ StudyChart chart_in(const Json& object) {
 
 void add_axis(StudyDefinition& definition, const std::string& key, const Json& axis) {
   if (axis.is_object() && (text_under(axis, "spacing") == "logarithmic" || text_under(axis, "scale") == "logarithmic"))
-    definition.logarithmic.insert(key);
+    definition.logarithmic.insert(held_key(key));
 }
 
 /// Axes of an object whose values vary together.
@@ -41,7 +41,7 @@ std::set<std::string> add_group(StudyDefinition& definition, const Json& inputs)
   if (!inputs.is_object()) return group;
   for (const auto& [key, axis] : inputs.items()) {
     add_axis(definition, key, axis);
-    group.insert(key);
+    group.insert(held_key(key));
   }
   definition.together.push_back(group);
   return group;
@@ -120,7 +120,7 @@ StudyDefinition definition_in(const std::string& text, const std::string& place)
     definition.sampled = add_group(definition, under(sample, "ranges"));
   if (const Json& uncertain = under(study, "uncertain"); uncertain.is_object()) {
     for (const auto& [key, distribution] : uncertain.items())
-      if (find_input(key) && distribution.is_object()) definition.uncertain.insert(key);
+      if (find_input(key) && distribution.is_object()) definition.uncertain.insert(held_key(key));
     definition.together.push_back(definition.uncertain);
   }
   if (const Json& variables = under(study, "variables"); variables.is_object())  // of an optimisation

@@ -28,21 +28,21 @@ void refuse_taken_name(const std::string& name, const Json& formula, const Formu
   if (!is_name) refuse(place, name, formula, "a name is of letters, digits and _, and begins with none of the digits");
   const bool given = std::any_of(earlier.begin(), earlier.end(), [&](const auto& one) { return one.first == name; });
   if (given) refuse(place, name, formula, "given twice");
-  if (find_quantity_column(name) || find_input(name) || find_name(columns, name) >= 0 ||
+  if (find_quantity_column(name) || (find_input(name) && held_key(name) == name) || find_name(columns, name) >= 0 ||
       find_name(point_columns, name) >= 0)
     refuse(place, name, formula, "names a column that is there already; give the formula another name");
   if (is_function(name)) refuse(place, name, formula, "names a function; give the formula another name");
 }
 
 /// Reads one formula, with those before it in full.
-void add_formula(ComputeWish& wish, const std::string& name, const Json& formula, std::span<const Indenter> indenters,
+void add_formula(ComputeWish& wish, const std::string& name, const Json& formula, std::span<const Body> bodies,
                  const std::string& place) {
   refuse_taken_name(name, formula, wish.formulas, place);
   if (!formula.is_string()) refuse(place, name, formula, "must be a formula of inputs and outputs");
   const std::string text = with_definitions(formula.get<std::string>(), wish.formulas);
   refusing_at(place + ": " + name, [&] {
     const Formula understood(text, FormulaNames::inputs_and_outputs);
-    for (const Indenter indenter : indenters) refuse_different_units(understood, indenter);
+    for (const Body body : bodies) refuse_different_units(understood, body);
   });
   wish.columns.push_back(name);
   wish.formulas.emplace_back(name, text);
@@ -105,18 +105,18 @@ std::vector<std::string_view> number_outputs() {
   return keys;
 }
 
-std::vector<Condition> study_constraints(const Json& study, std::span<const Indenter> indenters,
+std::vector<Condition> study_constraints(const Json& study, std::span<const Body> bodies,
                                          const FormulaDefinitions& formulas, const std::string& place) {
   std::vector<Condition> conditions;
   for (const std::string& text : texts(study, "constraints", place, "must be a list of conditions between inputs"))
     refusing_at(place + ": constraint " + std::to_string(conditions.size() + 1), [&] {
-      for (const Indenter indenter : indenters) Condition(text, FormulaNames::inputs, indenter, formulas);
-      conditions.emplace_back(text, FormulaNames::inputs, indenters.front(), formulas);
+      for (const Body body : bodies) Condition(text, FormulaNames::inputs, body, formulas);
+      conditions.emplace_back(text, FormulaNames::inputs, bodies.front(), formulas);
     });
   return conditions;
 }
 
-ComputeWish compute_wish(const Json& study, std::span<const Indenter> indenters, const std::string& place) {
+ComputeWish compute_wish(const Json& study, std::span<const Body> bodies, const std::string& place) {
   ComputeWish wish;
   const auto found = study.find("compute");
   if (found == study.end()) return wish;
@@ -125,7 +125,7 @@ ComputeWish compute_wish(const Json& study, std::span<const Indenter> indenters,
   if (!list.is_array() || list.empty() || list.front().empty()) refuse(place, "compute", *found, rule);
   for (const Json& item : list) {
     if (item.is_object()) {
-      for (const auto& [name, formula] : item.items()) add_formula(wish, name, formula, indenters, place + ": compute");
+      for (const auto& [name, formula] : item.items()) add_formula(wish, name, formula, bodies, place + ": compute");
       continue;
     }
     if (!item.is_string()) refuse(place, "compute", item, rule);

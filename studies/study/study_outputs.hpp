@@ -23,16 +23,16 @@ struct ComputeWish {
 };
 
 /// @param place      the file
-/// @param indenters  the bodies of the study, whose units must hold in every condition
+/// @param bodies  the bodies of the study, whose units must hold in every condition
 /// @param formulas   names that the conditions may use
 /// @throws std::invalid_argument naming place, condition and rule
-std::vector<Condition> study_constraints(const Json& study, std::span<const Indenter> indenters,
+std::vector<Condition> study_constraints(const Json& study, std::span<const Body> bodies,
                                          const FormulaDefinitions& formulas, const std::string& place);
 
 /// Empty where the file says nothing.
-/// @param indenters  as above: the terms of each formula must fit
+/// @param bodies  as above: the terms of each formula must fit
 /// @throws std::invalid_argument naming place, key, value and rule
-ComputeWish compute_wish(const Json& study, std::span<const Indenter> indenters, const std::string& place);
+ComputeWish compute_wish(const Json& study, std::span<const Body> bodies, const std::string& place);
 
 /// The same of a file that was accepted once; what is not understood any more is left out.
 ComputeWish accepted_compute_wish(const Json& study);

@@ -54,7 +54,7 @@ RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vecto
     const RollingScene scene = unchecked_scene_from(all, place);
     if (!first) first = scene;
     for (const SceneEntry& entry : all)
-      if (find_input(entry.key)->optional) of_any.emplace_back(entry.key, input_value(entry, scene.indenter));
+      if (find_input(entry.key)->optional) of_any.emplace_back(entry.key, input_value(entry, body_of(scene)));
   });
   for (const auto& [key, value] : of_any) assign_input(*first, key, value);
   return *first;

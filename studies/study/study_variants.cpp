@@ -62,7 +62,8 @@ std::vector<GivenVariant> given_variants(const Json& varied, const std::filesyst
 }
 
 void refuse_given_twice(const std::vector<GivenVariant>& variants, std::string_view key, const std::string& elsewhere) {
-  std::vector<std::string_view> same{key};
+  const std::string held = held_key(std::string(key));
+  std::vector<std::string_view> same{held};
   const InputKind* const input = find_input(key);
   if (input && input->choices.empty())
     for (const std::string_view replaced : replaced_inputs(key, 0.0)) same.push_back(replaced);
@@ -70,7 +71,7 @@ void refuse_given_twice(const std::vector<GivenVariant>& variants, std::string_v
     for (const std::string_view given : same)
       if (const Json* const value = value_given(one.entries, given))
         refuse(one.entries.front().place, given, *value,
-               given == key ? elsewhere : std::string(key) + ", which takes its place, " + elsewhere);
+               given == held ? elsewhere : std::string(key) + ", which takes its place, " + elsewhere);
 }
 
 bool inline_variants(Json& varied, const std::filesystem::path& folder, const std::string& place) {

@@ -17,11 +17,11 @@ std::vector<std::vector<double>> uncertain_points(const UncertainInputs& uncerta
   return uniform;
 }
 
-std::vector<std::string> in_words(const UncertainInputs& uncertain, Indenter indenter) {
+std::vector<std::string> in_words(const UncertainInputs& uncertain, Body body) {
   std::vector<std::string> lines;
   for (const UncertainInput& input : uncertain.inputs) {
     const Quantity& quantity = find_input(input.key)->quantity;
-    const std::string_view unit = quantity.unit_for(indenter);
+    const std::string_view unit = quantity.unit_for(body);
     Distribution whole = input.relative ? times(input.distribution, input.about) : input.distribution;
     lines.push_back(input.key + ": " + in_words(whole, unit));
     if (input.truncated && weight_outside(whole, quantity.range) > negligible_weight)

@@ -48,6 +48,6 @@ struct UncertainInputs {
 std::vector<std::vector<double>> uncertain_points(const UncertainInputs& uncertain);
 
 /// Each input's distribution as a line: "creep_time: lognormal, median 250 ms, ...", and what correlates.
-std::vector<std::string> in_words(const UncertainInputs& uncertain, Indenter indenter);
+std::vector<std::string> in_words(const UncertainInputs& uncertain, Body body);
 
 }  // namespace rollres

@@ -32,22 +32,23 @@ bool all_shares(const std::vector<Json>& numbers) {
 
 /// What is read where.
 struct Place {
-  std::string key;
+  std::string key;  ///< as it is written
   const Quantity& quantity;
-  Indenter indenter;
+  Body body;
   std::string text;  ///< for messages
+  double factor;     ///< of what the scene holds over what is written
 
-  std::string_view unit() const { return quantity.unit_for(indenter); }
-  double value(const Json& given) const { return std::get<double>(input_value({key, given, text}, indenter)); }
+  std::string_view unit() const { return quantity.unit_for(body); }
+  double value(const Json& given) const { return std::get<double>(input_value({key, given, text}, body)); }
   /// A difference of two values: of temperatures it has no origin.
   double difference(const Json& given) const {
-    if (given.is_number()) return given.get<double>();
+    if (given.is_number()) return factor * given.get<double>();
     const std::string rule = "the standard deviation must be a number, one with a unit, or a share of the mean (10 %)";
     if (!given.is_string()) refuse(text, key, given, rule);
     if (is_temperature(quantity.key) && !given.get<std::string>().ends_with("K"))
       refuse(text, key, given, "a difference of temperatures needs the unit K");
     return refusing_at(text + ": " + key + " = " + shown(given),
-                       [&] { return si_value(given.get<std::string>(), unit()); });
+                       [&] { return factor * si_value(given.get<std::string>(), unit()); });
   }
 };
 
@@ -62,7 +63,7 @@ void refuse_count(const Place& place, const Json& given, DistributionKind kind) 
 /// The numbers of a distribution; of its ratio to the input's own value where only shares stand there.
 UncertainInput read_numbers(const Place& place, DistributionKind kind, const Json& given) {
   const std::vector<Json> numbers = numbers_of(given);
-  UncertainInput input{.key = place.key, .distribution = {kind, {}}};
+  UncertainInput input{.key = held_key(place.key), .distribution = {kind, {}}};
   std::vector<double>& parameters = input.distribution.parameters;
   const bool two_moments = kind == DistributionKind::normal || kind == DistributionKind::lognormal;
   if (two_moments && numbers.size() == 1 && all_shares(numbers)) {
@@ -104,9 +105,9 @@ void refuse_weight_outside(const Place& place, const UncertainInput& input, doub
 
 /// The value about which an input scatters.
 double value_about(const Place& place, const std::vector<SceneEntry>& scene, const Json& given) {
-  const Json* const own = value_given(scene, place.key);
+  const Json* const own = value_given(scene, held_key(place.key));
   if (!own) refuse(place.text, place.key, given, "scatters about its value in the scene, which gives it none");
-  const double value = place.value(*own);
+  const double value = std::get<double>(input_value({held_key(place.key), *own, place.text}, place.body));
   if (!(value > 0) || !std::isfinite(value))
     refuse(place.text, place.key, given, "scatters about its value in the scene, which must be > 0 and finite");
   return value;
@@ -125,7 +126,7 @@ UncertainInput uncertain_input(const std::string& key, const Json& object, const
   const std::string rule = "must be an object with one of normal, lognormal, uniform, loguniform, triangular";
   if (!object.is_object()) refuse(outer, key, object, rule);
   refuse_unknown_keys(object, distribution_keys, place_text);
-  const Place place{key, kind->quantity, indenter_of(scene), place_text};
+  const Place place{key, kind->quantity, body_of(scene), place_text, kind->factor};
   std::optional<UncertainInput> input;
   Json given;
   for (std::size_t i = 0; i < ChoiceNames<DistributionKind>::names.size(); ++i) {
@@ -140,7 +141,7 @@ UncertainInput uncertain_input(const std::string& key, const Json& object, const
   const std::string name(name_of(input->distribution.kind));
   if (const std::string broken = broken_rule(input->distribution); !broken.empty())
     refuse(place_text, name, given, broken);
-  const bool of_a_variable = std::find(varied.begin(), varied.end(), key) != varied.end();
+  const bool of_a_variable = std::find(varied.begin(), varied.end(), held_key(key)) != varied.end();
   if (of_a_variable && !input->relative)
     refuse(place_text, name, given, "is a variable: it scatters about its value, by shares as in \"10 %\"");
   if (input->relative && !of_a_variable) input->about = value_about(place, scene, given);
@@ -158,7 +159,7 @@ std::vector<CorrelatedPair> pairs_of(const Json& uncertain, const std::vector<Un
   const auto place_of = [&](const Json& name, const Json& pair) {
     if (!name.is_string()) refuse(place, "correlation", pair, rule);
     for (std::size_t i = 0; i < inputs.size(); ++i)
-      if (inputs[i].key == name.get<std::string>()) return i;
+      if (inputs[i].key == held_key(name.get<std::string>())) return i;
     refuse(place, "correlation", pair, name.get<std::string>() + " is none of the uncertain inputs");
   };
   for (const Json& pair : *found) {
@@ -193,7 +194,7 @@ void read_sampling(UncertainInputs& uncertain, const Json& object, const std::st
   }
 }
 
-std::vector<Condition> probabilities_of(const Json& object, Indenter indenter, const std::string& place) {
+std::vector<Condition> probabilities_of(const Json& object, Body body, const std::string& place) {
   std::vector<Condition> conditions;
   const auto found = object.find("probability");
   if (found == object.end()) return conditions;
@@ -202,7 +203,7 @@ std::vector<Condition> probabilities_of(const Json& object, Indenter indenter, c
   for (const Json& item : *found) {
     if (!item.is_string()) refuse(place, "probability", item, rule);
     refusing_at(place + ": probability",
-                [&] { conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, indenter); });
+                [&] { conditions.emplace_back(item.get<std::string>(), FormulaNames::inputs_and_outputs, body); });
   }
   return conditions;
 }
@@ -260,11 +261,16 @@ UncertainInputs uncertain_inputs(const Json& file, const std::vector<SceneEntry>
   const std::string place = file_place + ": uncertain";
   if (!found->is_object()) refuse(file_place, "uncertain", *found, "must be an object of inputs with distributions");
   for (const auto& [key, object] : found->items())
-    if (!is_option(key)) uncertain.inputs.push_back(uncertain_input(key, object, scene, place, varied));
+    if (!is_option(key)) {
+      uncertain.inputs.push_back(uncertain_input(key, object, scene, place, varied));
+      const std::string& held = uncertain.inputs.back().key;
+      for (std::size_t i = 0; i + 1 < uncertain.inputs.size(); ++i)
+        if (uncertain.inputs[i].key == held) refuse(place, key, object, "scatters already");
+    }
   if (uncertain.inputs.empty()) refuse(file_place, "uncertain", *found, "must have at least one input");
   uncertain.correlations = pairs_of(*found, uncertain.inputs, place);
   read_sampling(uncertain, *found, place);
-  uncertain.probabilities = probabilities_of(*found, indenter_of(scene), place);
+  uncertain.probabilities = probabilities_of(*found, body_of(scene), place);
   return uncertain;
 }
 

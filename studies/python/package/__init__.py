@@ -3,7 +3,7 @@
     import rollres
     wheel = rollres.solve(radius="20 mm", layer_thickness="5 mm", static_shear_modulus="3 MPa", stiffening=1,
                           creep_time="0.25 s", speed="50 mm/s", load="20 kN/m", friction_coefficient=0.2)
-    wheel.rolling_resistance   # 313.2 (N/m; a sphere's in N)
+    wheel.rolling_resistance   # 313.2 (N/m; in N with a width, and for a sphere)
 
 Inputs are those of scene files: numbers in SI, or texts with a unit. Answers are numbers in SI; what is absent is nan.
 Wrong input is a ValueError with the words of the command line, a file or database that fails an OSError.

@@ -39,14 +39,14 @@ TEST_CASE("the schemas that are shipped are those that the program prints", "[st
 
 TEST_CASE("the schemas have every key that the readers accept", "[studies][schema]") {
   const Json scene = Json::parse(scene_schema()), study = Json::parse(study_schema());
-  for (const InputKind& kind : input_kinds()) {
+  for (const InputKind& kind : written_kinds()) {
     const std::string key(kind.quantity.key);
     CAPTURE(key);
     CHECK(scene["properties"].contains(key));
     CHECK(study["properties"]["set"]["properties"].contains(key));
     CHECK(study["properties"]["axes"]["properties"].contains(key) != kind.list);
   }
-  CHECK(scene["properties"].size() == input_kinds().size() + 6);  // $schema, comment, master_curve_file, ignore_columns
+  CHECK(scene["properties"].size() == written_kinds().size() + 6);  // $schema, comment, master_curve_file, ignore_columns
   for (const FileKey& key : study_keys) CHECK(study["properties"].contains(std::string(key.key)));
   CHECK(study["properties"].size() == study_keys.size());
   const Json fit = Json::parse(fit_schema()), optimisation = Json::parse(optimisation_schema());
@@ -55,7 +55,7 @@ TEST_CASE("the schemas have every key that the readers accept", "[studies][schem
   for (const FileKey& key : material_fit_keys) CHECK(material["properties"].contains(std::string(key.key)));
   for (const FileKey& key : strain_fit_keys) CHECK(sweep["properties"].contains(std::string(key.key)));
   for (const FileKey& key : design_keys) CHECK(optimisation["properties"].contains(std::string(key.key)));
-  CHECK(scene["required"] == Json{"radius", "layer_thickness", "speed"});
+  CHECK(scene["required"] == Json{"layer_thickness", "speed"});  // and one of radius and diameter
 }
 
 TEST_CASE("the schemas accept every example and refuse what the readers refuse", "[studies][schema]") {
@@ -97,6 +97,8 @@ for scene in scenes:
     refused('scene', scene, lambda s: s.update(approach='1 mm'))
     refused('scene', scene, lambda s: s.update(radius='infinite'))
     refused('scene', scene, lambda s: s.pop('radius'))
+    refused('scene', scene, lambda s: s.update(diameter=1))
+    assert valid['scene']({**{k: v for k, v in scene.items() if k != 'radius'}, 'diameter': '2 cm'})
     refused('scene', scene, lambda s: s.pop('creep_time'))
     refused('scene', scene, lambda s: s.pop('static_shear_modulus'))
     refused('scene', scene, lambda s: s.update(static_young_modulus=1e6))

@@ -10,7 +10,7 @@ namespace {
 
 TEST_CASE("an input under its usual name or symbol is refused with the name it has here", "[studies][scene_io]") {
   const auto refusal = [](const std::string& key) { return unknown_input(keys_like(key), key); };
-  CHECK(refusal("diameter") == "unknown key; the key is radius, half of it");
+  CHECK(refusal("d_roll") == "unknown key; the key is diameter");
   CHECK(refusal("Velocity") == "unknown key; the key is speed");
   CHECK(refusal("μ") == "unknown key; the key is friction_coefficient");
   CHECK(refusal("P") == "unknown key; the key is load");
@@ -21,7 +21,7 @@ TEST_CASE("an input under its usual name or symbol is refused with the name it h
 
 TEST_CASE("every key that a refusal names is one", "[studies][scene_io]") {
   for (const char* name :
-       {"diameter", "thickness", "density", "velocity", "force", "mu", "nu", "modulus", "young", "torque"}) {
+       {"d_roll", "thickness", "density", "velocity", "force", "mu", "nu", "modulus", "young", "torque"}) {
     const std::string text = unknown_input({}, name), from = text.substr(text.find("key is ") + 7);
     CAPTURE(text);
     CHECK(find_input(from.substr(0, from.find_first_of(",: "))));

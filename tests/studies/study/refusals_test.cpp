@@ -67,7 +67,7 @@ const std::vector<Wrong> wrong_scenes{
     {scene_with(R"("speed": 0.05, "speed": 0.06)"), R"(: speed = 0.06: key given twice)"},
     {scene_with(R"("radius": "-2 cm")"), R"(: radius = "-2 cm": must be > 0)"},
     {scene_with(R"("load": "150 N")"),
-     R"(: load = "150 N": must have a unit of force per length (N/m) for a cylinder)"},
+     R"(: load = "150 N": must have a unit of force per length (N/m) for a cylinder; give its width too for that of the whole body)"},
     {scene_with(R"("indenter": "ball")"), R"(: indenter = "ball": must be one of cylinder, sphere)"},
     {scene_with(R"("method": "newtn")"),
      R"(: method = "newtn": must be one of automatic, newton, newton_dense, active_set, spectral, finite_strain; did you mean newton?)"},
@@ -161,7 +161,8 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"speed": [1]})", R"(, "set": {"sped": 1})"), ": set: sped = 1: unknown key; did you mean speed?"},
     {study_with(R"({"speed": [1]})", R"(, "set": {"speed": 1})"), ": set: speed = 1: is an axis of the study too"},
     {study_with(R"({"speed": [1]})", R"(, "set": {"load": "1 N"})"),
-     ": set: load = \"1 N\": must have a unit of force per length (N/m) for a cylinder"},
+     ": set: load = \"1 N\": must have a unit of force per length (N/m) for a cylinder; "
+     "give its width too for that of the whole body"},
     {study_with(R"({"speed": [1]})", R"(, "chart": {"colour": 1})"),
      ": chart: colour = 1: unknown key; known are name, x, y, family, map"},
     {study_with(R"({"speed": [1]})", R"(, "chart": {"x": "radius"})"),
