@@ -159,6 +159,7 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   const ListedModuli listed =
       said_moduli(take_modulus_names(table), given_listed_moduli(object, place), name, storage_modulus_key, place);
   const double share = listed == ListedModuli::young ? 1.0 / 3 : 1;
+  if (object.contains("modulus")) fit.notes.emplace_back("modulus is the former name of listed_moduli");
   std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
   known.emplace_back("temperature");
   if (const std::vector<std::string> others = table.leave_out_others(known); !others.empty())

@@ -187,6 +187,23 @@ TEST_CASE("Young's moduli in a fit of a scene give the shear modulus of a third,
              Catch::Contains("name the column of the table relaxation_shear_modulus or relaxation_young_modulus"));
 }
 
+TEST_CASE("a fit of a scene warns of columns of moduli that were exchanged", "[studies][fit]") {
+  const Fits fits;
+  const DrawnModuli exact;
+  const auto warnings = [&](const auto& row) {
+    return json::parse(
+               fits.run(exact.table(both_units, row), "", {{"static_shear_modulus", "1.5 MPa"}}).out)["warnings"]
+        .dump();
+  };
+  const std::string asked =
+      "dma.csv: the loss modulus is above the storage modulus in 12 of 12 rows: are the two swapped?";
+  CHECK_THAT(warnings([](double storage, double loss) {
+               return std::vector<double>{loss / 1e6, storage / 1e3};
+             }),
+             Catch::Contains(asked));
+  CHECK_THAT(warnings(both), !Catch::Contains("swapped"));
+}
+
 TEST_CASE("a column of sigma without a unit is refused where the moduli beside it have different ones",
           "[studies][fit]") {
   const Fits fits;
