@@ -127,6 +127,8 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const std::string contradiction = fit.rms_misfit > suspicious ? passivity_test(curve).in_words() : "";
   fit.remarks = remarks_on_rows(curve, contradiction.empty());
   if (!contradiction.empty()) fit.remarks.push_back("master curve: " + contradiction);
+  if (const std::string swapped = swapped_moduli(curve.storage, curve.loss); !swapped.empty())
+    fit.remarks.push_back("master curve: " + swapped);
   for (std::string& remark : remarks_on_outliers(curve, misfit)) fit.remarks.push_back(std::move(remark));
   if (rows.free_rest() && fit.series.static_modulus <= not_shown * rows.least_rest())
     fit.remarks.push_back(message_text(

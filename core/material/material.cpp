@@ -6,6 +6,7 @@
 #include "core/material/fractional_zener.hpp"
 #include "core/material/master_curve.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/material/passivity.hpp"
 #include "core/material/prony_series.hpp"
 #include "core/material/strain_softening.hpp"
 #include "core/messages/message_text.hpp"
@@ -124,6 +125,8 @@ std::string material_route(const MaterialInputs& layer) {
 std::vector<std::string> material_warnings(const MaterialInputs& layer) {
   std::vector<std::string> warnings;
   if (layer.material == MaterialModel::master_curve) warnings = shared_master_curve_fit(layer)->remarks;
+  if (const std::string swapped = swapped_moduli(layer.sweep_storage_moduli, layer.sweep_loss_moduli); !swapped.empty())
+    warnings.push_back("strain sweep: " + swapped);
   if (layer.temperature && layer.wlf_c1) {
     const double above = *layer.temperature - *layer.reference_temperature;
     if (above < -0.8 * *layer.wlf_c2)

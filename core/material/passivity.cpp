@@ -65,6 +65,14 @@ std::string PassivityTest::in_words() const {
          joined(worst, ", ", frequency) + " Hz";
 }
 
+std::string swapped_moduli(const std::vector<double>& storage, const std::vector<double>& loss) {
+  std::size_t above = 0;
+  for (std::size_t row = 0; row < storage.size(); ++row) above += loss[row] > storage[row];
+  if (2 * above <= storage.size()) return "";
+  return message_text<6>("the loss modulus is above the storage modulus in ", above, " of ", storage.size(),
+                         " rows: are the two swapped?");
+}
+
 PassivityTest passivity_test(const MasterCurve& given) {
   constexpr double noticeable = 0.02, by_chance = 2.5;  // deviations of the products of random neighbours
   MasterCurve curve = given;

@@ -31,4 +31,9 @@ struct PassivityTest {
 /// @param curve with at least two different frequencies
 PassivityTest passivity_test(const MasterCurve& curve);
 
+/// Warns of columns that were exchanged: the loss is above the storage in most rows. Empty otherwise. In its glass
+/// transition a polymer has rows of that kind, between rubber and glass, so it is no proof.
+/// @param storage, loss  of each row [Pa]
+std::string swapped_moduli(const std::vector<double>& storage, const std::vector<double>& loss);
+
 }  // namespace rollres

@@ -55,10 +55,11 @@ Answer unless_interrupted(const Work& work) {
 
 /// What a material does, as a measurement says.
 double material_value(const RollingScene& scene, const MeasuredScene& measured, const std::string& output) {
+  const double over_shear = measured.listed_moduli == ListedModuli::young ? 2 * (1 + scene.poisson_ratio) : 1;
   if (output == relaxation_modulus_key)
-    return relaxation_modulus(relaxation_spectrum(creep_spectrum(scene)), measured.time);
-  if (output == creep_compliance_key) return creep_compliance(creep_spectrum(scene), measured.time);
-  const std::complex<double> found = complex_modulus(scene, measured.angular_frequency);
+    return over_shear * relaxation_modulus(relaxation_spectrum(creep_spectrum(scene)), measured.time);
+  if (output == creep_compliance_key) return creep_compliance(creep_spectrum(scene), measured.time) / over_shear;
+  const std::complex<double> found = over_shear * complex_modulus(scene, measured.angular_frequency);
   return output == storage_modulus_key ? found.real() : found.imag();
 }
 
@@ -143,7 +144,7 @@ void add_usual_values(FitParameter& parameter) {
 Quantity measured_quantity(std::string_view output) {
   if (output == creep_compliance_key) return {creep_compliance_key, "", "1/Pa", "strain over the stress of a step"};
   for (const std::string_view modulus : {storage_modulus_key, loss_modulus_key, relaxation_modulus_key})
-    if (output == modulus) return {modulus, "", "Pa", "modulus in shear"};
+    if (output == modulus) return {modulus, "", "Pa", "modulus of the material"};
   return real_output(output);
 }
 

@@ -22,6 +22,7 @@ struct MeasuredScene {
   /// [s] after the step.
   std::string output = {};
   double angular_frequency = RollingSolution::absent, time = RollingSolution::absent;
+  ListedModuli listed_moduli = ListedModuli::shear;  ///< whether such a value is of G or of E = 2 (1 + nu) G
 };
 
 inline constexpr std::string_view storage_modulus_key = "storage_modulus", loss_modulus_key = "loss_modulus";

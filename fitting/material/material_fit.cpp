@@ -144,6 +144,7 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   const MasterCurve curve = master_curve_of(data, answer.shift);
   const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
   if (*lowest < *highest) warn(answer.report, passivity_test(curve).in_words());
+  warn(answer.report, swapped_moduli(curve.storage, curve.loss));
   return answer;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/material/passivity.hpp"
 #include "core/material/strain_softening.hpp"
 #include "fitting/material/material_problem.hpp"
 
@@ -115,6 +116,12 @@ StrainFit fit_strain_sweep(const std::vector<MeasuredStrain>& data, bool deviati
   StrainFit answer{fit(problem, options)};
   answer.layer = layer_at(answer.report.point());
   warn(answer.report, beyond_sweep(answer, *amplitudes.begin(), *amplitudes.rbegin()));
+  std::vector<double> storage, loss;
+  for (const MeasuredStrain& row : data) {
+    storage.push_back(row.storage);
+    loss.push_back(row.loss);
+  }
+  warn(answer.report, swapped_moduli(storage, loss));
   return answer;
 }
 

@@ -23,7 +23,7 @@ struct MaterialArguments {
 };
 
 Table moduli_table(const CreepSpectrum& creep, int per_decade) {
-  Table table{{"frequency [Hz]", "storage_modulus [Pa]", "loss_modulus [Pa]", "loss_tangent"}, {}};
+  Table table{{"frequency [Hz]", "storage_shear_modulus [Pa]", "loss_shear_modulus [Pa]", "loss_tangent"}, {}};
   for (const double omega : angular_frequencies(creep, per_decade)) {
     const std::complex<double> modulus = 1.0 / creep(omega);
     table.rows.push_back(

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/material/passivity.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
@@ -47,6 +48,11 @@ GivenSet given_set(const Json& value, const std::filesystem::path& fit_file, con
   given.set = set_entries(value, place);
   if (value.contains("output")) given.output = output_name(value, place);
   given.ignored = names_or_none(value, std::string(ignored_columns_key), place);
+  if (const std::string key(listed_moduli_key); value.contains(key)) {
+    given.listed_moduli = choice_or_first<ListedModuli>(value, key, place);
+    if (given.output != moduli_name && !is_curve(given.output))
+      refuse(place, key, value[key], "is for output: moduli, relaxation_modulus or creep_compliance");
+  }
   if (const auto sigma = value.find("sigma"); sigma != value.end()) {
     given.sigma = *sigma;
     if (sigma->is_object()) {
@@ -217,9 +223,9 @@ void replace_loss_tangent(MeasuredTable& table) {
 }
 
 /// Reads the rows of one data set into the fit. @param keep_spacing  the fit's own set has one
-/// @param others  outputs that data sets read from the same table
+/// @param others  outputs that data sets read from the same table   @param said  of moduli by the names of columns
 void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>& base, bool keep_spacing,
-               const MeasuredTable& table, const std::vector<std::string>& others) {
+               const MeasuredTable& table, const std::vector<std::string>& others, std::optional<ListedModuli> said) {
   const std::string output = set.output.empty() ? fit.output : set.output;
   const bool moduli = output == moduli_name, timed = is_curve(output), first = fit.scenes.empty();
   refuse_unknown_columns(table, others, moduli, timed);
@@ -232,6 +238,10 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
   } else {
     columns.push_back(&table.needed(output));
   }
+  ListedModuli listed = ListedModuli::shear;
+  if (moduli || timed)
+    listed = said_moduli(said, set.listed_moduli, std::filesystem::path(table.file).filename().string(),
+                         columns.front()->name, set.place);
   const MeasuredColumn* const sigma = table.find("sigma");
   if (sigma && sigma->unit.empty() && columns.front()->unit != columns.back()->unit)
     throw std::invalid_argument(table.file +
@@ -263,8 +273,14 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
                  .set = set.name,
                  .output = moduli ? column->name : output,
                  .angular_frequency = moduli ? 2 * std::numbers::pi * frequencies[row] : RollingSolution::absent,
-                 .time = timed ? times[row] : RollingSolution::absent});
+                 .time = timed ? times[row] : RollingSolution::absent,
+                 .listed_moduli = listed});
   }
+  if (columns.size() == 2)
+    if (const std::string swapped = swapped_moduli(measured_numbers(table, *columns[0], "Pa", {}),
+                                                   measured_numbers(table, *columns[1], "Pa", {}));
+        !swapped.empty())
+      fit.warnings.push_back(table.file + ": " + swapped);
   const bool known = table.find("sigma") || set.sigma;
   if (!first && known != fit.deviations_known)
     throw std::invalid_argument((known ? fit.source : table.file) +
@@ -284,12 +300,13 @@ std::string read_data(FitFile& fit, const std::vector<GivenSet>& sets, const std
   for (const GivenSet& set : sets) {
     MeasuredTable table = read_measured_table(set.file);
     table.leave_out(set.ignored);
+    const std::optional<ListedModuli> said = take_modulus_names(table);
     if (set.output == moduli_name) replace_loss_tangent(table);
     all_text += table.text + '\n';
     std::vector<std::string> others;
     for (const GivenSet& other : sets)
       if (other.file == set.file) others.push_back(other.output.empty() ? fit.output : other.output);
-    read_rows(fit, set, base, keep_spacing, table, others);
+    read_rows(fit, set, base, keep_spacing, table, others, said);
   }
   return all_text;
 }

@@ -23,6 +23,7 @@ struct GivenSet {
   std::string place;
   std::string output = {};                // empty: the fit's
   std::vector<std::string> ignored = {};  // columns
+  std::optional<ListedModuli> listed_moduli = {};
 };
 
 /// The data sets that a fit names. @throws std::invalid_argument naming file, key, value and rule

@@ -10,7 +10,7 @@
 
 namespace rollres {
 
-inline constexpr std::array<std::string_view, 2> weight_names{"uniform", "relative"}, modulus_names{"shear", "young"};
+inline constexpr std::array<std::string_view, 2> weight_names{"uniform", "relative"};
 inline constexpr std::array<std::string_view, 4> shift_names{"none", "wlf", "arrhenius", "vft"};
 inline constexpr std::array<std::string_view, 3> law_names{"wlf", "arrhenius", "vft"};
 inline constexpr std::string_view shift_alone = "shift";  ///< in place of a material: a shift law from a table of a_T
@@ -70,6 +70,10 @@ inline constexpr std::array data_set_keys{
     FileKey{"sigma",
             "standard deviation of all these data: \"2 %\", or with a unit; of moduli one for storage_modulus and one "
             "for loss_modulus"},
+    FileKey{"listed_moduli",
+            "whether moduli, relaxation_modulus or creep_compliance are in shear or Young's, where the names of the "
+            "columns do not say",
+            one_of(ChoiceNames<ListedModuli>::names)},
     FileKey{"ignore_columns", "columns of the table that are left out"},
     FileKey{"comment", "a text that the program ignores", a_text},
 };
@@ -118,7 +122,10 @@ inline constexpr std::array material_fit_keys{
     FileKey{"ignore_columns", "columns of the table that are left out"},
     FileKey{"scene",
             "name of a scene file, relative to this file, or a scene, in which the fitted material is written"},
-    FileKey{"modulus", "whether the table has moduli in shear (default) or Young's", one_of(modulus_names)},
+    FileKey{"listed_moduli",
+            "whether the table has moduli in shear or Young's, where the names of its columns do not say",
+            one_of(ChoiceNames<ListedModuli>::names)},
+    FileKey{"modulus", "former name of listed_moduli", one_of(ChoiceNames<ListedModuli>::names)},
     FileKey{"starts", "number of descents; default 1", fit_starts},
     FileKey{"seed", "of the other starts; default 1", fit_seed},
 };

@@ -1,8 +1,10 @@
 #include "studies/fit/fitted_scene.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "fitting/fit/measured_terms.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/text/files.hpp"
@@ -14,6 +16,18 @@ namespace rollres {
 namespace {
 
 bool shifts(const TemperatureShift& shift) { return shift.law != ShiftLaw::none || !shift.table.temperatures.empty(); }
+
+/// Numbers that a scene refuses without a unit get it.
+void add_units(Json& inputs) {
+  for (auto& [key, value] : inputs.items()) {
+    const InputKind* const kind = find_input(key);
+    if (!kind || kind->layers) continue;
+    if (value.is_number()) value = written_input(kind->quantity, value.get<double>());
+    const auto is_number = [](const Json& one) { return one.is_number(); };
+    if (value.is_array() && std::all_of(value.begin(), value.end(), is_number))
+      value = written_input(kind->quantity, value.get<std::vector<double>>());
+  }
+}
 
 void add_shift(Json& inputs, const TemperatureShift& shift) {
   if (shifts(shift)) inputs["reference_temperature"] = shift.reference;
@@ -30,6 +44,7 @@ void add_shift(Json& inputs, const TemperatureShift& shift) {
        {std::pair("shift_temperatures", &shift.table.temperatures), std::pair("shift_factors", &shift.table.factors),
         std::pair("modulus_shifts", &shift.table.moduli)})
     if (!list->empty()) inputs[key] = *list;
+  add_units(inputs);
 }
 
 Json material_inputs(const MaterialFit& fit, MaterialForm form) {

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "db/file/digest.hpp"
+#include "fitting/fit/resistance_fit.hpp"
 #include "studies/fit/fit_keys.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/study/study_scene.hpp"
@@ -55,7 +58,12 @@ ModulusSigmas given_modulus_sigmas(const Json& object, const std::string& place)
 double given_reference_temperature(const Json& object, const std::string& place) {
   const auto found = object.find("reference_temperature");
   if (found == object.end()) return usual_reference_temperature;
-  if (found->is_number() && *found > 0) return found->get<double>();
+  if (found->is_number()) {
+    const Quantity& quantity = find_input("reference_temperature")->quantity;
+    if (const std::string doubt = doubt_of(quantity, found->get<double>()); !doubt.empty())
+      refuse(place, "reference_temperature", *found, doubt);
+    return found->get<double>();
+  }
   try {
     if (found->is_string()) return kelvin(found->get_ref<const std::string&>());
   } catch (const std::invalid_argument&) {  // refused below
@@ -83,6 +91,16 @@ void refuse_beyond(const TemperatureShift& shift, double temperature, const std:
   layer.reference_temperature = shift.reference;
   if (const auto broken = check_material(layer); !broken.empty())
     throw std::invalid_argument(where + ": " + broken.front());
+}
+
+/// What the key says of the table's moduli, if it is there.
+std::optional<ListedModuli> given_listed_moduli(const Json& object, const std::string& place) {
+  const std::string key(listed_moduli_key), former = "modulus";
+  if (object.contains(key) && object.contains(former))
+    refuse(place, former, object[former], "is the former name of " + key + ": leave out one of them");
+  for (const std::string& name : {key, former})
+    if (object.contains(name)) return choice_or_first<ListedModuli>(object, name, place);
+  return std::nullopt;
 }
 
 /// The shift of a fit's file: a law whose constants are fitted, or a measured table.
@@ -127,7 +145,6 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   if (object.contains("times")) fit.options.times = given_times(object, fit.options, place);
   fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
   fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
-  const double share = name_or_first(object, "modulus", modulus_names, place) == "young" ? 1.0 / 3 : 1;
   const ModulusSigmas sigma = given_modulus_sigmas(object, place);
   fit.options.deviations_known = sigma.known;
 
@@ -139,6 +156,10 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   fit.options.shift = given_shift(object, file, place, text);
   fit.data_digest = digest(text);
   table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
+  const ListedModuli listed =
+      said_moduli(take_modulus_names(table), given_listed_moduli(object, place), name, storage_modulus_key, place);
+  const double share = listed == ListedModuli::young ? 1.0 / 3 : 1;
+  if (object.contains("modulus")) fit.notes.emplace_back("modulus is the former name of listed_moduli");
   std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
   known.emplace_back("temperature");
   if (const std::vector<std::string> others = table.leave_out_others(known); !others.empty())

@@ -66,6 +66,7 @@ StrainFile read_strain_fit(const std::filesystem::path& file) {
   MeasuredTable table = read_measured_table(file.parent_path() / name);
   fit.data_digest = digest(table.text);
   table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
+  take_modulus_names(table);  // of shear or Young's: only their ratios count
   std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
   known.insert(known.end(), {"strain", "temperature"});
   if (const std::vector<std::string> others = table.leave_out_others(known); !others.empty())

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace rollres {
 
@@ -18,6 +19,80 @@ std::vector<double> measured_frequencies(const MeasuredTable& table) {
   measured_numbers(table, *radians, "rad/s", range, rule);
   // As under "frequency": to 15 digits, so that a table in rad/s is to all digits the one in Hz. Rotations are refused.
   return measured_numbers(table, *radians, "Hz", frequency_range, rule);
+}
+
+namespace {
+
+/// A name that says whether a column holds G or E, and the name without.
+struct ModulusName {
+  std::string_view written, plain;
+  ListedModuli said;
+};
+constexpr std::array<ModulusName, 18> modulus_names{
+    {{"storage_shear_modulus", "storage_modulus", ListedModuli::shear},
+     {"loss_shear_modulus", "loss_modulus", ListedModuli::shear},
+     {"G'", "storage_modulus", ListedModuli::shear},
+     {"G''", "loss_modulus", ListedModuli::shear},
+     {"G\"", "loss_modulus", ListedModuli::shear},
+     {"G′", "storage_modulus", ListedModuli::shear},
+     {"G″", "loss_modulus", ListedModuli::shear},
+     {"storage_young_modulus", "storage_modulus", ListedModuli::young},
+     {"loss_young_modulus", "loss_modulus", ListedModuli::young},
+     {"E'", "storage_modulus", ListedModuli::young},
+     {"E''", "loss_modulus", ListedModuli::young},
+     {"E\"", "loss_modulus", ListedModuli::young},
+     {"E′", "storage_modulus", ListedModuli::young},
+     {"E″", "loss_modulus", ListedModuli::young},
+     {"relaxation_shear_modulus", "relaxation_modulus", ListedModuli::shear},
+     {"relaxation_young_modulus", "relaxation_modulus", ListedModuli::young},
+     {"shear_creep_compliance", "creep_compliance", ListedModuli::shear},
+     {"tensile_creep_compliance", "creep_compliance", ListedModuli::young}}};
+
+/// The first of these names for a column.
+std::string name_that_says(std::string_view plain, ListedModuli said) {
+  const auto found = std::find_if(modulus_names.begin(), modulus_names.end(),
+                                  [&](const ModulusName& name) { return name.plain == plain && name.said == said; });
+  return std::string(found->written);
+}
+
+}  // namespace
+
+std::optional<ListedModuli> take_modulus_names(MeasuredTable& table) {
+  std::optional<ListedModuli> said;
+  std::string saying;
+  for (MeasuredColumn& column : table.columns) {
+    const auto found = std::find_if(modulus_names.begin(), modulus_names.end(),
+                                    [&](const ModulusName& name) { return name.written == column.name; });
+    if (found == modulus_names.end()) continue;
+    if (const MeasuredColumn* const other = table.find(found->plain))
+      throw std::invalid_argument(table.file + ": give " + (other->written.empty() ? other->name : other->written) +
+                                  " or " + column.name + ", not both");
+    if (said && *said != found->said)
+      throw std::invalid_argument(table.file + ": " + saying + " and " + column.name +
+                                  ": must both be of shear or both Young's; ignore_columns leaves one out");
+    said = found->said;
+    saying = column.name;
+    column.written = std::exchange(column.name, std::string(found->plain));
+  }
+  return said;
+}
+
+std::string unsaid_moduli(const std::string& what, std::string_view column) {
+  return std::string(listed_moduli_key) + " is missing: " + what + ": of shear or Young's? Say \"shear\" or \"young\"" +
+         (column.empty() ? std::string()
+                         : ", or name the column of the table " + name_that_says(column, ListedModuli::shear) + " or " +
+                               name_that_says(column, ListedModuli::young));
+}
+
+ListedModuli said_moduli(std::optional<ListedModuli> by_names, std::optional<ListedModuli> by_key,
+                         const std::string& file, std::string_view column, const std::string& place) {
+  if (!by_names && !by_key)
+    throw std::invalid_argument(place + ": " + unsaid_moduli(std::string(column) + " of " + file, column));
+  if (by_names && by_key && *by_names != *by_key)
+    throw std::invalid_argument(place + ": " + std::string(listed_moduli_key) + " = \"" +
+                                std::string(name_of(*by_key)) + "\": the columns of " + file + " say " +
+                                std::string(name_of(*by_names)));
+  return by_names ? *by_names : *by_key;
 }
 
 MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_range, const std::string& rule) {
@@ -43,8 +118,10 @@ MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_ran
 Json read_master_curve(const std::filesystem::path& file, const std::vector<std::string>& ignored) {
   MeasuredTable table = read_measured_table(file);
   table.leave_out(ignored);
+  const std::optional<ListedModuli> said = take_modulus_names(table);
   table.refuse_others(modulus_columns);
   Json lists;
+  if (said) lists[std::string(listed_moduli_key)] = std::string(name_of(*said));
   lists["frequencies"] = measured_frequencies(table);
   const MeasuredModuli moduli =
       measured_moduli(table, not_negative, not_negative.rule() + ": no passive material gives energy back");
@@ -56,6 +133,7 @@ Json read_master_curve(const std::filesystem::path& file, const std::vector<std:
 Json read_strain_sweep(const std::filesystem::path& file, const std::vector<std::string>& ignored) {
   MeasuredTable table = read_measured_table(file);
   table.leave_out(ignored);
+  take_modulus_names(table);  // of shear or Young's: only their ratios count
   constexpr std::array<std::string_view, 6> known{"strain",       "storage_modulus", "loss_modulus",
                                                   "loss_tangent", "tan_delta",       "note"};
   table.refuse_others(known);
@@ -101,7 +179,12 @@ Json with_master_curve(const Json& object, const std::filesystem::path& folder, 
     for (const std::string_view input : inputs)
       if (named(input))
         refuse(place, input, object[std::string(input)], "is in the " + std::string(file_key) + "; give one of them");
-    complete.update(read(folder / name.template get<std::string>(), ignored));
+    const Json lists = read(folder / name.template get<std::string>(), ignored);
+    const std::string said(listed_moduli_key);
+    if (lists.contains(said) && named(said) && object[said] != lists[said])
+      refuse(place, said, object[said],
+             "the columns of " + name.template get<std::string>() + " say " + lists[said].template get<std::string>());
+    complete.update(lists);
   };
   for (const auto& [key, value] : object.items())
     if (key == master_curve_key)

@@ -4,7 +4,8 @@
 /// sources only: it needs nlohmann_json.
 ///
 /// Columns: frequency [Hz] or angular_frequency [rad/s]; two of storage_modulus [Pa], loss_modulus [Pa] and
-/// loss_tangent [1] (or tan_delta), of all three the moduli count; note. What the moduli are is said by the scene's
+/// loss_tangent [1] (or tan_delta), of all three the moduli count; note. Whether the moduli are G or E is said by their
+/// names (storage_shear_modulus or G', storage_young_modulus or E', loss_... or G'', E'') or by the key
 /// `listed_moduli`. Others are refused unless the key `ignore_columns`, a list of names, leaves them out.
 ///
 /// Likewise the table of a strain sweep at one frequency and temperature: {"strain_sweep_file": "sweep.csv"}, with the
@@ -16,10 +17,12 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/scene/material_inputs.hpp"
 #include "core/scene/quantity.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
@@ -50,6 +53,22 @@ std::vector<double> measured_frequencies(const MeasuredTable& table);
 inline constexpr std::array<std::string_view, 7> modulus_columns{
     "frequency", "angular_frequency", "storage_modulus", "loss_modulus", "loss_tangent", "tan_delta", "note"};
 
+inline constexpr std::string_view listed_moduli_key = "listed_moduli";
+
+/// Gives columns of moduli the names without G or E ("storage_modulus" for "E'"). What their names said; nothing if all
+/// were without.
+/// @throws std::invalid_argument if they say both, or if one modulus has two columns
+std::optional<ListedModuli> take_modulus_names(MeasuredTable& table);
+
+/// Whether the moduli of a table are G or E: what the names of its columns said, or the key beside the table's name.
+/// @param column  the name of one of them, without G or E   @param place  of the key
+/// @throws std::invalid_argument if neither says it, or if they differ
+ListedModuli said_moduli(std::optional<ListedModuli> by_names, std::optional<ListedModuli> by_key,
+                         const std::string& file, std::string_view column, const std::string& place);
+
+/// "listed_moduli is missing: ...", with both choices. @param what  the moduli
+std::string unsaid_moduli(const std::string& what, std::string_view column = "storage_modulus");
+
 /// The moduli of a table's rows [Pa].
 struct MeasuredModuli {
   std::vector<double> storage, loss;
@@ -58,7 +77,8 @@ struct MeasuredModuli {
 /// @throws std::invalid_argument naming file, line, column, value and rule
 MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_range, const std::string& rule = {});
 
-/// The lists of a table under the keys of inputs, in SI, rows in the order of the file.
+/// The lists of a table under the keys of inputs, in SI, rows in the order of the file; listed_moduli, if the names of
+/// the columns say it.
 /// @throws std::invalid_argument naming file, line, column, value and rule
 /// @param ignored  columns that are left out
 /// @throws std::runtime_error if the file cannot be read

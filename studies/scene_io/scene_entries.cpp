@@ -10,6 +10,7 @@
 
 #include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/text/units.hpp"
@@ -18,6 +19,8 @@
 namespace rollres {
 
 namespace {
+
+constexpr std::string_view storage_moduli_key = master_curve_inputs[1];
 
 void refuse_unknown_key(const SceneEntry& entry) {
   if (find_input(entry.key)) return;
@@ -82,6 +85,10 @@ std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, B
     values.push_back(number(single, quantity, body));
     if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.range.rule());
   }
+  const std::size_t telling = telling_place(quantity, values);
+  if (const Json& item = entry.value[telling]; item.is_number())
+    if (const std::string doubt = doubt_of(quantity, values[telling]); !doubt.empty())
+      refuse(entry.place, entry.key + "[" + std::to_string(telling) + "]", item, doubt);
   return values;
 }
 
@@ -126,10 +133,29 @@ void add_held(std::vector<SceneEntry>& entries, const SceneEntry& given) {
   entries.push_back(std::move(held));
 }
 
-/// The inputs that an override takes the place of.
+/// The inputs that an override takes the place of. What was said of other moduli does not hold for the lists of a
+/// table.
 std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
   const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
-  return replaced_inputs(entry.key, value);
+  std::vector<std::string_view> replaced = replaced_inputs(entry.key, value);
+  const std::string_view own = own_key(entry.key);
+  if (own == storage_moduli_key)
+    if (const InputKind* const said =
+            find_input(entry.key.substr(0, entry.key.size() - own.size()) + std::string(listed_moduli_key)))
+      replaced.push_back(said->quantity.key);
+  return replaced;
+}
+
+/// Refuses moduli of which nothing says whether they are G or E; those beside G0 are G.
+/// @param given  whether there is an input of this key   @param layer  in front of the key of a further layer
+template <class Given>
+void refuse_unsaid_moduli(const Given& given, const std::string& layer, const std::string& place) {
+  if (given(listed_moduli_key)) return;
+  const std::string series = "relaxation_moduli";
+  if (given(storage_moduli_key))
+    throw std::invalid_argument(place + ": " + layer + unsaid_moduli(std::string(storage_moduli_key)));
+  if (given(series) && given("static_young_modulus"))
+    throw std::invalid_argument(place + ": " + layer + unsaid_moduli(series + " beside static_young_modulus", ""));
 }
 
 /// The entry of this key, or the end.
@@ -179,6 +205,7 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
     if ((kind.needed_by_all() || kind.needed_by(layer.material)) && find_name(given, kind.quantity.key) < 0)
       throw std::invalid_argument(owner.place + ": " + owner.key + "." + std::string(kind.quantity.key) +
                                   " is missing: this layer needs it (" + std::string(kind.quantity.unit) + ")");
+  refuse_unsaid_moduli([&](std::string_view key) { return find_name(given, key) >= 0; }, owner.key + ".", owner.place);
   return layer;
 }
 
@@ -252,8 +279,12 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
       meant.clear();
       Json named = Json::object();
       named[entry.key] = word.substr(equals + 1);
+      const std::string said = std::string(listed_moduli_key) + "=";
+      for (const std::string& other : words)
+        if (other.starts_with(said)) named[std::string(listed_moduli_key)] = other.substr(said.size());
       const Json lists = with_master_curve(named, {}, place);
-      for (const auto& [key, value] : lists.items()) meant.push_back({key, value, place});
+      for (const auto& [key, value] : lists.items())
+        if (key != listed_moduli_key || !named.contains(key)) meant.push_back({key, value, place});
     } else {
       refuse_unknown_key(entry);
     }
@@ -320,6 +351,8 @@ InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body
   const double value = number(entry, kind.quantity, body);
   const bool whole = !kind.whole || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
   if (!whole) fail("must be a whole number");
+  if (entry.value.is_number())
+    if (const std::string doubt = doubt_of(kind.quantity, value); !doubt.empty()) fail(doubt);
   if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
   return kind.factor * value;
 }
@@ -331,6 +364,7 @@ RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const 
   // Nothing is cleared here, so that `check` sees two inputs that exclude each other.
   for (const SceneEntry& entry : entries) assign_input(scene, entry.key, input_value(entry, body));
   refuse_missing(entries, scene, place);
+  refuse_unsaid_moduli([&](std::string_view key) { return value_given(entries, key) != nullptr; }, "", place);
   return scene;
 }
 

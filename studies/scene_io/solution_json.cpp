@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "db/rows/layer_list.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/strict_json.hpp"
 
@@ -24,15 +25,29 @@ Json json_of(const Value& value) {
     return value;
 }
 
+/// An input as a scene file has it.
+template <class Value>
+Json written(const Quantity& quantity, const Value& value) {
+  if constexpr (std::is_same_v<Value, std::optional<double>>)
+    return value ? written_input(quantity, *value) : Json();
+  else if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::vector<double>>)
+    return written_input(quantity, value);
+  else
+    return json_of(value);
+}
+
 /// What differs from a plain layer, and what a layer in a file must have.
 Json layers_json(const BondedLayers& layers) {
   Json list = Json::parse(text_of_layers(layers));
   for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!layers[i].storage_moduli.empty() || !layers[i].relaxation_moduli.empty())  // what they are must be said
+      list[i]["listed_moduli"] = json_of(layers[i].listed_moduli);
     auto kind = layer_kinds().begin();
     visit_layer_inputs(layers[i], [&](const Quantity& quantity, const auto& value) {
       const std::string key(quantity.key);
       const bool needed = kind->needed_by_all() || kind->needed_by(layers[i].material);
-      if (const Json own = json_of(value); needed && !own.is_null() && !list[i].contains(key)) list[i][key] = own;
+      if (const Json own = written(quantity, value); !own.is_null() && (needed || list[i].contains(key)))
+        list[i][key] = own;
       ++kind;
     });
   }
@@ -43,16 +58,13 @@ Json inputs_json(const RollingScene& scene) {
   Json object = Json::object();
   visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
     const std::string key(quantity.key);
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>) {
-      if (value) object[key] = json_of(*value);
-    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
-      if (!value.empty()) object[key] = value;
-    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>) {
       if (!value.empty()) object[key] = layers_json(value);
-    } else if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
-      object[key] = std::isinf(value) ? Json("infinite") : json_of(value);
-    } else {
-      object[key] = json_of(value);
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::vector<double>>) {
+      if (!value.empty()) object[key] = written(quantity, value);
+    } else if (const Json own = written(quantity, value);
+               !own.is_null() || std::is_floating_point_v<std::decay_t<decltype(value)>>) {
+      object[key] = own;
     }
   });
   return object;

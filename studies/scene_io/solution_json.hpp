@@ -9,7 +9,8 @@
 
 namespace rollres {
 
-/// A scene file that reads back as the same scene: numbers in SI, "infinite" for infinity, absent inputs left out.
+/// A scene file that reads back as the same scene: numbers in SI (as texts with the unit where bare ones are
+/// refused, doubtful_number.hpp), "infinite" for infinity, absent inputs left out.
 std::string scene_json(const RollingScene& scene);
 
 /// One object: every output under its key (null where it is absent, a list for warnings), and the inputs under "scene".

@@ -6,6 +6,7 @@
 
 #include "core/derivatives/objective.hpp"
 #include "core/scene/scene_input.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/study/trusted_fit.hpp"
 #include "studies/text/readable_number.hpp"
@@ -222,8 +223,9 @@ Json fitted_distribution(const FitParameterRecord& parameter, const std::string&
   const Range& range = kind->quantity.range;
   const bool positive = range.lowest >= 0 && range.lowest_excluded;
   const bool logarithmic = parameter.value > 0 && (kind->quantity.unit != "1" || positive);
-  if (logarithmic) return {{"lognormal", {parameter.value, error / parameter.value}}};
-  return {{"normal", {parameter.value, error}}, {"truncated", true}};
+  const Json value = written_input(kind->quantity, parameter.value);
+  if (logarithmic) return {{"lognormal", {value, error / parameter.value}}};
+  return {{"normal", {value, error}}, {"truncated", true}};
 }
 
 }  // namespace
@@ -284,8 +286,9 @@ std::vector<GivenAxis> uncertain_axes(const UncertainInputs& uncertain, const st
     const Distribution distribution = input.own();
     GivenAxis axis{.key = input.key, .place = here, .shown = name_of(distribution.kind), .values = {}};
     axis.group = uncertain_group;
+    const Quantity& quantity = find_input(input.key)->quantity;
     for (const double probability : points[i])
-      axis.values.push_back({input.key, quantile(distribution, probability), here});
+      axis.values.push_back({input.key, written_input(quantity, quantile(distribution, probability)), here});
     axes.push_back(std::move(axis));
   }
   return axes;

@@ -106,7 +106,8 @@ std::vector<std::string> MeasuredTable::leave_out_others(std::span<const std::st
 std::string MeasuredTable::place(std::size_t row) const { return line_place(file, lines.at(row)); }
 
 std::string heading(const MeasuredColumn& column) {
-  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+  const std::string& name = column.written.empty() ? column.name : column.written;
+  return column.unit.empty() ? name : name + " [" + column.unit + "]";
 }
 
 MeasuredTable read_measured_table(const std::filesystem::path& file) {

@@ -18,6 +18,7 @@ struct MeasuredColumn {
   std::string name, unit;           ///< unit empty if none is given
   std::vector<std::string> cells;   ///< without blanks around them
   std::vector<double> values = {};  ///< in place of cells where they were computed [unit, of SI]
+  std::string written = {};         ///< the name in the file where that is another
 };
 
 struct MeasuredTable {

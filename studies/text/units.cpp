@@ -221,6 +221,7 @@ UnitInSi unit_in_si(const std::string& unit) {
 
 double kelvin(std::string_view text) {
   const auto [number, to_si] = number_with_unit(text, "K", "must have a unit of temperature (K or degC)");
+  if (cv_convert_double(to_si.get(), 0.0) == 0.0 && cv_convert_double(to_si.get(), 1.0) == 1.0) return finite(number);
   return with_15_digits(finite(cv_convert_double(to_si.get(), number)));
 }
 

@@ -41,8 +41,9 @@ const std::filesystem::path& folder() {
         << R"({"indenter":"cylinder","radius":0.02,"layer_thickness":0.005,"static_shear_modulus":3e6,"stiffening":1,)"
            R"("creep_time":0.25,"speed":0.05,"load":2e4,"friction_coefficient":0.2})";
     std::ofstream(scratch / "data.csv") << "speed [km/h],rolling_resistance [N/m]\n1,20\n2,30\n5,40\n";
-    std::ofstream(scratch / "moduli.csv") << "frequency [Hz],temperature [degC],storage_modulus [MPa],loss_modulus "
-                                             "[MPa]\n1,0,2,0.2\n10,0,3,0.5\n1,20,1,0.1\n";
+    std::ofstream(scratch / "moduli.csv")
+        << "frequency [Hz],temperature [degC],storage_shear_modulus [MPa],loss_shear_modulus "
+           "[MPa]\n1,0,2,0.2\n10,0,3,0.5\n1,20,1,0.1\n";
     std::ofstream(scratch / "shifts.csv") << "temperature [degC],a_T\n0,30\n10,5\n20,1\n30,0.2\n";
     return (scratch / "scene.json").parent_path();
   }();

@@ -402,5 +402,5 @@ Result.__doc__ = "The answer to a scene. Outputs, in SI:\n\n" + _listed("outputs
 Scene.__doc__ += _listed("inputs")
 solve.__doc__ += ("\n    Inputs:\n\n" + _listed("inputs") + "\n\n    Outputs, attributes of the Result:\n\n" +
                   _listed("outputs"))
-_NEEDED = dict(radius=1, layer_thickness=1, speed=1, load=1, material="elastic", static_shear_modulus=1)
+_NEEDED = dict(radius=1, layer_thickness=1, speed=1, load=1, material="elastic", static_shear_modulus=1e6)
 _DEFAULTS = {key: value for key, value in Scene(_NEEDED).to_dict().items() if key not in _NEEDED}

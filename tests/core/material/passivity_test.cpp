@@ -1,5 +1,6 @@
 #include "core/material/passivity.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -58,6 +59,24 @@ TEST_CASE("a loss that implies four times the rise of the storage modulus is nam
                                                 "implies ") &&
                                   Catch::Contains("no passive material comes nearer than") && Catch::EndsWith(" Hz"));
   CHECK(test.in_words().find('\n') == std::string::npos);
+}
+
+TEST_CASE(
+    "moduli whose loss is above the storage in most rows are asked whether they were exchanged, a glass "
+    "transition is not",
+    "[core][material]") {
+  const std::vector<double> storage{1e6, 2e6, 8e6, 40e6, 300e6}, loss{0.1e6, 0.5e6, 10e6, 70e6, 60e6};
+  CHECK(swapped_moduli(storage, loss).empty());
+  CHECK(swapped_moduli(loss, storage) ==
+        "the loss modulus is above the storage modulus in 3 of 5 rows: are the two swapped?");
+  CHECK(swapped_moduli({}, {}).empty());
+  const auto remarked = [](const std::vector<double>& first, const std::vector<double>& second) {
+    const auto remarks = fit_master_curve({{1, 10, 100, 1e3, 1e4}, first, second}).remarks;
+    return std::any_of(remarks.begin(), remarks.end(),
+                       [](const std::string& remark) { return remark.find("swapped?") != std::string::npos; });
+  };
+  CHECK_FALSE(remarked(storage, loss));
+  CHECK(remarked(loss, storage));
 }
 
 TEST_CASE("a storage modulus that does not rise beside a loss is a contradiction", "[core][material]") {

@@ -125,7 +125,7 @@ TEST_CASE("models fitted to the same data are compared, a case of another by its
 TEST_CASE("columns of a table of moduli are known, left out with a note, or refused as misspelt", "[studies][fit]") {
   const TemporaryDirectory directory;
   const auto run = [&](const std::string& heading, const std::string& rows, const json& more = json::object()) {
-    json fit{{"fit", "sheet"}, {"material", "zener"}, {"data", "table.csv"}};
+    json fit{{"fit", "sheet"}, {"material", "zener"}, {"data", "table.csv"}, {"listed_moduli", "shear"}};
     fit.update(more);
     directory.write("table.csv", heading + "\n" + rows);
     return run_rollres({"fit", directory.write("fit.json", fit.dump()).string(), "--db", (directory / "m.db").string(),
@@ -157,6 +157,40 @@ TEST_CASE("columns of a table of moduli are known, left out with a note, or refu
   CHECK_THAT(run(known + "note", rows, {{"sigma", {{"loss_modulus", "2 %"}}}}).err,
              Catch::Contains("sigma: storage_modulus is missing"));
   CHECK_THAT(run(known + "note", rows, {{"sigma", 2}}).err, Catch::Contains("must be a percentage > 0"));
+}
+
+TEST_CASE(
+    "a fit of a material reads Young's moduli as the names of columns or listed_moduli say, and asks where neither "
+    "does",
+    "[studies][fit]") {
+  const TemporaryDirectory directory;
+  std::ostringstream rows;
+  for (int i = 0; i < 12; ++i) {  // E = 3 G, for nu = 1/2
+    const double omega = std::pow(10, -2 + i / 2.0);
+    const auto modulus = 3.0 * complex_modulus(FractionalZener{1e6, 3, 1, 1}, omega);
+    rows << omega << ',' << modulus.real() << ',' << modulus.imag() << '\n';
+  }
+  const auto run = [&](const std::string& storage, const json& more = json::object()) {
+    json fit{{"fit", "sheet"}, {"material", "zener"}, {"data", "table.csv"}};
+    fit.update(more);
+    directory.write("table.csv", "angular_frequency [rad/s]," + storage + " [Pa],loss_modulus [Pa]\n" + rows.str());
+    return run_rollres({"fit", directory.write("fit.json", fit.dump()).string(), "--db", (directory / "m.db").string(),
+                        "--json", "--no-profiles"},
+                       quick_resistance);
+  };
+  const auto modulus_at_rest = [&](const std::string& storage, const json& more = json::object()) {
+    return json::parse(run(storage, more).out)["parameters"][0]["value"].get<double>();
+  };
+  CHECK(modulus_at_rest("storage_modulus", {{"listed_moduli", "young"}}) == Approx(1e6).epsilon(1e-4));
+  CHECK(modulus_at_rest("storage_modulus", {{"listed_moduli", "shear"}}) == Approx(3e6).epsilon(1e-4));
+  CHECK(modulus_at_rest("storage_young_modulus") == Approx(1e6).epsilon(1e-4));
+  CHECK(modulus_at_rest("G'") == Approx(3e6).epsilon(1e-4));
+  CHECK(modulus_at_rest("storage_modulus", {{"modulus", "young"}}) == Approx(1e6).epsilon(1e-4));  // its former name
+  CHECK_THAT(run("storage_modulus").err,
+             Catch::Contains("fit.json: listed_moduli is missing: storage_modulus of table.csv: of shear or Young's?"));
+  CHECK_THAT(run("E'", {{"listed_moduli", "shear"}}).err, Catch::Contains("the columns of table.csv say young"));
+  CHECK_THAT(run("E'", {{"listed_moduli", "young"}, {"modulus", "young"}}).err,
+             Catch::Contains("modulus = \"young\": is the former name of listed_moduli: leave out one of them"));
 }
 
 TEST_CASE("Kraus's model is fitted to a strain sweep, drawn, stored and solved with", "[studies][fit][long]") {

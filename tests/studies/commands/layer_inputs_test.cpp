@@ -167,7 +167,8 @@ TEST_CASE("axes of layers that a scene has not are refused by name", "[studies][
              Contains("did you mean coating_layers[0].layer_thickness?"));
   CHECK_THAT(refusal("coating_layers[0].frequencies", {1, 2}),
              Contains("a list cannot vary by itself; give each list in a variant"));
-  CHECK_THAT(refusal(thickness, {1e-3, 2}), Contains("axes at coating_layers[0].layer_thickness = 2: coating_layers"));
+  CHECK_THAT(refusal(thickness, {1e-3, "2 m"}),
+             Contains("axes at coating_layers[0].layer_thickness = 2: coating_layers"));
   CHECK_THAT(shop.refusal(study_of({{modulus, {1e6, 2e6}}, {"coating_layers[0].static_young_modulus", {3e6, 4e6}}})),
              Contains("cannot be an axis together with coating_layers[0].static_young_modulus"));
   Json unknown_name = study_of({{thickness, {1e-3, 2e-3}}});

@@ -63,8 +63,13 @@ std::string resistances(double noise = 0, std::uint64_t seed = 1) {
 }
 
 json moduli_set(const json& more = json::object()) {
-  json set{{"file", "dma.csv"}, {"name", "dma"}, {"output", "moduli"}, {"set", {{"speed", 1}, {"load", 1e4}}}};
+  json set{{"file", "dma.csv"},
+           {"name", "dma"},
+           {"output", "moduli"},
+           {"listed_moduli", "shear"},
+           {"set", {{"speed", 1}, {"load", 1e4}}}};
   set.update(more);
+  if (set["listed_moduli"].is_null()) set.erase("listed_moduli");
   return set;
 }
 
@@ -159,6 +164,44 @@ TEST_CASE("a loss tangent beside either modulus is as good as the other modulus 
                                         sigma);
   CHECK(beside_loss.first == Approx(value).epsilon(1e-8));
   CHECK(beside_loss.second == Approx(error).epsilon(1e-6));
+}
+
+TEST_CASE("Young's moduli in a fit of a scene give the shear modulus of a third, and ask which they are",
+          "[studies][fit]") {
+  const Fits fits;
+  const DrawnModuli exact;
+  const auto young = [](double storage, double loss) { return std::vector<double>{3 * storage / 1e6, 3 * loss / 1e3}; };
+  const json sigma{{"sigma", "2 %"}};
+  const double shear = fits.modulus(exact.table(both_units, both), sigma).first;
+  const json said{{"sigma", "2 %"}, {"listed_moduli", "young"}};
+  CHECK(fits.modulus(exact.table(both_units, young), said).first == Approx(shear).epsilon(1e-6));
+  const json unsaid{{"listed_moduli", nullptr}};
+  const json start{{"static_shear_modulus", "1.5 MPa"}};
+  const ProgramRun named = fits.run(exact.table("E' [MPa],E'' [kPa]", young), "", start, unsaid);
+  CHECK(json::parse(named.out)["parameters"][0]["value"].get<double>() == Approx(shear).epsilon(1e-6));
+  CHECK_THAT(fits.run(exact.table(both_units, young), "", start, unsaid).err,
+             Catch::Contains("listed_moduli is missing: storage_modulus of dma.csv: of shear or Young's?"));
+  CHECK_THAT(fits.run("time [s],relaxation_modulus [MPa]\n1,1\n2,1\n", "", start,
+                      {{"listed_moduli", nullptr}, {"output", "relaxation_modulus"}})
+                 .err,
+             Catch::Contains("name the column of the table relaxation_shear_modulus or relaxation_young_modulus"));
+}
+
+TEST_CASE("a fit of a scene warns of columns of moduli that were exchanged", "[studies][fit]") {
+  const Fits fits;
+  const DrawnModuli exact;
+  const auto warnings = [&](const auto& row) {
+    return json::parse(
+               fits.run(exact.table(both_units, row), "", {{"static_shear_modulus", "1.5 MPa"}}).out)["warnings"]
+        .dump();
+  };
+  const std::string asked =
+      "dma.csv: the loss modulus is above the storage modulus in 12 of 12 rows: are the two swapped?";
+  CHECK_THAT(warnings([](double storage, double loss) {
+               return std::vector<double>{loss / 1e6, storage / 1e3};
+             }),
+             Catch::Contains(asked));
+  CHECK_THAT(warnings(both), !Catch::Contains("swapped"));
 }
 
 TEST_CASE("a column of sigma without a unit is refused where the moduli beside it have different ones",

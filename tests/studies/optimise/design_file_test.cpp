@@ -89,10 +89,10 @@ TEST_CASE("what is wrong in the study file of an optimisation is refused with fi
              Contains("to: layer_thickness = \"3 s\""));
   CHECK_THAT(refusal(variable(R"("friction_coefficient": {"from": 0, "to": 1, "scale": "logarithmic"})")),
              Contains("scale logarithmic: must be > 0"));
-  CHECK_THAT(refusal(variable(R"("layer_thickness": {"from": 1, "to": 2, "scale": "cubic"})")),
+  CHECK_THAT(refusal(variable(R"("layer_thickness": {"from": 0.1, "to": 0.2, "scale": "cubic"})")),
              Contains("scale = \"cubic\": must be one of linear, logarithmic"));
-  CHECK_THAT(refusal(variable(R"("layer_thickness": {"from": 1, "to": 2, "start": 3})")),
-             Contains("start = 3: must be between"));
+  CHECK_THAT(refusal(variable(R"("layer_thickness": {"from": 0.1, "to": 0.2, "start": 0.3})")),
+             Contains("start = 0.3: must be between"));
   CHECK_THAT(refusal(variable(R"("layer_thickness": {"from": 1, "to": 2, "begin": 3})")),
              Contains("begin = 3: unknown key"));
   CHECK_THAT(refusal(variable(R"("method": {"from": 1, "to": 2})")),

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
@@ -32,7 +33,8 @@ std::string scene_text(const std::string& material) {
   return R"({"radius": 0.02, "layer_thickness": 0.005, "speed": 1, "load": 1e4, )" + material + "}";
 }
 
-const std::string curve_scene = scene_text(R"("material": "master_curve", "master_curve_file": "rubber.csv")");
+const std::string curve_scene = scene_text(R"("material": "master_curve", "listed_moduli": "shear",
+    "master_curve_file": "rubber.csv")");
 
 std::string refusal_of_table(const std::string& text) {
   const TemporaryDirectory folder;
@@ -83,7 +85,80 @@ TEST_CASE("a scene file names the table of its master curve, relative to itself"
   // What was read stands in the scene, so that it needs the table no more.
   CHECK(scene_json(parse_scene(scene_json(scene), "text")) == scene_json(scene));
   const std::string other = folder.write("other.csv", std::string(table) + "2e3,40,10,\n").string();
-  CHECK(read_scene(folder / "scene.json", {"master_curve_file=" + other}).frequencies.size() == 4);
+  CHECK(read_scene(folder / "scene.json", {"master_curve_file=" + other, "listed_moduli=shear"}).frequencies.size() ==
+        4);
+}
+
+TEST_CASE("a table of moduli that does not say whether they are of shear or Young's is refused with both choices",
+          "[studies][material]") {
+  const TemporaryDirectory folder;
+  const std::string rows = "1,3,0.3\n1000,6,0.9\n", bare = "frequency [Hz],storage_modulus [MPa],loss_modulus [MPa]\n";
+  const auto read = [&](const std::string& heading, const std::string& more = "",
+                        const std::vector<std::string>& set = {}) {
+    folder.write("rubber.csv", heading + rows);
+    return read_scene(folder.write("scene.json", scene_text(R"("material": "master_curve",
+      "master_curve_file": "rubber.csv")" + more)),
+                      set);
+  };
+  const auto refusal = [&](const std::string& heading, const std::string& more = "",
+                           const std::vector<std::string>& set = {}) {
+    return message_of([&] { read(heading, more, set); });
+  };
+  CHECK_THAT(
+      refusal(bare),
+      Catch::EndsWith("scene.json: listed_moduli is missing: storage_moduli: of shear or Young's? Say \"shear\" or "
+                      "\"young\", or name the column of the table storage_shear_modulus or storage_young_modulus"));
+  CHECK(read(bare, R"(, "listed_moduli": "young")").listed_moduli == ListedModuli::young);
+  for (const auto& [storage, loss, said] :
+       {std::tuple("storage_young_modulus", "loss_young_modulus", ListedModuli::young),
+        std::tuple("E'", "E''", ListedModuli::young), std::tuple("E′", "E″", ListedModuli::young),
+        std::tuple("E'", "loss_modulus", ListedModuli::young),
+        std::tuple("storage_shear_modulus", "loss_shear_modulus", ListedModuli::shear),
+        std::tuple("G'", "\"G\"\" [MPa]\"", ListedModuli::shear)}) {
+    const std::string unit = std::string_view(loss).ends_with('"') ? "" : " [MPa]";
+    const std::string heading = std::string("frequency [Hz],") + storage + " [MPa]," + loss + unit + "\n";
+    CAPTURE(heading);
+    const RollingScene scene = read(heading);
+    CHECK(scene.listed_moduli == said);
+    CHECK(scene.storage_moduli == std::vector<double>{3e6, 6e6});
+    CHECK(scene.loss_moduli == std::vector<double>{0.3e6, 0.9e6});
+    CHECK(read(heading, R"(, "listed_moduli": ")" + std::string(name_of(said)) + '"').listed_moduli == said);
+  }
+  const std::string young = "frequency [Hz],E' [MPa],E'' [MPa]\n";
+  CHECK_THAT(refusal(young, R"(, "listed_moduli": "shear")"),
+             Contains("listed_moduli = \"shear\": the columns of rubber.csv say young"));
+  CHECK_THAT(refusal("frequency [Hz],E' [MPa],G'' [MPa]\n"),
+             Contains("rubber.csv: E' and G'': must both be of shear or both Young's"));
+  CHECK_THAT(refusal("frequency [Hz],E' [MPa],storage_modulus [MPa]\n"),
+             Contains("give storage_modulus or E', not both"));
+  CHECK_THAT(refusal("frequency [Hz],E' [s],E'' [MPa]\n"), Contains("line 2: E' [s]: must have a unit of stress"));
+  // What one table says does not hold for another one.
+  const std::string other = "master_curve_file=" + folder.write("other.csv", bare + rows).string();
+  CHECK_THAT(refusal(young, "", {other}), Contains("listed_moduli is missing"));
+  CHECK(read(young, "", {other, "listed_moduli=shear"}).listed_moduli == ListedModuli::shear);
+  CHECK(read(bare, R"(, "listed_moduli": "young")", {"load=2e4"}).listed_moduli == ListedModuli::young);
+}
+
+TEST_CASE("lists of moduli say what they are unless a shear modulus stands beside them", "[studies][material]") {
+  const std::string series = R"("material": "prony", "relaxation_times": [1], "relaxation_moduli": [1e6], )";
+  const auto refusal = [&](const std::string& material) {
+    return message_of([&] { parse_scene(scene_text(material), "text"); });
+  };
+  CHECK(refusal(series + R"("static_shear_modulus": 1e6)") == "nothing");
+  CHECK(refusal(series + R"("static_young_modulus": 1e6, "listed_moduli": "young")") == "nothing");
+  CHECK(refusal(series + R"("static_young_modulus": 1e6)") ==
+        "text: listed_moduli is missing: relaxation_moduli beside static_young_modulus: of shear or Young's? Say "
+        "\"shear\" or \"young\"");
+  const std::string curve = R"("material": "master_curve", "frequencies": [1, 10], "storage_moduli": [1e6, 2e6],
+    "loss_moduli": [1e5, 2e5])";
+  CHECK_THAT(refusal(curve), Contains("text: listed_moduli is missing: storage_moduli: of shear or Young's?"));
+  const std::string rubber = R"("static_shear_modulus": 1e6, "stiffening": 1, "creep_time": 1, "coating_layers": [)";
+  CHECK_THAT(refusal(rubber + R"({"layer_thickness": 0.001, )" + curve + "}]"),
+             Contains("text: coating_layers[0].listed_moduli is missing: storage_moduli"));
+  // What the program writes of such a layer says it, too.
+  const RollingScene coated = parse_scene(
+      scene_text(rubber + R"({"layer_thickness": 0.001, "listed_moduli": "shear", )" + curve + "}]"), "text");
+  CHECK(scene_json(parse_scene(scene_json(coated), "again")) == scene_json(coated));
 }
 
 TEST_CASE("angular frequencies of a master curve become frequencies", "[studies][material]") {
@@ -136,7 +211,7 @@ TEST_CASE("a loss tangent stands for one of the moduli, and columns are left out
   const TemporaryDirectory folder;
   const auto scene_of = [&](const std::string& text, const std::string& more = "") {
     folder.write("rubber.csv", text);
-    return read_scene(folder.write("scene.json", scene_text(R"("material": "master_curve",
+    return read_scene(folder.write("scene.json", scene_text(R"("material": "master_curve", "listed_moduli": "shear",
       "master_curve_file": "rubber.csv")" + more)));
   };
   const RollingScene from_storage = scene_of("frequency [Hz],storage_modulus [MPa],tan_delta\n1,2,0.5\n10,4,0\n");
@@ -178,7 +253,7 @@ TEST_CASE("a master curve that is not passive, or no table, is refused with its 
 }
 
 TEST_CASE("lists of inputs have units, are overridden whole and cannot vary", "[studies][material]") {
-  const std::string text = scene_text(R"("material": "prony", "static_young_modulus": "3 MPa",
+  const std::string text = scene_text(R"("material": "prony", "static_young_modulus": "3 MPa", "listed_moduli": "shear",
     "relaxation_times": ["1 ms", 2], "relaxation_moduli": ["1 MPa", 2e6])");
   const RollingScene scene = parse_scene(text, "text", {"relaxation_times=[1, 0.5]", "poisson_ratio=0.4"});
   CHECK(scene.relaxation_times == std::vector<double>{1, 0.5});
@@ -222,7 +297,8 @@ TEST_CASE("a study sweeps the temperature of a master curve, and its record need
           "[studies][material]") {
   const TemporaryDirectory folder;
   folder.write("rubber.csv", table);
-  const std::string text = scene_text(R"("material": "master_curve", "master_curve_file": "rubber.csv",
+  const std::string text =
+      scene_text(R"("material": "master_curve", "listed_moduli": "young", "master_curve_file": "rubber.csv",
     "reference_temperature": "20 degC", "wlf_c1": 4.41, "wlf_c2": "137.64 K")");
   const auto file = folder.write("study.json", R"({"study": "cold", "scene": )" + text +
                                                    R"(, "axes": {"temperature": ["-20 degC", "253 K", "20 °C"]}})");

@@ -247,7 +247,8 @@ TEST_CASE("a line names files of the folder that is given, and no other", "[stud
   folder.write("secret.csv", "the secret");
   const auto files = folder.path / "files";
   std::filesystem::create_directory(files);
-  std::ofstream(files / "rubber.csv") << "frequency [Hz],storage_modulus [MPa],loss_modulus [MPa]\n1,1,0.2\n10,2,0.5\n";
+  std::ofstream(files / "rubber.csv")
+      << "frequency [Hz],storage_young_modulus [MPa],loss_young_modulus [MPa]\n1,1,0.2\n10,2,0.5\n";
   std::filesystem::create_symlink(folder / "secret.csv", files / "link.csv");
   REQUIRE(::mkfifo((files / "pipe.csv").c_str(), 0600) == 0);
   const auto read = [](const ReadScene& reader, const std::string& name) {

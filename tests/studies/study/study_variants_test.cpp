@@ -23,7 +23,7 @@ const std::string two_variants =
     R"("variant": {"soft": {"static_shear_modulus": "1 MPa", "stiffening": 1, "creep_time": "1 ms"},
   "hard": {"material": "master_curve", "master_curve_file": "hard.csv"}})";
 const std::string small_curve =
-    "frequency [Hz],storage_modulus [MPa],loss_modulus [MPa]\n1,1,0.1\n10,2,0.2\n100,3,0.3\n";
+    "frequency [Hz],storage_shear_modulus [MPa],loss_shear_modulus [MPa]\n1,1,0.1\n10,2,0.2\n100,3,0.3\n";
 
 /// A study file of the scene and what is added to it, beside a table of a master small_curve.
 struct VariantFile {

@@ -1,0 +1,26 @@
+#pragma once
+
+/// Numbers of inputs that look as if they were given in another unit than that of the SI: a length above 1 m, a modulus
+/// below 1 kPa or above 1 TPa, a temperature below 150 K. Bare ones are refused, as the text "6 m" they are meant; what
+/// the program writes itself has the unit. For sources only: it needs nlohmann_json.
+
+#include <string>
+#include <vector>
+
+#include "core/scene/quantity.hpp"
+#include "studies/text/strict_json.hpp"
+
+namespace rollres {
+
+/// The rule that a bare number of this input breaks; empty if it looks like one in SI.
+std::string doubt_of(const Quantity& quantity, double value);
+
+/// Of a list of them the number that tells its unit, by its place: the largest, of temperatures the smallest. A series
+/// has moduli as small as one likes beside others. @param values  at least one
+std::size_t telling_place(const Quantity& quantity, const std::vector<double>& values);
+
+/// A number or a list as a scene file has it, with the unit where a bare number is refused.
+Json written_input(const Quantity& quantity, double value);
+Json written_input(const Quantity& quantity, const std::vector<double>& values);
+
+}  // namespace rollres
