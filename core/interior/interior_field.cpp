@@ -8,8 +8,10 @@
 
 #include "core/interior/depth_response.hpp"
 #include "core/interior/flow_loss.hpp"
+#include "core/interior/ring_depth_response.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/surface/ring_compliance.hpp"
 
 namespace rollres {
 
@@ -128,6 +130,8 @@ class InteriorField::Sum {
     for (const MediumLayer& layer : field.medium_) creeps_.push_back(creeps(layer.material));
     for (const InteriorLine& line : lines) {
       depth_.push_back(field.depth_of(line));
+      face_.push_back(FaceDepth::of(field.medium_.front().radius, depth_.back()));
+      length_.push_back(1 - depth_.back() / field.medium_.front().radius);
       const std::size_t terms = field.medium_[line.layer].material.terms.size();
       memories_.push_back(ArrayXXd::Zero(3, static_cast<Index>(density && points > 1 ? terms : 0)));
     }
@@ -225,10 +229,16 @@ class InteriorField::Sum {
     }
   }
 
-  /// @param row of the wave among the block's `count`
   void add(const Wave& wave, Index row, Index count) {
+    if (is_ring(field_.medium_))
+      add(RingDepthResponse(field_.medium_, wave.moduli, wave.wavenumber, wave.tractions), wave, row, count);
+    else
+      add(DepthResponse(field_.medium_, wave.moduli, wave.wavenumber, field_.speed_, wave.tractions), wave, row, count);
+  }
+
+  /// @param row of the wave among the block's `count`
+  void add(const auto& response, const Wave& wave, Index row, Index count) {
     const double k = wave.wavenumber;
-    const DepthResponse response(field_.medium_, wave.moduli, k, field_.speed_, wave.tractions);
     compliances_.clear();
     for (const complex modulus : wave.moduli) compliances_.push_back(1.0 / modulus);
     for (std::size_t line = 0; line < lines_.size(); ++line) {
@@ -242,12 +252,12 @@ class InteriorField::Sum {
           (std::conj(stress.x) * strain.x + std::conj(stress.z) * strain.z + std::conj(stress.xz) * strain.xz).imag();
       const auto column = static_cast<Index>(line);
       if (creeps_[layer])  // what does not loses nothing, no rounding either
-        f_.line_loss(column) += wave.weight / M_PI * field_.flow_ * field_.speed_ * k * lost;
+        f_.line_loss(column) += wave.weight / M_PI * field_.flow_ * field_.speed_ * k * lost * length_[line];
       if (x_.size() == 0) continue;
       const double weight = wave.weight / M_PI * fade(line, k);
       add_memories(line, wave, stress, weight);
       if (field_.closed_form_ && near_surface(line)) {
-        const PlaneStress deep = half_space_wave(k, depth_[line], wave.tractions.pressure, wave.tractions.shear);
+        const PlaneStress deep = half_space_wave(k, face_[line], wave.tractions.pressure, wave.tractions.shear);
         const PlaneStrain moved = strain_of(deep, field_.short_compliance_, nu);
         stress = {stress.x - deep.x, stress.z - deep.z, stress.xz - deep.xz};
         strain = {strain.x - moved.x, strain.z - moved.z, strain.xz - moved.xz};
@@ -291,7 +301,7 @@ class InteriorField::Sum {
       require_time();
       const auto column = static_cast<Index>(line);
       for (Index i = 0; i < x_.size(); ++i) {
-        const PlaneStress deep = field_.tractions_.stresses(x_(i), depth_[line]);
+        const PlaneStress deep = field_.tractions_.stresses(x_(i), face_[line]);
         const PlaneStrain moved = strain_of(deep, field_.short_compliance_, nu);
         f_.sigma_x(i, column) += deep.x.real();
         f_.sigma_z(i, column) += deep.z.real();
@@ -324,6 +334,8 @@ class InteriorField::Sum {
   ArrayXd x_;
   const std::vector<InteriorLine>& lines_;
   std::vector<double> depth_;
+  std::vector<FaceDepth> face_;            // the same
+  std::vector<double> length_;             // of each line, over that of the face: less of rings
   std::vector<bool> creeps_;               // layers
   std::vector<ArrayXXd> memories_;         // of each line: (stress, term)
   Index summed_ = fields_in_order.size();  // fields

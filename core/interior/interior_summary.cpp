@@ -87,10 +87,6 @@ void add_interior(const ContactModel& model, RollingSolution& solution) {
     solution.peak_strain_amplitude = s.peak_strain_amplitude;
   }
   solution.interior_loss = s.loss;
-  if (model.curved && solution.viscous_loss != 0)
-    solution.warnings.push_back(
-        message_text("the inside of the coating is that of a flat one and not of the ring: its losses are ",
-                     100 * std::abs(s.loss / solution.viscous_loss - 1), " % off the surface's"));
   if (s.bonds.empty()) return;
   solution.bond_shear = solution.bond_tension = 0;
   for (const Bond& bond : s.bonds) {

@@ -37,11 +37,18 @@ double interpolated(const std::vector<double>& values, double s) {
 
 }  // namespace
 
-PlaneStress half_space_wave(double wavenumber, double depth, complex p, complex q) {
-  const double kz = wavenumber * depth, decay = std::exp(-kz);
-  return {.x = decay * (-(1 - kz) * p + imaginary * (2 - kz) * q),
-          .z = decay * (-(1 + kz) * p + imaginary * kz * q),
-          .xz = decay * (-imaginary * kz * p + (1 - kz) * q)};
+FaceDepth FaceDepth::of(double radius, double depth) {
+  if (std::isinf(radius)) return {depth, depth};
+  const double inner = radius - depth;
+  return {-radius * std::log1p(-depth / radius), radius * depth * (radius + inner) / (2 * inner * inner), 1 / radius};
+}
+
+PlaneStress half_space_wave(double wavenumber, const FaceDepth& depth, complex p, complex q) {
+  const double kz = wavenumber * depth.factor, decay = std::exp(-wavenumber * depth.decay),
+               bend = 2 * depth.factor * depth.curvature;
+  return {.x = decay * (-(1 - kz) * p + imaginary * (2 - kz + bend) * q),
+          .z = decay * (-(1 + kz) * p + imaginary * (kz - bend) * q),
+          .xz = decay * (-imaginary * kz * p + (1 - kz + bend) * q)};
 }
 
 SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) {
@@ -222,10 +229,10 @@ void SurfaceTractions::add_near(const Panel& panel, complex place, double s0, do
   }
 }
 
-PlaneStress SurfaceTractions::stresses(double x, double depth) const {
-  constexpr double surface = 1e-9;  // of the contact
-  const double z = std::max(depth, surface * (to_ - from_));
-  const complex place(x, z);
+PlaneStress SurfaceTractions::stresses(double x, const FaceDepth& depth) const {
+  const double surface = 1e-9 * (to_ - from_);
+  const double z = std::max(depth.factor, surface), bend = 2 * z * depth.curvature;
+  const complex place(x, std::max(depth.decay, surface));
   Potentials f{};
   for (const Panel& panel : panels_) {
     if (panel.pressure.size() > 1) {
@@ -242,9 +249,9 @@ PlaneStress SurfaceTractions::stresses(double x, double depth) const {
   }
   for (complex* const potential : {&f.p, &f.dp, &f.q, &f.dq}) *potential *= imaginary / M_PI;
   // By F' of z = x + i depth: the derivative by x is Re F', by the depth -Im F'.
-  return {.x = -(f.p.real() - z * f.dp.imag()) - 2 * f.q.imag() - z * f.dq.real(),
-          .z = -(f.p.real() + z * f.dp.imag()) + z * f.dq.real(),
-          .xz = -z * f.dp.real() + f.q.real() - z * f.dq.imag()};
+  return {.x = -(f.p.real() - z * f.dp.imag()) - (2 + bend) * f.q.imag() - z * f.dq.real(),
+          .z = -(f.p.real() + z * f.dp.imag()) + bend * f.q.imag() + z * f.dq.real(),
+          .xz = -z * f.dp.real() + (1 + bend) * f.q.real() - z * f.dq.imag()};
 }
 
 }  // namespace rollres

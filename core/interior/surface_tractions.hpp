@@ -9,6 +9,10 @@
 /// fulfil the equations of equilibrium, have the tractions sigma_z = -p, tau_xz = q on the surface, and their sum
 /// sigma_x + sigma_z = -2 (P + Qc) is harmonic: Flamant's stresses, integrated (Johnson 1985, section 2.5). tau_xz is
 /// counted with z upwards, as in all outputs.
+///
+/// Of a disc of radius R, Michell's stress functions r^n and r^(n+2) give the same formulas with x = R phi, the depth
+/// R ln(R/r) inside P and Q, Z = R (R^2 - r^2)/(2 r^2) for the factor z, and (2 Z/R) (-Qc, Qc, Q) more in (sigma_x,
+/// sigma_z, tau_xz).
 
 #include <complex>
 #include <vector>
@@ -22,8 +26,19 @@ struct PlaneStress {
   std::complex<double> x, z, xz;
 };
 
-/// One wave e^{ikx} of the tractions of a half-space: its stresses at a depth, for k > 0.
-PlaneStress half_space_wave(double wavenumber, double depth, std::complex<double> pressure, std::complex<double> shear);
+/// A place below the face of a half-space, or of a disc.
+struct FaceDepth {
+  double decay;          ///< of waves, as e^{-k decay} [m]
+  double factor;         ///< of their slopes in the stresses [m]
+  double curvature = 0;  ///< of the face [1/m]
+
+  /// @param radius of a disc, infinite of a half-space   @param depth >= 0 [m]
+  static FaceDepth of(double radius, double depth);
+};
+
+/// One wave e^{ikx} of the tractions of a half-space or disc: its stresses at a depth, for k > 0.
+PlaneStress half_space_wave(double wavenumber, const FaceDepth& depth, std::complex<double> pressure,
+                            std::complex<double> shear);
 
 class SurfaceTractions {
  public:
@@ -38,8 +53,8 @@ class SurfaceTractions {
   /// The same from each of some wavenumbers at `count` of them, a step apart, up to the highest.
   std::vector<std::vector<Transforms>> transforms(const std::vector<double>& firsts, double step, int count) const;
 
-  /// Stresses in a half-space [Pa]. @param depth >= 0 [m]; on the surface the limit from inside
-  PlaneStress stresses(double x, double depth) const;
+  /// Stresses in a half-space or disc [Pa]; on the surface the limit from inside
+  PlaneStress stresses(double x, const FaceDepth& depth) const;
 
   double from() const { return from_; }  ///< where tractions begin [m]
   double to() const { return to_; }      ///< where they end [m]

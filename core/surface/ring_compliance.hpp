@@ -2,15 +2,8 @@
 
 /// Surface compliance of rings on a rigid core, one harmonic at a time: covers on rollers and wheels.
 ///
-/// A ring of outer radius R under the tractions e^{i n phi} answers with displacements of the same harmonic. In t = ln
-/// r the equations of plane strain have constant coefficients: the state (u_r, u_phi, r sigma_rr/G, r sigma_rphi/G)
-/// obeys dy/dt = A y, with f = 1/(1 - nu),
-///     A = [-nu f    -n nu f  (1-2nu)f/2    0 ]
-///         [  n         1         0         1 ]
-///         [ 2f        2n f      nu f      -n ]
-///         [2n f      2n^2 f    n nu f     -1 ],    eigenvalues +-(n - 1), +-(n + 1),
-/// so that a ring of any thickness is exp(A h), h = ln(outer/inner radius), whatever n and nu, n = 0, n = 1 and nu =
-/// 1/2 among them. Rings follow one another from the core outwards. The harmonic n = k R is continuous: the ring is
+/// A ring of outer radius R under the tractions e^{i n phi} answers with displacements of the same harmonic
+/// (ring_waves.hpp). Rings follow one another from the core outwards. The harmonic n = k R is continuous: the ring is
 /// taken to have recovered when it comes round again.
 ///
 /// What slides and what does work is the strain along the surface, (du_phi/dphi + u_r)/R, and not du_phi/dx alone: the
