@@ -75,7 +75,7 @@ TEST_CASE("of a soft layer on an elastic one all is lost in the soft one, a coat
   const RollingSolution both = converged(coated);
   const InteriorSummary halves = interior_summary(coated, both.fields, Detail::inside);
   REQUIRE(halves.layers.size() == 2);
-  CHECK(halves.layers[0].loss == Approx(halves.layers[1].loss).epsilon(1e-9));
+  CHECK(halves.layers[0].loss == Approx(halves.layers[1].loss).epsilon(1e-4));  // H/R of the ring is 2e-5
   CHECK(halves.loss == Approx(both.viscous_loss).epsilon(3e-5));
   CHECK(halves.lines.front().z < 0);
   CHECK(halves.lines.back().z > 0);

@@ -105,18 +105,6 @@ TEST_CASE("a thin ring is a flat coating: the answer is that of layers under a r
   CHECK(bent.peak_pressure == Approx(flat.peak_pressure).epsilon(5e-6));  // they differ by some H/R
 }
 
-TEST_CASE("what is asked of the inside of a ring is said to be a flat coating's", "[core][ring]") {
-  RollingScene scene = roller(50e-3, 12e-3, 2e6, 1.5, 5e-3, 1.111, 500);
-  scene.interior = Interior::on;
-  const RollingSolution found = solve(scene);
-  REQUIRE(found.status == Status::converged);
-  bool warned = false;
-  for (const std::string& warning : found.warnings)
-    warned = warned || warning.find("that of a flat one and not of the ring") != std::string::npos;
-  CHECK(warned);
-  CHECK(found.interior_loss == Approx(found.viscous_loss).epsilon(0.1));
-}
-
 TEST_CASE("a coating that stays flat says so and what that may cost", "[core][ring]") {
   RollingScene scene = roller(50e-3, 12e-3, 2e6, 1.5, 5e-3, 1.111, 8000);
   scene.inertia = Inertia::on;
