@@ -44,29 +44,40 @@ void take_over_what_was_asked(const RollingScene& scene, RollingSolution& soluti
   if (scene.drive == Drive::rotation && scene.rotation_ratio) solution.rotation_ratio = *scene.rotation_ratio;
 }
 
+/// What `solved` answers, or the reason why there is no answer by this method.
+template <class Solved>
+RollingSolution answer_or_reason(Method method, Solved solved) {
+  RollingSolution none;
+  none.method = method;
+  try {
+    return solved();
+  } catch (const BeyondLimits& limit) {
+    none.reason = limit.what();
+  } catch (const std::domain_error& error) {
+    none.reason = error.what();
+  } catch (const std::bad_alloc&) {
+    none.reason = "this scene needs more memory than there is; give a larger spacing or tolerance";
+  }
+  return none;
+}
+
+RollingSolution answer(const RollingScene& scene, const ContactModel& model) {
+  RollingSolution solution = softens(model) ? solve_softening(model, solve_model) : solve_model(model);
+  if (scene.interior == Interior::on && solution.status == Status::converged) add_interior(model, solution);
+  return solution;
+}
+
 }  // namespace
 
 RollingSolution solve(const RollingScene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   const SolutionLimits limits = limits_of(scene);
-  RollingSolution solution;
-  const auto refused = [&](const std::string& reason) {
-    solution = {};
-    solution.method = resolved_method(scene);
-    solution.reason = reason;
-  };
-  try {
+  // A method that is chosen by the model is not known where there is none.
+  RollingSolution solution = answer_or_reason(scene.method, [&] {
     require_valid(scene);
-    const ContactModel full(scene);
-    solution = softens(full) ? solve_softening(full, solve_model) : solve_model(full);
-    if (scene.interior == Interior::on && solution.status == Status::converged) add_interior(full, solution);
-  } catch (const BeyondLimits& limit) {
-    refused(limit.what());
-  } catch (const std::domain_error& error) {
-    refused(error.what());
-  } catch (const std::bad_alloc&) {
-    refused("this scene needs more memory than there is; give a larger spacing or tolerance");
-  }
+    const ContactModel model(scene);
+    return answer_or_reason(model.method, [&] { return answer(scene, model); });
+  });
   count_for_body(scene, solution);
   take_over_what_was_asked(scene, solution);
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
