@@ -1,6 +1,5 @@
 #include "core/interior/ring_depth_response.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -19,23 +18,24 @@ RingDepthResponse::RingDepthResponse(const LayeredMedium& rings, std::span<const
     const double through = -std::log1p(-rings[i].thickness / rings[i].radius), felt = std::min(through, reach - above);
     const RingWaves waves(harmonic_, rings[i].poisson_ratio);
     const int steps = waves.steps(felt);
-    rings_.push_back({waves, moduli[i], rings[i].radius, rings[i].poisson_ratio, felt / steps, steps, {}});
+    rings_.push_back({waves, moduli[i], rings[i].radius, rings[i].poisson_ratio, felt / steps,
+                      std::vector<Eigen::Vector4cd>(static_cast<std::size_t>(steps))});
     above += through;
   }
-  // From the core up, of each step: what its inner face gives per stress, and the stress there per that outside.
-  struct Step {
+  // From the core up, of each step: what its inner face yields, and the stress there per that outside.
+  struct Carried {
     Matrix2 give, inwards;
   };
-  std::vector<std::vector<Step>> all(rings_.size());
+  std::vector<std::vector<Carried>> all(rings_.size());
   Matrix2 give = Matrix2::Zero();
   for (std::size_t i = rings_.size(); i-- > 0;) {
     const Ring& ring = rings_[i];
     const Eigen::Matrix4d step = ring.waves.outwards(ring.step);
     give *= ring.modulus;
-    for (int j = 0; j < ring.steps; ++j) {
-      const Matrix2 inwards = (step.bottomLeftCorner<2, 2>() * give + step.bottomRightCorner<2, 2>()).inverse();
-      all[i].push_back({give, inwards});
-      give = ((step.topLeftCorner<2, 2>() * give + step.topRightCorner<2, 2>()) * inwards).eval();
+    for (std::size_t j = 0; j < ring.states.size(); ++j) {
+      const RingStep carried(step, give);
+      all[i].push_back({give, carried.inwards});
+      give = carried.give;
     }
     give /= ring.modulus;
   }
@@ -44,8 +44,7 @@ RingDepthResponse::RingDepthResponse(const LayeredMedium& rings, std::span<const
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     Ring& ring = rings_[i];
     stress /= ring.modulus;
-    ring.states.resize(all[i].size());
-    for (std::size_t j = all[i].size(); j-- > 0;) {
+    for (std::size_t j = ring.states.size(); j-- > 0;) {
       stress = (all[i][j].inwards * stress).eval();
       ring.states[j] << all[i][j].give * stress, stress;
     }
@@ -56,9 +55,10 @@ RingDepthResponse::RingDepthResponse(const LayeredMedium& rings, std::span<const
 DepthState RingDepthResponse::at(std::size_t index, double depth) const {
   if (index >= rings_.size()) return {};
   const Ring& ring = rings_[index];
-  const double from_core = ring.steps * ring.step + std::log1p(-depth / ring.outer);
+  const auto last = static_cast<int>(ring.states.size()) - 1;
+  const double from_core = (last + 1) * ring.step + std::log1p(-depth / ring.outer);
   if (from_core < -0.5 * ring.step) return {};  // less is rounding
-  const int step = std::clamp(static_cast<int>(from_core / ring.step), 0, ring.steps - 1);
+  const int step = std::clamp(static_cast<int>(from_core / ring.step), 0, last);
   const Eigen::Vector4cd y =
       ring.waves.outwards(from_core - step * ring.step) * ring.states[static_cast<std::size_t>(step)];
   constexpr complex i{0, 1};

@@ -28,9 +28,8 @@ class RingDepthResponse {
   struct Ring {
     RingWaves waves;
     std::complex<double> modulus;
-    double outer, poisson_ratio;  // [m], [1]
-    double step;                  // in ln r
-    int steps;
+    double outer, poisson_ratio;           // [m], [1]
+    double step;                           // in ln r
     std::vector<Eigen::Vector4cd> states;  // at the inner end of each step, from the core outwards
   };
   double harmonic_;

@@ -1,7 +1,5 @@
 #include "core/surface/ring_compliance.hpp"
 
-#include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 
 #include "core/surface/ring_waves.hpp"
@@ -27,13 +25,8 @@ Matrix2cd through(const MediumLayer& ring, complex modulus, double n, const Matr
   const RingWaves waves(n, ring.poisson_ratio);
   const int steps = waves.steps(h);
   const Eigen::Matrix4d step = waves.outwards(h / steps);
-  const auto uu = step.topLeftCorner<2, 2>(), us = step.topRightCorner<2, 2>(), su = step.bottomLeftCorner<2, 2>(),
-             ss = step.bottomRightCorner<2, 2>();
   Matrix2cd give = inner * modulus;
-  for (int i = 0; i < steps; ++i) {
-    const Matrix2cd stress = su * give + ss;
-    give = ((uu * give + us) * stress.inverse()).eval();
-  }
+  for (int i = 0; i < steps; ++i) give = RingStep(step, give).give;
   return give / modulus;
 }
 
@@ -49,7 +42,7 @@ SurfaceCompliance ring_compliance(const LayeredMedium& rings, std::span<const co
   constexpr double faded = 19;  // e^-38: the core is not felt
   if (-n * std::log1p(-rings.front().thickness / rings.front().radius) > faded)
     return scaled(disc(n, rings.front().poisson_ratio), 1.0 / (moduli.front() * wavenumber));
-  const double scale = std::max(n, 1.0);
+  const double scale = RingWaves::scale_of(n);
   Matrix2cd give = Matrix2cd::Zero();
   for (std::size_t i = rings.size(); i-- > 0;) give = through(rings[i], moduli[i], n, give);
   // k u = n u/R per stress, r sigma = R sigma; the strain of u_phi sin(n phi) is (n u_phi + u_r)/R.

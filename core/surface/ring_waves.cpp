@@ -1,5 +1,6 @@
 #include "core/surface/ring_waves.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +30,7 @@ double sinh_difference(double n, double h) {
 
 }  // namespace
 
-RingWaves::RingWaves(double harmonic, double poisson_ratio) : n_(harmonic), scale_(std::max(harmonic, 1.0)) {
+RingWaves::RingWaves(double harmonic, double poisson_ratio) : n_(harmonic), scale_(scale_of(harmonic)) {
   const double n = n_, nu = poisson_ratio, f = 1 / (1 - nu);
   a_ << -nu * f, -n * nu * f, scale_ * 0.5 * (1 - 2 * nu) * f, 0,  //
       n, 1, 0, scale_,                                             //
@@ -37,6 +38,8 @@ RingWaves::RingWaves(double harmonic, double poisson_ratio) : n_(harmonic), scal
       2 * n * f / scale_, 2 * n * n * f / scale_, n * nu * f, -1;
   excess_ = a_ * a_ - (n - 1) * (n - 1) * Matrix4d::Identity();
 }
+
+double RingWaves::scale_of(double harmonic) { return std::max(harmonic, 1.0); }
 
 /// cosh and sinh of A, whose square has the twofold eigenvalues (n - 1)^2 and (n + 1)^2.
 Matrix4d RingWaves::outwards(double h) const {
@@ -49,6 +52,11 @@ Matrix4d RingWaves::outwards(double h) const {
 int RingWaves::steps(double h) const {
   constexpr double most = 1.5;
   return std::max(1, static_cast<int>(std::ceil((n_ + 1) * h / most)));
+}
+
+RingStep::RingStep(const Matrix4d& outwards, const Eigen::Matrix2cd& inner)
+    : inwards((outwards.bottomLeftCorner<2, 2>() * inner + outwards.bottomRightCorner<2, 2>()).inverse()) {
+  give = (outwards.topLeftCorner<2, 2>() * inner + outwards.topRightCorner<2, 2>()) * inwards;
 }
 
 }  // namespace rollres

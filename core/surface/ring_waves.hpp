@@ -25,13 +25,23 @@ class RingWaves {
   Eigen::Matrix4d outwards(double h) const;
   /// Times n displacements keep the size of stresses: max(n, 1).
   double scale() const { return scale_; }
+  static double scale_of(double harmonic);
 
-  /// Steps over h of which none lets a wave grow by more than `most` powers of e.
+  /// Steps over h of which none lets a wave grow by more than e^1.5.
   int steps(double h) const;
 
  private:
   double n_, scale_;
   Eigen::Matrix4d a_, excess_;  // A, and A^2 less the smaller of its two eigenvalues, (n - 1)^2
+};
+
+/// What a step's outer face yields, from what its inner face does: displacements, times the scale, per r sigma/G.
+struct RingStep {
+  Eigen::Matrix2cd give;     ///< of the outer face
+  Eigen::Matrix2cd inwards;  ///< r sigma/G of the inner face per that of the outer
+
+  /// @param outwards of the step (RingWaves)   @param inner what its inner face yields
+  RingStep(const Eigen::Matrix4d& outwards, const Eigen::Matrix2cd& inner);
 };
 
 }  // namespace rollres
