@@ -25,7 +25,8 @@ struct Body {
   Indenter indenter = Indenter::cylinder;
   bool of_width = false;  ///< a cylinder whose width is given
 
-  constexpr Body(Indenter body, bool width_given = false) : indenter(body), of_width(width_given) {}
+  constexpr Body(Indenter body, bool width_given = false)
+      : indenter(body), of_width(body == Indenter::cylinder && width_given) {}
   constexpr bool per_metre() const { return indenter == Indenter::cylinder && !of_width; }
   /// "cylinder", "cylinder with a width", "sphere".
   std::string_view name() const;

@@ -196,9 +196,7 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
 std::vector<std::string_view> input_keys();
 
 /// The body on which the units of the scene and of its answer depend.
-inline Body body_of(const RollingScene& scene) {
-  return {scene.indenter, scene.indenter == Indenter::cylinder && scene.width.has_value()};
-}
+inline Body body_of(const RollingScene& scene) { return {scene.indenter, scene.width.has_value()}; }
 
 /// Length of the body to which loads, forces, torques and powers of the scene belong: its width, or 1 m of it [m].
 inline double body_length(const RollingScene& scene) { return scene.width.value_or(1); }

@@ -91,10 +91,10 @@ std::vector<Alternative> alternatives_of(const std::string& key, const Json& lis
   if (list.empty()) refuse(place, key, list, "must be a list of values, or an object with from and to");
   std::vector<Alternative> all;
   for (const Json& value : list) {
+    const SceneEntry held = held_entry({key, value, place});
     for (const Alternative& other : all)
-      if (other.entries.front().value == held_entry({key, value, place}).value)
-        refuse(place, key, value, "value given twice");
-    all.push_back({{held_entry({key, value, place})}});
+      if (other.entries.front().value == held.value) refuse(place, key, value, "value given twice");
+    all.push_back({{held}});
   }
   return all;
 }
@@ -318,12 +318,13 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
   const std::string variables_place = place + ": variables";
   std::vector<GivenVariable> variables;
   for (const auto& [key, value] : file["variables"].items())
-    if (!value.is_array() && !is_of_variants(key))
-      variables.push_back(given_variable(key, value, base, variables_place));
-  for (const GivenVariable& variable : variables)
-    for (const GivenVariable& other : variables)
-      if (&other < &variable && other.start.key == variable.start.key)
-        throw std::invalid_argument(variables_place + ": " + variable.start.key + ": is a variable already");
+    if (!value.is_array() && !is_of_variants(key)) {
+      GivenVariable variable = given_variable(key, value, base, variables_place);
+      for (const GivenVariable& other : variables)
+        if (other.start.key == variable.start.key)
+          throw std::invalid_argument(variables_place + ": " + variable.start.key + ": is a variable already");
+      variables.push_back(std::move(variable));
+    }
 
   const Body body = body_of(base);
   const FormulaDefinitions formulas = compute_wish(file, {&body, 1}, place).formulas;

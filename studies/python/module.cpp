@@ -276,7 +276,7 @@ RollingScene replaced(RollingScene scene, const py::dict& inputs) {
   const std::vector<SceneEntry> entries = replacing_entries(given_inputs(inputs), place);
   const auto has = [&](std::string_view key) { return value_given(entries, key) != nullptr; };
   const Indenter indenter = has("indenter") ? indenter_of(entries) : scene.indenter;
-  const Body body(indenter, indenter == Indenter::cylinder && (scene.width || has("width")));
+  const Body body(indenter, scene.width || has("width"));
   for (const SceneEntry& entry : entries) {
     const InputValue value = input_value(entry, body);
     assign_input(scene, entry.key, value);

@@ -18,13 +18,6 @@ using html::TableRow;
 
 const QuantityColumn& output(const std::string& key) { return *find_quantity_column(key); }
 
-/// Whether some rows are per metre and others of a whole body.
-bool has_both_units(const StudyRows& rows) {
-  for (std::size_t row = 1; row < rows.size(); ++row)
-    if (body_at(rows, row).per_metre() != body_at(rows, 0).per_metre()) return true;
-  return false;
-}
-
 std::string to_the_second(const std::string& time) {
   return time.size() < 19 ? time : time.substr(0, 10) + " " + time.substr(11, 8);
 }
@@ -59,7 +52,7 @@ struct ResultColumn {
 
   ResultColumn(const ReportSource& source, const QuantityColumn& quantity) : column(&quantity) {
     if (quantity.type == "TEXT") return;
-    const bool mixed = quantity.quantity.grows_with_width() && has_both_units(source.rows);
+    const bool mixed = quantity.quantity.grows_with_width() && body_of_other_units(source.rows);
     if (!mixed) scale = scale_of(source.rows, quantity, AxisScale::automatic, false, "");
   }
   TableColumn head() const {

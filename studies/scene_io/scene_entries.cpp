@@ -219,8 +219,7 @@ Indenter indenter_of(const std::vector<SceneEntry>& entries) {
 }
 
 Body body_of(const std::vector<SceneEntry>& entries) {
-  const Indenter indenter = indenter_of(entries);
-  return {indenter, indenter == Indenter::cylinder && value_given(entries, "width")};
+  return {indenter_of(entries), value_given(entries, "width") != nullptr};
 }
 
 std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,

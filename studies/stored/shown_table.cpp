@@ -129,8 +129,7 @@ std::optional<Body> body_in(const Cell& indenter, const Cell& width) {
   const auto* const text = std::get_if<std::string>(&indenter);
   const int place = text ? find_name(ChoiceNames<Indenter>::names, *text) : -1;
   if (place < 0) return std::nullopt;
-  const auto body = static_cast<Indenter>(place);
-  return Body(body, body == Indenter::cylinder && !std::holds_alternative<std::monostate>(width));
+  return Body(static_cast<Indenter>(place), !std::holds_alternative<std::monostate>(width));
 }
 
 Table shown_table(Table table, const ShownColumns& columns, ShownUnits units) {

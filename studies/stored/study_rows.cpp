@@ -12,6 +12,7 @@
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/stored/derived_columns.hpp"
 #include "studies/stored/learned_cost.hpp"
+#include "studies/stored/shown_table.hpp"
 #include "studies/study/predicted_cost.hpp"
 #include "studies/study/shards.hpp"
 #include "studies/study/study_definition.hpp"
@@ -19,6 +20,19 @@
 #include "studies/text/units.hpp"
 
 namespace rollres {
+
+namespace {
+
+/// The columns that tell a row's body.
+struct BodyColumns {
+  const QuantityColumn &indenter = *find_quantity_column("indenter"), &width = *find_quantity_column("width");
+
+  Body at(const StudyRows& rows, std::size_t row) const {
+    return body_in(rows.cell(row, indenter), rows.cell(row, width)).value_or(Indenter::cylinder);
+  }
+};
+
+}  // namespace
 
 std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters) {
   std::map<std::string_view, std::size_t> layers;
@@ -143,22 +157,22 @@ const QuantityColumn& number_column(const std::string& key, const StudySummary& 
 
 std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column) {
   const Body first = body_at(rows, 0);
-  for (std::size_t row = 1; column.quantity.grows_with_width() && row < rows.size(); ++row) {
-    const Body body = body_at(rows, row);
-    if (body.per_metre() == first.per_metre()) continue;
-    if (body.indenter != first.indenter)
-      throw std::invalid_argument(column.name + ": has another unit for a cylinder than for a sphere; choose one " +
-                                  "with indenter=cylinder or indenter=sphere");
-    throw std::invalid_argument(column.name + ": is per metre where no width is given, and of the whole body where " +
-                                "one is; choose one width with width=VALUE");
-  }
-  return column.quantity.unit_for(first);
+  const std::optional<Body> other = column.quantity.grows_with_width() ? body_of_other_units(rows) : std::nullopt;
+  if (!other) return column.quantity.unit_for(first);
+  if (other->indenter != first.indenter)
+    throw std::invalid_argument(column.name + ": has another unit for a cylinder than for a sphere; choose one " +
+                                "with indenter=cylinder or indenter=sphere");
+  throw std::invalid_argument(column.name + ": is per metre where no width is given, and of the whole body where " +
+                              "one is; choose one width with width=VALUE");
 }
 
-Body body_at(const StudyRows& rows, std::size_t row) {
-  const bool sphere = rows.text(row, "indenter") == name_of(Indenter::sphere);
-  const Cell& width = rows.cell(row, *find_quantity_column("width"));
-  return {sphere ? Indenter::sphere : Indenter::cylinder, !sphere && !std::holds_alternative<std::monostate>(width)};
+Body body_at(const StudyRows& rows, std::size_t row) { return BodyColumns().at(rows, row); }
+
+std::optional<Body> body_of_other_units(const StudyRows& rows) {
+  const BodyColumns columns;
+  for (std::size_t row = 1; row < rows.size(); ++row)
+    if (const Body body = columns.at(rows, row); body.per_metre() != columns.at(rows, row - 1).per_metre()) return body;
+  return std::nullopt;
 }
 
 std::string value_in_words(const Cell& cell, std::string_view unit) {
@@ -228,8 +242,9 @@ StudySummary stored_study(ResultStore& store, const std::string& name) {
   const std::vector<std::string> all = store.study_names();
   if (all.empty()) {
     const std::size_t fits = stored_fits(store.database()).size();
-    throw std::invalid_argument(file + ": holds no study" +
-                                (fits == 0 ? "" : ", only fits, " + std::to_string(fits) + " (rollres list names them)"));
+    throw std::invalid_argument(
+        file + ": holds no study" +
+        (fits == 0 ? "" : ", only fits, " + std::to_string(fits) + " (rollres list names them)"));
   }
   if (name.empty() && all.size() == 1) return store.study(all.front()).value();
   const std::vector<std::string_view> names(all.begin(), all.end());

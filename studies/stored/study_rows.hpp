@@ -82,6 +82,8 @@ std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column);
 
 /// The body of a row.
 Body body_at(const StudyRows& rows, std::size_t row);
+/// The first body whose numbers are per metre where those of the first row are of a whole body, or the other way round.
+std::optional<Body> body_of_other_units(const StudyRows& rows);
 
 /// A value as people read it; "none" if it is absent.
 std::string value_in_words(const Cell& cell, std::string_view unit);
