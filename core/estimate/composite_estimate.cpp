@@ -38,9 +38,11 @@ class HertzPressure {
   explicit HertzPressure(const ContactModel& model)
       : sphere_(model.dimension == 3), radius_(model.radius), surface_(steady_surface(model)) {}
 
-  ContactEstimate at(double half_width) const {
+  ContactEstimate at(double half_width) const { return contact(half_width, response(half_width, false)); }
+
+  /// @param found  the response at this half-width
+  ContactEstimate contact(double half_width, const HertzResponse& found) const {
     const double a = half_width;
-    const HertzResponse found = response(a, false);
     const double load = -(sphere_ ? 0.8 : 0.5) * a / (radius_ * found.slope);
     return {a, load * found.compliance + a * a / ((sphere_ ? 5 : 8) * radius_), load};
   }
@@ -92,14 +94,16 @@ class HertzPressure {
     return sum;
   }
 
+  /// @param with_loss  takes a sphere's waves of all directions one by one, for its compliance, too; else they answer
+  /// as those along the motion
   HertzResponse response(double half_width, bool with_loss) const {
     HertzResponse sum{0, 0, 0};
     for_waves(half_width, [&](double z, double k, double weight) {
       const PressureTransform transform(sphere_, z);
-      const std::complex<double> c = surface_(surface_.moduli(k), k, 0).normal;
-      sum.compliance += weight * std::abs(c) * transform.phi * transform.phi;
-      sum.slope += weight * std::abs(c) * 2 * transform.phi * transform.change * k;
-      if (with_loss) sum.loss += weight * lost(k, c) * transform.phi * transform.phi;
+      const WaveAnswer answer = sphere_ && with_loss ? mean_of_directions(k) : along_the_motion(k);
+      sum.compliance += weight * answer.compliance * transform.phi * transform.phi;
+      sum.slope += weight * answer.compliance * 2 * transform.phi * transform.change * k;
+      sum.loss += weight * answer.loss * transform.phi * transform.phi;
     });
     return sum;
   }
@@ -118,14 +122,22 @@ class HertzPressure {
     }
   }
 
-  /// k Im c, in 3D the mean of k_x Im c over all directions of the wave.
-  double lost(double k, const std::complex<double>& along_the_motion) const {
-    if (!sphere_) return k * along_the_motion.imag();
-    double mean = 0;
+  /// Of a wave under pressure: |c| and k_x Im c.
+  struct WaveAnswer {
+    double compliance, loss;
+  };
+  WaveAnswer along_the_motion(double k) const {
+    const std::complex<double> c = surface_(surface_.moduli(k), k, 0).normal;
+    return {std::abs(c), k * c.imag()};
+  }
+  WaveAnswer mean_of_directions(double k) const {
+    WaveAnswer mean{0, 0};
     const QuadratureRule& rule = gauss_rule(6);
     for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
       const double angle = M_PI / 2 * rule.nodes[q], along = k * std::cos(angle), across = k * std::sin(angle);
-      mean += rule.weights[q] * along * surface_(surface_.moduli(along), along, across).normal.imag();
+      const std::complex<double> c = surface_(surface_.moduli(along), along, across).normal;
+      mean.compliance += rule.weights[q] * std::abs(c);
+      mean.loss += rule.weights[q] * along * c.imag();
     }
     return mean;
   }
@@ -152,24 +164,35 @@ ContactEstimate composite_estimate(const ContactModel& model) {
   return estimate;
 }
 
+ContactEstimate contact_of_width(const ContactModel& model, double half_width) {
+  return HertzPressure(model).at(half_width);
+}
+
 HertzResponse hertz_response(const ContactModel& model, double half_width) {
   return HertzPressure(model).response(half_width, true);
 }
 
-double flat_coating_error(const ContactModel& model, double half_width) {
-  if (model.coating.empty() || model.curved) return 0;
-  ContactModel flat = model;
-  flat.dimension = 2;
-  flat.inertia = false;
-  flat.approach.reset();
-  flat.load = HertzPressure(flat).at(half_width).load;
-  ContactModel ring = flat;
-  ring.bend_coating(0);
-  const auto loss = [](const ContactModel& cylinder) {
-    return hertz_response(cylinder, composite_estimate(cylinder).half_width).loss;
-  };
-  const double as_flat = loss(flat);
-  return as_flat == 0 ? 0 : std::abs(loss(ring) / as_flat - 1);
+ResistanceChange::ResistanceChange(const ContactModel& model, double half_width)
+    : half_width_(half_width), load_given_(model.load.has_value()), own_(at(model, half_width)) {
+  constexpr double step = 0.02;
+  const Logarithms wider = at(model, half_width * (1 + step));
+  power_ = (wider.resistance - own_.resistance) / (wider.given - own_.given);
+}
+
+ResistanceChange::Change ResistanceChange::operator()(const ContactModel& other) const {
+  constexpr double uncertain = 0.25;
+  const Logarithms others = at(other, half_width_);
+  const double at_once = others.resistance - own_.resistance, by_move = -power_ * (others.given - own_.given);
+  const double value = std::expm1(at_once + by_move);
+  return {value, uncertain * (std::abs(at_once) + std::abs(by_move)) * (1 + value)};
+}
+
+ResistanceChange::Logarithms ResistanceChange::at(const ContactModel& model, double half_width) const {
+  const HertzPressure pressure(model);
+  const HertzResponse response = pressure.response(half_width, true);
+  const ContactEstimate contact = pressure.contact(half_width, response);
+  return {std::log(load_given_ ? contact.load : contact.approach),
+          2 * std::log(contact.load) + std::log(response.loss)};
 }
 
 double spectrum_error(const ContactModel& model, double half_width) {

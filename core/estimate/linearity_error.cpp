@@ -2,85 +2,89 @@
 
 #include <cmath>
 #include <complex>
-#include <string_view>
 
+#include "core/estimate/composite_estimate.hpp"
+#include "core/estimate/grid_choice.hpp"
 #include "core/material/material.hpp"
-#include "core/model/scene_rules.hpp"
+#include "core/model/contact_surface.hpp"
 
 namespace rollres {
 
 namespace {
 
-struct Term {
-  double factor;
-  std::string_view variables;
+/// b of the header, and the standard deviation of what it misses of ln R_r, over d/H.
+struct StrainFactors {
+  double thick_above_peak, thick_below_peak, thin_above_peak, thin_below_peak, compressible, lossy, scatter;
 };
-
-constexpr Term terms[] = {
-    {-0.204, ""},   {3.554, "AU"},  {-2.987, "UC"},  {-4.791, "ATT"},  {6.847, "AS"},  {-3.757, "AAU"},
-    {-2.713, "S"},  {-1.734, "TM"}, {-5.039, "AKS"}, {-15.890, "TSS"}, {2.215, "AUT"}, {0.515, "AAA"},
-    {1.427, "UUS"}, {2.558, "ATM"}, {20.318, "CCS"}, {-0.809, "MS"},
-};
-/// Standard deviation of what the formula misses, over d/H.
-constexpr double scatter_by_strain = 0.15;
+constexpr StrainFactors under_load{-0.40, 0.30, 0.27, 1.62, -3.56, -0.64, 0.20};
+constexpr StrainFactors under_approach{0.49, 0.32, -0.10, 1.56, -3.98, 2.29, 0.30};
+/// Standard deviation on half-spaces, over a/R.
+constexpr double scatter_on_half_space = 0.08;
 
 /// Ranges of the pairs that the factors were fitted to.
-constexpr double least_ratio = 0.1, largest_ratio = 7, largest_strain = 0.33, least_poisson = 0.35,
-                 largest_friction = 0.8, largest_frictional_share = 0.3, least_lever_with_friction = 0.01;
+constexpr double least_ratio = 0.02, largest_ratio = 7, largest_strain = 0.33, largest_slope = 0.6,
+                 least_poisson = 0.35, largest_friction = 0.8, largest_frictional_share = 0.3,
+                 least_lever_with_friction = 0.01;
+/// Of the whole, of what the contact yields; the rest is rigid.
+constexpr double rigid_but_for = 0.99;
+
+/// The only layer that yields: the one under the body or, on a foundation that is rigid beside it, the coating.
+const ModelLayer* only_layer(const ContactModel& model) {
+  if (model.coating.empty()) return model.foundation.size() == 1 ? &model.top() : nullptr;
+  return model.coating.size() == 1 && model.ring() && share_of_coating(model) > rigid_but_for ? &model.coating.front()
+                                                                                              : nullptr;
+}
 
 bool of_a_fitted_kind(const ContactModel& model) {
-  return model.dimension == 2 && model.foundation.size() == 1 && model.coating.empty() &&
-         std::isfinite(model.top().layer_thickness) && model.load && !model.period && model.adhesion_threshold == 0 &&
-         model.kinematics != Kinematics::printed && !model.inertia &&
+  return model.dimension == 2 && !model.period && model.adhesion_threshold == 0 &&
+         model.kinematics != Kinematics::printed && !model.inertia && model.friction_coefficient <= largest_friction &&
          (model.drive == Drive::top_force || model.drive == Drive::free);
+}
+
+/// Enough of the resistance is the layer's own.
+bool resists_by_its_loss(const ContactModel& model, const RollingSolution& linear, double half) {
+  const double lever = linear.rolling_resistance * model.radius / (linear.load * half);
+  if (model.friction_coefficient == 0) return lever > 0;
+  const double share = linear.frictional_loss / (linear.rolling_resistance * model.speed);
+  return lever >= least_lever_with_friction && share <= largest_frictional_share;
+}
+
+LinearityError relative(double logarithm, double scatter) {
+  const double value = std::expm1(logarithm);
+  return {value, scatter * (1 + value)};
 }
 
 }  // namespace
 
 std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear) {
   if (!of_a_fitted_kind(model) || linear.method == Method::finite_strain) return {};
-  const double half = 0.5 * (linear.leading_edge - linear.trailing_edge), omega = model.speed / half;
-  const double ratio = half / model.top().layer_thickness, strain = linear.approach / model.top().layer_thickness;
-  const double friction = model.friction_coefficient, incompressible = 1 - 2 * model.top().poisson_ratio;
-  const double share = friction > 0 ? linear.frictional_loss / (linear.rolling_resistance * model.speed) : 0;
-  const double lever = linear.rolling_resistance * model.radius / (linear.load * half);
-  if (!(ratio >= least_ratio && ratio <= largest_ratio && strain <= largest_strain &&
-        share <= largest_frictional_share && model.top().poisson_ratio >= least_poisson &&
-        friction <= largest_friction && lever > 0 && (friction == 0 || lever >= least_lever_with_friction)))
-    return {};
-  const CreepSpectrum& creep = model.top().creep;
-  const auto modulus = [&](double at) { return 1.0 / creep(at); };
-  constexpr double step = 1.01;
-  const double slope = std::log(modulus(omega * step).imag() / modulus(omega / step).imag()) / (2 * std::log(step));
-  const double loss = modulus(omega).imag() / modulus(omega).real();
-  if (!(loss > 0) || !std::isfinite(slope)) return {};
-
-  const auto variable = [&](char name) {
-    switch (name) {
-      case 'A':
-        return ratio / (1 + ratio);
-      case 'U':
-        return 0.5 * (1 + slope);
-      case 'T':
-        return loss / (1 + loss);
-      case 'M':
-        return friction / (0.1 + friction);
-      case 'C':
-        return incompressible;
-      case 'K':
-        return incompressible * ratio * ratio / (0.3 + incompressible * ratio * ratio);
-      default:
-        return strain;
-    }
-  };
-  double sum = 0;
-  for (const Term& term : terms) {
-    double product = term.factor;
-    for (const char name : term.variables) product *= variable(name);
-    sum += product;
+  const ModelLayer* const layer = only_layer(model);
+  const double half = 0.5 * (linear.leading_edge - linear.trailing_edge);
+  if (!layer || layer->poisson_ratio < least_poisson || !resists_by_its_loss(model, linear, half)) return {};
+  if (std::isinf(layer->layer_thickness)) {
+    const double slope = half / model.radius;
+    if (!(slope <= largest_slope)) return {};
+    return relative(0, scatter_on_half_space * slope);
   }
-  const double value = std::expm1(strain * sum);
-  return LinearityError{value, scatter_by_strain * strain * (1 + value)};
+  // On a half-space that is rigid beside it a coating has an approach that the scene has not.
+  const double approach =
+      std::isfinite(linear.approach) ? linear.approach : contact_of_width(coating_alone(model), half).approach;
+  const double omega = model.speed / half, ratio = half / layer->layer_thickness;
+  const double strain = approach / layer->layer_thickness;
+  if (!(ratio >= least_ratio && ratio <= largest_ratio && strain <= largest_strain)) return {};
+  const auto modulus = [&](double at) { return 1.0 / layer->creep(at); };
+  constexpr double step = 1.01;
+  const double power = std::log(modulus(omega * step).imag() / modulus(omega / step).imag()) / (2 * std::log(step));
+  const double loss = modulus(omega).imag() / modulus(omega).real();
+  if (!(loss > 0) || !std::isfinite(power)) return {};
+
+  const StrainFactors& b = model.load ? under_load : under_approach;
+  const double thin = ratio / (1 + ratio), below = 0.5 * (1 + power);
+  const double between_limits = (1 - thin) * ((1 - below) * b.thick_above_peak + below * b.thick_below_peak) +
+                                thin * ((1 - below) * b.thin_above_peak + below * b.thin_below_peak);
+  const double all =
+      between_limits + b.compressible * below * (1 - 2 * layer->poisson_ratio) + b.lossy * loss / (1 + loss);
+  return relative(strain * all, strain * b.scatter);
 }
 
 }  // namespace rollres

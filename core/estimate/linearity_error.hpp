@@ -4,13 +4,14 @@
 ///
 /// With R_r at finite strain as core/finite_strain/README.md defines it (neo-Hooke, overstresses linear in the second
 /// Piola-Kirchhoff stress; another law of finite viscoelasticity gives another number) and the linear one under the
-/// same load,
-///   ln(R_r finite / R_r linear) = d/H (b_0 + sum_j b_j X_j),  X_j products of
-///   A = a/(a + H),  U = (1 + d ln G''/d ln omega)/2,  T = tan delta/(1 + tan delta),  M = mu/(mu + 0.1),
-///   C = 1 - 2 nu,  K = C (a/H)^2/(0.3 + C (a/H)^2),  S = d/H,
-/// a half the length of the contact, G'' and tan delta at omega = V/a. The factors b are fitted to 718 drawn pairs of
-/// solutions (tests/benchmark/linearity.py draws and fits them): 0.1 < a/H < 7, d/H < 0.33, nu >= 0.35, mu <= 0.8,
-/// Zener and Prony solids.
+/// same load or the same approach,
+///   ln(R_r finite / R_r linear) = d/H b,
+/// b running between four limits: of thick and thin layers by A = a/(a + H), of frequencies far above the peak of loss
+/// and far below it by U = (1 + d ln G''/d ln omega)/2, plus what compressible layers add below the peak, U (1 - 2 nu)
+/// times a factor, and lossy ones, tan delta/(1 + tan delta) times a factor; a is half the length of the contact, G''
+/// and tan delta are those at omega = V/a. The factors are fitted to drawn pairs of solutions (tests/benchmark/
+/// linearity.py draws and fits them), layers on a rigid base and rings on a rigid core: 0.02 < a/H < 5, d/H < 0.33,
+/// nu >= 0.35, mu <= 0.8, Zener and Prony solids. On half-spaces no pair with a/R < 0.6 differed by more than 0.15 a/R.
 
 #include <optional>
 
@@ -25,8 +26,8 @@ struct LinearityError {
 };
 
 /// @param linear  the scene's converged solution by a linear method
-/// Empty where the formula was not fitted: spheres, several layers, coatings, half-spaces, a given approach, torque or
-/// rotation, printed kinematics, elastic layers, mostly frictional resistance, beyond those ranges.
+/// Empty where the formula was not fitted: spheres, several layers, a coating beside a foundation that yields, a given
+/// torque or rotation, printed kinematics, elastic layers, mostly frictional resistance, beyond those ranges.
 std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear);
 
 }  // namespace rollres

@@ -67,7 +67,10 @@ FiniteProblem::FiniteProblem(const ContactModel& given) : model(given), covered(
   const std::vector<ModelLayer>& layers = covered ? given.coating : given.foundation;
   length = std::min(estimate.half_width, 0.8 * given.radius);
   modulus = layers.front().modulus_at_rest;
-  approach = std::min(estimate.approach, 0.5 * layers.front().layer_thickness) / length;
+  // Over a half-space, which is rigid beside a cover, the estimate has none: then that of a row of springs.
+  const double approach_guess =
+      std::isfinite(estimate.approach) ? estimate.approach : length * length / (2 * given.radius);
+  approach = std::min(approach_guess, 0.5 * layers.front().layer_thickness) / length;
   model.estimate.reset();
   model.radius /= length;
   if (model.load) *model.load /= modulus * length;

@@ -13,10 +13,8 @@
 /// Power balance: contact_powers.hpp. `energy_residual` compares what the drive gives, Q V + T Omega, with what the
 /// layers and friction take by the fields; with printed kinematics, less the power that these leave over.
 
-#include <optional>
-
 #include "core/convolution/influence_operator.hpp"
-#include "core/estimate/linearity_error.hpp"
+#include "core/estimate/assumptions.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/contact_problem.hpp"
 #include "core/newton/newton_system.hpp"
@@ -37,9 +35,9 @@ GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& i
                        const ContactUnknowns& unknowns, const std::vector<Zone>& zone, const EdgeCorrection& edge = {});
 
 /// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
-/// @param nonlinear  what `linearity_error` says of them
+/// @param assumed  what the model rests on
 std::vector<std::string> warnings_for(const ContactModel& model, const RollingSolution& solution,
-                                      const std::optional<LinearityError>& nonlinear);
+                                      const std::vector<Assumption>& assumed);
 
 /// Why a tolerance has no answer, or the one found without inertia is none: its layers' inertia counts, but the body is
 /// faster than their waves. Empty otherwise.

@@ -87,7 +87,7 @@ struct RollingSolution {
   double friction_borne = absent;
   double error_estimate = absent;
   double rolling_resistance_error = absent;
-  double model_error = absent;  // linearity_error.hpp
+  double model_error = absent;  // estimate/assumptions.hpp
   double peak_shear_strain = absent;
   double peak_shear_strain_x = absent, peak_shear_strain_y = absent, peak_shear_strain_z = absent;
   double strain_amplitude = absent, peak_strain_amplitude = absent;
@@ -99,6 +99,7 @@ struct RollingSolution {
   double seconds = absent;
   Method method = Method::newton;
   std::string model;
+  std::vector<std::string> assumptions;
   Status status = Status::not_converged;
   std::string reason;
   std::vector<std::string> warnings;
@@ -130,14 +131,14 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"half_width", "b", "m", "largest y of the contact (sphere)"}, s.half_width);
   visitor(Q{"edge_error", "", "m", "estimated error of leading_edge, trailing_edge and half_width on a grid"},
           s.edge_error);
-  visitor(Q{"contact_area", "A", "m2", "area of contact (per metre of a cylinder: its length along x)", any_number, "m"},
-          s.contact_area);
+  visitor(
+      Q{"contact_area", "A", "m2", "area of contact (per metre of a cylinder: its length along x)", any_number, "m"},
+      s.contact_area);
   visitor(Q{"contact_area_error", "", "m2", "estimated error of the area of contact on a grid", any_number, "m"},
           s.contact_area_error);
   visitor(Q{"mean_pressure", "p_m", "Pa", "load over area of contact"}, s.mean_pressure);
   visitor(Q{"peak_pressure", "p_0", "Pa", "largest pressure"}, s.peak_pressure);
-  visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure"},
-          s.peak_pressure_error);
+  visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure"}, s.peak_pressure_error);
   visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
   visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere)"}, s.peak_shear_y);
   visitor(Q{"contact_nodes", "", "1", "nodes in contact"}, s.contact_nodes);
@@ -154,8 +155,9 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
   visitor(Q{"rolling_resistance_error", "", "N", "estimated error of the rolling resistance", any_number, "N/m"},
           s.rolling_resistance_error);
-  visitor(Q{"model_error", "", "1", "rolling resistance at finite strain over this linear one, minus 1, where known"},
-          s.model_error);
+  visitor(
+      Q{"model_error", "", "1", "estimated relative error of R_r by what the model assumes, where all of it is known"},
+      s.model_error);
   visitor(Q{"peak_shear_strain", "γ_max", "1", "largest shear strain in the layers"}, s.peak_shear_strain);
   visitor(Q{"peak_shear_strain_x", "", "m", "where it is along the motion"}, s.peak_shear_strain_x);
   visitor(Q{"peak_shear_strain_y", "", "m", "where it is across the motion, at y and -y (sphere)"},
@@ -179,6 +181,8 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"seconds", "", "s", "wall time of the solution"}, s.seconds);
   visitor(Q{"method", "", "", "solver"}, s.method);
   visitor(Q{"model", "", "", "what was left out and why"}, s.model);
+  visitor(Q{"assumptions", "", "", "what the model assumes, with its number and what it changes R_r by"},
+          s.assumptions);
   visitor(Q{"status", "", "", "converged, no_steady_state or not_converged"}, s.status);
   visitor(Q{"reason", "", "", "why there is no answer"}, s.reason);
   visitor(Q{"warnings", "", "", "what to mind when using the answer"}, s.warnings);

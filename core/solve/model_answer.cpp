@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/estimate/assumptions.hpp"
 #include "core/estimate/composite_estimate.hpp"
-#include "core/estimate/linearity_error.hpp"
 #include "core/finite_strain/finite_strain_contact.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
@@ -112,9 +112,10 @@ RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZone
   const bool said_by_material = take_spectrum_error(model, solution);
   if (!said_by_method && !said_by_material && misses_tolerance(model, model.asked_tolerance, solution))
     solution.warnings.push_back(tolerance_missed(*model.asked_tolerance, solution));
-  const std::optional<LinearityError> nonlinear = linearity_error(model, solution);
-  if (nonlinear) solution.model_error = nonlinear->value;
-  for (std::string& warning : warnings_for(model, solution, nonlinear)) solution.warnings.push_back(std::move(warning));
+  const std::vector<Assumption> assumed = assumptions(model, solution);
+  for (const Assumption& assumption : assumed) solution.assumptions.push_back(in_words(assumption));
+  solution.model_error = model_error(assumed).value_or(RollingSolution::absent);
+  for (std::string& warning : warnings_for(model, solution, assumed)) solution.warnings.push_back(std::move(warning));
   // A half-space taken as rigid is the model's own choice of the depth that an approach is counted from.
   if (!why_absent(model, "approach").empty()) solution.approach = RollingSolution::absent;
   return solution;

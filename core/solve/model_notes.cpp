@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimate/assumptions.hpp"
 #include "core/estimate/composite_estimate.hpp"
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
@@ -16,20 +17,9 @@ namespace rollres {
 
 namespace {
 
-double half_length(const RollingSolution& solution) {
-  const double length = solution.leading_edge - solution.trailing_edge;
-  return 0.5 * (std::isnan(solution.spacing) ? length : length + solution.spacing);
-}
-
 constexpr double noticeable_strain = 0.1;
 /// Change of the rolling resistance by the bending of a coating that is taken as flat.
 constexpr double noticeable_bending = 0.002;
-
-/// Of two digits.
-double in_percent(double part) {
-  const double percent = 100 * part, unit = std::pow(10, std::floor(std::log10(std::abs(percent))) - 1);
-  return std::isfinite(unit) && unit > 0 ? unit * std::round(percent / unit) : percent;
-}
 
 /// The sizes of a traction along the row of its peak, within the contact.
 std::vector<double> along_peak(const SurfaceFields& fields, const std::vector<double>& traction) {
@@ -52,19 +42,6 @@ void warn_of_peaks(const RollingSolution& solution, std::vector<std::string>& wa
   warn("peak_shear_x", solution.peak_shear_x, solution.fields.shear_x);
 }
 
-/// rho V^2 / |G*| at the frequency V / half-length, of the layer where it is largest.
-double inertia(const ContactModel& model, const RollingSolution& solution) {
-  const double frequency = model.speed / half_length(solution), square = model.speed * model.speed;
-  double largest = 0;
-  const auto take = [&](const std::vector<ModelLayer>& layers, double flow) {
-    for (const ModelLayer& layer : layers)
-      largest = std::max(largest, layer.layer_density * square * flow * flow * std::abs(layer.creep(frequency * flow)));
-  };
-  take(model.foundation, 1);
-  take(model.coating, model.flow);
-  return largest;
-}
-
 }  // namespace
 
 std::string unanswered_inertia(const ContactModel& model) {
@@ -76,7 +53,7 @@ std::string unanswered_inertia(const ContactModel& model) {
 
 std::string unanswered_inertia(const ContactModel& model, const RollingSolution& solution) {
   if (!model.inertia_automatic || !model.tolerance || model.asked_method == Method::spectral) return {};
-  const double number = rayleigh_number(model), mach = inertia(model, solution);
+  const double number = rayleigh_number(model), mach = inertia_number(model, solution);
   if (number < 1 || mach <= negligible_inertia(model)) return {};
   return message_text("inertia counts for a tolerance of ", *model.asked_tolerance, " (ρV²/|G| = ", mach,
                       "), and with it the speed must be below that of Rayleigh waves on the layer at rest, ",
@@ -84,15 +61,15 @@ std::string unanswered_inertia(const ContactModel& model, const RollingSolution&
 }
 
 std::vector<std::string> warnings_for(const ContactModel& model, const RollingSolution& solution,
-                                      const std::optional<LinearityError>& nonlinear) {
+                                      const std::vector<Assumption>& assumed) {
   std::vector<std::string> warnings;
   const bool linear = solution.method != Method::finite_strain;
   const double strain = solution.approach / total_thickness(model);
-  if (nonlinear) {
-    if (strain > noticeable_strain || (model.tolerance && std::abs(nonlinear->value) > *model.tolerance))
+  if (const Assumption* const small = find_assumption(assumed, "small strains"); small && small->change) {
+    if (strain > noticeable_strain || (model.tolerance && std::abs(*small->change) > *model.tolerance))
       warnings.push_back(message_text("the layer is taken as linear: at finite strain (d/H = ", strain,
-                                      ") the rolling resistance would differ by ", in_percent(nonlinear->value), " +- ",
-                                      in_percent(nonlinear->scatter), " %; method \"finite_strain\" computes it"));
+                                      ") the rolling resistance would differ by ", in_percent(*small->change), " +- ",
+                                      in_percent(small->scatter), " %; method \"finite_strain\" computes it"));
   } else if (linear && strain > noticeable_strain) {
     warnings.push_back(message_text("strain d/H = ", strain,
                                     " is not small: the layer is taken as linear, and what that costs is not known"));
@@ -101,12 +78,13 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
   if (linear && slope > 0.3)
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
                                     " is not small: displacements are taken as small"));
-  if (const double bending = flat_coating_error(model, half_length(solution)); linear && bending > noticeable_bending)
+  if (const Assumption* const flat = find_assumption(assumed, "flat coating");
+      linear && flat && std::abs(flat->change.value_or(0)) > noticeable_bending)
     warnings.push_back(
         message_text("the coating is taken as flat: bent around the core of a cylinder it would change the "
                      "rolling resistance by about ",
-                     in_percent(bending), " %"));
-  const double mach = inertia(model, solution);
+                     in_percent(*flat->change), " %"));
+  const double mach = inertia_number(model, solution);
   constexpr double noticeable_inertia = 0.01;
   if (!model.inertia &&
       mach > (model.tolerance && model.inertia_automatic ? std::min(noticeable_inertia, negligible_inertia(model))
@@ -148,7 +126,7 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
 
 std::string model_of(const ContactModel& model, const RollingSolution& solution) {
   const bool included = model.inertia;
-  const double mach = inertia(model, solution);
+  const double mach = inertia_number(model, solution);
   std::string text = surface_in_words(model) + "; " +
                      message_text(included ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ", mach);
   if (!included && model.inertia_automatic && model.tolerance && mach > *model.tolerance)

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
-#include "core/estimate/linearity_error.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/reference/reference_solutions.hpp"
@@ -209,10 +208,6 @@ std::string simpler_models_text(const RollingScene& scene, const RollingSolution
   write_aligned(text, table, "", "  ");
   if (!unlike.empty()) text << "  far from this scene: " << unlike << '\n';
   if (!richer.empty()) text << "  " << richer << '\n';
-  if (const auto missed = linearity_error(scene, solution))
-    text << "  at finite strain R_r would be " << readable(full * (1 + missed->value), unit)
-         << ", linear theory is off by " << percent(missed->value, 2) << " +- " << percent(missed->scatter, 2)
-         << " (method finite_strain computes it)\n";
   return text.str();
 }
 

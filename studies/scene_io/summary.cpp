@@ -83,6 +83,8 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_arithmetic_v<Value>)
       add(outputs, quantity, quantity.symbol, value_text(quantity, value, quantity.unit_for(body_of(scene))));
+    if (quantity.key == "model_error" && std::isnan(solution.model_error) && solution.status == Status::converged)
+      add(outputs, quantity, quantity.symbol, "not known: --explain tells what the model assumes");
   });
   std::ostringstream tables;
   write_aligned(tables << "\nscene\n", inputs, "", "  ");
@@ -103,6 +105,11 @@ std::string explanation(const RollingScene& scene, const RollingSolution& soluti
     if (scene.tolerance) text += ", wanted " + short_number(*scene.tolerance, 2);
     text += '\n';
   }
+  if (solution.assumptions.empty()) return text;
+  text += "assumed\n";
+  for (const std::string& assumption : solution.assumptions) text += "  - " + assumption + '\n';
+  if (std::isfinite(solution.model_error))
+    text += "  - by all of these together R_r is off by about " + percent(solution.model_error, 2) + '\n';
   return text;
 }
 
