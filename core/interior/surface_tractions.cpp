@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/numerics/quadrature.hpp"
+#include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
 
@@ -125,6 +126,7 @@ void SurfaceTractions::add_points(const Panel& panel, double s0, double s1, int 
 }
 
 SurfaceTractions::Transforms SurfaceTractions::transforms(double k) const {
+  require_time();
   Transforms sum{};
   for (const Panel& panel : panels_) {
     const double width = panel.to - panel.from;
@@ -188,6 +190,7 @@ std::vector<std::vector<SurfaceTractions::Transforms>> SurfaceTractions::transfo
     std::vector<Transforms>& sums = all.emplace_back();
     Turn waves(x, first), shares(halves, first);
     for (int j = 0; j < count; ++j) {
+      require_time();
       Turn shared = waves;
       if (uniform) {
         const double k = first + step * j;

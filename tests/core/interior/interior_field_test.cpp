@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/numerics/solution_limits.hpp"
 #include "core/reference/reference_inside.hpp"
 #include "tests/catch.hpp"
 
@@ -127,6 +128,14 @@ TEST_CASE("inside two bonded layers forces balance, and strains are those of the
   CHECK(std::abs(f.u(2, 0) - f.u(2, 1)) < 1e-12 * std::abs(f.w(2, 0)));
   CHECK(std::abs(f.sigma_z(2, 0) - f.sigma_z(2, 1)) < 1e-12 * 2);
   CHECK(std::abs(f.tau_xz(2, 0) - f.tau_xz(2, 1)) < 1e-12 * 2);
+}
+
+TEST_CASE("the transforms of tractions end with the time that a solution may take", "[core][interior]") {
+  // A contact over many thicknesses has as many waves. Where the time was not asked for within them they were all made.
+  const SurfaceTractions tractions(hertz_tractions(2, 0.5), 1e6);
+  const SolutionLimits limits(1e9, 0);
+  CHECK_THROWS_AS(tractions.transforms({0.01}, 1e-3, 100), BeyondLimits);
+  CHECK_THROWS_AS(tractions.transforms(0.01), BeyondLimits);
 }
 
 TEST_CASE("transforms of tractions at wavenumbers a step apart are those of each wavenumber", "[core][interior]") {
