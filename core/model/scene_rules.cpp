@@ -313,6 +313,16 @@ SolutionLimits limits_of(const RollingScene& scene) {
 }
 
 std::string why_absent(const RollingScene& scene, std::string_view output) {
+  constexpr std::array<std::string_view, 9> of_inside{
+      "peak_shear_strain",     "peak_shear_strain_x", "peak_shear_strain_y", "peak_shear_strain_z", "strain_amplitude",
+      "peak_strain_amplitude", "bond_shear",          "bond_tension",        "interior_loss"};
+  const bool softening = softens(scene) || std::any_of(scene.lower_layers.begin(), scene.lower_layers.end(), softens) ||
+                         std::any_of(scene.coating_layers.begin(), scene.coating_layers.end(), softens);
+  if (output == "softening" && !softening) return "no layer's moduli depend on the strain";
+  const bool amplitude = output == "strain_amplitude" || output == "peak_strain_amplitude";
+  if (scene.interior == Interior::off && !(amplitude && softening) &&
+      std::find(of_inside.begin(), of_inside.end(), output) != of_inside.end())
+    return "interior = on computes it";
   return why_absent(dimension_of(scene.indenter) == 3, on_half_space(scene), output);
 }
 

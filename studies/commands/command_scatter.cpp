@@ -23,12 +23,14 @@ struct ScatterArguments {
   bool json = false, replace = false;
 };
 
-/// Outputs that the study names, or the rolling resistance.
+/// Numbers and formulas that the study names, or the rolling resistance.
 std::vector<std::string> usual_outputs(const Study& study) {
   const std::vector<std::string_view> numbers = number_outputs();
   std::vector<std::string> outputs;
   const auto add = [&](const std::string& key) {
-    if (find_name(numbers, key) >= 0 && std::find(outputs.begin(), outputs.end(), key) == outputs.end())
+    const bool formula =
+        std::any_of(study.formulas.begin(), study.formulas.end(), [&](const auto& one) { return one.first == key; });
+    if ((formula || find_name(numbers, key) >= 0) && std::find(outputs.begin(), outputs.end(), key) == outputs.end())
       outputs.push_back(key);
   };
   for (const std::string& key : study.compute) add(key);
@@ -40,10 +42,14 @@ std::vector<std::string> usual_outputs(const Study& study) {
 ScatterWish wish_of(const ScatterArguments& arguments, const Study& study) {
   ScatterWish wish{.outputs = {}, .conditions = study.uncertain.probabilities, .probabilities = {}};
   for (const std::string& text : arguments.outputs.empty() ? usual_outputs(study) : arguments.outputs)
-    refusing_at("--output", [&] { wish.outputs.emplace_back(text, FormulaNames::inputs_and_outputs); });
+    refusing_at("--output", [&] {
+      wish.outputs.emplace_back(text, FormulaNames::inputs_and_outputs, study.formulas);
+      refuse_never_computed(wish.outputs.back(), study);
+    });
   for (const std::string& text : arguments.conditions)
-    refusing_at("--probability",
-                [&] { wish.conditions.emplace_back(text, FormulaNames::inputs_and_outputs, body_of(study.base)); });
+    refusing_at("--probability", [&] {
+      wish.conditions.emplace_back(text, FormulaNames::inputs_and_outputs, body_of(study.base), study.formulas);
+    });
   for (const std::string& word : split_at_commas(arguments.quantiles)) {
     const std::optional<double> percent = plain_number(word);
     if (!percent || !(*percent > 0 && *percent < 100))
@@ -109,7 +115,8 @@ void scatter(const ScatterArguments& arguments, Session& session) {
   if (!arguments.out.empty()) chart_files(arguments.out);  // a wrong name is told before the work
   const SweepReport swept = solve(study, arguments, session);
   ResultStore store(arguments.database, Access::read);
-  const ScatterReport report{study, wish, scatter_results(study, StudyPlan(study), store, wish.outputs, wish.conditions)};
+  const ScatterReport report{study, wish,
+                             scatter_results(study, StudyPlan(study), store, wish.outputs, wish.conditions)};
   if (arguments.json) {
     Json object = json_of(report);
     object["recalled"] = swept.recalled;

@@ -270,13 +270,6 @@ std::optional<ParetoWish> pareto_of(const Json& file, const GoalContext& context
       whole_number(needed(*object, "points", own, "how many designs on the front"), "points", 2, most_points, own)};
 }
 
-/// A goal that no answer has would be missed at every point.
-void refuse_absent(const Formula& formula, const RollingScene& scene, const std::string& place) {
-  for (const std::string& key : formula.keys())
-    if (const std::string why = why_absent(scene, key); !why.empty())
-      throw std::invalid_argument(place + ": " + formula.text() + ": " + key + " is never there: " + why);
-}
-
 /// Shares are of values > 0, and what scatters by them stays in its range at both bounds of a variable.
 void refuse_no_scatter(const DesignProblem& problem, const Json& given, const std::string& place) {
   for (const UncertainInput& input : problem.uncertain.inputs) {
@@ -349,12 +342,14 @@ DesignProblem problem_in(const Json& file, const std::vector<SceneEntry>& base, 
     refuse(place, "algorithm", file["algorithm"], "needs at least two variables");
   problem.stop = stop_of(file, place);
   problem.pareto = pareto_of(file, context, place);
+  // A goal that no answer has would be missed at every point.
   for (const DutyScene& duty : problem.scenes) {
-    refuse_absent(problem.goal.formula, duty.scene, place);
-    if (problem.pareto) refuse_absent(problem.pareto->goal.formula, duty.scene, place + ": pareto");
+    refusing_at(place, [&] { refuse_absent(problem.goal.formula, duty.scene); });
+    if (problem.pareto)
+      refusing_at(place + ": pareto", [&] { refuse_absent(problem.pareto->goal.formula, duty.scene); });
     for (std::size_t i = 0; i < problem.constraints.size(); ++i)
       for (const Formula& side : {problem.constraints[i].left(), problem.constraints[i].right()})
-        refuse_absent(side, duty.scene, place + ": constraint " + std::to_string(i + 1));
+        refusing_at(place + ": constraint " + std::to_string(i + 1), [&] { refuse_absent(side, duty.scene); });
   }
   return problem;
 }

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/dimension.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
@@ -261,6 +262,13 @@ void refuse_different_units(const Formula& formula, Body body) {
   throw std::invalid_argument(
       formula.text() + ": its terms have different units, and a number alone has none: " + units_in(formula, body) +
       "; a number has a unit in brackets, as in 2 [kN/m2] * approach");
+}
+
+void refuse_absent(const Formula& formula, const RollingScene& scene) {
+  for (const std::string& key : formula.keys())
+    if (const std::string why = why_absent(scene, key); !why.empty())
+      throw std::invalid_argument((formula.text() == key ? key : formula.text() + ": " + key) +
+                                  " is never there: " + why);
 }
 
 Condition::Condition(const std::string& text, FormulaNames names, Body body, const FormulaDefinitions& definitions)

@@ -78,6 +78,9 @@ class Formula {
 /// @throws std::invalid_argument naming the formula and the units in it if its terms have different ones
 void refuse_different_units(const Formula& formula, Body body);
 
+/// @throws std::invalid_argument naming the formula and the first of its outputs that no answer to the scene has
+void refuse_absent(const Formula& formula, const RollingScene& scene);
+
 /// The unit of a formula's value (dimension.hpp); empty if its terms have different ones.
 std::string unit_of(const Formula& formula, Body body);
 

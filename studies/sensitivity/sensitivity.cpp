@@ -122,6 +122,7 @@ DesignProblem read_ranges(const std::filesystem::path& file, const std::vector<s
       throw std::invalid_argument(place +
                                   ": axes: variant: a name has no range; give the inputs of one variant in set");
     StudyPlan{read};  // refuses a point that breaks a rule
+    refusing_at("--output", [&] { refuse_never_computed(formula, read); });
     DesignProblem problem = problem_of(read.base, ranges_of_study(object, place), formula);
     problem.name = read.name;
     return problem;
@@ -129,7 +130,9 @@ DesignProblem read_ranges(const std::filesystem::path& file, const std::vector<s
   if (ranges.empty()) throw std::invalid_argument("--range: there must be at least one KEY=FROM:TO for a scene");
   std::vector<GivenRange> given;
   for (const std::string& word : ranges) given.push_back(range_of_word(word));
-  DesignProblem problem = problem_of(read_scene(file, overrides), given, formula);
+  const RollingScene scene = read_scene(file, overrides);
+  refusing_at("--output", [&] { refuse_absent(formula, scene); });
+  DesignProblem problem = problem_of(scene, given, formula);
   problem.name = file.stem().string();
   return problem;
 }

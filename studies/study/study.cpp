@@ -1,5 +1,8 @@
 #include "studies/study/study.hpp"
 
+#include <algorithm>
+
+#include "core/model/scene_rules.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
@@ -69,7 +72,37 @@ std::vector<Body> bodies_of(const Study& study) {
   return bodies;
 }
 
+/// What is asked for of the inside of the layers is computed nowhere where no scene has it.
+void refuse_never_computed(const Study& study, const std::string& place) {
+  const std::vector<std::string_view> numbers = number_outputs();
+  const auto refuse_at = [&](const std::string& where, const std::string& name) {
+    const auto formula =
+        std::find_if(study.formulas.begin(), study.formulas.end(), [&](const auto& one) { return one.first == name; });
+    if (formula == study.formulas.end() && find_name(numbers, name) < 0) return;
+    const Formula asked(formula == study.formulas.end() ? name : formula->second, FormulaNames::inputs_and_outputs);
+    refusing_at(place + ": " + where, [&] { refuse_never_computed(asked, study); });
+  };
+  for (const std::string& name : study.compute) refuse_at("compute", name);
+  for (const StudyChart& chart : study.charts)
+    for (const std::string& name : {chart.x, chart.y, chart.map}) refuse_at("chart", name);
+}
+
 }  // namespace
+
+void refuse_never_computed(const Formula& formula, const Study& study) {
+  std::vector<RollingScene> scenes{study.base};
+  for (const Variant& variant : study.variants) scenes.push_back(variant.base);
+  for (const Axis& axis : study.axes)
+    if (axis.key == "interior") return;
+  for (const std::string& key : formula.keys()) {
+    const auto by_interior = [&](RollingScene scene) {
+      const bool absent = !why_absent(scene, key).empty();
+      scene.interior = Interior::on;
+      return absent && why_absent(scene, key).empty();
+    };
+    if (std::all_of(scenes.begin(), scenes.end(), by_interior)) refuse_absent(formula, study.base);
+  }
+}
 
 Study read_study(const std::filesystem::path& file) {
   const std::string place = file.string();
@@ -105,6 +138,7 @@ Study read_study(const std::filesystem::path& file) {
   study.constraints = study_constraints(object, bodies, study.formulas, place);
   study.fields = is_true(object, "fields", place);
   study.charts = study_charts(object, study.axes, study.formulas, place);
+  refuse_never_computed(study, place);
   return study;
 }
 

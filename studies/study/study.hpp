@@ -101,6 +101,9 @@ struct Study {
 /// @throws std::runtime_error if the study file or its scene file cannot be read
 Study read_study(const std::filesystem::path& file);
 
+/// @throws std::invalid_argument if the formula asks for a number of the inside and no scene of the study has `interior`
+void refuse_never_computed(const Formula& formula, const Study& study);
+
 /// The points of a study: the combinations of its axes' values that meet all constraints. Their scenes are made when
 /// they are asked for.
 class StudyPlan {

@@ -77,6 +77,22 @@ TEST_CASE("scatter of a linear case is that of its closed form", "[studies][comm
   CHECK(files.run({"--json"}).out.find("\"recalled\": 512") != std::string::npos);
 }
 
+TEST_CASE("formulas of a study scatter as its outputs do", "[studies][command_scatter]") {
+  const Files files(R"("compute": ["rolling_resistance", {"per_load": "rolling_resistance / load"}],)");
+  const ProgramRun all = files.run({"--json"}), one = files.run({"--output", "2 * per_load", "--json"});
+  REQUIRE(all.status == 0);
+  REQUIRE(one.status == 0);
+  const Json outputs = Json::parse(all.out)["places"][0]["outputs"],
+             doubled = Json::parse(one.out)["places"][0]["outputs"];
+  REQUIRE(outputs.size() == 2);
+  CHECK(outputs[1]["output"] == "per_load");
+  CHECK(doubled[0]["mean"]["value"].get<double>() ==
+        Approx(2 * outputs[1]["mean"]["value"].get<double>()).epsilon(1e-12));
+  const ProgramRun inside = files.run({"--output", "bond_shear"});
+  CHECK(inside.status == 2);
+  CHECK_THAT(inside.err, Catch::Contains("--output: bond_shear is never there: interior = on computes it"));
+}
+
 TEST_CASE("a scatter is told in words, with its errors and its distributions", "[studies][command_scatter]") {
   const Files files(R"("axes": {"speed": [1, 2]},)");
   const ProgramRun run = files.run({"--quantiles", "2.5,97.5", "--output", "rolling_resistance / load"});

@@ -134,3 +134,28 @@ TEST_CASE("a study whose scene file is not there names that file", "[studies][st
   CHECK_THROWS_WITH(read_study(file),
                     (directory.path / "gone.json").string() + ": cannot be read: No such file or directory");
 }
+
+TEST_CASE("numbers of the inside that no scene of a study computes are refused with the key that computes them",
+          "[studies][study]") {
+  // Where they were accepted the columns stayed empty.
+  const TemporaryDirectory directory;
+  const auto read = [&](const std::string& more, const std::string& axes, const std::string& wanted) {
+    return read_study(directory.write(
+        "study.json", R"({"study": "s", "scene": {"indenter": "cylinder", "radius": "2 cm", "layer_thickness": "5 mm",
+          "static_shear_modulus": "3 MPa", "stiffening": 1, "creep_time": 0.25, "load": "20 kN/m",
+          "friction_coefficient": 0)" +
+                          more + R"(}, "axes": {"speed": [1, 2])" + axes + "}, " + wanted + "}"));
+  };
+  const std::string formula = R"("compute": ["load", {"share": "bond_shear / peak_pressure"}])";
+  CHECK_THROWS_WITH(read("", "", formula),
+                    Catch::Contains("compute: bond_shear / peak_pressure: bond_shear is never there: interior = on"));
+  CHECK_THROWS_WITH(read("", "", R"("chart": {"x": "speed", "y": "interior_loss"})"),
+                    Catch::Contains("chart: interior_loss is never there: interior = on"));
+  CHECK_NOTHROW(read(R"(, "interior": "on")", "", formula));
+  CHECK_NOTHROW(read("", R"(, "interior": ["off", "on"])", formula));
+  CHECK_NOTHROW(read("", R"(, "variant": {"a": {"radius": "3 cm"}, "b": {"interior": "on"}})", formula));
+  // Moduli that depend on the strain have its amplitude with them.
+  const std::string amplitude = R"("compute": ["strain_amplitude"])";
+  CHECK_THROWS_AS(read("", "", amplitude), std::invalid_argument);
+  CHECK_NOTHROW(read(R"(, "payne_drop": 0.5, "payne_strain": 0.01)", "", amplitude));
+}
