@@ -128,10 +128,9 @@ class Assumptions {
     as_flat.inertia = false;
     ContactModel ring = as_flat;
     ring.bend_coating(0);
-    double thickness = 0;
-    for (const ModelLayer& layer : model_.coating) thickness += layer.layer_thickness;
     compare(flat,
-            message_text<2>("H/R = ", thickness / model_.radius, model_.dimension == 3 ? ", as of a cylinder" : ""),
+            message_text<2>("H/R = ", model_.coating_thickness() / model_.radius,
+                            model_.dimension == 3 ? ", as of a cylinder" : ""),
             as_flat, ring);
     // A sphere's bends both ways: of the same size, no more is known.
     if (model_.dimension == 3) all_.back().scatter = std::abs(all_.back().change.value_or(0));

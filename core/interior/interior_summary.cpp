@@ -89,7 +89,7 @@ void add_interior(const ContactModel& model, RollingSolution& solution) {
   solution.interior_loss = s.loss;
   constexpr double apart = 1e-3;
   if (const double off = std::abs(s.loss / solution.viscous_loss - 1);
-      model.curved && off > apart && std::isfinite(off))
+      model.ring() && off > apart && std::isfinite(off))
     solution.warnings.push_back(message_text("the losses inside the ring are ", 100 * off,
                                              " % off the surface's: shear acts there on the undeformed radius"));
   if (s.bonds.empty()) return;

@@ -30,12 +30,6 @@ double rayleigh_number(const ModelLayer& layer, double density, double speed) {
   return density * speed * speed / (layer.modulus_at_rest * rayleigh_square(layer.poisson_ratio));
 }
 
-double coating_thickness(const ContactModel& model) {
-  double thickness = 0;
-  for (const ModelLayer& layer : model.coating) thickness += layer.layer_thickness;
-  return thickness;
-}
-
 /// Whether inertia counts by itself: a tolerance is given, it is not negligible by the modulus at rest, and the model
 /// has it: below the speed of Rayleigh waves, with a grid.
 bool inertia_counts(const ContactModel& model) {
@@ -43,7 +37,7 @@ bool inertia_counts(const ContactModel& model) {
   if (!model.asked_tolerance || (model.asked_method == Method::spectral && !model.coating.empty())) return false;
   const double number = rayleigh_number(model);
   // With inertia a cylinder's coating is flat: of both, what is about to matter more is part of the model.
-  const bool bends_more = model.dimension == 2 && coating_thickness(model) > number * model.radius;
+  const bool bends_more = model.dimension == 2 && model.coating_thickness() > number * model.radius;
   return number > negligible_inertia(model) && number < 1 && !bends_more;
 }
 
@@ -110,12 +104,18 @@ void ContactModel::decide() {
 }
 
 void ContactModel::bend_coating(double least) {
-  curved = dimension == 2 && !inertia && coating_thickness(*this) > least * radius;
+  const bool bent = dimension == 2 && !inertia && coating_thickness() > least * radius;
   double face = radius;
   for (ModelLayer& layer : coating) {
-    layer.ring_radius = curved ? face : INFINITY;
+    layer.ring_radius = bent ? face : INFINITY;
     face -= layer.layer_thickness;
   }
+}
+
+double ContactModel::coating_thickness() const {
+  double thickness = 0;
+  for (const ModelLayer& layer : coating) thickness += layer.layer_thickness;
+  return thickness;
 }
 
 void ContactModel::choose_method() {

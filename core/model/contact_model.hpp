@@ -55,7 +55,6 @@ struct ContactModel {
 
   std::vector<ModelLayer> foundation;  // under the body, from the contact down; at least one
   std::vector<ModelLayer> coating;     // on the body, from its surface inwards
-  bool curved;                         // the coating is a ring on the body's core, not a flat layer
   bool half_space;                     // lies below all layers of the scene: then a cylinder has no approach
   double flow;                         // R Omega/V at which the coating flows through the contact [1]
   bool inertia;                        // of the layers is part of the model
@@ -78,6 +77,8 @@ struct ContactModel {
 
   /// All layers, under the body from the contact and then on it.
   std::vector<const ModelLayer*> layers() const;
+  /// Of all coatings together [m].
+  double coating_thickness() const;
   /// The top layer under the body.
   const ModelLayer& top() const { return foundation.front(); }
   /// Whether the surface is more than one layer of one material without inertia.

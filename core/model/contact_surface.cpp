@@ -172,10 +172,8 @@ CreepSpectrum near_spectrum(const ContactModel& model, const MemoryRange& told_a
 
 std::string coating_in_words(const ContactModel& model) {
   if (model.coating.empty()) return {};
-  double thickness = 0;
-  for (const ModelLayer& layer : model.coating) thickness += layer.layer_thickness;
-  const std::string share = message_text<4>("H/R = ", thickness / model.radius);
-  if (!model.curved)
+  const std::string share = message_text<4>("H/R = ", model.coating_thickness() / model.radius);
+  if (!model.ring())
     return "the coating is taken as flat, " + share +
            (model.dimension == 3 ? ": a sphere's is"
             : model.inertia      ? ": with inertia it is"

@@ -41,14 +41,17 @@ std::string count_table(const std::string& what, const std::vector<std::string>&
 }
 
 std::string model_section(const ReportSource& source) {
-  std::vector<std::string> methods, models, warnings;
+  std::vector<std::string> methods, models, assumptions, warnings;
   for (std::size_t row = 0; row < source.rows.size(); ++row) {
     methods.push_back(source.rows.text(row, "method"));
     add_parts(models, source.rows.text(row, "model"), "; ");
+    add_parts(assumptions, source.rows.text(row, "assumptions"), "\n");
     add_parts(warnings, source.rows.text(row, "warnings"), "\n");
   }
   return html::heading("Model") + count_table("method", methods) +
          count_table("what the model keeps and leaves out, and why", models) +
+         (assumptions.empty() ? std::string()
+                              : count_table("what the model assumes, and what each costs", assumptions)) +
          (warnings.empty() ? html::paragraph("No warnings.") : count_table("warning", warnings));
 }
 

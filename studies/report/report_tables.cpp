@@ -239,6 +239,7 @@ std::string accuracy_section(const ReportSource& source) {
   for (const double one : seconds) total += one;
   if (!seconds.empty()) rows.push_back(line("time of a solution", seconds, total, "s"));
   const std::pair<const char*, const char*> measures[] = {{"error_estimate", "estimated relative error of R_r"},
+                                                          {"model_error", "what the model's assumptions cost of R_r"},
                                                           {"energy_residual", "what the power balance misses"},
                                                           {"law_violation", "violation of the laws of contact"}};
   for (const auto& [key, words] : measures)

@@ -63,6 +63,8 @@ RollingSolution with_evidence(const RollingScene& scene) {
   solution.frictional_loss = 0.2 * solution.rolling_resistance * scene.speed;
   solution.error_estimate = 0.05;
   solution.model = scene.speed > 5 ? "inertia left out" : "friction as given";
+  solution.assumptions = {"no inertia (ρV²/|G| = 0.1): without it R_r +2 %", "plane strain"};
+  solution.model_error = 0.02;
   solution.warnings = {"strain d/H = 0.2"};
   return solution;
 }
@@ -105,6 +107,8 @@ TEST_CASE("a report holds all that is known of a study in one file that stands b
   CHECK_THAT(page, Contains("rolling resistance R_r [N/m]"));
   CHECK_THAT(page, Contains("<td>inertia left out</td><td class=\"number\">4</td>"));
   CHECK_THAT(page, Contains("<td>strain d/H = 0.2</td><td class=\"number\">16</td>"));
+  CHECK_THAT(page, Contains("<td>plane strain</td><td class=\"number\">16</td>") && Contains("without it R_r +2 %") &&
+                       Contains("what the model&#39;s assumptions cost of R_r"));
   CHECK_THAT(page, Contains(" and 200 N/m (load = 40 kN/m, speed = 1 m/s)."));
   // Failures of one reason are one row, with where they lie.
   CHECK_THAT(page, Contains("<td>no steady state: friction &lt;too&gt; small &amp; slow</td><td class=\"number\">4</td>"
