@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <stdexcept>
 
 #include "core/material/master_curve.hpp"
 #include "core/material/material_scale.hpp"
@@ -151,15 +153,21 @@ class HertzPressure {
 
 ContactEstimate composite_estimate(const ContactModel& model) {
   const HertzPressure pressure(model);
-  const auto excess = [&](double log_half_width) {
-    const ContactEstimate found = pressure.at(std::exp(log_half_width));
+  // Of the half-width over the radius, so that units do not tell where the search ends.
+  const auto at = [&](double logarithm) { return pressure.at(model.radius * std::exp(logarithm)); };
+  const auto excess = [&](double logarithm) {
+    const ContactEstimate found = at(logarithm);
     return model.load ? std::log(found.load / *model.load) : std::log(found.approach / *model.approach);
   };
-  double low = std::log(0.1 * model.radius), high = low;
-  constexpr double farthest = 100;  // where there is none, bracketed_root says so
-  while (low > high - farthest && excess(low) > 0) low -= 1;
-  while (high < low + 2 * farthest && excess(high) < 0) high += 1;
-  ContactEstimate estimate = pressure.at(std::exp(bracketed_root(excess, low, high, 1e-3)));
+  double low = std::log(0.1), high = low;
+  constexpr double farthest = 100;  // e^100 = 3e43 radii, or as small a part of one
+  while (low > -farthest && excess(low) > 0) low -= 1;
+  while (high < farthest && excess(high) < 0) high += 1;
+  const std::optional<double> found = root_between(excess, low, high, 1e-4);
+  if (!found)
+    throw std::domain_error(model.load ? no_half_width("load", *model.load)
+                                       : no_half_width("approach", *model.approach));
+  ContactEstimate estimate = at(*found);
   if (std::isinf(total_thickness(model)) && model.dimension == 2) estimate.approach = NAN;
   return estimate;
 }

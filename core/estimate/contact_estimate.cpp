@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
+#include "core/messages/message_text.hpp"
 #include "core/messages/require.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/reference/reference_solutions.hpp"
@@ -125,16 +127,19 @@ double cylinder_approach_number(double alpha) {
 }
 
 /// alpha at which the increasing function alpha^power number(alpha) takes the given value.
+/// @param given  the load or the approach that it answers   @throws std::domain_error naming that
 template <class Number>
-double find_alpha(Number number, int power, double value) {
+double find_alpha(Number number, int power, double value, std::string_view name, double given) {
   const auto excess = [&](double log_alpha) {
     return power * log_alpha + std::log(number(std::exp(log_alpha))) - std::log(value);
   };
   double low = 0, high = 0;
-  constexpr double farthest = 2e3;  // where there is none, bracketed_root says so
+  constexpr double farthest = 2e3;
   for (double step = 1; step < farthest && excess(low) > 0; step *= 2) low -= step;
   for (double step = 1; step < farthest && excess(high) < 0; step *= 2) high += step;
-  return std::exp(bracketed_root(excess, low, high));
+  const std::optional<double> logarithm = root_between(excess, low, high);
+  if (!logarithm) throw std::domain_error(no_half_width(name, given));
+  return std::exp(*logarithm);
 }
 
 /// The two numbers of a layer, for a modulus of G: they contain what Poisson's ratio changes.
@@ -178,6 +183,12 @@ class ContactNumbers {
 
 }  // namespace
 
+std::string no_half_width(std::string_view given, double value) {
+  return message_text<6>(
+      given, " = ", value,
+      ": no contact of any half-width answers it with the radius, the moduli and the thicknesses that are given");
+}
+
 ContactEstimate elastic_contact_from_load(int dimension, double radius, const Layer& layer, double shear_modulus,
                                           double load) {
   require_positive("radius", radius);
@@ -193,8 +204,8 @@ ContactEstimate elastic_contact_from_load(int dimension, double radius, const La
   }
   const double h = layer.thickness;
   const int power = sphere ? 3 : 2;
-  const double alpha =
-      find_alpha([&](double at) { return numbers.load(at); }, power, scaled / (sphere ? h * h * h : h * h));
+  const double alpha = find_alpha([&](double at) { return numbers.load(at); }, power,
+                                  scaled / (sphere ? h * h * h : h * h), "load", load);
   const double a = alpha * h;
   return {a, a * a / radius * numbers.approach(alpha), load};
 }
@@ -216,7 +227,8 @@ ContactEstimate elastic_contact_from_approach(int dimension, double radius, cons
     return {a, approach, scale * numbers.load(0) * a * a * a};
   }
   const double h = layer.thickness;
-  const double alpha = find_alpha([&](double at) { return numbers.approach(at); }, 2, approach * radius / (h * h));
+  const double alpha =
+      find_alpha([&](double at) { return numbers.approach(at); }, 2, approach * radius / (h * h), "approach", approach);
   const double a = alpha * h;
   return {a, approach, scale * a * a * (sphere ? a : 1) * numbers.load(alpha)};
 }

@@ -16,13 +16,16 @@
 /// the base adds, the confined incompressible layer in series with a foundation of modulus 2 G (1 - nu)/(1 - 2 nu) over
 /// H (Johnson 1985, section 5.8). Within 20 % in half-width.
 
+#include <string>
+#include <string_view>
+
 #include "core/model/contact_model.hpp"
 
 namespace rollres {
 
 /// @param dimension 2: of a cylinder; 3: of a sphere   @param radius R [m]   @param shear_modulus G [Pa]
 /// @param load P [N/m] for a cylinder, [N] for a sphere
-/// @throws std::invalid_argument naming the first argument that is not positive
+/// @throws std::invalid_argument naming the first argument that is not positive; std::domain_error `no_half_width`
 ContactEstimate elastic_contact_from_load(int dimension, double radius, const Layer& layer, double shear_modulus,
                                           double load);
 
@@ -31,5 +34,8 @@ ContactEstimate elastic_contact_from_load(int dimension, double radius, const La
 /// whose approach says nothing about its contact
 ContactEstimate elastic_contact_from_approach(int dimension, double radius, const Layer& layer, double shear_modulus,
                                               double approach);
+
+/// Says that no contact answers the load or the approach that is given.
+std::string no_half_width(std::string_view given, double value);
 
 }  // namespace rollres

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <vector>
 
 #include "core/numerics/quadrature.hpp"
@@ -27,14 +28,17 @@ double integrated_log(double t, double b) {
   return square == 0 ? 0 : t * std::log(square) - 2 * t + (b > 0 ? 2 * b * std::atan(t / b) : 0);
 }
 
-/// Mean of ln(t^2) over a cell from `left` to `right`: far away by powers of the cell over the distance, for the
+/// Mean of ln(t^2 + b^2) over a cell from `left` to `right`: far away by powers of the cell over the distance, for the
 /// antiderivative's digits are lost there.
-double mean_log(double left, double right) {
-  const double cell = right - left, middle = 0.5 * (left + right);
-  constexpr double far = 0.02;  // cell over distance, whose eighth power is nothing
-  if (const double q = std::pow(cell / middle, 2); q < far * far)
-    return std::log(middle * middle) - q * (1.0 / 12 + q * (1.0 / 160 + q / 1344));
-  return (integrated_log(right, 0) - integrated_log(left, 0)) / cell;
+double mean_log(double left, double right, double b) {
+  const double cell = right - left;
+  const std::complex<double> middle(0.5 * (left + right), b);  // ln(t^2 + b^2) is the real part of ln((t + ib)^2)
+  constexpr double far = 0.02;                                 // cell over distance, whose eighth power is nothing
+  if (cell < far * std::abs(middle)) {
+    const std::complex<double> ratio = cell / middle, q = ratio * ratio;
+    return std::log(std::norm(middle)) - (q * (1.0 / 12 + q * (1.0 / 160 + q / 1344.0))).real();
+  }
+  return (integrated_log(right, b) - integrated_log(left, b)) / cell;
 }
 
 /// Enough Gauss points that the average over a cell of the correction, whose wavelength is about H, is exact to 1e-9.
@@ -47,6 +51,10 @@ QuadratureRule averaging_rule(double cell_over_thickness) {
                                   : checked_count(std::floor(4 * c), "points in a cell") + 4);
 }
 
+/// Of the thickness: over a shorter cell two Gauss points give the mean of the correction to 1e-12, and a difference of
+/// antiderivatives, which tables have to 5e-13, has lost more.
+constexpr double short_cell = 0.01;
+
 }  // namespace
 
 double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std::abs(x)); }
@@ -57,7 +65,10 @@ ElasticKernel::ElasticKernel(int dimension, const Layer& layer, double cell_x, d
   if (std::isinf(layer.thickness)) return;
   scales_ = {layer.thickness, layer_table_end * layer.thickness, true};
   if (dimension == 2) {
-    line_ = line_table(layer.poisson_ratio);
+    if (cell_x < short_cell * layer.thickness)
+      slopes_ = line_slopes(layer.poisson_ratio);
+    else
+      line_ = line_table(layer.poisson_ratio);
     return;
   }
   radial_ = radial_table(layer.poisson_ratio);
@@ -148,27 +159,32 @@ Coefficients ElasticKernel::cylinder(double x) const {
   const double right = std::min(x + 0.5 * cell_x_, reach), left = std::max(x - 0.5 * cell_x_, -reach);
   // Far from the load the length of the cell is lost in the difference of its ends.
   const double share = std::abs(x) + 0.5 * cell_x_ <= reach ? 1 : (right - left) / cell_x_;
-  const double logarithm = share * mean_log(left, right) / (2 * M_PI);
+  const double logarithm = share * mean_log(left, right, 0) / (2 * M_PI);
   sum(ww) = -deep_.normal * logarithm;
   sum(uu) = -deep_.longitudinal * logarithm;
   const double sign = std::abs(x) >= 0.5 * cell_x_ ? std::copysign(share, x) : 2 * x / cell_x_;
   sum(uw) = -0.5 * deep_.cross * sign;
-  if (!line_) return sum;
+  if (!line_ && !slopes_) return sum;
 
-  const double image = 2 * scales_.length;
-  const double known = (integrated_log(right, image) - integrated_log(left, image)) / (2 * M_PI * cell_x_);
-  const Eigen::Array3d correction =
-      (line_antiderivative(right) - line_antiderivative(left)) * (scales_.length / cell_x_);
+  const double known = share * mean_log(left, right, 2 * scales_.length) / (2 * M_PI);
+  const Eigen::Array3d correction = line_correction(left, right);
   sum(ww) += correction(0) + deep_.normal * known;
   sum(uu) += correction(1) + deep_.longitudinal * known;
   sum(uw) += correction(2);
   return sum;
 }
 
-/// Of the correction less its known part, over the length; two components odd and one even in x.
-Eigen::Array3d ElasticKernel::line_antiderivative(double x) const {
-  const Eigen::Array3d value = (*line_)(std::min(std::abs(x), scales_.extent) / scales_.length);
-  return x < 0 ? Eigen::Array3d(-value(0), -value(1), value(2)) : value;
+/// Of the correction less its known part, the integral over what the cell from `left` to `right` has within the reach,
+/// over the cell; two components even and one odd in x.
+Eigen::Array3d ElasticKernel::line_correction(double left, double right) const {
+  const auto at = [&](const auto& table, double x, const Eigen::Array3d& mirror) -> Eigen::Array3d {
+    const Eigen::Array3d value = table(std::min(std::abs(x), scales_.extent) / scales_.length);
+    return x < 0 ? Eigen::Array3d(mirror * value) : value;
+  };
+  if (line_) return (at(*line_, right, {-1, -1, 1}) - at(*line_, left, {-1, -1, 1})) * (scales_.length / cell_x_);
+  const double middle = 0.5 * (left + right), apart = (right - left) / (2 * std::sqrt(3.0));
+  return (at(*slopes_, middle - apart, {1, 1, -1}) + at(*slopes_, middle + apart, {1, 1, -1})) *
+         (0.5 * (right - left) / cell_x_);
 }
 
 }  // namespace rollres

@@ -70,14 +70,15 @@ class ElasticKernel {
  private:
   Coefficients sphere(double x, double y) const;
   Coefficients cylinder(double x) const;
-  Eigen::Array3d line_antiderivative(double x) const;
+  Eigen::Array3d line_correction(double left, double right) const;
 
   int dimension_;  // 2 or 3
   double cell_x_, cell_y_;
   LayerSymbols deep_;                          // symbols times k as k -> infinity: the half-space under short waves
   ResponseScales scales_;                      // the thickness is the unit of the tables' distances
   std::shared_ptr<const RadialTable> radial_;  // of a sphere; none for a half-space
-  std::shared_ptr<const LineTable> line_;      // of a cylinder
+  std::shared_ptr<const LineTable> line_;      // of a cylinder,
+  std::shared_ptr<const LineSlopes> slopes_;   // instead, where cells are short against the layer
   std::vector<double> nodes_x_, weights_x_, nodes_y_, weights_y_;  // average of the correction over the cell
 };
 

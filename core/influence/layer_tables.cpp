@@ -94,6 +94,20 @@ LineTable make_line_table(double poisson_ratio) {
   });
 }
 
+LineSlopes make_line_slopes(double poisson_ratio) {
+  WavenumberNodes nodes(poisson_ratio);
+  const double deep = half_space_symbols(poisson_ratio).normal;
+  return LineSlopes(table_borders(), table_degree, [&](double x) {
+    Eigen::Array3d sum = Eigen::Array3d::Zero();
+    for (const auto& [k, weight, c] : nodes(x)) {
+      const double known = -deep * std::exp(-2 * k) / k, cosine = std::cos(k * x);
+      sum += weight / M_PI *
+             Eigen::Array3d((c.normal - known) * cosine, (c.longitudinal - known) * cosine, -c.cross * std::sin(k * x));
+    }
+    return sum;
+  });
+}
+
 /// Tables made on demand, by Poisson's ratio; the most recently used are kept.
 template <class Table>
 std::shared_ptr<const Table> kept_table(double poisson_ratio, Table (*make)(double)) {
@@ -111,6 +125,10 @@ std::shared_ptr<const RadialTable> radial_table(double poisson_ratio) {
 
 std::shared_ptr<const LineTable> line_table(double poisson_ratio) {
   return kept_table<LineTable>(poisson_ratio, make_line_table);
+}
+
+std::shared_ptr<const LineSlopes> line_slopes(double poisson_ratio) {
+  return kept_table<LineSlopes>(poisson_ratio, make_line_slopes);
 }
 
 }  // namespace rollres

@@ -21,8 +21,15 @@ using RadialTable = ChebyshevTable<4>;
 /// symbol that is known in closed form: normal, longitudinal [1], cross [1]; the integrals of (K6).
 using LineTable = ChebyshevTable<3>;
 
+/// Their slopes, the corrections themselves: in cells that are short against the layer the difference of two
+/// antiderivatives has no digits left.
+struct LineSlopes : ChebyshevTable<3> {
+  using ChebyshevTable::ChebyshevTable;
+};
+
 /// Tables for a Poisson's ratio, from a small cache shared by all threads; that of an incompressible layer is kept.
 std::shared_ptr<const RadialTable> radial_table(double poisson_ratio);
 std::shared_ptr<const LineTable> line_table(double poisson_ratio);
+std::shared_ptr<const LineSlopes> line_slopes(double poisson_ratio);
 
 }  // namespace rollres

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 
+#include "core/messages/message_text.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/solution_limits.hpp"
 
@@ -31,6 +34,20 @@ PronySeries ordered(PronySeries series) {
   return series;
 }
 
+namespace {
+
+/// Where the modulus vanishes above the time of a term.
+double zero_of(const std::optional<double>& found, const PronySeries::Term& term, double static_modulus) {
+  if (!found || !std::isfinite(*found))
+    throw std::domain_error(
+        message_text<6>("relaxation_moduli: no time of creep was found above the relaxation time of ", term.time,
+                        " s, since its modulus, ", term.modulus, " Pa, is too far from that at rest, ", static_modulus,
+                        " Pa; leave out the terms that do not count"));
+  return *found;
+}
+
+}  // namespace
+
 CreepSpectrum creep_spectrum(const PronySeries& series) {
   const std::vector<PronySeries::Term>& terms = series.terms;
   double glassy = series.static_modulus;
@@ -53,11 +70,11 @@ CreepSpectrum creep_spectrum(const PronySeries& series) {
     double u;
     double to_next = INFINITY;  // u at the next pole
     if (terms.size() == 1) {
-      u = terms[j].modulus / series.static_modulus;
+      u = zero_of(terms[j].modulus / series.static_modulus, terms[j], series.static_modulus);
     } else if (j + 1 == terms.size()) {
       double high = terms[j].modulus / series.static_modulus;
       while (modulus_times_u(high) < 0) high *= 2;
-      u = bracketed_root(modulus_times_u, 0, high);
+      u = zero_of(root_between(modulus_times_u, 0, high), terms[j], series.static_modulus);
     } else {
       to_next = (terms[j + 1].time - pole) / pole;
       const double next = terms[j + 1].modulus * terms[j + 1].time / pole;
@@ -65,7 +82,7 @@ CreepSpectrum creep_spectrum(const PronySeries& series) {
       const auto without_poles = [&](double v) {
         return (to_next - v) * (v * others(v) - terms[j].modulus) + v * next;
       };
-      u = bracketed_root(without_poles, 0, to_next);
+      u = zero_of(root_between(without_poles, 0, to_next), terms[j], series.static_modulus);
     }
     const double time = pole * (1 + u);
     double slope = 0;  // lambda dG/ds at the zero

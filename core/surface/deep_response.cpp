@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
+#include <stdexcept>
 
+#include "core/messages/message_text.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
@@ -72,7 +75,14 @@ class DeepMedium {
     high = 2 * low;
     constexpr double highest = 1e15;  // beyond, 1/y is lost beside 1
     while (excess(high) < 0 && high < highest) high *= 2;
-    return rate(bracketed_root(excess, low, high));
+    const std::optional<double> found = root_between(excess, low, high);
+    if (!found)
+      throw std::domain_error(message_text(
+          "inertia: the waves of the half-space at the contact were not found, since the term of creep with a "
+          "retardation time of ",
+          lengths_[term] / speed_,
+          " s hardly yields; leave out what is so weak in its material, or give \"inertia\": ", "\"off\""));
+    return rate(*found);
   }
 
  private:

@@ -18,6 +18,9 @@ using Eigen::MatrixXd;
 constexpr int terms = 20;
 constexpr double highest_wavenumber = 18;  // e^{-36}
 constexpr double panel_growth = 1.6;       // of distances, as of the first ones
+/// Radians over which the waves of a fade e^{-(14 u)^2} in its own length fall to 1e-14: they add to those of the
+/// phase.
+constexpr double fade_phase = 160;
 constexpr std::array<double, 7> first_borders{1.2, 3, 6, 11, 19, 31, 48};
 
 }  // namespace
@@ -38,7 +41,8 @@ FourierTable::WaveRule FourierTable::wave_rule(double from, double to) const {
   double start = 0;
   for (double stop = std::min(lowest_, 0.5); start < end; start = stop, stop = std::min(2 * stop, stop + 1)) {
     const double width = std::min(stop, end) - start;
-    const QuadratureRule& gauss = gauss_rule(11 + checked_count(0.3 * width * to, "nodes of a transform"));
+    const double phase = width * to + (stop > fade.from ? fade_phase * width / (fade.to - fade.from) : 0);
+    const QuadratureRule& gauss = gauss_rule(11 + checked_count(0.3 * phase, "nodes of a transform"));
     for (std::size_t q = 0; q < gauss.nodes.size(); ++q) {
       nodes.push_back(start + width * gauss.nodes[q]);
       weights.push_back(width * gauss.weights[q] * fade(nodes.back()));

@@ -54,7 +54,7 @@ double slowest_time(const MediumLayer& layer, double longest_creep_time, double 
       compliance += term.compliance / (1 - share * term.time / longest_creep_time);
     return std::min(compliance, 2 * enough) - enough;
   };
-  if (!(excess(0) < 0)) return longest_creep_time;
+  if (!(enough < INFINITY && excess(0) < 0 && excess(1) > 0)) return longest_creep_time;
   return longest_creep_time / bracketed_root(excess, 0, 1);
 }
 

@@ -22,7 +22,7 @@ struct ComparedOutput {
   double points = 0;  ///< with continuous edges, of a peak that is looked for between the points of a solution [1]
 };
 
-constexpr std::array<ComparedOutput, 16> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
+constexpr std::array<ComparedOutput, 22> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
                                                            {"driving_force", ComparedOutput::force, 0, 1},
                                                            {"driving_torque", ComparedOutput::torque, 0, 1},
                                                            {"rotation_ratio", ComparedOutput::rotation, 5},
@@ -37,7 +37,13 @@ constexpr std::array<ComparedOutput, 16> compared_outputs{{{"rolling_resistance"
                                                            {"peak_shear_x", ComparedOutput::shear, 5, 0, 1e-3},
                                                            {"peak_shear_y", ComparedOutput::shear, 5, 0, 1e-3},
                                                            {"viscous_loss", ComparedOutput::power, 1},
-                                                           {"frictional_loss", ComparedOutput::power, 1}}};
+                                                           {"frictional_loss", ComparedOutput::power, 1},
+                                                           {"peak_shear_strain"},
+                                                           {"strain_amplitude"},
+                                                           {"peak_strain_amplitude"},
+                                                           {"bond_shear"},
+                                                           {"bond_tension"},
+                                                           {"interior_loss", ComparedOutput::power}}};
 
 double value_of(const RollingSolution& solution, std::string_view key) {
   double found = RollingSolution::absent;
@@ -64,6 +70,15 @@ std::string_view unit_of(std::string_view key, Body body) {
     if (quantity.key == key) unit = quantity.unit_for(body);
   });
   return unit;
+}
+
+bool grows_with_width(std::string_view key) {
+  const RollingSolution none;
+  bool grows = false;
+  visit_outputs(none, [&](const Quantity& quantity, const auto&) {
+    if (quantity.key == key) grows = quantity.grows_with_width();
+  });
+  return grows;
 }
 
 /// Load times the longer half of the contact over the radius [N].
@@ -123,7 +138,9 @@ struct Compared {
     return on_grid(one.method) && one.method == other.method && one.contact_nodes == other.contact_nodes &&
            one.slip_nodes == other.slip_nodes && std::abs(other.spacing - spacing) <= 1e-9 * spacing;
   }
-  double factor_of(std::string_view key) const { return scenes.factors.of(unit_of(key, body_of(scenes.one))); }
+  double factor_of(std::string_view key) const {
+    return scenes.factors.of(unit_of(key, body_of(scenes.one))) * (grows_with_width(key) ? scenes.width : 1);
+  }
   /// The larger share of a cell in the contact; 0 without a grid.
   static double cell_share(const RollingSolution& solution) {
     if (!on_grid(solution.method) && solution.method != Method::finite_strain) return 0;

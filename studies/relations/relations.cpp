@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -190,10 +191,18 @@ Pair other_words(Dice& dice, RollingScene scene) {
 
 // ---- Units.
 
+/// Of one scene in four the inside as well, where both answers are to be the same.
+void look_inside(Dice& dice, RollingScene& scene) {
+  if (dice.choice(4) != 0) return;
+  scene.interior = Interior::on;
+  if (!check(scene).empty()) scene.interior = Interior::off;
+}
+
 double power_of_two(Dice& dice, int most) { return std::ldexp(1.0, dice.choice(2 * most + 1) - most); }
 
 /// Equal but for rounding of logarithms of times, which memories many decades apart amplify: up to 8e-7 of an approach.
-Pair scaled(const RollingScene& scene, const UnitFactors& factors) {
+Pair scaled(Dice& dice, RollingScene scene, const UnitFactors& factors) {
+  look_inside(dice, scene);
   RelatedScenes pair{.one = scene, .other = known(in_units(scene, factors)), .factors = factors};
   pair.exact = 1e-6;
   pair.strict = true;
@@ -201,10 +210,27 @@ Pair scaled(const RollingScene& scene, const UnitFactors& factors) {
 }
 
 Pair all_scaled(Dice& dice, RollingScene scene) {
-  return scaled(scene, {power_of_two(dice, 8), power_of_two(dice, 12), power_of_two(dice, 16)});
+  const UnitFactors factors{power_of_two(dice, 8), power_of_two(dice, 12), power_of_two(dice, 16)};
+  return scaled(dice, std::move(scene), factors);
 }
 
-Pair speed_scaled(Dice& dice, RollingScene scene) { return scaled(scene, {1, 1, power_of_two(dice, 12)}); }
+Pair speed_scaled(Dice& dice, RollingScene scene) {
+  const UnitFactors factors{1, 1, power_of_two(dice, 12)};
+  return scaled(dice, std::move(scene), factors);
+}
+
+/// Loads and torques of a whole cylinder are those per metre times its width. A power of 2, as above.
+Pair whole_width(Dice& dice, RollingScene scene) {
+  const double width = power_of_two(dice, 6);
+  look_inside(dice, scene);
+  RollingScene other = scene;
+  other.width = width;
+  for (std::optional<double>* const given : {&other.load, &other.driving_torque})
+    if (*given) **given *= width;
+  RelatedScenes pair{.one = scene, .other = known(other), .width = width};
+  pair.strict = true;
+  return pair;
+}
 
 // ---- What is given and what is found.
 
@@ -222,6 +248,15 @@ Pair given_back(Dice&, RollingScene scene) {
 }
 
 // ---- Bodies and layers.
+
+/// Longest way of the body in a retardation time of any layer [m].
+double longest_memory(const RollingScene& scene) {
+  const ContactModel model(scene);
+  double longest = 0;
+  for (const ModelLayer* const layer : model.layers())
+    if (!layer->creep.terms.empty()) longest = std::max(longest, layer->creep.terms.back().time);
+  return scene.speed * longest * std::max(1.0, std::abs(model.flow));
+}
 
 /// Without friction only the sum of what both sides yield counts.
 Pair exchanged(Dice& dice, RollingScene scene) {
@@ -246,6 +281,10 @@ Pair exchanged(Dice& dice, RollingScene scene) {
   scene.rotation_ratio.reset();
   scene.inertia = Inertia::off;
   scene.kinematics = Kinematics::consistent;
+
+  // A ring feels what it has not recovered from in a turn; layers never come round.
+  constexpr double memories = 30;
+  if (ring && memories * longest_memory(scene) > 2 * std::numbers::pi * scene.radius) return {};
 
   RollingScene other = scene;
   static_cast<MaterialInputs&>(other) = scene.coating_layers.front();
@@ -297,15 +336,6 @@ Pair mirrored(Dice& dice, RollingScene scene) {
                        .left_out = {"rolling_resistance", "rotation_ratio", "viscous_loss", "frictional_loss"}};
 }
 
-/// Longest way of the body in a retardation time of any layer [m].
-double longest_memory(const RollingScene& scene) {
-  const ContactModel model(scene);
-  double longest = 0;
-  for (const ModelLayer* const layer : model.layers())
-    if (!layer->creep.terms.empty()) longest = std::max(longest, layer->creep.terms.back().time);
-  return scene.speed * longest * std::max(1.0, std::abs(model.flow));
-}
-
 Pair long_period(Dice&, RollingScene scene) {
   if (!on_grid(scene.method) || !scene.spacing || !has_rigid_base(scene)) return {};
   scene.inertia = Inertia::off;
@@ -353,7 +383,7 @@ Pair tolerances(Dice&, RollingScene scene) {
                        .left_out = {"peak_shear_x", "peak_shear_y"}};
 }
 
-constexpr std::array<Relation, 13> all_relations{{
+constexpr std::array<Relation, 14> all_relations{{
     {"cut in two", "a layer, or a coating, as two of the same material", cut_in_two},
     {"cut in five", "the same as five", cut_in_five},
     {"term split", "a Prony term as two of half its modulus", term_split},
@@ -361,6 +391,7 @@ constexpr std::array<Relation, 13> all_relations{{
     {"other words", "the same material by other inputs", other_words},
     {"scaled", "lengths, moduli and times in other units", all_scaled},
     {"speed and memories", "a speed times a number, all times over it", speed_scaled},
+    {"whole width", "loads and torques of a cylinder's whole width for those per metre", whole_width, false},
     {"given back", "load given, approach found and given in its place, or the other way round", given_back},
     {"exchanged", "without friction, the body's coating for what lies below", exchanged},
     {"mirrored", "on elastic layers, sliding forwards for sliding backwards", mirrored, false},

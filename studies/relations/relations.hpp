@@ -43,6 +43,7 @@ struct RelatedScenes {
   RollingScene one;
   std::function<RollingScene(const RollingSolution&)> other;  ///< from the answer to `one`, which converged
   UnitFactors factors = {};  ///< outputs of the other scene over those of the first, by their units
+  double width = 1;          ///< of the other over the first one's, of which loads, forces, powers and areas are [1]
   double exact = 1e-7;       ///< relative difference that the relation itself leaves [1]
   double resistance = 0;     ///< relative difference of R_r that is allowed where the above is less [1]
   double sensitivity = 1;    ///< of what is found to what is given, where the other scene is given what the first found

@@ -4,6 +4,7 @@
 #include "tests/infinite.hpp"
 
 using namespace rollres;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -59,4 +60,28 @@ TEST_CASE("Hertz's pressure on an elastic half-space has the compliance of the c
   CHECK(response.compliance == Approx(mean_displacement).epsilon(2e-3));
   CHECK(response.slope == Approx(-mean_displacement / a).epsilon(5e-3));
   CHECK(response.loss == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("the estimate on several layers is the same in other units of length", "[core][composite_estimate]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    const RollingScene scene = two_layers(indenter, 0.01);
+    RollingScene other = scene;
+    constexpr double length = 32;
+    other.radius *= length;
+    other.layer_thickness *= length;
+    other.lower_layers.front().layer_thickness *= length;
+    *other.load *= indenter == Indenter::sphere ? length * length : length;
+    // A search that ends where a logarithm of metres is known to 1e-3 differs by 5e-5.
+    CHECK(composite_estimate(other).half_width == Approx(length * composite_estimate(scene).half_width).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("where no contact answers the load or the approach, the estimates name it", "[core][contact_estimate]") {
+  CHECK_THROWS_WITH(elastic_contact_from_load(2, 1e200, Layer(1e-60), 1e6, 1e200),
+                    Contains("load = 1e+200: no contact"));
+  CHECK_THROWS_WITH(elastic_contact_from_approach(3, 1e200, Layer(1e-60), 1e6, 1e200),
+                    Contains("approach = 1e+200: no contact"));
+  RollingScene scene = two_layers(Indenter::cylinder, 0.01);
+  scene.load = 1e-200;
+  CHECK_THROWS_WITH(composite_estimate(scene), Contains("load = 1e-200: no contact"));
 }

@@ -151,3 +151,38 @@ TEST_CASE("far from a short cell a line force moves a half-space like the logari
     CHECK(kernel(x, 0)(uw) == Approx(0.1).epsilon(1e-14));
   }
 }
+
+TEST_CASE("under a line load a cell twice as long is the mean of two, however short both are against the layer",
+          "[core][elastic_kernel]") {
+  // Cells of 0.006 H take the correction's slope, those of 0.012 H its antiderivative.
+  const double cell = 6e-3;
+  for (const double poisson_ratio : {0.5, 0.3}) {
+    const Layer layer{1, poisson_ratio};
+    const ElasticKernel fine(2, layer, cell, 1), coarse(2, layer, 2 * cell, 1);
+    for (const double x : {0.0, 1e-3, -0.2, 1.3, -4.0, 12.0}) {
+      const Coefficients mean = 0.5 * (fine(x - 0.5 * cell, 0) + fine(x + 0.5 * cell, 0));
+      INFO("Poisson's ratio " << poisson_ratio << ", x = " << x);
+      // Tables have the antiderivatives to 5e-13, which two of them over 0.012 make 1e-10.
+      CHECK((mean - coarse(x, 0)).abs().maxCoeff() < 2e-10);
+    }
+  }
+}
+
+TEST_CASE("a layer of a thousand million cells moves under a line load as a half-space, but for a constant",
+          "[core][elastic_kernel]") {
+  const double cell = 1e-5;
+  for (const double poisson_ratio : {0.5, 0.3}) {
+    const ElasticKernel deep(2, Layer{1e9 * cell, poisson_ratio}, cell, 1),
+        half_space(2, Layer{infinite, poisson_ratio}, cell, 1);
+    const Coefficients deep_middle = deep(0, 0), middle = half_space(0, 0);
+    for (const double x : {1e-5, 4e-5, -1e-3, 0.1}) {
+      const Coefficients difference = (deep(x, 0) - deep_middle) - (half_space(x, 0) - middle);
+      INFO("Poisson's ratio " << poisson_ratio << ", x = " << x);
+      // The layer's part is a square of x/H, of the cross term as much as x/H.
+      const double share = std::abs(x) / (1e9 * cell), rounding = 1e-13;
+      CHECK(std::abs(difference(ww)) < share * share + rounding);
+      CHECK(std::abs(difference(uu)) < share * share + rounding);
+      CHECK(std::abs(difference(uw)) < share + rounding);
+    }
+  }
+}

@@ -118,3 +118,29 @@ TEST_CASE("a coating's share of what yields is that in passage: what it would do
   scene.approach = contact.approach;
   CHECK(share_of_coating(scene) == Approx(fresh).epsilon(1e-3));  // to which half-widths are estimated
 }
+
+TEST_CASE("far from a load on thin incompressible layers nothing moves, to the last digit", "[core][line_passage]") {
+  // A long wave moves them by k^2 H^3/(3 G) each: so -1/2 sum C x^2 is the sum of H^3/(3 G), and an error of 1e-11 at
+  // each of the far cells would be seen in its fourth digit.
+  RollingScene scene;
+  scene.radius = 4e5;
+  scene.layer_thickness = 1;
+  scene.static_shear_modulus = 1;
+  scene.material = MaterialModel::elastic;
+  scene.speed = 1;
+  scene.load = 1;
+  scene.inertia = Inertia::off;
+  BondedLayer coating;
+  coating.layer_thickness = 1;
+  coating.static_shear_modulus = 30;
+  coating.material = MaterialModel::elastic;
+  scene.coating_layers = {coating};
+  const double cell = 0.1;
+  const int reach = 8000;
+  const InfluenceTable table = line_passage_table(ContactModel(scene), line(cell, 2), reach);
+  double moment = 0;
+  for (int column = -reach; column <= reach; ++column)
+    moment -= 0.5 * table.ww[static_cast<std::size_t>(table.index(column, 0))] * std::pow(column * cell, 2) * cell;
+  // The ring's curvature adds 1.5 H/R = 4e-6, the sum over cells 2e-5.
+  CHECK(moment == Approx((1 + 1 / 30.0) / 3).epsilon(5e-5));
+}

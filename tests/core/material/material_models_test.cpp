@@ -256,3 +256,9 @@ TEST_CASE("a list of numbers as text reads back bit by bit, and nothing else doe
   for (const char* const wrong : {"", "1", "[1", "[1,]", "[1 2]", "[1] 2", "[nan]", "[inf]", "[x]"})
     CHECK_FALSE(list_in(wrong));
 }
+
+TEST_CASE("a Prony series whose creep is beyond all numbers names the term", "[core][material]") {
+  CHECK_THROWS_WITH(
+      creep_spectrum(PronySeries{1e-200, {{1e-200, 1e-3}, {1e200, 1}}}),
+      Catch::Matchers::Contains("relaxation_moduli: no time of creep was found above the relaxation time of 1 s"));
+}

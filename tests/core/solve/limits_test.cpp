@@ -40,6 +40,8 @@ TEST_CASE("limits hold while they live, and those before them afterwards", "[cor
 }
 
 TEST_CASE("without a change of sign there is no root to answer with", "[core][limits]") {
+  CHECK(!root_between([](double x) { return 1 + x * x; }, -1.0, 1.0));
+  CHECK(!root_between([](double) { return NAN; }, -1.0, 1.0));
   CHECK_THROWS_AS(bracketed_root([](double x) { return 1 + x * x; }, -1.0, 1.0), std::domain_error);
   CHECK_THROWS_AS(bracketed_root([](double) { return NAN; }, -1.0, 1.0), std::domain_error);
 }
