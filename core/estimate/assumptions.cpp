@@ -14,13 +14,11 @@ namespace rollres {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> names{
-    "small strains",  "rigid body and base",        "no inertia",       "flat coating",
-    "recovered ring", "left out for the tolerance", "linear materials", "no heat",
-    "plane strain"};
+constexpr std::array<std::string_view, 8> names{"small strains",  "rigid body and base", "no inertia", "flat coating",
+                                                "recovered ring", "linear materials",    "no heat",    "plane strain"};
 constexpr std::string_view small_strains = names[0], rigid = names[1], no_inertia = names[2], flat = names[3],
-                           recovered_ring = names[4], left_out = names[5], linear_materials = names[6],
-                           no_heat = names[7], plane_strain = names[8];
+                           recovered_ring = names[4], linear_materials = names[5], no_heat = names[6],
+                           plane_strain = names[7];
 
 /// Steel: G [Pa], nu.
 constexpr double steel_modulus = 81e9, steel_poisson = 0.3;
@@ -50,8 +48,6 @@ class Assumptions {
     if (!model_.inertia) inertia();
     if (!model_.coating.empty() && !model_.ring()) coating();
     if (model_.ring()) turns();
-    if (!model_.decisions.empty())
-      all_.push_back({left_out, message_text(model_.decisions.size(), " simplification(s)"), 0.0, model_.left_out});
     inputs();
     return std::move(all_);
   }
