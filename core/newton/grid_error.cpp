@@ -186,6 +186,35 @@ double GridError::estimate(double resistance, double change) const {
          slow_share * slow_error;
 }
 
+namespace {
+
+/// Resistance of memories that a grid answers too weakly [N], and the length of the one that counts most [m].
+struct UnresolvedMemory {
+  double resistance = 0, length = 0;
+};
+
+/// (N21), over the memories of what the contact sees on either side.
+UnresolvedMemory unresolved_memory(const ContactModel& model, double spacing, const ContactIntegrals& sums) {
+  constexpr double of_grid = 0.7;
+  UnresolvedMemory sum;
+  double largest = 0;
+  const auto add = [&](const ModelLayer& layer, double flow) {
+    for (const CreepSpectrum::Term& term : layer.creep.terms) {
+      const double memory = model.speed * flow * term.time, over = memory / sums.half_length, cells = memory / spacing;
+      const double lost = of_grid * (1 - layer.poisson_ratio) * term.compliance * memory * spacing * sums.roughness /
+                          (1 + over * over) / (1 + cells * (3 + 4 * cells));
+      if (lost > largest) sum.length = memory;
+      largest = std::max(largest, lost);
+      sum.resistance += lost;
+    }
+  };
+  add(model.foundation.front(), 1);
+  if (!model.coating.empty()) add(model.coating.front(), std::abs(model.flow));
+  return sum;
+}
+
+}  // namespace
+
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,
                      const ContactPowers& powers) {
   const ContactModel& model = problem.model;
@@ -195,7 +224,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   GridError error;
   for (const CreepSpectrum::Term& term : creep.terms)
     if (term.compliance > 0) error.memory_length = std::max(error.memory_length, model.speed * term.time);
-  if (moments.first == 0) return error;
+  if (moments.first == 0 && model.coating.empty()) return error;
 
   // The two terms of (N17) and (N18).
   const double limit = model.speed * moments.first * sums.curved;
@@ -205,15 +234,9 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   const bool composite = model.composite();  // which has no moments of one material
   if (!composite) error.slow_loss = limit * (1 - std::min(second, largest_second));
 
-  constexpr double of_grid = 0.7;
-  const double spacing = problem.grid.spacing_x;
-  const double lost = of_grid * (1 - model.top().poisson_ratio) * moments.rest * model.radius * spacing *
-                      sums.roughness / sums.pressure;
-  for (const CreepSpectrum::Term& term : creep.terms) {
-    const double memory = model.speed * term.time, over = memory / sums.half_length, cells = memory / spacing;
-    error.unresolved += model.speed * term.compliance * term.time / moments.rest * sums.pressure / model.radius * lost /
-                        (1 + over * over) / (1 + cells * (3 + 4 * cells));
-  }
+  const UnresolvedMemory lost = unresolved_memory(model, problem.grid.spacing_x, sums);
+  error.unresolved = lost.resistance;
+  if (!model.coating.empty()) error.memory_length = lost.length;
   if (composite || second >= largest_second || model.adhesion_threshold > 0) return error;
   // Measured against exact solutions: the slopes at the edges are known to a twentieth (less over a thin layer), and
   // change with the memory; the rest is what friction adds at steep edges.

@@ -64,25 +64,27 @@ class DeepMedium {
     return shear_wave() * bracketed_root(stiffness, 0.3, 1 - 1e-12);
   }
 
-  /// The s between -1/T of a term and that of the next longer where J has a value.
-  double rate_of(std::size_t term, double value) const {
+  /// The s between -1/T of a term and that of the next longer where J has a value; nothing where that is -1/T itself to
+  /// 1e-12, since the term hardly yields.
+  /// @throws std::domain_error if it is that of the next longer one
+  std::optional<double> rate_of(std::size_t term, double value) const {
     // With y = 1/(1 + s T) the compliance rises from one pole to the other.
     const double length = lengths_[term];
     const auto rate = [&](double y) { return (1 / y - 1) / length; };
-    double low = 1, high = 2;
+    double low = 1;
     if (term + 1 < lengths_.size()) low = (1 + 1e-13) / (1 - length / lengths_[term + 1]);
     const auto excess = [&](double y) { return compliance(rate(y)) - value; };
-    high = 2 * low;
-    constexpr double highest = 1e15;  // beyond, 1/y is lost beside 1
+    if (!(excess(low) < 0))
+      throw std::domain_error(message_text(
+          "inertia: the waves of the half-space at the contact were not found below the retardation time of ",
+          length / speed_,
+          " s, since the next longer one hardly yields; leave out what is so weak in its material, or ",
+          "give \"inertia\": \"off\""));
+    double high = 2 * low;
+    constexpr double highest = 1e12;  // beyond, the distance of both rates has few digits, and does nothing
     while (excess(high) < 0 && high < highest) high *= 2;
     const std::optional<double> found = root_between(excess, low, high);
-    if (!found)
-      throw std::domain_error(message_text(
-          "inertia: the waves of the half-space at the contact were not found, since the term of creep with a "
-          "retardation time of ",
-          lengths_[term] / speed_,
-          " s hardly yields; leave out what is so weak in its material, or give \"inertia\": ", "\"off\""));
-    return rate(*found);
+    return found ? std::optional(rate(*found)) : std::nullopt;
   }
 
  private:
@@ -109,8 +111,10 @@ RetardedSum retarded_sum(const DeepMedium& medium, const Values& values) {
   RetardedSum sum{.at_once = values(medium.instantaneous()).real(), .lengths = {}, .weights = {}};
   if (!(medium.density() > 0)) return sum;
   for (std::size_t m = 0; m < medium.lengths().size(); ++m) {
-    const double pole = -1 / medium.lengths()[m], shear = medium.rate_of(m, medium.shear_wave()),
-                 rayleigh = medium.rate_of(m, medium.rayleigh_wave());
+    const std::optional<double> found_shear = medium.rate_of(m, medium.shear_wave()),
+                                found_rayleigh = medium.rate_of(m, medium.rayleigh_wave());
+    if (!found_shear || !found_rayleigh) continue;  // they do as little as they are apart from the memory
+    const double pole = -1 / medium.lengths()[m], shear = *found_shear, rayleigh = *found_rayleigh;
     // The residue, by the mean over a circle around it.
     constexpr int around = 48;
     const double radius = 0.5 * (rayleigh - shear);
@@ -144,8 +148,8 @@ RetardedSum retarded_sum(const DeepMedium& medium, const Values& values) {
       }
     };
     if (std::isfinite(medium.pressure_wave())) {
-      const double pressure = medium.rate_of(m, medium.pressure_wave());
-      cut(pole, pressure);
+      const double pressure = medium.rate_of(m, medium.pressure_wave()).value_or(pole);
+      if (pressure > pole) cut(pole, pressure);
       cut(pressure, shear);
     } else {
       cut(pole, shear);

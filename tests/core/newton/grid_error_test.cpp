@@ -276,3 +276,36 @@ TEST_CASE("a sphere's grid is no finer than its tolerance asks for", "[core][gri
   CHECK(4 * coarse.contact_nodes < fine.contact_nodes);
   CHECK(coarse.rolling_resistance == Approx(fine.rolling_resistance).epsilon(1e-2));
 }
+
+TEST_CASE("a memory shorter than a cell counts in the error alike, below the contact and on the body",
+          "[core][grid_error]") {
+  RollingScene scene;
+  scene.indenter = Indenter::sphere;
+  scene.radius = 0.05;
+  scene.layer_thickness = 0.01;
+  scene.material = MaterialModel::elastic;
+  scene.static_shear_modulus = 2e6;
+  scene.speed = 1;
+  scene.load = 20;
+  scene.friction_coefficient = 0;
+  scene.drive = Drive::top_force;
+  scene.inertia = Inertia::off;
+  scene.spacing = 5e-4;
+  BondedLayer rubber;
+  rubber.layer_thickness = 0.005;
+  rubber.static_shear_modulus = 1e6;
+  rubber.stiffening = 5;
+  rubber.creep_time = 1e-4;  // a fifth of a cell
+  scene.coating_layers = {rubber};
+  RollingScene other = scene;
+  static_cast<MaterialInputs&>(other) = rubber;
+  other.layer_thickness = rubber.layer_thickness;
+  static_cast<MaterialInputs&>(other.coating_layers.front()) = scene;
+  other.coating_layers.front().layer_thickness = scene.layer_thickness;
+  // Without friction both contacts are the same. Where the layer's memory alone counts the first states 0.7 of the
+  // second's error.
+  const RollingSolution one = solve(scene), exchanged = solve(other);
+  REQUIRE(one.status == Status::converged);
+  CHECK(one.rolling_resistance == Approx(exchanged.rolling_resistance).epsilon(1e-6));
+  CHECK(one.rolling_resistance_error == Approx(exchanged.rolling_resistance_error).epsilon(1e-4));
+}

@@ -68,6 +68,27 @@ TEST_CASE("a half-space with inertia is a sum over retardation times of its own"
   CHECK(half_space_terms(foundation_of(fast).front(), fast.speed).empty());
 }
 
+TEST_CASE("a memory that hardly yields changes nothing of a half-space with inertia", "[core][deep_response]") {
+  // Its waves are at its own rate to 1e-16, where they were looked for in vain and no scene had an answer.
+  for (const double modulus : {1e-4, 1e-7, 1e-10}) {
+    RollingScene scene = with_inertia(0.3, 20);
+    const std::vector<HalfSpaceTerm> without = half_space_terms(foundation_of(scene).front(), scene.speed);
+    scene.relaxation_moduli.push_back(modulus);
+    scene.relaxation_times.push_back(1);
+    const std::vector<HalfSpaceTerm> with = half_space_terms(foundation_of(scene).front(), scene.speed);
+    REQUIRE(!with.empty());
+    const auto sum = [](const std::vector<HalfSpaceTerm>& terms, double k) {
+      Eigen::Array3cd all = Eigen::Array3cd::Zero();
+      for (const HalfSpaceTerm& term : terms) all += term.compliances / std::complex<double>(1, -k * term.length);
+      return all;
+    };
+    for (const double k : {0.0, 0.3, 300.0, 1e7}) {
+      INFO(modulus << " Pa, " << k);
+      CHECK((sum(with, k) - sum(without, k)).abs().maxCoeff() < 1e-8 * sum(without, k).abs().maxCoeff());
+    }
+  }
+}
+
 TEST_CASE("means of short waves' slopes are those that integration along the memory gives", "[core][deep_response]") {
   const SpectralProblem problem(with_inertia(0.3, 15), near_spectrum(with_inertia(0.3, 15)), 3e-3);
   const DeepResponse& deep = *problem.deep;
