@@ -5,7 +5,6 @@
 #include "core/estimate/composite_estimate.hpp"
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
-#include "core/material/passivity.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/model/indenter_shape.hpp"
@@ -109,9 +108,11 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
   }
   for (std::string& line : material_warnings(model.top())) warnings.push_back(std::move(line));
   for (const ModelLayer* const layer : model.layers())
-    if (layer != &model.top() && layer->material == MaterialModel::master_curve)
-      if (std::string swapped = swapped_moduli(layer->storage_moduli, layer->loss_moduli); !swapped.empty())
-        warnings.push_back("master curve of a further layer: " + swapped);
+    if (layer != &model.top())
+      for (const std::string& line : material_warnings(*layer))
+        if (std::string further = "a further layer: " + line;
+            std::find(warnings.begin(), warnings.end(), further) == warnings.end())
+          warnings.push_back(std::move(further));
   if (model.spacing && !on_grid(solution.method))
     warnings.push_back(message_text("spacing = ", *model.spacing, " m is not used by method ", name_of(solution.method),
                                     ", which has no grid"));

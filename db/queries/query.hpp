@@ -30,6 +30,9 @@ struct Filter {
   Comparison comparison = Comparison::equal;
   std::string value;
   double slack = 1e-12;  ///< relative to the value [1]
+  /// Whether the value has the unit of a metre of a cylinder (N/m), or that of a whole body (N): other rows differ from
+  /// it, whatever their number. Nothing if no unit tells.
+  std::optional<bool> per_metre = {};
 };
 
 /// By how much a number can differ from one that people wrote or copied from a table: half a unit of its last digit, or

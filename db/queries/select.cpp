@@ -147,6 +147,17 @@ std::string condition(const Filter& filter, const Column& column, std::vector<Ce
   return compared;
 }
 
+/// The condition, for rows of bodies that have the unit of the filter's value; all others differ from it.
+std::string condition_with_unit(const Filter& filter, const Columns& known, std::vector<Cell>& bound) {
+  const std::string one = condition(filter, column_named(known, filter.column), bound);
+  if (!filter.per_metre || !has_column(known, "indenter") || !has_column(known, "width")) return one;
+  const std::string metre = "(" + column_named(known, "indenter").sql() + " = 'cylinder' AND " +
+                            column_named(known, "width").sql() + " IS NULL)";
+  const std::string same = (*filter.per_metre ? "" : "NOT ") + metre;
+  return filter.comparison == Comparison::not_equal ? "(NOT (" + same + ") OR " + one + ")"
+                                                    : "(" + same + " AND " + one + ")";
+}
+
 bool names_study(const Filter& filter) {
   return filter.column == "study" && filter.comparison == Comparison::equal && !filter.value.empty();
 }
@@ -307,7 +318,7 @@ std::string where_clause(const std::vector<Filter>& filters, const Columns& know
   const auto add = [&](const std::string& one) { clause += (clause.empty() ? " WHERE " : " AND ") + one; };
   const bool several = studies_named(filters) > 1;
   for (const Filter& filter : filters)
-    if (!several || !names_study(filter)) add(condition(filter, column_named(known, filter.column), bound));
+    if (!several || !names_study(filter)) add(condition_with_unit(filter, known, bound));
   for (const Filter& filter : filters)
     if (several && names_study(filter))
       studies += (studies.empty() ? "" : " OR ") + condition(filter, column_named(known, filter.column), bound);

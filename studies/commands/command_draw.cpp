@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "core/derivatives/objective.hpp"
 #include "studies/figures/scene_sketch.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/scene_io/scene_file.hpp"
@@ -21,7 +22,7 @@ std::string title_of(const std::string& file, const RollingScene& scene, const R
   std::replace(name.begin(), name.end(), '_', ' ');
   if (solution.status != Status::converged) return name + ": no answer";
   return name + ": rolling resistance " +
-         readable(solution.rolling_resistance, body_of(scene).per_metre() ? "N/m" : "N");
+         readable(solution.rolling_resistance, real_output("rolling_resistance").unit_for(body_of(scene)));
 }
 
 void draw_scene(const DrawArguments& arguments, Session& session) {

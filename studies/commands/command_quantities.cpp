@@ -44,6 +44,8 @@ std::string default_text(const InputKind& kind) {
     const std::string others = joined(replaced_inputs(kind.quantity.key, 0.0));
     return others.empty() ? "" : "or " + others;
   }
+  // A scene without moduli in lists has no use for it, and one with them says it (studies/scene_io/scene_entries.cpp).
+  if (kind.quantity.key == listed_moduli_key) return "required beside storage_moduli";
   const std::string needed_by = kind.needed_by();
   if (needed_by == "every scene") return "required";
   if (!needed_by.empty()) return "required by " + needed_by;

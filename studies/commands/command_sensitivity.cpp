@@ -67,7 +67,10 @@ void print(const GradientReport& report, bool json, Session& session) {
 void run_gradient(const GradientArguments& arguments, Session& session) {
   const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
   std::vector<InputChoice> inputs;
-  for (const std::string& key : arguments.inputs) inputs.push_back({key});
+  for (const std::string& key : arguments.inputs) {
+    refusing_at("--inputs", [&] { require_held(key); });
+    inputs.push_back({key});
+  }
   Objective objective{scene, {}, {}, session.evaluate};
   objective.output = refusing_at("--output", [&] { return real_output(arguments.output); });
   objective.variables = refusing_at(arguments.scene + " with --inputs", [&] { return variables_of(scene, inputs); });

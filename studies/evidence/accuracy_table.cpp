@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/derivatives/objective.hpp"
 #include "studies/scene_io/cells.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
@@ -99,7 +100,7 @@ std::string place_in_words(double spacing, double tolerance) {
 std::string reference_in_words(const AccuracyReport& report) {
   const AccuracyReference& reference = report.reference;
   if (!reference.found()) return "no reference: no answer can be trusted, so that no error is known";
-  const std::string unit = body_of(report.scene).per_metre() ? "N/m" : "N";
+  const std::string unit(real_output("rolling_resistance").unit_for(body_of(report.scene)));
   const double certain = std::isfinite(reference.uncertainty) ? reference.uncertainty : 1e-7;
   const int digits = std::clamp(static_cast<int>(std::ceil(1 - std::log10(std::max(certain, 1e-12)))), 4, 13);
   std::string text = "reference: R_r = " + short_number(reference.rolling_resistance, digits) + " " + unit + ", " +

@@ -471,7 +471,10 @@ class Function {
 
   Function(const RollingScene& scene, const std::vector<Choice>& inputs, const std::string& output) {
     std::vector<InputChoice> choices;
-    for (const auto& [key, lowest, highest] : inputs) choices.push_back({key, lowest, highest});
+    for (const auto& [key, lowest, highest] : inputs) {
+      require_held(key);
+      choices.push_back({key, lowest, highest});
+    }
     objective_ = objective(scene, choices, output, solve);
   }
 
@@ -536,7 +539,10 @@ void add_objective(py::module_& module) {
 py::object gradient_of(const RollingScene& scene, const std::vector<std::string>& inputs, const std::string& output,
                        int order, int threads) {
   std::vector<InputChoice> choices;
-  for (const std::string& key : inputs) choices.push_back({key});
+  for (const std::string& key : inputs) {
+    require_held(key);
+    choices.push_back({key});
+  }
   std::string report;
   watched(
       [&](const std::atomic<bool>& stop) {

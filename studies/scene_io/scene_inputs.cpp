@@ -166,6 +166,14 @@ std::string held_key(const std::string& key) {
   return kind && !kind->held_as.empty() ? std::string(kind->held_as) : key;
 }
 
+void require_held(const std::string& key) {
+  const InputKind* const kind = find_input(key);
+  if (!kind || kind->held_as.empty()) return;
+  const std::string held(kind->held_as);
+  throw std::invalid_argument(key + ": is stored as " + held + ", which is " + text_of(InputValue(kind->factor)) +
+                              " times it: name " + held);
+}
+
 std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value) {
   if (const std::optional<LayerKey> layered = layer_key(key)) {
     if (!find_input(key)) return {};

@@ -56,6 +56,10 @@ const InputKind* find_number(std::string_view key);
 /// The key under which a scene holds what is written under this one: radius for diameter.
 std::string held_key(const std::string& key);
 
+/// For places where only what scenes hold can be named: axes of charts, filters, derivatives.
+/// @throws std::invalid_argument "diameter: is stored as radius, which is 0.5 times it: name radius"
+void require_held(const std::string& key);
+
 /// The inputs that giving `key` this value takes the place of: load and approach, spacing and tolerance, and what
 /// belongs to another drive.
 std::vector<std::string_view> replaced_inputs(std::string_view key, const InputValue& value);

@@ -108,10 +108,12 @@ const QuantityColumn& derived_column(const std::string& name, const std::string&
 void convert_to_si(Filter& filter, const Quantity& quantity) {
   if (filter.value.empty() || filter.value == "infinite" || plain_number(filter.value)) return;
   filter.value = shortest(refusing_at(filter.column + " = " + filter.value, [&] {
+    if (quantity.grows_with_width()) filter.per_metre = false;
     try {
       return is_temperature(quantity.key) ? kelvin(filter.value) : si_value(filter.value, quantity.unit);
     } catch (const std::invalid_argument&) {
-      if (quantity.unit_2d.empty()) throw;
+      if (!quantity.grows_with_width()) throw;
+      filter.per_metre = true;
       return si_value(filter.value, quantity.unit_2d);
     }
   }));

@@ -20,7 +20,7 @@ std::vector<ComputedColumn> computed_columns(const FormulaDefinitions& formulas)
 /// @param formula  one that was understood
 const QuantityColumn& derived_column(const std::string& name, const std::string& formula);
 
-/// A value with a unit in a filter becomes a number in SI.
+/// A value with a unit in a filter becomes a number in SI; whether it is per metre is kept beside it.
 /// @throws std::invalid_argument naming the value whose unit does not fit
 void convert_to_si(Filter& filter, const Quantity& quantity);
 /// The same for filters of derived numbers.

@@ -140,6 +140,7 @@ const QuantityColumn& column_of(const std::string& key, const StudySummary& stud
                                 const std::string& option) {
   const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
   if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
+  refusing_at(option, [&] { require_held(key); });
   std::vector<std::string_view> names = keys_like(key);
   for (const QuantityColumn* const column : rows.columns()) {
     if (column->name == key) return *column;
@@ -270,6 +271,7 @@ void refuse_unknown_choice(const Filter& filter, const QuantityColumn& column) {
 
 Filter read_filter(const std::string& text) {
   Filter filter = parse_filter(text);
+  require_held(filter.column);
   const QuantityColumn* column = find_quantity_column(filter.column);
   if (column && column->type == "TEXT") refuse_unknown_choice(filter, *column);
   if (column && column->type == "REAL") convert_to_si(filter, column->quantity);

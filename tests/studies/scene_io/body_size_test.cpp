@@ -183,6 +183,67 @@ TEST_CASE("forces of a body with a width have units of forces in answers, tables
   REQUIRE(run_rollres({"sweep", folder.write("m.json", metre.dump()).string(), "--db", data}, closed_form).status == 0);
   const ProgramRun mixed = run_rollres({"query", "--db", data, "--columns", "load"}, closed_form);
   CHECK_THAT(mixed.out, Contains("1 kN\n") && Contains("20 kN/m"));
+
+  // 1 kN and 1 kN/m are the same number in the store.
+  json light = metre;
+  light["study"] = "light";
+  light["axes"] = {{"load", {"1 kN/m", "2 kN/m"}}};
+  REQUIRE(run_rollres({"sweep", folder.write("l.json", light.dump()).string(), "--db", data}, closed_form).status == 0);
+  const auto count = [&](const std::string& filter) {
+    return run_rollres({"query", "--db", data, filter, "--aggregate", "count", "--format", "csv"}, closed_form).out;
+  };
+  CHECK(count("load=1 kN/m") == "count\n1\n");
+  CHECK(count("load=1 kN") == "count\n2\n");  // of two widths
+  CHECK(count("load=1000") == "count\n3\n");
+  CHECK(count("load!=1 kN/m") == "count\n7\n");
+  CHECK(count("load<25 kN/m") == "count\n3\n");
+}
+
+TEST_CASE("where only stored inputs can be named a diameter is refused with the name of the radius",
+          "[studies][scene_io][width]") {
+  const TemporaryDirectory folder;
+  const std::string scene = folder.write("roll.json", rolling_body().dump()).string();
+  const std::string data = (folder / "d.db").string();
+  const json study{
+      {"study", "sizes"}, {"scene", rolling_body()}, {"axes", {{"diameter", {"100 mm", "200 mm", "300 mm"}}}}};
+  REQUIRE(run_rollres({"sweep", folder.write("s.json", study.dump()).string(), "--db", data}, closed_form).status == 0);
+  const auto refused = [](const std::vector<std::string>& words) {
+    const ProgramRun run = run_rollres(words, closed_form);
+    CHECK(run.status == ExitStatus::wrong_input);
+    return run.err;
+  };
+  const auto held = Contains("diameter: is stored as radius, which is 0.5 times it: name radius");
+  CHECK_THAT(refused({"chart", "--db", data, "--x", "diameter"}), held);
+  CHECK_THAT(refused({"query", "--db", data, "diameter=100 mm"}), held);
+  CHECK_THAT(refused({"gradient", scene, "--inputs", "speed,diameter"}), held);
+}
+
+TEST_CASE("a width that scatters about none in the scene never makes a load per metre that of the whole body",
+          "[studies][scene_io][width]") {
+  const TemporaryDirectory folder;
+  const auto refusal = [&](const json& scene) {
+    const json study{{"study", "scatter"},
+                     {"scene", scene},
+                     {"uncertain", {{"width", {{"normal", {"50 mm", "1 mm"}}}}, {"points", 8}}}};
+    const std::filesystem::path file = folder.write("study.json", study.dump());
+    return message_of([&] { read_study(file); });
+  };
+  json plain = rolling_body();
+  plain["load"] = 20000;
+  CHECK_THAT(refusal(plain), Contains("load = 20000 was given per metre: give it too, of the whole body"));
+  CHECK_THAT(refusal(rolling_body()), Contains("load = \"20 kN/m\": "));
+  CHECK(refusal(whole_roll()) == "nothing");
+}
+
+TEST_CASE("the list of quantities has no default for what listed moduli are", "[studies][scene_io]") {
+  const json listed = json::parse(run_rollres({"quantities", "--json"}, closed_form).out);
+  bool found = false;
+  for (const json& input : listed["inputs"])
+    if (input["key"] == "listed_moduli") {
+      found = true;
+      CHECK(input["default"] == "required beside storage_moduli");
+    }
+  CHECK(found);
 }
 
 TEST_CASE("a fit of loads and resistances in N finds what one of the same per metre finds", "[studies][fit][width]") {

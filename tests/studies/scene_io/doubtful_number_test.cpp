@@ -1,7 +1,12 @@
 #include "studies/scene_io/doubtful_number.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "core/solve/rolling_contact.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -119,4 +124,31 @@ TEST_CASE("a distribution about a long mean draws points that are read as they w
   const auto scenes = points(read_study(file));
   REQUIRE(scenes.size() == 8);
   for (const RollingScene& scene : scenes) CHECK(scene.radius == Approx(5).epsilon(0.1));
+}
+
+TEST_CASE("what is doubtful in the material of a further layer is warned of once, as in that of the uppermost",
+          "[studies][material]") {
+  const double order = 0.6;  // of a spring-pot, whose loss is above its storage
+  nlohmann::json frequencies, storage, loss;
+  for (int i = 0; i <= 12; ++i) {
+    const double frequency = std::pow(10, -2 + 0.5 * i), size = 1e6 * std::pow(frequency, order);
+    frequencies.push_back(frequency);
+    storage.push_back(2e4 + size * std::cos(0.5 * order * std::numbers::pi));
+    loss.push_back(size * std::sin(0.5 * order * std::numbers::pi));
+  }
+  const nlohmann::json further{{"layer_thickness", "5 mm"},  {"material", "master_curve"}, {"listed_moduli", "shear"},
+                               {"frequencies", frequencies}, {"storage_moduli", storage},  {"loss_moduli", loss}};
+  nlohmann::json scene{{"radius", "20 mm"}, {"layer_thickness", "5 mm"}, {"static_shear_modulus", "3 MPa"},
+                       {"stiffening", 1},   {"creep_time", 0.25},        {"speed", 0.05},
+                       {"load", "100 N/m"}};
+  const auto doubts = [&] {
+    const RollingSolution solution = solve(parse_scene(scene.dump(), "scene", {}));
+    REQUIRE(solution.status == Status::converged);
+    return std::count_if(solution.warnings.begin(), solution.warnings.end(), [](const std::string& line) {
+      return line.starts_with("a further layer: ") && line.ends_with("are the two swapped?");
+    });
+  };
+  CHECK(doubts() == 0);
+  scene["lower_layers"] = {further, further};
+  CHECK(doubts() == 1);
 }
