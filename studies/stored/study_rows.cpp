@@ -70,9 +70,13 @@ StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::ve
   query.columns.emplace_back(study_key);
   table_ = run_query(store.database(), query);
   for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
-  if (table_.rows.empty())
-    throw std::invalid_argument(store.database().name() + ": " + study + ": " +
-                                (filters.empty() ? "no point is computed yet" : "no point matches"));
+  if (table_.rows.empty()) {
+    const bool unit_tells = std::any_of(query.filters.begin(), query.filters.end(),
+                                        [](const Filter& filter) { return filter.per_metre.has_value(); });
+    throw std::invalid_argument(
+        place + ": " + (filters.empty() ? "no point is computed yet" : "no point matches") +
+        (unit_tells ? "; a value in N finds spheres and bodies with a width, one in N/m cylinders without" : ""));
+  }
   if (named && values(*columns_[of_variants]) == std::set<Cell>{Cell()})  // no point is of a variant
     columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
 }

@@ -159,7 +159,11 @@ TEST_CASE("forty hostile names are variants of one study, and its comment", "[st
   runs({"show", "--db", database, "s"});
   std::vector<std::string> chart{"chart", "--db", database, "--x", "speed", "--out", (folder / "chart").string()};
   CHECK_THAT(run_rollres(chart, closed_form).err, Contains("would need 40 curves"));
-  chart.insert(chart.end(), {"--where", "load<=12 kN"});  // the first twenty
+  std::vector<std::string> of_bodies = chart;
+  of_bodies.insert(of_bodies.end(), {"--where", "load<=12 kN"});
+  CHECK_THAT(run_rollres(of_bodies, closed_form).err,
+             Contains("no point matches; a value in N finds spheres and bodies"));
+  chart.insert(chart.end(), {"--where", "load<=12 kN/m"});  // the first twenty
   runs(chart);
   CHECK(is_escaped(file_text(folder / "chart.svg")));
   runs({"report", "--db", database, "--out", (folder / "report.html").string()});
