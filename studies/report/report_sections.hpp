@@ -34,6 +34,9 @@ std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityCol
 /// "speed = 50 mm/s, load = 20 kN/m"
 std::string place_of(const ReportSource& source, std::size_t row);
 
+/// The finite values of an output over the converged rows, rising.
+std::vector<double> sorted_values(const StudyRows& rows, const char* key);
+
 /// What the study is about, and three sentences: what was asked, what came out, how sure it is.
 /// @param sentences  in place of those, if there are any
 std::string summary_section(const ReportSource& source, const std::vector<std::string>& sentences = {});

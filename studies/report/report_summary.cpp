@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
@@ -64,19 +65,18 @@ std::string how_sure(const ReportSource& source) {
       missing == 0 && study.failed == 0 ? "All points converged" : std::to_string(answered) + " points converged";
   if (study.failed > 0) text += ", " + std::to_string(study.failed) + " have no answer";
   if (missing > 0) text += ", " + std::to_string(missing) + " are not computed yet";
-  std::vector<double> errors;
-  for (std::size_t row = 0; row < source.rows.size(); ++row)
-    if (const double error = source.rows.number(row, "error_estimate");
-        source.rows.converged(row) && std::isfinite(error))
-      errors.push_back(error);
-  if (errors.empty()) return text + ".";
-  std::sort(errors.begin(), errors.end());
   const auto told = [](double error) {
     constexpr double smallest = 1e-4;  // below it percents have too many zeros
     return error < smallest ? short_number(error, 2) : percent(error, 2);
   };
-  return text + "; the estimated relative error of the resistance is " + told(errors[errors.size() / 2]) +
-         " in the median and " + told(errors.back()) + " at most.";
+  if (const std::vector<double> errors = sorted_values(source.rows, "error_estimate"); !errors.empty())
+    text += "; the estimated relative error of the resistance is " + told(errors[errors.size() / 2]) +
+            " in the median and " + told(errors.back()) + " at most";
+  if (const std::vector<double> errors = sorted_values(source.rows, "model_error"); !errors.empty())
+    text += "; what the model assumes costs " + told(errors[errors.size() / 2]) + " in the median and " +
+            told(errors.back()) + " at most" +
+            (std::ssize(errors) < answered ? ", where that is known (" + std::to_string(errors.size()) + " points)" : "");
+  return text + ".";
 }
 
 }  // namespace

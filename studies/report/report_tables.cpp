@@ -31,16 +31,6 @@ bool at_default(const Cell& cell, const InputKind& kind) {
   return cell == Cell(*number);
 }
 
-/// The finite values of an output over the converged rows, rising.
-std::vector<double> sorted_values(const StudyRows& rows, const char* key) {
-  std::vector<double> values;
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    if (const double value = rows.number(row, key); rows.converged(row) && std::isfinite(value))
-      values.push_back(value);
-  std::sort(values.begin(), values.end());
-  return values;
-}
-
 double quantile(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
 }
@@ -113,6 +103,15 @@ std::vector<RollingScene> some_scenes(const ReportSource& source) {
 }
 
 }  // namespace
+
+std::vector<double> sorted_values(const StudyRows& rows, const char* key) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (const double value = rows.number(row, key); rows.converged(row) && std::isfinite(value))
+      values.push_back(value);
+  std::sort(values.begin(), values.end());
+  return values;
+}
 
 std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
   return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(body_at(rows, row)));

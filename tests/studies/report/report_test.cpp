@@ -102,6 +102,7 @@ TEST_CASE("a report holds all that is known of a study in one file that stands b
   CHECK_THAT(page, Contains("20 scenes of a rolling cylinder: load 10 kN/m, 20 kN/m, 30 kN/m, 40 kN/m; speed from 10 "
                             "mm/s to 100 m/s (5 values). The rolling resistance lies between "));
   CHECK_THAT(page, Contains("16 points converged, 4 have no answer; the estimated relative error"));
+  CHECK_THAT(page, Contains("; what the model assumes costs 2 % in the median and 2 % at most."));
   CHECK_THAT(page, Contains("20 points: 16 converged, 4 without an answer, 0 not computed yet"));
   CHECK_THAT(page, Contains("<td>layer thickness</td><td>H</td><td>10 mm</td>"));
   CHECK_THAT(page, Contains("rolling resistance R_r [N/m]"));
