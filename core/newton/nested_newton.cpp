@@ -26,8 +26,16 @@ NewtonOptions options_for(const ContactModel& model) {
 std::string describe_failure(const ContactLevel& level) {
   std::ostringstream text;
   if (level.outcome.reached_border) {
-    text << "the contact spreads to the edge of the body (more than 0.98 R): the load or the approach is too large "
-            "for this body";
+    const ContactModel& model = level.problem->model;
+    constexpr double well_inside = 0.3;  // of the radius: no estimate is off by so much
+    if (const double expected = estimate_contact(model).half_width; expected < well_inside * model.radius)
+      text << "the nodes in contact did not settle and spread to the edge of the body, though the contact should reach "
+              "about "
+           << expected << " m to each side; another spacing"
+           << (model.approach ? ", or a load in place of the approach," : "") << " may answer";
+    else
+      text << "the contact spreads to the edge of the body (more than 0.98 R): the load or the approach is too large "
+              "for this body";
     return text.str();
   }
   text << "stopped after " << level.outcome.iterations << " Newton iterations at spacing "
