@@ -107,12 +107,13 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
                                       "\"consistent\" balances it"));
   }
   for (std::string& line : material_warnings(model.top())) warnings.push_back(std::move(line));
-  for (const ModelLayer* const layer : model.layers())
-    if (layer != &model.top())
-      for (const std::string& line : material_warnings(*layer))
-        if (std::string further = "a further layer: " + line;
-            std::find(warnings.begin(), warnings.end(), further) == warnings.end())
-          warnings.push_back(std::move(further));
+  const auto warn_of = [&](const char* list, const std::vector<ModelLayer>& layers, std::size_t first) {
+    for (std::size_t i = first; i < layers.size(); ++i)
+      for (const std::string& line : material_warnings(layers[i]))
+        warnings.push_back(message_text(list, "[", i - first, "]: ", line));
+  };
+  warn_of("lower_layers", model.foundation, 1);
+  warn_of("coating_layers", model.coating, 0);
   if (model.spacing && !on_grid(solution.method))
     warnings.push_back(message_text("spacing = ", *model.spacing, " m is not used by method ", name_of(solution.method),
                                     ", which has no grid"));

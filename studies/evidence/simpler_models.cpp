@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/derivatives/objective.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/model/scene_rules.hpp"
@@ -179,7 +180,7 @@ std::string verdict(const std::vector<SimplerModel>& models, const std::optional
 
 std::string simpler_models_text(const RollingScene& scene, const RollingSolution& solution,
                                 const std::vector<SimplerModel>& models) {
-  const std::string_view unit = body_of(scene).per_metre() ? "N/m" : "N";
+  const std::string unit(real_output("rolling_resistance").unit_for(body_of(scene)));
   const double full = solution.rolling_resistance;
   const std::string none;
   Table table{{"model", "R_r", "off by", "own error", "seconds", ""}, {}};

@@ -126,7 +126,7 @@ TEST_CASE("a distribution about a long mean draws points that are read as they w
   for (const RollingScene& scene : scenes) CHECK(scene.radius == Approx(5).epsilon(0.1));
 }
 
-TEST_CASE("what is doubtful in the material of a further layer is warned of once, as in that of the uppermost",
+TEST_CASE("what is doubtful in the material of a further layer is warned of by its key, as in that of the uppermost",
           "[studies][material]") {
   const double order = 0.6;  // of a spring-pot, whose loss is above its storage
   nlohmann::json frequencies, storage, loss;
@@ -145,7 +145,7 @@ TEST_CASE("what is doubtful in the material of a further layer is warned of once
     const RollingSolution solution = solve(parse_scene(scene.dump(), "scene", {}));
     REQUIRE(solution.status == Status::converged);
     return std::count_if(solution.warnings.begin(), solution.warnings.end(), [](const std::string& line) {
-      return line.starts_with("a further layer: ") && line.ends_with("are the two swapped?");
+      return line.starts_with("lower_layers[1]: ") && line.ends_with("are the two swapped?");
     });
   };
   CHECK(doubts() == 0);
