@@ -134,8 +134,12 @@ TEST_CASE("the transforms of tractions end with the time that a solution may tak
   // A contact over many thicknesses has as many waves. Where the time was not asked for within them they were all made.
   const SurfaceTractions tractions(hertz_tractions(2, 0.5), 1e3);
   const SolutionLimits limits(1e9, 0);
-  CHECK_THROWS_AS(tractions.transforms({0.01}, 1e-3, 100), BeyondLimits);
-  CHECK_THROWS_AS(tractions.transforms(0.01), BeyondLimits);
+  // The clock is asked a hundred times a second.
+  CHECK_THROWS_AS(tractions.transforms({0.01}, 1e-3, 1000000), BeyondLimits);
+  const auto one_by_one = [&] {
+    for (int i = 0; i < 1000000; ++i) tractions.transforms(0.01);
+  };
+  CHECK_THROWS_AS(one_by_one(), BeyondLimits);
 }
 
 TEST_CASE("transforms of tractions at wavenumbers a step apart are those of each wavenumber", "[core][interior]") {
