@@ -76,7 +76,7 @@ class Assumptions {
 
   /// The yield of two half-spaces of steel, at a wavenumber of one over the half-width, beside that of the surface.
   double share_of_steel() const {
-    const double steel = 2 * (1 - steel_poisson) / (2 * steel_modulus) * 2 * half_;
+    const double steel = 2 * (1 - steel_poisson) / steel_modulus * half_;
     const SteadySurface surface = steady_surface(model_);
     return steel / std::abs(surface(surface.moduli(1 / half_), 1 / half_, 0).normal);
   }
@@ -88,7 +88,6 @@ class Assumptions {
       return;
     }
     ContactModel yielding = model_;
-    yielding.estimate.reset();
     const ModelLayer steel = steel_half_space();
     if (has_rigid_base(yielding)) yielding.foundation.push_back(steel);
     if (yielding.coating.empty()) {
@@ -157,7 +156,7 @@ class Assumptions {
   }
 
   void tell(std::string_view name, std::string rests_on) {
-    all_.push_back({name, std::move(rests_on), {}, 0, "it holds or not by the inputs", true});
+    all_.push_back({name, std::move(rests_on), {}, 0, {}, true});
   }
 
   const ContactModel& model_;

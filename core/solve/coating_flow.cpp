@@ -34,7 +34,7 @@ bool share_counts(const ContactModel& model, const RollingSolution& found) {
     return false;
   constexpr double share_of_error = 0.01, least_error = 1e-8;
   const double slope = half_length(found) / model.radius;
-  const double change = *with_own_share(model, found).coating_share - share_of_coating(model);
+  const double change = share_of_coating(model, half_length(found)) - share_of_coating(model);
   return std::abs(change) * slope * slope >
          share_of_error * std::max(least_error, found.error_estimate) * std::abs(1 - found.rotation_ratio);
 }

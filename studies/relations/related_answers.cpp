@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/derivatives/objective.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/solve/doubts.hpp"
@@ -63,24 +64,6 @@ double own_error(const RollingSolution& solution, std::string_view key) {
   return RollingSolution::absent;
 }
 
-std::string_view unit_of(std::string_view key, Body body) {
-  const RollingSolution none;
-  std::string_view unit;
-  visit_outputs(none, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == key) unit = quantity.unit_for(body);
-  });
-  return unit;
-}
-
-bool grows_with_width(std::string_view key) {
-  const RollingSolution none;
-  bool grows = false;
-  visit_outputs(none, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == key) grows = quantity.grows_with_width();
-  });
-  return grows;
-}
-
 /// Load times the longer half of the contact over the radius [N].
 double lever(const RollingScene& scene, const RollingSolution& s) {
   return s.load * std::max(std::abs(s.leading_edge), std::abs(s.trailing_edge)) / scene.radius;
@@ -139,7 +122,8 @@ struct Compared {
            one.slip_nodes == other.slip_nodes && std::abs(other.spacing - spacing) <= 1e-9 * spacing;
   }
   double factor_of(std::string_view key) const {
-    return scenes.factors.of(unit_of(key, body_of(scenes.one))) * (grows_with_width(key) ? scenes.width : 1);
+    const Quantity output = real_output(key);
+    return scenes.factors.of(output.unit_for(body_of(scenes.one))) * (output.grows_with_width() ? scenes.width : 1);
   }
   /// The larger share of a cell in the contact; 0 without a grid.
   static double cell_share(const RollingSolution& solution) {
