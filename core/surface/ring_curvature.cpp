@@ -1,6 +1,7 @@
 #include "core/surface/ring_curvature.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/material/prony_series.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 using complex = std::complex<double>;
 
-constexpr int count = 4;  // of squares
+constexpr std::size_t count = 4;  // of squares
 constexpr double euler = 0.57721566490153286;
 /// Of the powers of x/R, up to x = R: 2^27/27! is 1e-20.
 constexpr std::size_t series_terms = 14;
@@ -47,7 +48,7 @@ double remembered_step(double x, double length) {
 std::vector<double> squares_apart(const CreepSpectrum& creep, double radius, double speed) {
   std::vector<double> squares(count);
   for (double factor = 1;; factor *= 1.01) {
-    for (int j = 0; j < count; ++j) squares[static_cast<std::size_t>(j)] = factor * (j + 1);
+    for (std::size_t j = 0; j < count; ++j) squares[j] = factor * static_cast<double>(j + 1);
     const bool apart = std::all_of(squares.begin(), squares.end(), [&](double s) {
       return std::all_of(creep.terms.begin(), creep.terms.end(), [&](const CreepSpectrum::Term& term) {
         return std::abs(std::abs(speed) * term.time * std::sqrt(s) / radius - 1) > 1e-3;
@@ -209,18 +210,27 @@ double RingCurvature::logarithmic_slope(double x, double length) const {
   const double ratio = x / ring_.radius, square = ratio * ratio;
   double at_once = 0, own = ring_.material.instantaneous, remembered = 0;
   for (std::size_t i = logarithms_.size(); i-- > 0;) at_once = logarithms_[i] + square * at_once;
+  std::array<double, count> ahead{}, behind{};  // what goes with e^{x/tau} and e^{-x/tau}
+  bool none = true;
   for (const CreepSpectrum::Term& term : ring_.material.terms) {
     const double memory = speed_ * term.time;
     if (std::abs(memory) < short_share * length) {
       own += term.compliance;
       continue;
     }
-    for (std::size_t j = 0; j < squares_.size(); ++j) {
-      const double tau = ring_.radius / std::sqrt(squares_[j]), wave = std::exp(x / tau);
-      remembered += term.compliance * weights_[j] / squares_[j] *
-                    ((1 / (memory - tau) + 1 / (memory + tau)) * std::exp(x / memory) - wave / (memory - tau) -
-                     1 / (wave * (memory + tau)));
+    none = false;
+    double of_memory = 0;
+    for (std::size_t j = 0; j < count; ++j) {
+      const double tau = ring_.radius / std::sqrt(squares_[j]), weight = term.compliance * weights_[j] / squares_[j];
+      ahead[j] += weight / (memory - tau);
+      behind[j] += weight / (memory + tau);
+      of_memory += weight / (memory - tau) + weight / (memory + tau);
     }
+    remembered += of_memory * std::exp(x / memory);
+  }
+  for (std::size_t j = 0; j < count && !none; ++j) {
+    const double wave = std::exp(ratio * std::sqrt(squares_[j]));
+    remembered -= ahead[j] * wave + behind[j] / wave;
   }
   return own * ratio * at_once + (1 - ring_.poisson_ratio) / (2 * M_PI) * remembered;
 }

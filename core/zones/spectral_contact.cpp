@@ -321,7 +321,7 @@ class SpectralContact {
   /// Takes over what the tractions make of a coating's M (S18). @return by how much it changes the drive's row [N/m]
   double take_coating(SpectralState& state) {
     if (!problem_.coating) return 0;
-    const double moment = coating_moment(surface_panels(problem_, state, SpectralField(problem_, state)));
+    const double moment = coating_moment(problem_, state);
     const double change = moment - problem_.coating_moment, part = problem_.shape.of_coating() * change;
     problem_.coating_moment = moment;
     state.driving_force -= part;

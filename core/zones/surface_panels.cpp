@@ -61,53 +61,66 @@ const PanelRule& panel_rule() {
 }
 
 /// What finite thickness adds to the elastic slopes, as Chebyshev series on panels no wider than the depth it comes
-/// from: it is singular at twice that distance from the surface.
+/// from: it is singular at twice that distance from the surface. A ring's, which goes with x ln|x|, is smooth in x along
+/// the contact, and outside it in the angle of x = centre +- half cosh(angle).
 class AddedSlopes {
  public:
   /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.
   AddedSlopes(const SpectralProblem& part, const SpectralField& field, const Interval& contact, double from, double to,
               std::size_t most)
-      : part_(part), field_(field), layered_(part.layered()), from_(from), to_(to) {
+      : part_(part), field_(field), contact_(contact), layered_(part.layered()), from_(from), to_(to) {
     if (!layered_) return;
-    const double panels = std::ceil((to - from) / part.correction->depth());
-    if (panels * (degree + 1) > static_cast<double>(most)) return;
-    std::vector<double> borders;
-    for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(from + (to - from) * i / panels);
-    if (part.correction->logarithmic_slope(contact.half_length(), 2 * contact.half_length()) != 0)
-      split_at_edges(borders, contact);
-    table_.emplace(std::move(borders), degree, [&](double x) {
-      const SpectralField::Slopes value = field.added_slopes(part_, x);
-      return Eigen::Array2d(value.w, value.u);
-    });
+    const double half = contact.half_length();
+    if (part.correction->logarithmic_slope(half, 2 * half) == 0) {
+      tabulate(along_, from, to, most, [&](double x) { return x; });
+      return;
+    }
+    tabulate(along_, contact.from, contact.to, most, [&](double x) { return x; });
+    if (from < contact.from)
+      tabulate(behind_, 0, angle(from), most, [&](double at) { return contact.centre() - half * std::cosh(at); });
+    if (to > contact.to)
+      tabulate(ahead_, 0, angle(to), most, [&](double at) { return contact.centre() + half * std::cosh(at); });
   }
 
   SpectralField::Slopes operator()(double x) const {
     if (!layered_) return {0, 0};
-    if (!table_ || !(x >= from_ && x <= to_)) return field_.added_slopes(part_, x);
-    const Eigen::Array2d sum = (*table_)(x);
-    return {sum(0), sum(1)};
+    if (!(x >= from_ && x <= to_)) return field_.added_slopes(part_, x);
+    if (ahead_ && x > contact_.to) return from_table(ahead_, angle(x), x);
+    if (behind_ && x < contact_.from) return from_table(behind_, angle(x), x);
+    return from_table(along_, x, x);
   }
 
  private:
-  /// What goes with x ln|x| has powers of the distance from the edges of contact, of order 5/2.
-  static void split_at_edges(std::vector<double>& borders, const Interval& contact) {
-    const double from = borders.front(), to = borders.back();
-    for (const double edge : {contact.from, contact.to})
-      for (const double off : {0.0, 0.01, 0.15})
-        for (const double side : {-1.0, 1.0}) {
-          const double border = edge + side * off * contact.half_length();
-          if (border > from && border < to) borders.push_back(border);
-        }
-    std::sort(borders.begin(), borders.end());
-    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  using Table = std::optional<ChebyshevTable<2>>;
+
+  double angle(double x) const { return std::acosh(std::max(1.0, std::abs(place_in(contact_, x)))); }
+
+  SpectralField::Slopes from_table(const Table& table, double at, double x) const {
+    if (!table) return field_.added_slopes(part_, x);
+    const Eigen::Array2d sum = (*table)(at);
+    return {sum(0), sum(1)};
+  }
+
+  /// @param place of a variable between these bounds
+  template <class Place>
+  void tabulate(Table& table, double from, double to, std::size_t most, const Place& place) {
+    const double panels = std::ceil(std::abs(place(to) - place(from)) / part_.correction->depth());
+    if (panels * (degree + 1) > static_cast<double>(most)) return;
+    std::vector<double> borders;
+    for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(from + (to - from) * i / panels);
+    table.emplace(std::move(borders), degree, [&](double at) {
+      const SpectralField::Slopes value = field_.added_slopes(part_, place(at));
+      return Eigen::Array2d(value.w, value.u);
+    });
   }
 
   static constexpr int degree = 17;
   const SpectralProblem& part_;
   const SpectralField& field_;
+  Interval contact_;
   bool layered_;
   double from_, to_;
-  std::optional<ChebyshevTable<2>> table_;
+  Table along_, ahead_, behind_;
 };
 
 /// Ends at which tractions or slopes have roots of the distance [m].
@@ -281,12 +294,12 @@ namespace {
 /// Slopes of the surface, or of its coating's part, panel by panel in the direction of time.
 class MarchedSlopes {
  public:
+  /// @param end  trailing end of the last panel that is asked for [m]
   MarchedSlopes(const SpectralProblem& problem, const SpectralProblem& part, const SpectralState& state,
-                const SpectralField& field, const std::vector<double>& borders)
+                const SpectralField& field, const std::vector<double>& borders, double end)
       : part_(part),
         field_(field),
-        added_(part, field, state.edges.contact, state.edges.contact.from - 1.5 * state.edges.contact.half_length(),
-               state.edges.contact.to + 0.5 * state.edges.contact.half_length(),
+        added_(part, field, state.edges.contact, end, state.edges.contact.to + 0.5 * state.edges.contact.half_length(),
                (borders.size() - 1) * PanelRule::count / 2),
         memories_(memories_ahead(part, field, borders.front(), from_points(problem))) {}
 
@@ -307,14 +320,19 @@ class MarchedSlopes {
   Memories memories_;
 };
 
+/// Of the power that the pressure gives to the coating over R Omega.
+double moment_of(const SurfacePanel& panel, const ArrayXd& coating_w) {
+  return panel.zone == Zone::free ? 0 : (panel.weights * panel.pressure * coating_w).sum();
+}
+
 }  // namespace
 
 std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
                                          const SpectralField& field) {
   const std::vector<double> borders = panel_borders(problem, state);
-  MarchedSlopes surface(problem, problem, state, field, borders);
+  MarchedSlopes surface(problem, problem, state, field, borders, borders.back());
   std::optional<MarchedSlopes> coating;
-  if (problem.coating) coating.emplace(problem, *problem.coating, state, field, borders);
+  if (problem.coating) coating.emplace(problem, *problem.coating, state, field, borders, borders.back());
   std::vector<SurfacePanel> panels;
   for (std::size_t i = 1; i < borders.size(); ++i) {
     SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
@@ -335,8 +353,21 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
 double coating_moment(const std::vector<SurfacePanel>& panels) {
   double sum = 0;
   for (const SurfacePanel& panel : panels)
-    if (panel.zone != Zone::free && panel.coating_w.size() > 0)
-      sum += (panel.weights * panel.pressure * panel.coating_w).sum();
+    if (panel.coating_w.size() > 0) sum += moment_of(panel, panel.coating_w);
+  return sum;
+}
+
+double coating_moment(const SpectralProblem& problem, const SpectralState& state) {
+  if (!problem.coating) return 0;
+  const SpectralField field(problem, state);
+  const std::vector<double> borders = panel_borders(problem, state);
+  const double end = state.edges.contact.from;
+  MarchedSlopes coating(problem, *problem.coating, state, field, borders, end);
+  double sum = 0;
+  for (std::size_t i = 1; i < borders.size() && borders[i] >= end; ++i) {
+    const SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
+    sum += moment_of(panel, coating.next(panel).col(0));
+  }
   return sum;
 }
 

@@ -33,5 +33,7 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
 
 /// M of (S18): int p c_x dx, the power over R Omega that the pressure gives to the coating [N/m]. 0 without one.
 double coating_moment(const std::vector<SurfacePanel>& panels);
+/// The same without panels.
+double coating_moment(const SpectralProblem& problem, const SpectralState& state);
 
 }  // namespace rollres
