@@ -14,11 +14,10 @@ namespace rollres {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> names{"small strains",  "rigid body and base", "no inertia", "flat coating",
-                                                "recovered ring", "linear materials",    "no heat",    "plane strain"};
-constexpr std::string_view small_strains = names[0], rigid = names[1], no_inertia = names[2], flat = names[3],
-                           recovered_ring = names[4], linear_materials = names[5], no_heat = names[6],
-                           plane_strain = names[7];
+constexpr std::string_view rigid = "rigid body and base", no_inertia = "no inertia", recovered_ring = "recovered ring",
+                           linear_materials = "linear materials", no_heat = "no heat", plane_strain = "plane strain";
+constexpr std::array<std::string_view, 8> names{small_strains,    rigid,   no_inertia,  flat_coating, recovered_ring,
+                                                linear_materials, no_heat, plane_strain};
 
 /// Steel: G [Pa], nu.
 constexpr double steel_modulus = 81e9, steel_poisson = 0.3;
@@ -63,10 +62,9 @@ class Assumptions {
   }
 
   void strains() {
-    const double thickness = total_thickness(model_);
-    const std::string rests_on = std::isfinite(thickness) && std::isfinite(solution_.approach)
-                                     ? message_text<2>("d/H = ", solution_.approach / thickness)
-                                     : message_text<2>("a/R = ", half_ / model_.radius);
+    const double strain = strain_number(model_, solution_);
+    const std::string rests_on =
+        std::isfinite(strain) ? message_text<2>("d/H = ", strain) : message_text<2>("a/R = ", half_ / model_.radius);
     const std::optional<LinearityError> error = linearity_error(model_, solution_);
     if (error)
       all_.push_back({small_strains, rests_on, error->value, error->scatter});
@@ -123,7 +121,7 @@ class Assumptions {
     as_flat.inertia = false;
     ContactModel ring = as_flat;
     ring.bend_coating(0);
-    compare(flat,
+    compare(flat_coating,
             message_text<2>("H/R = ", model_.coating_thickness() / model_.radius,
                             model_.dimension == 3 ? ", as of a cylinder" : ""),
             as_flat, ring);

@@ -13,6 +13,9 @@
 
 namespace rollres {
 
+/// Names of assumptions of which warnings speak, too.
+inline constexpr std::string_view small_strains = "small strains", flat_coating = "flat coating";
+
 struct Assumption {
   std::string_view name;              ///< "small strains"
   std::string rests_on;               ///< "d/H = 0.053"

@@ -87,4 +87,10 @@ std::optional<LinearityError> linearity_error(const ContactModel& model, const R
   return relative(strain * all, strain * b.scatter);
 }
 
+double strain_number(const ContactModel& model, const RollingSolution& solution) {
+  const ModelLayer* const layer = only_layer(model);
+  const double thickness = layer ? layer->layer_thickness : total_thickness(model);
+  return std::isfinite(thickness) ? solution.approach / thickness : NAN;
+}
+
 }  // namespace rollres

@@ -30,4 +30,8 @@ struct LinearityError {
 /// torque or rotation, printed kinematics, elastic layers, mostly frictional resistance, beyond those ranges.
 std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear);
 
+/// d/H, H the thickness of the only layer that yields, or of all layers where several do [1]; NaN without an approach or
+/// over a half-space.
+double strain_number(const ContactModel& model, const RollingSolution& solution);
+
 }  // namespace rollres

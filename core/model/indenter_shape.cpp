@@ -34,8 +34,7 @@ RigidSlip IndenterShape::law_slip(double x, double y) const {
   return share_ == 0 ? rigid : RigidSlip{.forward = apart + turning, .turning = turning};
 }
 
-double IndenterShape::resisting_curvature(double x, double y) const {
-  if (kinematics_ == Kinematics::printed) return 1 / radius_;
+double IndenterShape::curvature(double x, double y) const {
   const double q = height(x, y);
   return (1 - bent_) * (radius_ * radius_ - y * y) / (q * q * q) + bent_ * std::cos(x / radius_) / radius_;
 }

@@ -109,8 +109,12 @@ class IndenterShape {
   double law_ratio(double omega) const {
     return share_ == 0 ? omega : 1 + (omega - 1) / std::max(1 + share_ * (omega - 1), 0.1);
   }
+  /// Derivative of the slope along x [1/m].
+  double curvature(double x, double y = 0) const;
   /// Derivative along x of what a unit of pressure resists with where the body rolls, Q + T/R [1/m].
-  double resisting_curvature(double x, double y = 0) const;
+  double resisting_curvature(double x, double y = 0) const {
+    return kinematics_ == Kinematics::printed ? 1 / radius_ : curvature(x, y);
+  }
   /// Whether that is the same at every place.
   bool slips_evenly() const { return kinematics_ == Kinematics::printed && flat_in_y_; }
   /// Power over V that the resultants at rotation ratio omega, Q + omega T/R, put in beyond what goes into the moving

@@ -110,7 +110,9 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       const double pressed = coated ? slope(coating.w) : 0;
       powers.coating += force * pressed;
       powers.layer += force * (slope(moved.w) + (turning - 1) * pressed);
-      powers.unbalanced += problem.shape.unbalanced_power(turning, x, y)(force, force_u);
+      const LeverArm unbalanced = problem.shape.unbalanced_power(turning, x, y);
+      powers.unbalanced += unbalanced(force, force_u);
+      powers.pushed += unbalanced(force, 0);
       if (!problem.friction) continue;
       double along = slope(moved.u), across = problem.lateral ? slope(moved.v) : 0;
       if (coated) along += (turning - 1) * slope(coating.u);

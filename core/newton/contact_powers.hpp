@@ -32,6 +32,7 @@ struct ContactPowers {
   double friction = 0;      ///< what friction takes: tau . slip, with the same slopes
   double by_law = 0;        ///< the same with the slip of the law, by forward differences: 0 at nodes that stick
   double unbalanced = 0;    ///< of the kinematics, (N23): 0 where they are consistent
+  double pushed = 0;        ///< of that, the pressure's
   double resultants = 0;    ///< Q + T Omega/V
   double edge = 0;          ///< what the edge between the nodes changes of them
   double halves = 0;        ///< int p |x|/R, the moment of the load's two halves, whose difference the resultants are

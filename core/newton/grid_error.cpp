@@ -55,6 +55,7 @@ struct ContactIntegrals {
   double half_length = 0;  // [m]
   double pressure = 0;     // int int p dx dy [N]
   double curved = 0;       // the same times the body's curvature, P/R of (N17) [N/m]
+  double unbalanced = 0;   // what R_r has beyond that, with printed kinematics [N/m]
 };
 
 ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& pressure,
@@ -76,7 +77,9 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
       last = i;
       const double force = width * spacing * pressure(i);
       sums.pressure += force;
-      sums.curved += force * problem.shape.resisting_curvature(grid.x(static_cast<int>(i - start)), grid.y(row));
+      const double x = grid.x(static_cast<int>(i - start)), y = grid.y(row), curved = problem.shape.curvature(x, y);
+      sums.curved += force * curved;
+      sums.unbalanced += force * (problem.shape.resisting_curvature(x, y) - curved);
     }
     if (first < 0) continue;
     rows.push_back({grid.y(row), 0.5 * static_cast<double>(last - first + 1) * spacing,
@@ -233,6 +236,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
                         (4 * modulus) * sums.edge_slopes / limit;
   const bool composite = model.composite();  // which has no moments of one material
   if (!composite) error.slow_loss = limit * (1 - std::min(second, largest_second));
+  error.slow_pushed = model.speed * moments.first * sums.unbalanced;
 
   const UnresolvedMemory lost = unresolved_memory(model, problem.grid.spacing_x, sums);
   error.unresolved = lost.resistance;
@@ -277,7 +281,8 @@ void take_slow_rolling(const ContactModel& model, const GridError& error, const 
   const CreepMoments moments = creep_moments(model.top().creep);
   const double loss = error.slow_loss - model.speed * moments.first * grid.cell_area() * sheared;
   const double viscous = solution.viscous_loss / model.speed;
-  add_resistance(model, error.slow_share * (loss - viscous + powers.losses() - powers.resistance()), solution);
+  const double losses = powers.losses() + loss - viscous + error.slow_pushed - powers.pushed;
+  add_resistance(model, error.slow_share * (losses - powers.resistance()), solution);
   solution.viscous_loss += error.slow_share * (loss - viscous) * model.speed;
   solution.energy_residual = (1 - error.slow_share) * powers.missing() / powers.scale(solution.rolling_resistance);
   if (error.slow_share > 0.01)

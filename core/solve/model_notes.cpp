@@ -3,6 +3,7 @@
 
 #include "core/estimate/assumptions.hpp"
 #include "core/estimate/composite_estimate.hpp"
+#include "core/estimate/linearity_error.hpp"
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
@@ -63,10 +64,10 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
                                       const std::vector<Assumption>& assumed) {
   std::vector<std::string> warnings;
   const bool linear = solution.method != Method::finite_strain;
-  const double strain = solution.approach / total_thickness(model);
-  if (const Assumption* const small = find_assumption(assumed, "small strains"); small && small->change) {
+  const double strain = strain_number(model, solution);
+  if (const Assumption* const small = find_assumption(assumed, small_strains); small && small->change) {
     if (strain > noticeable_strain || (model.tolerance && std::abs(*small->change) > *model.tolerance))
-      warnings.push_back(message_text("the layer is taken as linear: at finite strain (d/H = ", strain,
+      warnings.push_back(message_text("the layer is taken as linear: at finite strain (", small->rests_on,
                                       ") the rolling resistance would differ by ", in_percent(*small->change), " +- ",
                                       in_percent(small->scatter), " %; method \"finite_strain\" computes it"));
   } else if (linear && strain > noticeable_strain) {
@@ -77,7 +78,7 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
   if (linear && slope > 0.3)
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
                                     " is not small: displacements are taken as small"));
-  if (const Assumption* const flat = find_assumption(assumed, "flat coating");
+  if (const Assumption* const flat = find_assumption(assumed, flat_coating);
       linear && flat && std::abs(flat->change.value_or(0)) > noticeable_bending)
     warnings.push_back(
         message_text("the coating is taken as flat: bent around the core of a cylinder it would change the "

@@ -65,7 +65,7 @@ class DeepMedium {
   }
 
   /// The s between -1/T of a term and that of the next longer where J has a value; nothing where that is -1/T itself to
-  /// 1e-12, since the term hardly yields.
+  /// 1e-8, since the term hardly yields or the body is slow.
   /// @throws std::domain_error if it is that of the next longer one
   std::optional<double> rate_of(std::size_t term, double value) const {
     // With y = 1/(1 + s T) the compliance rises from one pole to the other.
@@ -81,7 +81,7 @@ class DeepMedium {
           " s, since the next longer one hardly yields; leave out what is so weak in its material, or ",
           "give \"inertia\": \"off\""));
     double high = 2 * low;
-    constexpr double highest = 1e12;  // beyond, the distance of both rates has few digits, and does nothing
+    constexpr double highest = 1e8;  // beyond, the distance of both rates has few digits, and does nothing
     while (excess(high) < 0 && high < highest) high *= 2;
     const std::optional<double> found = root_between(excess, low, high);
     return found ? std::optional(rate(*found)) : std::nullopt;
@@ -106,24 +106,35 @@ struct RetardedSum {
 };
 
 /// Of `values`, a function of J that is analytic in s but for the poles and cuts of the medium's waves.
+/// @param grows  whether it goes to infinity with J: then a memory whose waves are all at its own rate has a pole there
 template <class Values>
-RetardedSum retarded_sum(const DeepMedium& medium, const Values& values) {
+RetardedSum retarded_sum(const DeepMedium& medium, bool grows, const Values& values) {
   RetardedSum sum{.at_once = values(medium.instantaneous()).real(), .lengths = {}, .weights = {}};
   if (!(medium.density() > 0)) return sum;
-  for (std::size_t m = 0; m < medium.lengths().size(); ++m) {
-    const std::optional<double> found_shear = medium.rate_of(m, medium.shear_wave()),
-                                found_rayleigh = medium.rate_of(m, medium.rayleigh_wave());
-    if (!found_shear || !found_rayleigh) continue;  // they do as little as they are apart from the memory
-    const double pole = -1 / medium.lengths()[m], shear = *found_shear, rayleigh = *found_rayleigh;
-    // The residue, by the mean over a circle around it.
+  /// Adds the residue at a rate, by the mean over a circle around it.
+  const auto add_pole = [&](double rate, double radius) {
     constexpr int around = 48;
-    const double radius = 0.5 * (rayleigh - shear);
     Eigen::Array3d residue = Eigen::Array3d::Zero();
     for (int k = 0; k < around; ++k) {
       const complex arm = std::polar(radius, 2 * M_PI * (k + 0.5) / around);
-      residue += (values(medium.compliance(rayleigh + arm)) * arm).real() / around;
+      residue += (values(medium.compliance(rate + arm)) * arm).real() / around;
     }
-    sum.add(rayleigh, residue);
+    sum.add(rate, residue);
+  };
+  double before = -INFINITY;  // last rate of the waves of shorter memories
+  for (std::size_t m = 0; m < medium.lengths().size(); ++m) {
+    const std::optional<double> found_shear = medium.rate_of(m, medium.shear_wave()),
+                                found_rayleigh = medium.rate_of(m, medium.rayleigh_wave());
+    const double pole = -1 / medium.lengths()[m];
+    if (!found_shear || !found_rayleigh) {  // all waves are at the memory itself, as without inertia
+      const double after = m + 1 < medium.lengths().size() ? -1 / medium.lengths()[m + 1] : 0;
+      if (grows) add_pole(pole, 0.5 * std::min(pole - before, after - pole));
+      before = pole;
+      continue;
+    }
+    const double shear = *found_shear, rayleigh = *found_rayleigh;
+    add_pole(rayleigh, 0.5 * (rayleigh - shear));
+    before = rayleigh;
     // The cut, whose density is smooth in the angle. Many points, for zeros of Rayleigh's function lie near it on
     // the other sheet; what stands for them at a distance is smooth along it, and needs few.
     const auto cut = [&](double from, double to) {
@@ -174,7 +185,7 @@ std::vector<HalfSpaceTerm> half_space_terms(const MediumLayer& layer, double spe
   const DeepMedium medium(layer, speed, creep.instantaneous, lengths, compliances);
   constexpr double nearly = 0.98;
   if (layer.density > 0 && medium.compliance(0.0) > nearly * medium.rayleigh_wave()) return {};
-  const RetardedSum sum = retarded_sum(medium, [&](const complex& j) -> Ratios {
+  const RetardedSum sum = retarded_sum(medium, true, [&](const complex& j) -> Ratios {
     const Ratios ratios = medium.at_compliance(j);
     const complex deep = medium.share() * j;
     return {0.5 * deep * ratios(0), 0.5 * deep * ratios(1), deep * ratios(2)};
@@ -193,7 +204,7 @@ DeepResponse::DeepResponse(const MediumLayer& top, double speed, double instanta
   std::vector<double> compliances = creep_compliance;
   for (double& compliance : compliances) compliance /= share;
   const DeepMedium medium(top, speed, instantaneous / share, creep_length, compliances);
-  const RetardedSum ratios = retarded_sum(medium, [&](const complex& j) { return medium.at_compliance(j); });
+  const RetardedSum ratios = retarded_sum(medium, false, [&](const complex& j) { return medium.at_compliance(j); });
   at_once_ = ratios.at_once;
   lengths_ = ratios.lengths;
   const std::vector<Eigen::Array3d>& weights = ratios.weights;

@@ -61,8 +61,8 @@ const PanelRule& panel_rule() {
 }
 
 /// What finite thickness adds to the elastic slopes, as Chebyshev series on panels no wider than the depth it comes
-/// from: it is singular at twice that distance from the surface. A ring's, which goes with x ln|x|, is smooth in x along
-/// the contact, and outside it in the angle of x = centre +- half cosh(angle).
+/// from: it is singular at twice that distance from the surface. A ring's, which goes with x ln|x|, is smooth in x
+/// along the contact, and outside it in the angle of x = centre +- half cosh(angle).
 class AddedSlopes {
  public:
   /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.

@@ -2,6 +2,7 @@
 
     python3 tests/benchmark/assumptions.py build/release/rollres inertia 60 1     (assumption, scenes, seed)
     python3 tests/benchmark/assumptions.py build/release/rollres rigid 60 1
+    python3 tests/benchmark/assumptions.py build/release/rollres flat 60 1
 
 Prints for each scene the change stated and the true one, and how many are within a factor of two, or of two of the
 scatter stated (and of what the numbers' own errors leave open). What `linearity.py fit` prints is the same of small strains.
@@ -24,6 +25,8 @@ def drawn(source, assumption):
     def between(low, high):
         return math.exp(source.uniform(math.log(low), math.log(high)))
 
+    if assumption == "flat":
+        return covered(source, between)
     half = between(0.1, 4) * THICKNESS
     radius, modulus, speed = min(half * between(3, 40), 0.9), between(1e6, 5e7), between(0.01, 30)
     if assumption == "inertia":
@@ -38,6 +41,22 @@ def drawn(source, assumption):
             "creep_time": half / speed * between(0.05, 20), "speed": speed, "layer_density": DENSITY,
             "poisson_ratio": source.choice([0.5, 0.5, source.uniform(0.3, 0.5)]), "inertia": "off",
             "approach": min(half**2 / (2 * radius) / source.uniform(0.7, 1.3), 0.3 * THICKNESS), "time_limit": 20}, lifted
+
+
+def covered(source, between):
+    """A cover on a hard base. Inertia of a density of next to nothing leaves it flat, without inertia it is a ring."""
+    ratio = between(0.02, 0.6)
+    radius = THICKNESS / ratio
+    half = min(between(0.1, 3) * THICKNESS, 0.25 * radius)
+    modulus, speed = between(1e6, 5e7), between(0.01, 10)
+    cover = {"layer_thickness": THICKNESS, "static_shear_modulus": modulus, "stiffening": between(0.3, 10),
+             "creep_time": half / speed * between(0.05, 20), "layer_density": 1e-6,
+             "poisson_ratio": source.choice([0.5, 0.5, source.uniform(0.3, 0.5)])}
+    return {"indenter": "cylinder", "radius": radius, "speed": speed, "coating_layers": [cover],
+            "layer_thickness": "infinite", "material": "elastic", "static_shear_modulus": 1e12, "poisson_ratio": 0.5,
+            "friction_coefficient": source.choice([0, 0.3]), "layer_density": 1e-6, "inertia": "on",
+            "tolerance": 1e-3, "time_limit": 20,
+            "load": modulus * half**2 / radius * min(1, THICKNESS / half)}, {"inertia": "off"}
 
 
 def stated(solution, name):
@@ -56,15 +75,15 @@ def main(program, assumption, count, seed):
         print(json.dumps(scene), file=served.stdin, flush=True)
         return json.loads(served.stdout.readline())
 
-    name = {"inertia": "no inertia", "rigid": "rigid body and base"}[assumption]
+    name = {"inertia": "no inertia", "rigid": "rigid body and base", "flat": "flat coating"}[assumption]
     source, within, judged = random.Random(seed), 0, 0
     for _ in range(count):
         scene, lifted = drawn(source, assumption)
-        pressed = solve(scene)
-        if pressed.get("status") != "converged":
-            continue
         on_steel = assumption == "rigid" and scene["indenter"] == "cylinder"  # there an approach means nothing
-        if on_steel or source.random() < 0.5:
+        if "approach" in scene and (on_steel or source.random() < 0.5):
+            pressed = solve(scene)
+            if pressed.get("status") != "converged":
+                continue
             del scene["approach"]
             scene["load"] = pressed["load"]
         with_it, without = solve(scene), solve(scene | lifted)

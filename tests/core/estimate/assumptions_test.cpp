@@ -4,6 +4,7 @@
 #include <functional>
 #include <sstream>
 
+#include "core/estimate/linearity_error.hpp"
 #include "core/solve/model_answer.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
@@ -86,6 +87,34 @@ TEST_CASE("what a body and a base of steel cost is what solutions with them say,
     scene.load = 500e3;
     scene.layer_thickness = thickness;
     CHECK(within_two(over_stated(scene, "rigid body and base", steel)));
+  }
+}
+
+TEST_CASE("the strain of a cover is counted by its own thickness, whatever carries it",
+          "[core][estimate][assumptions]") {
+  // Reference: d over the cover's thickness, and the same cover on a hundred times as much steel.
+  RollingScene scene = smooth(Indenter::cylinder);
+  scene.radius = 0.05;
+  scene.load = 8e3;
+  scene.tolerance = 1e-3;
+  BondedLayer cover;
+  cover.layer_thickness = 12e-3;
+  cover.static_shear_modulus = 2e6;
+  scene.coating_layers = {cover};
+  scene.material = MaterialModel::elastic;
+  scene.static_shear_modulus = 81e9;
+  double on_thin = 0;
+  for (const double thickness : {0.01, 1.0, infinite}) {
+    scene.layer_thickness = thickness;
+    const RollingSolution solution = answered(scene);
+    const ContactModel model(scene);
+    const double strain = strain_number(model, solution);
+    if (thickness < infinite) CHECK(strain == Approx(solution.approach / 12e-3).epsilon(1e-12));
+    if (thickness == 1.0) CHECK(strain == Approx(on_thin).epsilon(1e-3));
+    on_thin = strain;
+    for (const std::string& warning : solution.warnings) CHECK(warning.find("nan") == std::string::npos);
+    CHECK(
+        stated(model, solution, small_strains).rests_on.starts_with(thickness < infinite ? "d/H = 0.05" : "a/R = 0.1"));
   }
 }
 
