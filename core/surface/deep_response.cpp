@@ -5,6 +5,7 @@
 #include <complex>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/messages/message_text.hpp"
 #include "core/numerics/bracketed_root.hpp"
@@ -65,9 +66,9 @@ class DeepMedium {
   }
 
   /// The s between -1/T of a term and that of the next longer where J has a value; nothing where that is -1/T itself to
-  /// 1e-8, since the term hardly yields or the body is slow.
+  /// `nearest`, since the term hardly yields or the body is slow.
   /// @throws std::domain_error if it is that of the next longer one
-  std::optional<double> rate_of(std::size_t term, double value) const {
+  std::optional<double> rate_of(std::size_t term, double value, double nearest) const {
     // With y = 1/(1 + s T) the compliance rises from one pole to the other.
     const double length = lengths_[term];
     const auto rate = [&](double y) { return (1 / y - 1) / length; };
@@ -81,8 +82,7 @@ class DeepMedium {
           " s, since the next longer one hardly yields; leave out what is so weak in its material, or ",
           "give \"inertia\": \"off\""));
     double high = 2 * low;
-    constexpr double highest = 1e8;  // beyond, the distance of both rates has few digits, and does nothing
-    while (excess(high) < 0 && high < highest) high *= 2;
+    while (excess(high) < 0 && high * nearest < 1) high *= 2;
     const std::optional<double> found = root_between(excess, low, high);
     return found ? std::optional(rate(*found)) : std::nullopt;
   }
@@ -105,69 +105,100 @@ struct RetardedSum {
   }
 };
 
-/// Of `values`, a function of J that is analytic in s but for the poles and cuts of the medium's waves.
-/// @param grows  whether it goes to infinity with J: then a memory whose waves are all at its own rate has a pole there
+/// Makes the sum of `values`, a function of J that is analytic in s but for the poles and cuts of the medium's waves.
 template <class Values>
-RetardedSum retarded_sum(const DeepMedium& medium, bool grows, const Values& values) {
-  RetardedSum sum{.at_once = values(medium.instantaneous()).real(), .lengths = {}, .weights = {}};
-  if (!(medium.density() > 0)) return sum;
-  /// Adds the residue at a rate, by the mean over a circle around it.
-  const auto add_pole = [&](double rate, double radius) {
+class WaveSum {
+ public:
+  /// @param grows  whether the values go to infinity with J: then they have fewer digits the nearer the waves' rates
+  /// are to the memory's, and where these cannot be told apart the memory itself is left. What else is there does as
+  /// little as it is apart.
+  WaveSum(const DeepMedium& medium, bool grows, Values values)
+      : medium_(medium), grows_(grows), nearest_(grows ? 1e-5 : 1e-12), values_(std::move(values)) {}
+
+  RetardedSum made() {
+    sum_.at_once = values_(medium_.instantaneous()).real();
+    if (!(medium_.density() > 0)) return std::move(sum_);
+    double before = -INFINITY;  // last rate of the waves of shorter memories
+    for (std::size_t m = 0; m < medium_.lengths().size(); ++m) before = add_waves_of(m, before);
+    return std::move(sum_);
+  }
+
+ private:
+  /// @return their last rate
+  double add_waves_of(std::size_t m, double before) {
+    const std::optional<double> shear = medium_.rate_of(m, medium_.shear_wave(), nearest_),
+                                rayleigh = medium_.rate_of(m, medium_.rayleigh_wave(), nearest_);
+    const double pole = -1 / medium_.lengths()[m];
+    if (!shear || !rayleigh) {
+      const double after = m + 1 < medium_.lengths().size() ? -1 / medium_.lengths()[m + 1] : 0;
+      if (grows_) add_as_one(pole, 0.5 * std::min(pole - before, after - pole));
+      return pole;
+    }
+    sum_.add(*rayleigh, within(*rayleigh, 0.5 * (*rayleigh - *shear)).first);
+    if (std::isfinite(medium_.pressure_wave())) {
+      const double pressure = medium_.rate_of(m, medium_.pressure_wave(), nearest_).value_or(pole);
+      if (pressure > pole) add_cut(pole, pressure);
+      add_cut(pressure, *shear);
+    } else {
+      add_cut(pole, *shear);
+    }
+    return *rayleigh;
+  }
+
+  /// Residue and first moment of the values within a circle.
+  std::pair<Eigen::Array3d, Eigen::Array3d> within(double centre, double radius) const {
     constexpr int around = 48;
-    Eigen::Array3d residue = Eigen::Array3d::Zero();
+    std::pair<Eigen::Array3d, Eigen::Array3d> found{Eigen::Array3d::Zero(), Eigen::Array3d::Zero()};
     for (int k = 0; k < around; ++k) {
       const complex arm = std::polar(radius, 2 * M_PI * (k + 0.5) / around);
-      residue += (values(medium.compliance(rate + arm)) * arm).real() / around;
+      const Ratios part = values_(medium_.compliance(centre + arm)) * arm / static_cast<double>(around);
+      found.first += part.real();
+      found.second += (part * arm).real();
     }
-    sum.add(rate, residue);
-  };
-  double before = -INFINITY;  // last rate of the waves of shorter memories
-  for (std::size_t m = 0; m < medium.lengths().size(); ++m) {
-    const std::optional<double> found_shear = medium.rate_of(m, medium.shear_wave()),
-                                found_rayleigh = medium.rate_of(m, medium.rayleigh_wave());
-    const double pole = -1 / medium.lengths()[m];
-    if (!found_shear || !found_rayleigh) {  // all waves are at the memory itself, as without inertia
-      const double after = m + 1 < medium.lengths().size() ? -1 / medium.lengths()[m + 1] : 0;
-      if (grows) add_pole(pole, 0.5 * std::min(pole - before, after - pole));
-      before = pole;
-      continue;
-    }
-    const double shear = *found_shear, rayleigh = *found_rayleigh;
-    add_pole(rayleigh, 0.5 * (rayleigh - shear));
-    before = rayleigh;
-    // The cut, whose density is smooth in the angle. Many points, for zeros of Rayleigh's function lie near it on
-    // the other sheet; what stands for them at a distance is smooth along it, and needs few.
-    const auto cut = [&](double from, double to) {
-      constexpr int fine = 64;
-      const double middle = 0.5 * (from + to), half = 0.5 * (to - from), apart = -middle / half;
-      const double rate = apart + std::sqrt(apart * apart - 1);
-      const int few = std::clamp(2 + static_cast<int>(28 / std::log(rate)), 3, fine);  // to rate^-few = 1e-12
-      Eigen::Array3Xd series = Eigen::Array3Xd::Zero(3, few);                          // sums with T_k along the cut
-      const QuadratureRule& rule = gauss_rule(fine);
-      for (std::size_t j = 0; j < fine; ++j) {
-        const double angle = M_PI * rule.nodes[j];
-        const complex on_cut(medium.compliance(middle + half * std::cos(angle)), 0);
-        const Eigen::Array3d density = values(on_cut * complex(1, -1e-40)).imag();
-        for (int k = 0; k < few; ++k)
-          series.col(k) -= density * (half * std::sin(angle) * rule.weights[j] * std::cos(k * angle));
-      }
-      for (int i = 0; i < few; ++i) {
-        const double angle = M_PI * (i + 0.5) / few;
-        Eigen::Array3d part = series.col(0) / few;
-        for (int k = 1; k < few; ++k) part += series.col(k) * (2 * std::cos(k * angle) / few);
-        sum.add(middle + half * std::cos(angle), part);
-      }
-    };
-    if (std::isfinite(medium.pressure_wave())) {
-      const double pressure = medium.rate_of(m, medium.pressure_wave()).value_or(pole);
-      if (pressure > pole) cut(pole, pressure);
-      cut(pressure, shear);
-    } else {
-      cut(pole, shear);
+    return found;
+  }
+
+  /// Waves so near to each other that one rate stands for them, of each component its own.
+  void add_as_one(double centre, double radius) {
+    const auto [residue, moment] = within(centre, radius);
+    for (Eigen::Index i = 0; i < residue.size(); ++i) {
+      Eigen::Array3d alone = Eigen::Array3d::Zero();
+      alone(i) = residue(i);
+      const double apart = moment(i) / residue(i);
+      sum_.add(std::abs(apart) < 0.1 * radius ? centre + apart : centre, alone);  // else nothing but rounding
     }
   }
-  return sum;
-}
+
+  /// A cut, whose density is smooth in the angle. Many points, for zeros of Rayleigh's function lie near it on the
+  /// other sheet; what stands for them at a distance is smooth along it, and needs few.
+  void add_cut(double from, double to) {
+    constexpr int fine = 64;
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from), apart = -middle / half;
+    const double rate = apart + std::sqrt(apart * apart - 1);
+    const int few = std::clamp(2 + static_cast<int>(28 / std::log(rate)), 3, fine);  // to rate^-few = 1e-12
+    Eigen::Array3Xd series = Eigen::Array3Xd::Zero(3, few);                          // sums with T_k along the cut
+    const QuadratureRule& rule = gauss_rule(fine);
+    for (std::size_t j = 0; j < fine; ++j) {
+      const double angle = M_PI * rule.nodes[j];
+      const complex on_cut(medium_.compliance(middle + half * std::cos(angle)), 0);
+      const Eigen::Array3d density = values_(on_cut * complex(1, -1e-40)).imag();
+      for (int k = 0; k < few; ++k)
+        series.col(k) -= density * (half * std::sin(angle) * rule.weights[j] * std::cos(k * angle));
+    }
+    for (int i = 0; i < few; ++i) {
+      const double angle = M_PI * (i + 0.5) / few;
+      Eigen::Array3d part = series.col(0) / few;
+      for (int k = 1; k < few; ++k) part += series.col(k) * (2 * std::cos(k * angle) / few);
+      sum_.add(middle + half * std::cos(angle), part);
+    }
+  }
+
+  const DeepMedium& medium_;
+  bool grows_;
+  double nearest_;
+  Values values_;
+  RetardedSum sum_;
+};
 
 }  // namespace
 
@@ -185,11 +216,12 @@ std::vector<HalfSpaceTerm> half_space_terms(const MediumLayer& layer, double spe
   const DeepMedium medium(layer, speed, creep.instantaneous, lengths, compliances);
   constexpr double nearly = 0.98;
   if (layer.density > 0 && medium.compliance(0.0) > nearly * medium.rayleigh_wave()) return {};
-  const RetardedSum sum = retarded_sum(medium, true, [&](const complex& j) -> Ratios {
+  const auto compliances_at = [&](const complex& j) -> Ratios {
     const Ratios ratios = medium.at_compliance(j);
     const complex deep = medium.share() * j;
     return {0.5 * deep * ratios(0), 0.5 * deep * ratios(1), deep * ratios(2)};
-  });
+  };
+  const RetardedSum sum = WaveSum(medium, true, compliances_at).made();
   std::vector<HalfSpaceTerm> terms{{0, sum.at_once}};
   for (std::size_t c = 0; c < sum.lengths.size(); ++c) terms.push_back({sum.lengths[c], sum.weights[c]});
   return terms;
@@ -204,7 +236,8 @@ DeepResponse::DeepResponse(const MediumLayer& top, double speed, double instanta
   std::vector<double> compliances = creep_compliance;
   for (double& compliance : compliances) compliance /= share;
   const DeepMedium medium(top, speed, instantaneous / share, creep_length, compliances);
-  const RetardedSum ratios = retarded_sum(medium, false, [&](const complex& j) { return medium.at_compliance(j); });
+  const auto ratios_at = [&](const complex& j) { return medium.at_compliance(j); };
+  const RetardedSum ratios = WaveSum(medium, false, ratios_at).made();
   at_once_ = ratios.at_once;
   lengths_ = ratios.lengths;
   const std::vector<Eigen::Array3d>& weights = ratios.weights;
