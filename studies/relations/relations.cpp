@@ -258,6 +258,21 @@ double longest_memory(const RollingScene& scene) {
   return scene.speed * longest * std::max(1.0, std::abs(model.flow));
 }
 
+/// Without friction nothing else but the load acts on the body.
+void leave_friction_out(RollingScene& scene) {
+  scene.friction_coefficient = 0;
+  scene.drive = Drive::top_force;
+  scene.driving_torque.reset();
+  scene.rotation_ratio.reset();
+}
+
+/// A cylinder's coating is a ring, and flat to H/R: the same contact of a much larger one.
+void make_larger(RollingScene& scene) {
+  constexpr double larger = 1e5;
+  scene.radius *= larger;
+  if (scene.load) *scene.load /= larger;
+}
+
 /// Without friction only the sum of what both sides yield counts.
 Pair exchanged(Dice& dice, RollingScene scene) {
   const double thickest = dice.uniform(0.1, 0.3) * scene.radius;
@@ -269,16 +284,9 @@ Pair exchanged(Dice& dice, RollingScene scene) {
   scene.layer_thickness = std::min(scene.layer_thickness, thickest);
   for (BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
     for (BondedLayer& layer : *layers) layer.layer_thickness = std::min(layer.layer_thickness, thickest);
-  // A cylinder's coating is a ring, and flat to H/R: the same contact of a much larger one.
   const bool ring = dimension_of(scene.indenter) == 2;
-  if (constexpr double larger = 1e5; ring) {
-    scene.radius *= larger;
-    if (scene.load) *scene.load /= larger;
-  }
-  scene.friction_coefficient = 0;
-  scene.drive = Drive::top_force;
-  scene.driving_torque.reset();
-  scene.rotation_ratio.reset();
+  if (ring) make_larger(scene);
+  leave_friction_out(scene);
   scene.inertia = Inertia::off;
   scene.kinematics = Kinematics::consistent;
 
@@ -300,6 +308,34 @@ Pair exchanged(Dice& dice, RollingScene scene) {
                        .other = known(other),
                        .exact = ring ? 1e-5 : 1e-7,
                        .left_out = {"driving_force", "driving_torque"}};
+}
+
+/// Inertia of layers that weigh next to nothing for none.
+Pair weightless(Dice& dice, RollingScene scene) {
+  const bool ring = dimension_of(scene.indenter) == 2 && !scene.coating_layers.empty();
+  constexpr double memories = 30;  // as above: with inertia a coating never comes round
+  if (ring) {
+    // What shear does to a ring goes with a/R, whatever its thickness.
+    leave_friction_out(scene);
+    make_larger(scene);
+    if (memories * longest_memory(scene) > 2 * std::numbers::pi * scene.radius) return {};
+  }
+  double softest = INFINITY;
+  for (const ModelLayer* const layer : ContactModel(scene).layers())
+    softest = std::min(softest, layer->modulus_at_rest);
+  const double number = dice.log_uniform(1e-17, 1e-8), density = number * softest / (scene.speed * scene.speed);
+  scene.inertia = Inertia::off;
+  RollingScene other = scene;
+  other.inertia = Inertia::on;
+  other.layer_density = density;
+  for (BondedLayers* const layers : {&other.lower_layers, &other.coating_layers})
+    for (BondedLayer& layer : *layers) layer.layer_density = density;
+  // Methods may differ, by what each states or the tolerance asks for; of shear's peaks and of losses none is stated.
+  return RelatedScenes{.one = scene,
+                       .other = known(other),
+                       .exact = ring ? 1e-5 : 1e-6,
+                       .resistance = scene.tolerance.value_or(0),
+                       .left_out = {"peak_shear_x", "peak_shear_y", "viscous_loss", "frictional_loss"}};
 }
 
 /// Of a cylinder's layers: the contact's sagitta over their thickness, or over the half-width where that is less [1].
@@ -383,7 +419,7 @@ Pair tolerances(Dice&, RollingScene scene) {
                        .left_out = {"peak_shear_x", "peak_shear_y"}};
 }
 
-constexpr std::array<Relation, 14> all_relations{{
+constexpr std::array<Relation, 15> all_relations{{
     {"cut in two", "a layer, or a coating, as two of the same material", cut_in_two},
     {"cut in five", "the same as five", cut_in_five},
     {"term split", "a Prony term as two of half its modulus", term_split},
@@ -394,6 +430,7 @@ constexpr std::array<Relation, 14> all_relations{{
     {"whole width", "loads and torques of a cylinder's whole width for those per metre", whole_width, false},
     {"given back", "load given, approach found and given in its place, or the other way round", given_back},
     {"exchanged", "without friction, the body's coating for what lies below", exchanged},
+    {"weightless", "inertia of layers that weigh next to nothing for none", weightless},
     {"mirrored", "on elastic layers, sliding forwards for sliding backwards", mirrored, false},
     {"long period", "bodies far apart for a single one", long_period, false},
     {"deep layer", "a layer of 1,000 half-widths for a half-space", deep_layer},
@@ -441,14 +478,6 @@ void draw_sphere_method(Dice& dice, RollingScene& scene) {
   if (choice != 2) return;
   scene.spacing.reset();
   scene.tolerance = 1e-2;
-}
-
-/// Without friction nothing else but the load acts on the body.
-void leave_friction_out(RollingScene& scene) {
-  scene.friction_coefficient = 0;
-  scene.drive = Drive::top_force;
-  scene.driving_torque.reset();
-  scene.rotation_ratio.reset();
 }
 
 RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
