@@ -96,7 +96,7 @@ bool take_spectrum_error(const ContactModel& model, RollingSolution& solution) {
   return true;
 }
 
-/// A method's answer with what does not depend on the method: the model in words, its errors, warnings.
+/// A method's answer with what does not depend on the method: the model in words and the errors of the numbers.
 /// @param zones  as above
 RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZones>& zones) {
   RollingSolution solution = trusted_answer(model, zones);
@@ -112,20 +112,30 @@ RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZone
   const bool said_by_material = take_spectrum_error(model, solution);
   if (!said_by_method && !said_by_material && misses_tolerance(model, model.asked_tolerance, solution))
     solution.warnings.push_back(tolerance_missed(*model.asked_tolerance, solution));
+  return solution;
+}
+
+/// Adds what the model assumes, its error, and warnings.
+void describe(const ContactModel& model, RollingSolution& solution) {
   const std::vector<Assumption> assumed = assumptions(model, solution);
   for (const Assumption& assumption : assumed) solution.assumptions.push_back(in_words(assumption));
   solution.model_error = model_error(assumed).value_or(RollingSolution::absent);
   for (std::string& warning : warnings_for(model, solution, assumed)) solution.warnings.push_back(std::move(warning));
   // A half-space taken as rigid is the model's own choice of the depth that an approach is counted from.
   if (!why_absent(model, "approach").empty()) solution.approach = RollingSolution::absent;
-  return solution;
 }
 
 }  // namespace
 
 RollingSolution solve_model(const ContactModel& full) {
   std::optional<FoundZones> zones;
-  return solve_at_own_flow(full, [&](const ContactModel& model) { return judged_answer(model, zones); });
+  std::optional<ContactModel> solved;  // the last one, whose answer is returned
+  RollingSolution solution = solve_at_own_flow(full, [&](const ContactModel& model) {
+    solved = model;
+    return judged_answer(model, zones);
+  });
+  if (solution.status == Status::converged) describe(*solved, solution);
+  return solution;
 }
 
 }  // namespace rollres
