@@ -168,28 +168,39 @@ ReweightedFit reweighted(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& m
           -0.5 * (variances.array().log().sum() + information.log_determinant() + degrees * std::log(squares))};
 }
 
+/// What not knowing the size of one term beside another does.
+struct UnknownSize {
+  Eigen::MatrixXd growth;  ///< of the covariance of the free parameters
+  double largest;          ///< factor from which on the size is unlikely
+};
+
 /// By what the covariance of the free parameters grows since the size of one term beside another is estimated.
 /// @param variances_at  of all values where that size, squared, is so many times what it is if it alone explained them
 template <class VariancesAt>
-Eigen::MatrixXd growth_by(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& misses, int degrees,
-                          const ReweightedFit& found, const VariancesAt& variances_at) {
+UnknownSize unknown_size(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& misses, int degrees,
+                         const ReweightedFit& found, const VariancesAt& variances_at) {
   constexpr int sizes = 41;
   constexpr double reach = 12;  // of the logarithm of a square: factors up to 400 of the size
+  const auto factor_at = [](int i) { return std::exp(reach * (2.0 * i / (sizes - 1) - 1)); };
   std::vector<ReweightedFit> all;
   double best = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < sizes; ++i) {
-    all.push_back(reweighted(slopes, misses, variances_at(std::exp(reach * (2.0 * i / (sizes - 1) - 1))), degrees));
+    all.push_back(reweighted(slopes, misses, variances_at(factor_at(i)), degrees));
     best = std::max(best, all.back().log_likelihood);
   }
   Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
   double sum = 0;
-  for (const ReweightedFit& one : all) {
+  int last = 0;
+  constexpr double unlikely = 1.92;  // half of chi squared's 95 %
+  for (int i = 0; i < sizes; ++i) {
+    const ReweightedFit& one = all[static_cast<std::size_t>(i)];
+    if (one.log_likelihood > best - unlikely) last = i;
     const double weight = std::exp(one.log_likelihood - best);
     const Eigen::VectorXd moved = one.step - found.step;
     mean += weight * (one.covariance + moved * moved.transpose());
     sum += weight;
   }
-  return mean / sum - found.covariance;
+  return {mean / sum - found.covariance, factor_at(std::min(last + 1, sizes - 1))};
 }
 
 /// Adds to the covariance of a fit what the noise's own errors add.
@@ -224,11 +235,15 @@ void mind_errors_of_noise(FitReport& report, const FitProblem& problem, const st
   Eigen::MatrixXd growth = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
   for (Eigen::Index k = 0; k < sizes.size(); ++k) {
     if (k == main || !(alone[main] > 0)) continue;
-    growth += growth_by(slopes, misses, report.degrees, found, [&](double factor) {
+    const double usual = sizes[main] * alone[k] / alone[main];
+    const UnknownSize unknown = unknown_size(slopes, misses, report.degrees, found, [&](double factor) {
       Eigen::VectorXd other = sizes;
-      other[k] = factor * sizes[main] * alone[k] / alone[main];
+      other[k] = factor * usual;
       return variances_with(other);
     });
+    growth += unknown.growth;
+    LikelyNoise& term = report.noise_terms[static_cast<std::size_t>(k)];
+    term.highest = std::sqrt(unknown.largest * usual);
   }
   report.errors.covariance(free, free) += growth;
   tell_errors(report, problem);
@@ -239,7 +254,7 @@ void mind_errors_of_noise(FitReport& report, const FitProblem& problem, const st
 std::vector<LikelyNoise> likely_noise(const Eigen::VectorXd& squares, const Eigen::VectorXd& predictions,
                                       const std::vector<NoiseTerm>& terms, const Eigen::MatrixXd& slopes) {
   constexpr int most_steps = 5000;
-  constexpr double settled = 1e-9, nothing = 1e-4;  // of the variances
+  constexpr double settled = 1e-7, nothing = 1e-4;  // of the variances
   const Eigen::VectorXd counts = (squares.array() >= 0).cast<double>();
   const Eigen::MatrixXd shares = counts.asDiagonal() * shares_of(predictions, terms);
   const Eigen::VectorXd residuals = squares.cwiseMax(0);
@@ -268,7 +283,8 @@ std::vector<LikelyNoise> likely_noise(const Eigen::VectorXd& squares, const Eige
       if (!(push[k] > 0)) continue;
       const double factor = std::sqrt(pull[k] / push[k]);
       level[k] *= factor;
-      change = std::max(change, level[k] * push[k] > settled ? std::abs(factor - 1) : 0.0);
+      const bool vanishes = factor < 1 && level[k] * push[k] < 0.5 * nothing * counts.sum();
+      if (!vanishes) change = std::max(change, std::abs(factor - 1));
     }
     if (change < settled) break;
   }
