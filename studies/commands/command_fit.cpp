@@ -196,7 +196,7 @@ FitOptions& options_of(File& file) {
 template <class Read, class Make>
 void fit_alone(const FitArguments& arguments, Session& session, const Read& read, const Make& make) {
   if (arguments.design || arguments.coverage > 0 || !arguments.predict.scenes.empty())
-    throw std::invalid_argument(arguments.fit + ": --design, --coverage and --predict are for fits of scenes");
+    throw std::invalid_argument(arguments.fit + ": --predict, --design and --coverage are for fits of scenes");
   auto file = read(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;

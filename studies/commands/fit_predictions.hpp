@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "studies/predict/prediction_report.hpp"
 #include "studies/program/commands.hpp"
-#include "studies/stored_fits/prediction_report.hpp"
 
 namespace rollres {
 

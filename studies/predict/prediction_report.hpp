@@ -6,7 +6,7 @@
 #include <string>
 
 #include "studies/drawing/chart.hpp"
-#include "studies/stored_fits/predicted_scenes.hpp"
+#include "studies/predict/predicted_scenes.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {

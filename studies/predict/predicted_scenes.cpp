@@ -1,4 +1,4 @@
-#include "studies/stored_fits/predicted_scenes.hpp"
+#include "studies/predict/predicted_scenes.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/stored_fits/fit_prediction.hpp"
+#include "studies/predict/fit_prediction.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "studies/stored_fits/prediction_report.hpp"
+#include "studies/predict/prediction_report.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "studies/stored_fits/fit_prediction.hpp"
+#include "studies/predict/fit_prediction.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include "fitting/errors/statistics.hpp"
 #include "fitting/fit/noise_fit.hpp"
 #include "studies/fit/fit_record.hpp"
-#include "studies/stored_fits/prediction_report.hpp"
+#include "studies/predict/prediction_report.hpp"
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 #include "tests/studies/half_space_fit.hpp"
@@ -34,7 +34,7 @@ RollingSolution straight_line(const RollingScene& scene) {
 constexpr std::array<double, 8> line_speeds{1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<double, 8> line_resistances{71, 118.5, 172, 219, 269, 321.5, 370, 419.5};
 
-/// A fit of the modulus and of an offset to the values above: a straight_line line through them.
+/// A fit of the modulus and of an offset to the values above: a straight line through them.
 struct LineFit {
   TemporaryDirectory directory;
   std::string database = (directory / "fit.db").string();
@@ -83,7 +83,7 @@ struct Regression {
 
 }  // namespace
 
-TEST_CASE("predictions of a straight_line line are those of linear regression, by a fit just made and by a stored one",
+TEST_CASE("predictions of a straight line are those of linear regression, by a fit just made and by a stored one",
           "[studies][fit][predict]") {
   const LineFit fit;
   const Regression line;

@@ -1,4 +1,4 @@
-#include "studies/stored_fits/fit_prediction.hpp"
+#include "studies/predict/fit_prediction.hpp"
 
 #include <algorithm>
 #include <cmath>
