@@ -17,7 +17,7 @@ namespace {
 
 /// The chapters from the ground up: each includes itself and those before it. core/reference stands as low as it does
 /// so that it includes no solver: it is the witness of all of them.
-constexpr std::array<std::string_view, 48> chapters{"core/scene",
+constexpr std::array<std::string_view, 49> chapters{"core/scene",
                                                     "core/messages",
                                                     "core/numerics",
                                                     "core/reference",
@@ -60,6 +60,7 @@ constexpr std::array<std::string_view, 48> chapters{"core/scene",
                                                     "studies/figures",
                                                     "studies/stored_fits",
                                                     "studies/fit",
+                                                    "studies/predict",
                                                     "studies/sensitivity",
                                                     "studies/report",
                                                     "studies/file_schema",

@@ -53,7 +53,8 @@ Coverage coverage(const FitProblem& problem, const FitPoint& truth, double scatt
     Normal normal(options.seed, draw);
     for (std::size_t i = 0; i < drawn.data.size(); ++i)
       drawn.data[i].value = exact.values[static_cast<Eigen::Index>(i)] + scatter * drawn.data[i].deviation * normal();
-    const FitReport report = fit(drawn, {.profiles = options.profiles, .known = known, .stop = options.stop});
+    const FitOptions how{.profiles = options.profiles, .known = known, .stop = options.stop};
+    const FitReport report = options.fit ? options.fit(drawn, how) : fit(drawn, how);
     const std::lock_guard lock(mutex);
     ++answer.draws;
     if (options.report) options.report(answer.draws);

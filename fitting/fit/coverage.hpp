@@ -17,6 +17,8 @@ struct CoverageOptions {
   int jobs = 0;           ///< threads, each with a draw of its own; 0: one for each core
   bool profiles = false;  ///< also count the intervals by profile likelihood
   const std::atomic<bool>* stop = nullptr;
+  /// How drawn data are fitted where that is more than `fit`: with their noise. Called by several threads at once.
+  std::function<FitReport(const FitProblem&, const FitOptions&)> fit = {};
   std::function<void(int)> report = {};  ///< after each draw, with how many there were; never by two threads at once
 };
 

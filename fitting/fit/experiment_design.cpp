@@ -102,7 +102,13 @@ std::vector<ScenePrediction> predictions_at(const FitReport& report, const std::
                                             const ResistanceFitOptions& options) {
   std::vector<FitParameter> parameters;
   for (const FittedParameter& fitted : report.parameters) parameters.push_back(fitted.parameter);
-  const FitPoint point = report.point();
+  return predictions_at(parameters, report.point(), inputs, scenes, evaluate, options);
+}
+
+std::vector<ScenePrediction> predictions_at(const std::vector<FitParameter>& parameters, const FitPoint& point,
+                                            const std::vector<FittedInput>& inputs,
+                                            const std::vector<MeasuredScene>& scenes, const Evaluate& evaluate,
+                                            const ResistanceFitOptions& options) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(std::ssize(parameters));
   std::vector<ScenePrediction> answer(scenes.size(), {std::numeric_limits<double>::quiet_NaN(), none});
   if (scenes.empty()) return answer;

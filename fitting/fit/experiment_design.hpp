@@ -52,8 +52,13 @@ struct ScenePrediction {
   double value;           ///< [SI]; NaN: no answer, or slopes that are but noise
   Eigen::VectorXd slope;  ///< by the scaled parameters [SI]
 };
-/// @param inputs  of the fit
+/// @param parameters, point, inputs  of the fit
 /// @param scenes  their measured values are not used
+std::vector<ScenePrediction> predictions_at(const std::vector<FitParameter>& parameters, const FitPoint& point,
+                                            const std::vector<FittedInput>& inputs,
+                                            const std::vector<MeasuredScene>& scenes, const Evaluate& evaluate,
+                                            const ResistanceFitOptions& options = {});
+/// The same at the fit.
 std::vector<ScenePrediction> predictions_at(const FitReport& report, const std::vector<FittedInput>& inputs,
                                             const std::vector<MeasuredScene>& scenes, const Evaluate& evaluate,
                                             const ResistanceFitOptions& options = {});

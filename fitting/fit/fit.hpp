@@ -39,6 +39,10 @@ FitReport fit(const FitProblem& problem, const FitOptions& options = {});
 FitReport report_on(const FitProblem& problem, const Descent& best, const std::vector<Descent>& ends,
                     const std::optional<Slopes>& slopes = {});
 
+/// What follows from the covariance of a report's errors: deviations, correlations, errors and linear intervals of the
+/// parameters, bands of the values.
+void tell_errors(FitReport& report, const FitProblem& problem);
+
 /// The rise of the misfit, over its scale, at the ends of an interval: the square of the two-sided quantile, normal
 /// where deviations are known, else Student's.
 double interval_threshold(bool deviations_known, int degrees);

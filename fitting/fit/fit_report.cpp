@@ -99,6 +99,28 @@ ParameterPair worst_pair(const FitReport& report) {
   return pair;
 }
 
+void tell_errors(FitReport& report, const FitProblem& problem) {
+  FitErrors& errors = report.errors;
+  const double quantile = std::sqrt(interval_threshold(problem));
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    FittedParameter& fitted = report.parameters[j];
+    const auto k = static_cast<Eigen::Index>(j);
+    const double deviation = errors.deviations[k] = std::sqrt(errors.covariance(k, k));
+    for (Eigen::Index i = 0; i < k; ++i)
+      errors.correlations(i, k) = errors.correlations(k, i) =
+          errors.covariance(i, k) / (errors.deviations[i] * deviation);
+    fitted.relative_error = deviation;
+    fitted.standard_error = deviation * std::abs(fitted.parameter.variable.slope(fitted.value));
+    fitted.linear = linear_interval(fitted.parameter, fitted.value, deviation, quantile);
+  }
+  const Eigen::MatrixXd known =
+      errors.covariance.unaryExpr([](double entry) { return std::isnan(entry) ? 0 : entry; });  // not held
+  for (std::size_t i = 0; i < report.values.size(); ++i) {
+    const auto slope = report.slopes.derivatives.row(static_cast<Eigen::Index>(i));
+    report.values[i].band = std::sqrt(slope.dot(slope * known));
+  }
+}
+
 FitReport report_on(const FitProblem& problem, const Descent& best, const std::vector<Descent>& ends,
                     const std::optional<Slopes>& slopes) {
   FitReport report;
@@ -149,24 +171,14 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
   report.noise = report.slopes.noise.cwiseQuotient(best.prediction.values).cwiseAbs().maxCoeff();
   compare(report, problem, best, ends);
   report.weakest_direction = weakest_direction_in_words(problem, report.errors);
-  const double quantile = std::sqrt(interval_threshold(problem));
   for (std::size_t j = 0; j < problem.size(); ++j) {
     FittedParameter& fitted = report.parameters[j];
     const auto k = static_cast<Eigen::Index>(j);
-    const double deviation = report.errors.deviations[k];
-    fitted.relative_error = deviation;
-    fitted.standard_error = deviation * std::abs(fitted.parameter.variable.slope(fitted.value));
-    fitted.linear = linear_interval(fitted.parameter, fitted.value, deviation, quantile);
     fitted.step = report.slopes.steps[k];
     fitted.slope_doubt = report.errors.slope_doubt[k];
     fitted.at_bound = report.errors.at_bound[j];
   }
-  const Eigen::MatrixXd known =
-      report.errors.covariance.unaryExpr([](double entry) { return std::isnan(entry) ? 0 : entry; });  // not held
-  for (Eigen::Index i = 0; i < misses.size(); ++i) {
-    const auto slope = report.slopes.derivatives.row(i);
-    report.values[static_cast<std::size_t>(i)].band = std::sqrt(slope.dot(slope * known));
-  }
+  tell_errors(report, problem);
   return report;
 }
 

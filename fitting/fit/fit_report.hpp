@@ -58,6 +58,7 @@ struct LikelyNoise {
   bool relative;  ///< a part of what is predicted [1]; else a level [SI]
   double value;   ///< 0: it explains nothing
   double standard_error;
+  double highest = RollingSolution::absent;  ///< end of its 95 % interval by likelihood; NaN of the term that tells most
 };
 
 struct FitReport {

@@ -1,5 +1,6 @@
 #include "fitting/fit/noise_fit.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +22,39 @@ Eigen::MatrixXd shares_of(const Eigen::VectorXd& predictions, const std::vector<
   return shares;
 }
 
+/// X^T W X with a Cholesky factor, columns scaled to length 1; a direction that no datum tells counts as one that is
+/// told to a millionth.
+struct Information {
+  Eigen::MatrixXd whitened;
+  Eigen::VectorXd lengths;
+  Eigen::LLT<Eigen::MatrixXd> factor;
+
+  Information(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& weights)
+      : whitened(weights.cwiseSqrt().asDiagonal() * slopes),
+        lengths(whitened.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min())) {
+    constexpr double hardly = 1e-12;
+    whitened *= lengths.cwiseInverse().asDiagonal();
+    const Eigen::Index count = slopes.cols();
+    factor.compute(whitened.transpose() * whitened + hardly * Eigen::MatrixXd::Identity(count, count));
+  }
+
+  /// The part of each residual's variance that the fitted parameters leave: 1 - leverage.
+  Eigen::VectorXd left() const {
+    const Eigen::MatrixXd solved = factor.solve(whitened.transpose());
+    return (1 - whitened.transpose().cwiseProduct(solved).colwise().sum().transpose().array()).cwiseMax(0);
+  }
+  double log_determinant() const {
+    const Eigen::MatrixXd& triangle = factor.matrixLLT();
+    return 2 * (triangle.diagonal().array().log().sum() + lengths.array().log().sum());
+  }
+  Eigen::MatrixXd inverse() const {
+    const Eigen::MatrixXd scaled = factor.solve(Eigen::MatrixXd::Identity(lengths.size(), lengths.size()));
+    return lengths.cwiseInverse().asDiagonal() * scaled * lengths.cwiseInverse().asDiagonal();
+  }
+};
+
 /// Standard errors of the squares: the inverse of Fisher's information, w_i^2 x_i x_i^T / 2 summed, of those above 0.
+/// @param weights  w_i, times the root of what is left of a residual's variance
 Eigen::VectorXd errors_of_squares(const Eigen::MatrixXd& shares, const Eigen::VectorXd& weights,
                                   const Eigen::VectorXd& squares) {
   std::vector<Eigen::Index> present;
@@ -41,16 +74,32 @@ Eigen::VectorXd errors_of_squares(const Eigen::MatrixXd& shares, const Eigen::Ve
   return errors;
 }
 
+/// Of measurements; -1 for what was known before.
 Eigen::VectorXd squares_of(const FitReport& report) {
   Eigen::VectorXd squares(std::ssize(report.values));
-  double measured = 0;
-  for (const FittedValue& value : report.values) measured += value.measured.prior() ? 0 : 1;
-  const double left = std::max(1.0, measured - static_cast<double>(report.parameters.size()));
   for (Eigen::Index i = 0; i < squares.size(); ++i) {
     const FittedValue& value = report.values[static_cast<std::size_t>(i)];
-    squares[i] = value.measured.prior() ? -1 : std::pow(value.predicted - value.measured.value, 2) * measured / left;
+    squares[i] = value.measured.prior() ? -1 : std::pow(value.predicted - value.measured.value, 2);
   }
   return squares;
+}
+
+/// Parameters that no bound holds.
+std::vector<Eigen::Index> free_parameters(const FitReport& report) {
+  std::vector<Eigen::Index> free;
+  for (std::size_t j = 0; j < report.parameters.size(); ++j)
+    if (report.errors.at_bound[j] == AtBound::no) free.push_back(static_cast<Eigen::Index>(j));
+  return free;
+}
+
+/// Their slopes; of what was known before over its deviation.
+Eigen::MatrixXd free_slopes(const FitReport& report) {
+  Eigen::MatrixXd slopes = report.slopes.derivatives(Eigen::all, free_parameters(report));
+  for (Eigen::Index i = 0; i < slopes.rows(); ++i) {
+    const MeasuredValue& measured = report.values[static_cast<std::size_t>(i)].measured;
+    if (measured.prior()) slopes.row(i) /= measured.deviation;
+  }
+  return slopes;
 }
 
 Eigen::VectorXd predictions_of(const FitReport& report) {
@@ -99,12 +148,113 @@ void weigh_as_measured(FitProblem& problem, const std::vector<NoiseTerm>& terms)
   }
 }
 
+/// The fit, linear about where it is, with other sizes of the terms.
+struct ReweightedFit {
+  Eigen::MatrixXd covariance;
+  Eigen::VectorXd step;   ///< of the free parameters, scaled
+  double log_likelihood;  ///< restricted; the size of all terms together is integrated out
+};
+
+/// What the fit is with these variances of its values.
+ReweightedFit reweighted(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& misses, const Eigen::VectorXd& variances,
+                         int degrees) {
+  const Eigen::VectorXd weights = variances.cwiseInverse();
+  const Information information(slopes, weights);
+  const Eigen::MatrixXd inverse = information.inverse();
+  const Eigen::VectorXd step = inverse * (slopes.transpose() * weights.cwiseProduct(misses));
+  const Eigen::VectorXd left = misses - slopes * step;
+  const double squares = std::max(left.dot(weights.cwiseProduct(left)), std::numeric_limits<double>::min());
+  return {inverse * (squares / degrees), step,
+          -0.5 * (variances.array().log().sum() + information.log_determinant() + degrees * std::log(squares))};
+}
+
+/// What not knowing the size of one term beside another does.
+struct UnknownSize {
+  Eigen::MatrixXd growth;  ///< of the covariance of the free parameters
+  double largest;          ///< factor from which on the size is unlikely
+};
+
+/// By what the covariance of the free parameters grows since the size of one term beside another is estimated.
+/// @param variances_at  of all values where that size, squared, is so many times what it is if it alone explained them
+template <class VariancesAt>
+UnknownSize unknown_size(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& misses, int degrees,
+                         const ReweightedFit& found, const VariancesAt& variances_at) {
+  constexpr int sizes = 41;
+  constexpr double reach = 12;  // of the logarithm of a square: factors up to 400 of the size
+  const auto factor_at = [](int i) { return std::exp(reach * (2.0 * i / (sizes - 1) - 1)); };
+  std::vector<ReweightedFit> all;
+  double best = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < sizes; ++i) {
+    all.push_back(reweighted(slopes, misses, variances_at(factor_at(i)), degrees));
+    best = std::max(best, all.back().log_likelihood);
+  }
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
+  double sum = 0;
+  int last = 0;
+  constexpr double unlikely = 1.92;  // half of chi squared's 95 %
+  for (int i = 0; i < sizes; ++i) {
+    const ReweightedFit& one = all[static_cast<std::size_t>(i)];
+    if (one.log_likelihood > best - unlikely) last = i;
+    const double weight = std::exp(one.log_likelihood - best);
+    const Eigen::VectorXd moved = one.step - found.step;
+    mean += weight * (one.covariance + moved * moved.transpose());
+    sum += weight;
+  }
+  return {mean / sum - found.covariance, factor_at(std::min(last + 1, sizes - 1))};
+}
+
+/// Adds to the covariance of a fit what the noise's own errors add.
+void mind_errors_of_noise(FitReport& report, const FitProblem& problem, const std::vector<NoiseTerm>& terms) {
+  const std::vector<Eigen::Index> free = free_parameters(report);
+  const std::vector<LikelyNoise>& noise = report.noise_terms;
+  if (terms.size() < 2 || free.empty() || report.degrees < 1) return;
+  const Eigen::VectorXd predictions = predictions_of(report), squares = squares_of(report);
+  const Eigen::MatrixXd slopes = free_slopes(report), shares = shares_of(predictions, terms);
+  Eigen::VectorXd misses(squares.size()), known(squares.size()), sizes(std::ssize(terms)), alone(std::ssize(terms)),
+      told(std::ssize(terms));
+  for (Eigen::Index i = 0; i < misses.size(); ++i) {
+    const FittedValue& value = report.values[static_cast<std::size_t>(i)];
+    known[i] = value.measured.prior() ? 1 : 0;
+    misses[i] = value.measured.prior() ? -value.residual : value.measured.value - value.predicted;
+  }
+  const auto variances_with = [&](const Eigen::VectorXd& of_terms) {
+    const Eigen::VectorXd explained = shares * of_terms;
+    return Eigen::VectorXd((known.array() > 0).select(1, explained.array().max(std::numeric_limits<double>::min())));
+  };
+  for (Eigen::Index k = 0; k < sizes.size(); ++k) sizes[k] = std::pow(noise[static_cast<std::size_t>(k)].value, 2);
+  const Eigen::VectorXd weights = (1 - known.array()) / variances_with(sizes).array();
+  for (Eigen::Index k = 0; k < sizes.size(); ++k) {
+    const Eigen::ArrayXd own = (known.array() > 0).select(0, shares.col(k).array());
+    told[k] = sizes[k] * own.matrix().dot(weights);
+    alone[k] = (own > 0).select(squares.array() / own.max(std::numeric_limits<double>::min()), 0).sum() /
+               (own > 0).cast<double>().sum();
+  }
+  Eigen::Index main = 0;
+  told.maxCoeff(&main);
+  const ReweightedFit found = reweighted(slopes, misses, variances_with(sizes), report.degrees);
+  Eigen::MatrixXd growth = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
+  for (Eigen::Index k = 0; k < sizes.size(); ++k) {
+    if (k == main || !(alone[main] > 0)) continue;
+    const double usual = sizes[main] * alone[k] / alone[main];
+    const UnknownSize unknown = unknown_size(slopes, misses, report.degrees, found, [&](double factor) {
+      Eigen::VectorXd other = sizes;
+      other[k] = factor * usual;
+      return variances_with(other);
+    });
+    growth += unknown.growth;
+    LikelyNoise& term = report.noise_terms[static_cast<std::size_t>(k)];
+    term.highest = std::sqrt(unknown.largest * usual);
+  }
+  report.errors.covariance(free, free) += growth;
+  tell_errors(report, problem);
+}
+
 }  // namespace
 
 std::vector<LikelyNoise> likely_noise(const Eigen::VectorXd& squares, const Eigen::VectorXd& predictions,
-                                      const std::vector<NoiseTerm>& terms) {
+                                      const std::vector<NoiseTerm>& terms, const Eigen::MatrixXd& slopes) {
   constexpr int most_steps = 5000;
-  constexpr double settled = 1e-9, nothing = 1e-4;  // of the variances
+  constexpr double settled = 1e-7, nothing = 1e-4;  // of the variances
   const Eigen::VectorXd counts = (squares.array() >= 0).cast<double>();
   const Eigen::MatrixXd shares = counts.asDiagonal() * shares_of(predictions, terms);
   const Eigen::VectorXd residuals = squares.cwiseMax(0);
@@ -120,23 +270,29 @@ std::vector<LikelyNoise> likely_noise(const Eigen::VectorXd& squares, const Eige
     return Eigen::VectorXd(
         (variances.array() > 0).select(1 / variances.array().max(std::numeric_limits<double>::min()), 0));
   };
+  const auto left_with = [&](const Eigen::VectorXd& weights) {
+    if (slopes.cols() == 0) return Eigen::VectorXd(Eigen::VectorXd::Ones(weights.size()));
+    return Information(slopes, (counts.array() > 0).select(weights, 1)).left();
+  };
   for (int step = 0; step < most_steps; ++step) {
     const Eigen::VectorXd weights = weights_at();
     const Eigen::VectorXd pull = shares.transpose() * residuals.cwiseProduct(weights.cwiseAbs2());
-    const Eigen::VectorXd push = shares.transpose() * weights;
+    const Eigen::VectorXd push = shares.transpose() * weights.cwiseProduct(left_with(weights));
     double change = 0;
     for (Eigen::Index k = 0; k < level.size(); ++k) {
       if (!(push[k] > 0)) continue;
       const double factor = std::sqrt(pull[k] / push[k]);
       level[k] *= factor;
-      change = std::max(change, level[k] * push[k] > settled ? std::abs(factor - 1) : 0.0);
+      const bool vanishes = factor < 1 && level[k] * push[k] < 0.5 * nothing * counts.sum();
+      if (!vanishes) change = std::max(change, std::abs(factor - 1));
     }
     if (change < settled) break;
   }
   const Eigen::VectorXd reached = weights_at();
   for (Eigen::Index k = 0; k < level.size(); ++k)
     if (level[k] * shares.col(k).dot(reached) < nothing * counts.sum()) level[k] = 0;
-  const Eigen::VectorXd errors = errors_of_squares(shares, weights_at(), level);
+  const Eigen::VectorXd weights = weights_at();
+  const Eigen::VectorXd errors = errors_of_squares(shares, weights.cwiseProduct(left_with(weights).cwiseSqrt()), level);
   std::vector<LikelyNoise> noise;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const double value = std::sqrt(level[static_cast<Eigen::Index>(k)]);
@@ -158,7 +314,7 @@ FitReport fit_with_noise(const FitProblem& given, const std::vector<NoiseTerm>& 
   std::vector<LikelyNoise> noise;
   for (int round = 1; round <= most_rounds && report.slopes.found() && !report.interrupted; ++round) {
     const Eigen::VectorXd predictions = predictions_of(report);
-    noise = likely_noise(squares_of(report), predictions, terms);
+    noise = likely_noise(squares_of(report), predictions, terms, free_slopes(report));
     const bool last = weigh(problem, predictions, terms, noise) < settled || round == most_rounds;
     for (std::size_t j = 0; j < problem.size(); ++j) problem.parameters[j].start = report.parameters[j].value;
     next.starts = 1;
@@ -173,6 +329,7 @@ FitReport fit_with_noise(const FitProblem& given, const std::vector<NoiseTerm>& 
   report.starts = first.starts;
   report.agreeing = first.agreeing;
   report.moved |= first.moved;
+  if (report.slopes.found()) mind_errors_of_noise(report, problem, terms);
   judge(report, problem);
   return report;
 }

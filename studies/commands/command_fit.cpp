@@ -8,6 +8,7 @@
 #include "core/numerics/solution_limits.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/material/material_problem.hpp"
+#include "studies/commands/fit_predictions.hpp"
 #include "studies/fit/coverage_summary.hpp"
 #include "studies/fit/fit_comparison.hpp"
 #include "studies/fit/fit_curves.hpp"
@@ -42,6 +43,8 @@ struct FitArguments {
   int jobs = 0, coverage = 0;
   std::uint64_t seed = 1;
   bool json = false, no_profiles = false, design = false, compare = false;
+  PredictArguments predict;
+  PredictArguments prediction() const { return {predict.scenes, predict.as, predict.data, out, jobs, json}; }
 };
 
 /// Draws around the fit, solves them without the store (nobody asks for these scenes again) and counts.
@@ -55,12 +58,18 @@ Coverage coverage_of(const FitFile& file, const FitReport& report, const FitArgu
   const auto show = [&](int draws) {
     line.show(std::to_string(draws) + " of " + std::to_string(arguments.coverage) + " draws fitted");
   };
+  const auto fit_drawn = [&](const FitProblem& drawn, const FitOptions& options) {
+    FitFile own = alone;
+    own.options = options;
+    return fit(drawn, own);
+  };
   return coverage(problem, report.point(), std::sqrt(report.errors.scale),
                   {.draws = arguments.coverage,
                    .seed = arguments.seed,
                    .jobs = arguments.jobs,
                    .profiles = !arguments.no_profiles,
                    .stop = file.options.stop,
+                   .fit = fit_drawn,
                    .report = show});
 }
 
@@ -186,8 +195,8 @@ FitOptions& options_of(File& file) {
 /// A fit of no scenes: read, made, told and drawn.
 template <class Read, class Make>
 void fit_alone(const FitArguments& arguments, Session& session, const Read& read, const Make& make) {
-  if (arguments.design || arguments.coverage > 0)
-    throw std::invalid_argument(arguments.fit + ": --design and --coverage are for fits of scenes");
+  if (arguments.design || arguments.coverage > 0 || !arguments.predict.scenes.empty())
+    throw std::invalid_argument(arguments.fit + ": --predict, --design and --coverage are for fits of scenes");
   auto file = read(arguments.fit);
   if (!arguments.out.empty()) make_directory(arguments.out);
   const StopSignal signal;
@@ -227,6 +236,8 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
     object["coverage"] = json_of(counted);
     if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
   }
+  if (!arguments.predict.scenes.empty() && known && !signal.requested())
+    object["predictions"] = tell_predictions(made.record, arguments.prediction(), until(signal, stored), session);
   if (!arguments.out.empty() && known) draw(made.record, arguments, session);
   stored.flush();
   if (arguments.json) session.out << text_of(object, 2) << '\n';
@@ -234,7 +245,7 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
 
 /// Fits all of the files, and says which model the data are most likely on.
 void compare_fits(const FitArguments& given, Session& session) {
-  if (given.design || given.coverage > 0 || !given.out.empty() || !given.scene.empty())
+  if (given.design || given.coverage > 0 || !given.out.empty() || !given.scene.empty() || !given.predict.scenes.empty())
     throw std::invalid_argument("--compare: stands with --db, --jobs, --no-profiles and --json alone");
   if (given.fits.size() < 2) throw std::invalid_argument("--compare: needs two fit files at least");
   const StopSignal signal;
@@ -276,6 +287,8 @@ void run_fit(const FitArguments& given, Session& session) {
   if (given.fits.size() != 1) throw std::invalid_argument("several fits: need --compare");
   FitArguments arguments = given;
   arguments.fit = given.fits.front();
+  if (!arguments.predict.scenes.empty() && !std::filesystem::exists(arguments.fit))
+    return predict_by_stored_fit(arguments.fit, arguments.database, arguments.prediction(), session);
   if (is_shift_fit(arguments.fit)) return fit_alone(arguments, session, read_shift_fit, make_shift_fit);
   if (is_strain_fit(arguments.fit)) return fit_alone(arguments, session, read_strain_fit, make_strain_fit);
   if (is_material_fit(arguments.fit)) return fit_alone(arguments, session, read_material_fit, make_material_fit);
@@ -289,7 +302,8 @@ void add_fit(Command& program, Session& session) {
       "fit", "Fit a scene, or a material, to measured values, with intervals and a judgement", session, run_fit);
   command
       ->add_option("fits FIT", arguments.fits,
-                   "Fit file (JSON): scene or material, data (CSV), parameters; several with --compare")
+                   "Fit file (JSON): scene or material, data (CSV), parameters; several with --compare; with --predict "
+                   "also the name of a stored fit")
       ->required();
   command->add_option("--db FILE", arguments.database, "Database: every evaluation and the fit are stored here")
       ->required();
@@ -305,6 +319,17 @@ void add_fit(Command& program, Session& session) {
       ->between(1, 1'000'000);
   command->add_option("--seed S", arguments.seed, "Of the draws; default 1");
   command->add_option("--jobs N", arguments.jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_option(
+      "--predict SCENES", arguments.predict.scenes,
+      "Predict the fit's output with 95 % intervals: of a scene, of a study's points, or of the rows of "
+      "a CSV file as the fit's data are; a chart with the data in --out");
+  command
+      ->add_option("--predict-as WHAT", arguments.predict.as,
+                   "The model's true value (default), the reading with offset and scale, or one more measurement with "
+                   "its noise")
+      ->one_of(ChoiceNames<PredictedAs>::names);
+  command->add_option("--predict-data SET", arguments.predict.data,
+                      "Data set whose offset, scale and noise count; default: the first");
   command->add_flag("--compare", arguments.compare,
                     "Fit several files to the same data and compare them: AICc, BIC, weights, likelihood ratios");
   command->add_flag("--no-profiles", arguments.no_profiles, "Leave out the intervals by profile likelihood");
@@ -314,7 +339,8 @@ void add_fit(Command& program, Session& session) {
       "not describe the data); DID NOT MOVE (ended where it started); NOT CONVERGED (no least misfit was found, or\n"
       "interrupted). Exit status 1 for the last four.\n"
       "Examples: rollres fit studies/examples/fit_cylinder.json --db out/fit.db --out out/fit\n"
-      "          rollres fit zener.json prony.json --compare --db out/fit.db");
+      "          rollres fit zener.json prony.json --compare --db out/fit.db\n"
+      "          rollres fit fit_cylinder --predict studies/examples/speed_resistance.json --db out/fit.db");
 }
 
 }  // namespace rollres

@@ -110,6 +110,20 @@ std::string take_constants(Table& table, std::size_t first, const std::vector<st
   return constants;
 }
 
+constexpr std::int64_t most_designs = 20;
+
+/// How the designs of an optimisation are sorted for its best to come first; nothing for another study, or one whose
+/// goals are not stored. @param names  of the columns
+std::vector<std::string> best_first(ResultStore& store, const StudySummary& study,
+                                    const std::vector<std::string>& names) {
+  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  if (!has("goal") || !has("feasible")) return {};
+  const Json file = parse_object(store.definition(study.name).value_or("{}"), store.database().name());
+  std::vector<std::string> sort{"-feasible", file.contains("maximise") ? "-goal" : "goal"};
+  if (has("front") && file.contains("pareto")) sort.insert(sort.begin(), "-front");
+  return sort;
+}
+
 void show_study(const ShowArguments& arguments, ResultStore& store, const StudySummary& study, Session& session) {
   const Database& database = store.database();
   const StudyDefinition definition =
@@ -129,6 +143,10 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
   for (const std::string& output : outputs) add(output, output);
   add("status", "status");
   const FormulaDefinitions formulas = add_derived(database, query);
+  if (const std::vector<std::string> best = best_first(store, study, names); !best.empty()) {
+    query.sort = best;
+    if (!arguments.json) query.limit = most_designs;
+  }
   if (arguments.json) {
     Table table = run_query(database, query);
     table.columns = names;
@@ -141,6 +159,8 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
   session.out << study.name << ": " << study.answered << " of " << study.points << " points answered, " << study.failed
               << " failed\n"
               << (study.note.empty() ? "" : study.note + "\n");
+  if (query.limit && study.points > most_designs)
+    session.out << "the best " << most_designs << " designs come first: --json has all\n";
   constexpr std::size_t position_and_id = 2;
   const std::string constants = take_constants(table, position_and_id, definition.compute);
   if (!constants.empty()) session.out << "in all points: " << constants << '\n';
@@ -195,6 +215,11 @@ void show(const ShowArguments& arguments, Session& session) {
     session.out << (arguments.json ? text_of(json_of(*fit), 2) + "\n" : fit_summary(*fit));
     return;
   }
+  if (const auto evaluation = store.find(arguments.what)) {
+    show_evaluation(arguments, *evaluation, session);
+    if (arguments.fields) export_fields(arguments, store, *evaluation, session);
+    return;
+  }
   std::int64_t id = 0;
   const char* end = arguments.what.data() + arguments.what.size();
   if (std::from_chars(arguments.what.data(), end, id).ptr == end)
@@ -215,7 +240,9 @@ void show(const ShowArguments& arguments, Session& session) {
 void add_show(Command& program, Session& session) {
   const auto [command, arguments] = program.add<ShowArguments>(
       "show", "Show the results of a study, a fit, or one evaluation in full", session, show);
-  command->add_option("what NAME|ID", arguments.what, "name of a study or of a fit, or number (id) of an evaluation")
+  command
+      ->add_option("what NAME|ID", arguments.what,
+                   "name of a study or of a fit, or number (id) or name of an evaluation")
       ->required();
   command->add_option("--db FILE", arguments.database, "database")->required();
   command->add_flag("--json", arguments.json, "print one JSON object");

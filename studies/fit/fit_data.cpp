@@ -79,6 +79,27 @@ std::vector<GivenSet> given_sets(const Json& fit, const std::filesystem::path& f
   return sets;
 }
 
+SceneEntry column_entry(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row) {
+  const std::string& cell = column.cells[row];
+  const InputKind& kind = *find_input(column.name);
+  SceneEntry entry{column.name, cell, table.place(row)};
+  if (!kind.choices.empty() || (kind.quantity.range.infinity_allowed && cell == "infinite")) return entry;
+  const bool dimensionless = kind.quantity.unit == "1";
+  if (cell.empty() || !plain_number(cell) || dimensionless || column.unit.empty())
+    entry.value = measured_number(table, column, row, dimensionless ? "1" : kind.quantity.unit);
+  else
+    entry.value = cell + " " + column.unit;  // its unit may depend on the body
+  return entry;
+}
+
+bool smooth_without_spacing(const RollingScene& scene) {
+  if (!scene.spacing) return false;
+  if (dimension_of(scene.indenter) == 3) return scene.method == Method::automatic || scene.method == Method::newton;
+  RollingScene free = scene;
+  free.spacing.reset();
+  return resolved_method(free) == Method::spectral;
+}
+
 namespace {
 
 /// A standard deviation: of its own, or relative to the measured value.
@@ -108,20 +129,6 @@ Sigma given_sigma(const Json& value, std::string_view unit, const std::string& p
   return sigma;
 }
 
-/// A cell of an input's column.
-SceneEntry entry_of(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row) {
-  const std::string& cell = column.cells[row];
-  const InputKind& kind = *find_input(column.name);
-  SceneEntry entry{column.name, cell, table.place(row)};
-  if (!kind.choices.empty() || (kind.quantity.range.infinity_allowed && cell == "infinite")) return entry;
-  const bool dimensionless = kind.quantity.unit == "1";
-  if (cell.empty() || !plain_number(cell) || dimensionless || column.unit.empty())
-    entry.value = measured_number(table, column, row, dimensionless ? "1" : kind.quantity.unit);
-  else
-    entry.value = cell + " " + column.unit;  // its unit may depend on the body
-  return entry;
-}
-
 /// @param others  outputs that other data sets read from the same table
 void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::string>& others, bool moduli,
                             bool timed) {
@@ -138,15 +145,6 @@ void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::s
           table.file + ": " + column.name + ": " +
           unknown("unknown column", known, column.name, "ignore_columns of the data set leaves it out"));
   }
-}
-
-/// Whether the scene has smooth answers without its spacing.
-bool smooth_without_spacing(const RollingScene& scene) {
-  if (!scene.spacing) return false;
-  if (dimension_of(scene.indenter) == 3) return scene.method == Method::automatic || scene.method == Method::newton;
-  RollingScene free = scene;
-  free.spacing.reset();
-  return resolved_method(free) == Method::spectral;
 }
 
 /// The standard deviation that a row's value has, or what its residual is measured in, and whether it is relative.
@@ -257,7 +255,7 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::vector<SceneEntry> own;
     for (const MeasuredColumn& column : table.columns)
-      if (find_input(column.name) && !is_other(column)) own.push_back(held_entry(entry_of(table, column, row)));
+      if (find_input(column.name) && !is_other(column)) own.push_back(held_entry(column_entry(table, column, row)));
     const std::string place = table.place(row);
     RollingScene scene = scene_from(overridden(common, own), place);
     if (!keep_spacing && !value_given(set.set, "spacing") && !value_given(own, "spacing"))

@@ -10,6 +10,7 @@
 
 #include "studies/fit/fit_file.hpp"
 #include "studies/scene_io/scene_entries.hpp"
+#include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {
@@ -34,6 +35,13 @@ std::vector<GivenSet> given_sets(const Json& fit, const std::filesystem::path& f
 /// @throws std::invalid_argument naming table, line, column and rule
 std::string read_data(FitFile& fit, const std::vector<GivenSet>& sets, const std::vector<SceneEntry>& base,
                       bool keep_spacing);
+
+/// A cell of a column that is an input, as an entry of a scene.
+/// @throws std::invalid_argument naming table, line, column, cell and rule
+SceneEntry column_entry(const MeasuredTable& table, const MeasuredColumn& column, std::size_t row);
+
+/// Whether the scene has smooth answers without its spacing.
+bool smooth_without_spacing(const RollingScene& scene);
 
 /// Warns of rows that the tables have twice.
 void warn_of_repeated_rows(FitFile& fit);

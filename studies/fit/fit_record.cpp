@@ -53,8 +53,9 @@ FitParameterRecord fitted_row(const FittedParameter& fitted, Body body) {
   return row;
 }
 
-/// With the 95 % interval that is symmetric in the logarithm.
+/// With the 95 % interval: symmetric in the logarithm, or from 0 on.
 FitParameterRecord noise_row(const LikelyNoise& noise, const std::string& output_unit) {
+  const bool present = noise.value > 0, told = noise.standard_error < noise.value;
   const double factor = std::exp(1.96 * noise.standard_error / noise.value);
   return {.name = noise.name,
           .unit = noise.relative ? "1" : output_unit,
@@ -63,11 +64,11 @@ FitParameterRecord noise_row(const LikelyNoise& noise, const std::string& output
           .value = noise.value,
           .standard_error = noise.standard_error,
           .relative_error = noise.standard_error / noise.value,
-          .linear_lowest = noise.value / factor,
-          .linear_highest = noise.value * factor,
-          .linear_low = "closed",
-          .linear_high = "closed",
-          .flag = noise.value > 0 ? "noise, by likelihood" : "noise that explains nothing"};
+          .linear_lowest = told ? noise.value / factor : 0,
+          .linear_highest = told ? noise.value * factor : noise.highest,
+          .linear_low = told ? "closed" : "limit",
+          .linear_high = told || std::isfinite(noise.highest) ? "closed" : "open",
+          .flag = present ? "noise, by likelihood" : "noise that explains nothing"};
 }
 
 constexpr const char* angular_frequency = "angular_frequency";

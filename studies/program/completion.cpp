@@ -133,7 +133,8 @@ Completion values(const CommandWords& command, const OptionWords& option, std::s
       {"FILE", "files"},    {"NAME|ID", "stored"},
       {"PATH", "files"},    {"SCENE", "json"},
       {"STUDY", "json"},    {"SCENE|STUDY", "json"},
-      {"FIT", "json"},      {"DIR", "folders"}};
+      {"FIT", "json"},      {"DIR", "folders"},
+      {"SCENES", "files"}};
   static constexpr std::array<std::string_view, 3> of_databases{"--db", "--with", "sources"};
   static constexpr std::array<std::string_view, 5> with_fits{"report", "show", "export", "chart", "compare"};
   Completion completion;

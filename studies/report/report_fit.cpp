@@ -48,7 +48,7 @@ std::string fit_in_words(const FitRecord& fit) {
   std::string text = "The fit of " + std::to_string(fit.data.size()) + " measurements is " + status;
   for (const FitParameterRecord& p : fit.parameters)
     text += (&p == &fit.parameters.front() ? ": " : ", ") + in_words(p.name) + " = " + readable(p.value, p.unit) +
-            (p.fixed                           ? " (fixed)"
+            (p.fixed && !p.noise               ? " (fixed)"
              : std::isfinite(p.relative_error) ? " (± " + percent(p.relative_error, 2) + ")"
                                                : "");
   text += ". ";

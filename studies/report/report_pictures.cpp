@@ -234,6 +234,20 @@ PictureSection together_section(ResultStore& store, const ReportOptions& options
   return {html::heading("All studies") + pictures.html() + refusal, pictures.count()};
 }
 
+namespace {
+
+/// The value of an axis at an evaluation of the study: an input of its scene, or the variant that its row is of.
+Cell value_at(const ReportSource& source, const StoredEvaluation& answer, const QuantityColumn& axis) {
+  if (key_of(axis) != variant_key) return input_of(answer.scene, key_of(axis));
+  const Table row =
+      run_query(source.store.database(), {.filters = {{"study", Comparison::equal, source.study.name},
+                                                      {"id", Comparison::equal, std::to_string(answer.id)}},
+                                          .columns = {axis.name}});
+  return row.rows.empty() ? Cell() : row.rows.front().front();
+}
+
+}  // namespace
+
 PictureSection sketch_section(const ReportSource& source, const std::optional<StoredOptimum>& found) {
   const bool best = found && found->best && !found->best->keys.empty();
   const std::vector<std::string> keys = best ? found->best->keys : source.store.points(source.study.name);
@@ -243,7 +257,7 @@ PictureSection sketch_section(const ReportSource& source, const std::optional<St
     const RollingScene& scene = answer->scene;
     const std::string place = joined(source.varied(), ", ", [&](const QuantityColumn* axis) {
       return in_words(axis->quantity.key) + " = " +
-             value_in_words(axis->quantity, input_of(scene, key_of(*axis)), axis->quantity.unit_for(body_of(scene)));
+             value_in_words(axis->quantity, value_at(source, *answer, *axis), axis->quantity.unit_for(body_of(scene)));
     });
     Pictures pictures;
     const std::string meaning =

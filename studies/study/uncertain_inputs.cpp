@@ -6,6 +6,7 @@
 
 #include "core/derivatives/objective.hpp"
 #include "core/scene/scene_input.hpp"
+#include "fitting/fit/measured_terms.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/study/trusted_fit.hpp"
@@ -214,6 +215,10 @@ bool is_option(const std::string& key) {
                      [&](const FileKey& known) { return known.key == key; });
 }
 
+/// Whether a parameter is an offset or a scale: no input of a scene, but of how values were measured. Of several normal
+/// numbers those that are left keep their errors and correlations.
+bool is_of_measurement(const std::string& name) { return is_measured_term(name.substr(0, name.find(" ("))); }
+
 /// A parameter of a fit as a distribution: lognormal where a fit takes it in its logarithm, for its errors are of that.
 Json fitted_distribution(const FitParameterRecord& parameter, const std::string& place) {
   const InputKind* const kind = find_input(parameter.name);
@@ -240,14 +245,15 @@ void resolve_fit(Json& file, const std::filesystem::path& path, const std::strin
   const std::string fit_place = place + ": fit " + fit.name;
   Json resolved = Json::object();
   for (const FitParameterRecord& parameter : fit.parameters) {
-    if (parameter.fixed) continue;
+    if (parameter.fixed || is_of_measurement(parameter.name)) continue;
     if (uncertain.contains(parameter.name))
       refuse(place, parameter.name, uncertain[parameter.name], "scatters by the fit already");
     resolved[parameter.name] = fitted_distribution(parameter, fit_place);
   }
   Json pairs = uncertain.value("correlation", Json::array());
   for (const FitCorrelationRecord& pair : fit.correlations)
-    if (std::isfinite(pair.correlation)) pairs.push_back({pair.first, pair.second, pair.correlation});
+    if (std::isfinite(pair.correlation) && resolved.contains(pair.first) && resolved.contains(pair.second))
+      pairs.push_back({pair.first, pair.second, pair.correlation});
   uncertain.erase("fit");
   for (const auto& [key, value] : uncertain.items())
     if (key != "correlation") resolved[key] = value;

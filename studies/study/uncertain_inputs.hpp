@@ -12,8 +12,9 @@
 ///                   "probability": ["peak_pressure > 2 MPa"]}
 ///
 /// Shares alone, "5 %" or ["-5 %", "10 %"], scatter an input about its value in the scene. "fit": {"name": "rubber",
-/// "db": "results.db"} gives the parameters of a stored fit with their errors and correlations. A distribution with
-/// weight outside an input's range is refused, or with "truncated": true cut off there.
+/// "db": "results.db"} gives the parameters of a stored fit with their errors and correlations; an offset, a scale and
+/// the noise of its data are of no scene and do not scatter. A distribution with weight outside an input's range is
+/// refused, or with "truncated": true cut off there.
 ///
 /// For sources only: it needs nlohmann_json.
 

@@ -19,7 +19,7 @@ from . import _rollres
 from ._rollres import Fields, Result, Scene, __version__
 
 __all__ = ["Database", "Fields", "Objective", "Report", "Result", "Scene", "command", "fit", "gradient", "model",
-           "objective", "open", "quantities", "solve", "solve_many", "sweep"]
+           "objective", "open", "predict", "quantities", "solve", "solve_many", "sweep"]
 
 
 def _pandas():
@@ -240,6 +240,21 @@ def objective(base, inputs, output="rolling_resistance", *, threads=0, order=4, 
     return Objective(_rollres.Function(_scene(base, replaced), choices, output), threads, order)
 
 
+def _csv(data, name, what):
+    """Writes columns, a DataFrame or a dict of lists, as a CSV file, and returns its name."""
+    columns = {str(column): list(data[column]) for column in data}
+    if len({len(values) for values in columns.values()}) > 1:
+        raise ValueError(f"{what}: columns of different lengths: " +
+                         ", ".join(f"{column} has {len(values)}" for column, values in columns.items()))
+    for text in (*columns, *(str(value) for values in columns.values() for value in values)):
+        if any(letter in text for letter in ",;\t\"\r\n\0"):
+            raise ValueError(f"{what}: {text!r}: must have no comma, semicolon, quote, tab, line end or NUL")
+    with _open(name, "w", encoding="utf-8") as file:
+        for row in (columns, *zip(*columns.values())):
+            file.write(",".join(str(value) for value in row) + "\n")
+    return name
+
+
 class _File:
     """The name of a file, or a file that holds a dict while it is used."""
 
@@ -255,18 +270,7 @@ class _File:
             if isinstance(content.get(key), (str, _os.PathLike)):
                 content[key] = _os.path.abspath(content[key])
         if self._data is not None:
-            content["data"] = _os.path.join(self.folder.name, "data.csv")
-            columns = {str(name): list(self._data[name]) for name in self._data}
-            lengths = {len(values) for values in columns.values()}
-            if len(lengths) > 1:
-                raise ValueError("data: columns of different lengths: " +
-                                 ", ".join(f"{name} has {len(values)}" for name, values in columns.items()))
-            for text in (*columns, *(str(value) for values in columns.values() for value in values)):
-                if any(letter in text for letter in ",;\t\"\r\n\0"):
-                    raise ValueError(f"data: {text!r}: must have no comma, semicolon, quote, tab, line end or NUL")
-            with _open(content["data"], "w", encoding="utf-8") as file:
-                for row in (columns, *zip(*columns.values())):
-                    file.write(",".join(str(value) for value in row) + "\n")
+            content["data"] = _csv(self._data, _os.path.join(self.folder.name, "data.csv"), "data")
         name = _os.path.join(self.folder.name, "file.json")
         with _open(name, "w", encoding="utf-8") as file:
             _json.dump(content, file, default=_plain)
@@ -309,6 +313,36 @@ def fit(fit, db=None, *, data=None, threads=0, profiles=True):
         words = ["fit", name, "--db", _os.path.join(folder, "fit.db") if db is None else _os.fspath(db), "--json"]
         words += ["--jobs", str(threads)] if threads else []
         return _report(_json.loads(command(*words, *([] if profiles else ["--no-profiles"]))))
+
+
+def predict(fit, scenes, db=None, *, predict_as="true_value", data_set=None, data=None, threads=0):
+    """What a fit says of scenes that were not measured, with 95 % intervals: a table with a row for each.
+
+    fit         a fit file's name or its content as a dict, or the name of a fit that `db` holds
+    scenes      a scene, a study or a CSV file by name, a Scene, a scene or a study as a dict, or rows in the scene of the
+                fit: a pandas.DataFrame or a dict of columns, named as in the CSV file, "speed [m/s]"
+    predict_as  "true_value" of the model, "reading" with offset and scale, or one more "measurement" with its noise
+    data_set    whose offset, scale and noise count; default: the first
+    data        as in `fit`
+
+    Columns: the inputs, value, standard_error, lowest, highest, measured, in SI.
+    """
+    content = scenes.to_dict() if isinstance(scenes, Scene) else scenes
+    columns = _is_frame(content) or (isinstance(content, dict) and bool(content) and
+                                     all(isinstance(column, (list, tuple)) or hasattr(column, "tolist")
+                                         for column in content.values()))
+    with _tempfile.TemporaryDirectory() as folder, _File(fit, data) as name:
+        content = _csv(content, _os.path.join(folder, "scenes.csv"), "scenes") if columns else content
+        with _File(content) as asked:
+            words = ["fit", name, "--db", _os.path.join(folder, "fit.db") if db is None else _os.fspath(db), "--json",
+                     "--no-profiles", "--predict", asked, "--predict-as", predict_as]
+            words += ["--predict-data", data_set] if data_set else []
+            words += ["--jobs", str(threads)] if threads else []
+            answer = _json.loads(command(*words))
+    if "predictions" not in answer:
+        raise ValueError(f"{answer['fit']}: {answer['status']}: {answer['reason']}: nothing can be predicted")
+    rows = answer["predictions"]
+    return _table({key: [row[key] for row in rows] for key in rows[0]})
 
 
 def command(*words):

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/solve/rolling_contact.hpp"
@@ -47,6 +48,30 @@ TEST_CASE("rollres optimise prints the optimum, stores its evaluations as a stud
   CHECK(run_rollres({"chart", "--db", db, "--study", "bowl", "--x", "layer_thickness", "--out", folder / "points"},
                     Bowl::solve)
             .status == 0);
+}
+
+TEST_CASE("rollres show of an optimisation begins with its best design, and knows the evaluations that it names",
+          "[studies][optimise][show]") {
+  const TemporaryDirectory folder;
+  const std::string study = folder.write("bowl.json", std::string(bowl_study) + "}"), db = folder / "results.db";
+  const ProgramRun text = run_rollres({"optimise", study, "--db", db}, Bowl::solve);
+  REQUIRE(text.status == 0);
+  const double best =
+      json::parse(run_rollres({"optimise", study, "--db", db, "--json"}, Bowl::solve).out)["value"].get<double>();
+  const json rows = json::parse(run_rollres({"show", "bowl", "--db", db, "--json"}, Bowl::solve).out)["results"];
+  REQUIRE(rows.size() > 20);
+  CHECK(rows[0]["goal"] == best);
+  CHECK(rows[0]["feasible"] == 1);
+  CHECK(rows[1]["goal"].get<double>() >= best);
+  CHECK(rows.back()["feasible"] == 0);
+  const std::string shown = run_rollres({"show", "bowl", "--db", db}, Bowl::solve).out;
+  CHECK(std::count(shown.begin(), shown.end(), '\n') < 27);
+  CHECK_THAT(shown, Contains("the best 20 designs come first"));
+  const std::size_t named = text.out.find("evaluation ") + 11;
+  const ProgramRun one =
+      run_rollres({"show", text.out.substr(named, text.out.find('\n', named) - named), "--db", db}, Bowl::solve);
+  CHECK(one.status == 0);
+  CHECK_THAT(one.out, Contains("a point of the study bowl"));
 }
 
 TEST_CASE("rollres optimise ends with status 1 without an optimum, 2 for wrong words", "[studies][optimise]") {

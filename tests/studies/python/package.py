@@ -260,6 +260,14 @@ def studies():
         found = rollres.fit(EXAMPLES / "fit_cylinder.json", profiles=False)
         assert found.status.startswith(("GOOD", "USABLE"))
         assert {one.name for one in found.parameters} == {"static_shear_modulus", "stiffening", "creep_time"}
+        fits = folder + "/fits.db"
+        rollres.fit(EXAMPLES / "fit_cylinder.json", fits, profiles=False)
+        asked = {"load [kN/m]": [15, 15], "speed [m/s]": [0.05, 0.5]}
+        for predicted in (rollres.predict("fit_cylinder", asked, fits),
+                          rollres.predict(EXAMPLES / "fit_cylinder.json", rollres.Scene(CYLINDER), fits)):
+            for row in predicted.to_dict("records") if hasattr(predicted, "columns") else predicted:
+                assert row["lowest"] < row["value"] < row["highest"]
+        assert "holds no fit of this name" in refusal(lambda: rollres.predict("no fit", asked, fits))
     assert "solve" in rollres.command("manual")
 
 

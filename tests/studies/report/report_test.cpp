@@ -274,6 +274,21 @@ TEST_CASE("the report of an optimisation opens with the best design within its c
   CHECK(report.html.find("<h2>Best design</h2>") < report.html.find("<h2>Charts</h2>"));
 }
 
+TEST_CASE("the report of a choice names the variant of its best design", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  const auto file =
+      scratch.write("choice.json", R"({"study": "choice", "scene": {"radius": 0.1, "layer_thickness": 0.01,
+    "static_shear_modulus": 1e6, "material": "elastic", "speed": 1}, "variables": {
+    "variant": {"heavy": {"load": 4e4}, "light": {"load": 1e4}},
+    "speed": {"from": 0.1, "to": 0.9, "start": 0.5}},
+    "minimise": "rolling_resistance"})");
+  const std::string database = (scratch / "results.db").string();
+  REQUIRE(run_rollres({"optimise", file.string(), "--db", database}, closed_form).status == 0);
+  ResultStore store(database, Access::read);
+  const std::string report = study_report(store, {}).html;
+  CHECK_THAT(report, Contains("The best design, to scale: variant = light") && !Contains("variant = none"));
+}
+
 TEST_CASE("rollres report refuses what it cannot report", "[studies][report]") {
   const TemporaryDirectory scratch;
   const std::string file = stored(scratch, speed_and_load("speed and load"));
