@@ -5,6 +5,7 @@
 /// the program writes itself has the unit. For sources only: it needs nlohmann_json.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/quantity.hpp"
@@ -14,6 +15,13 @@ namespace rollres {
 
 /// The rule that a bare number of this input breaks; empty if it looks like one in SI.
 std::string doubt_of(const Quantity& quantity, double value);
+
+/// The same of a standard deviation or an offset of what is measured in this unit.
+std::string doubt_of_measured(std::string_view unit, double value);
+
+/// The same of a limit that such a number is compared with, in a formula, of inputs and of answers; stresses, too.
+/// @param unit  of the quantity, for the body
+std::string doubt_of_limit(const Quantity& quantity, std::string_view unit, double value);
 
 /// Of a list of them the number that tells its unit, by its place: the largest, of temperatures the smallest. A series
 /// has moduli as small as one likes beside others. @param values  at least one
