@@ -4,6 +4,7 @@
 /// below 1 kPa or above 1 TPa, a temperature below 150 K. Bare ones are refused, as the text "6 m" they are meant; what
 /// the program writes itself has the unit. For sources only: it needs nlohmann_json.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,5 +31,12 @@ std::size_t telling_place(const Quantity& quantity, const std::vector<double>& v
 /// A number or a list as a scene file has it, with the unit where a bare number is refused.
 Json written_input(const Quantity& quantity, double value);
 Json written_input(const Quantity& quantity, const std::vector<double>& values);
+
+/// What a name in a formula stands for: an input, a number of a list, or an output; nothing if it is none of these.
+std::optional<Quantity> quantity_named(const std::string& name);
+
+/// Refuses a formula in which a quantity alone is compared with such a number alone; "6 [mm]" has a unit.
+/// @throws std::invalid_argument "layer_thickness < 6: did you mean 6 [mm]? ..."
+void refuse_doubtful_limits(std::string_view formula, Body body);
 
 }  // namespace rollres

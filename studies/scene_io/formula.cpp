@@ -15,7 +15,6 @@
 #include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/dimension.hpp"
-#include "studies/scene_io/doubtful_limit.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/units.hpp"

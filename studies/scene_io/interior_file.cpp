@@ -6,7 +6,7 @@
 
 #include "core/derivatives/objective.hpp"
 #include "core/scene/layer_name.hpp"
-#include "studies/scene_io/vtk_array.hpp"
+#include "studies/text/vtk_array.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "studies/scene_io/doubtful_limit.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/scene_inputs.hpp"

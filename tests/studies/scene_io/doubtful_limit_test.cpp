@@ -1,4 +1,4 @@
-#include "studies/scene_io/doubtful_limit.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 
 #include <nlohmann/json.hpp>
 
