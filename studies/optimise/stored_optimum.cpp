@@ -5,8 +5,8 @@
 
 #include "studies/optimise/design_file.hpp"
 #include "studies/run/stored_evaluations.hpp"
+#include "studies/stored/accepted_study.hpp"
 #include "studies/stored/study_rows.hpp"
-#include "studies/study/accepted_study.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {

@@ -4,7 +4,7 @@
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
-#include "studies/study/accepted_study.hpp"
+#include "studies/stored/accepted_study.hpp"
 
 namespace rollres {
 

@@ -7,7 +7,7 @@
 #include "db/rows/fit_columns.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/scene_io/cells.hpp"
-#include "studies/study/accepted_study.hpp"
+#include "studies/stored/accepted_study.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"

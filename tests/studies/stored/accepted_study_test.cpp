@@ -1,4 +1,4 @@
-#include "studies/study/accepted_study.hpp"
+#include "studies/stored/accepted_study.hpp"
 
 #include <nlohmann/json.hpp>
 
