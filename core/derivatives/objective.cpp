@@ -134,13 +134,12 @@ std::vector<Variable> variables_of(const RollingScene& base, const std::vector<I
 }
 
 Quantity real_output(std::string_view key) {
-  std::optional<Quantity> output;
-  const RollingSolution solution;
-  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
-    if (quantity.key != key) return;
+  const std::optional<Quantity> output = output_quantity(key);
+  const RollingSolution none;
+  visit_outputs(none, [&](const Quantity& quantity, const auto& value) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, double>)
-      throw std::invalid_argument(std::string(key) + ": must be an output that is a real number");
-    output = quantity;
+      if (quantity.key == key)
+        throw std::invalid_argument(std::string(key) + ": must be an output that is a real number");
   });
   if (!output) refuse_key("output", key, output_keys());
   return *output;
@@ -221,10 +220,7 @@ ObjectiveValue value_at(const Objective& objective, std::span<const double> poin
     answer.reason = solution.reason;
     if (std::isfinite(solution.error_estimate)) answer.relative_error = solution.error_estimate;
     if (solution.status == Status::converged) {
-      visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-          if (quantity.key == objective.output.key) answer.value = value;
-      });
+      answer.value = output_number(solution, objective.output.key);
       answer.reason = std::isfinite(answer.value) ? "" : std::string(objective.output.key) + ": absent from the answer";
     } else if (answer.reason.empty()) {
       answer.reason = name_of(solution.status);

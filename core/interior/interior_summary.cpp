@@ -94,10 +94,15 @@ void add_interior(const ContactModel& model, RollingSolution& solution) {
                                              " % off the surface's: shear acts there on the undeformed radius"));
   if (s.bonds.empty()) return;
   solution.bond_shear = solution.bond_tension = 0;
+  solution.bond_shears.assign(model.foundation.size() + model.coating.size(), 0);  // a half-space ends nowhere
+  solution.bond_tensions = solution.bond_shears;
   for (const Bond& bond : s.bonds) {
-    solution.bond_shear = std::max(solution.bond_shear, bond.shear);
-    solution.bond_tension = std::max(solution.bond_tension, bond.tension);
+    const std::size_t place = bond.layer + (bond.on_body ? model.foundation.size() : 0);
+    solution.bond_shears[place] = bond.shear;
+    solution.bond_tensions[place] = bond.tension;
   }
+  solution.bond_shear = *std::max_element(solution.bond_shears.begin(), solution.bond_shears.end());
+  solution.bond_tension = *std::max_element(solution.bond_tensions.begin(), solution.bond_tensions.end());
 }
 
 }  // namespace rollres

@@ -66,6 +66,7 @@ ContactModel::ContactModel(const RollingScene& scene)
     : indenter(scene.indenter),
       dimension(dimension_of(scene.indenter)),
       radius(scene.radius),
+      width(scene.width),
       kinematics(scene.kinematics),
       speed(scene.speed),
       load(per_metre(scene.load, scene)),

@@ -41,8 +41,9 @@ struct ContactModel {
   ContactModel(const RollingScene& scene);
 
   Indenter indenter;
-  int dimension;  // 2: per metre of length, no y; or 3
-  double radius;  // R [m]
+  int dimension;                // 2: per metre of length, no y; or 3
+  double radius;                // R [m]
+  std::optional<double> width;  // of a cylinder whose load is told in N [m]; the rest here is per metre
   Kinematics kinematics;
 
   double speed;                          // V [m/s]
@@ -75,6 +76,9 @@ struct ContactModel {
   Resticking resticking;
   SlipRule slip_rule;
 
+  /// Whether its loads and torques are told per metre of a cylinder, and one of them as it is told [N/m], or [N].
+  bool told_per_metre() const { return dimension == 2 && !width; }
+  double told(double per_metre) const { return per_metre * width.value_or(1); }
   /// All layers, under the body from the contact and then on it.
   std::vector<const ModelLayer*> layers() const;
   /// Of all coatings together [m].

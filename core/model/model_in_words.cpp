@@ -16,16 +16,27 @@ std::string words(const Parts&... parts) {
   return message_text<4>(parts...);
 }
 
+/// "400 N/m", or of a body with a width "20 N".
+/// @param line, body  units per metre and of a whole body
+std::string told(const ContactModel& model, double per_metre, const char* line, const char* body) {
+  return words(model.told(per_metre), " ", model.told_per_metre() ? line : body);
+}
+
 /// "load 400 N/m", or "approach 0.001 m"
 std::string pressed(const ContactModel& model) {
-  return model.load ? words("load ", *model.load, model.dimension == 3 ? " N" : " N/m")
-                    : words("approach ", *model.approach, " m");
+  return model.load ? "load " + told(model, *model.load, "N/m", "N") : words("approach ", *model.approach, " m");
+}
+
+std::string body_in_words(const ContactModel& model) {
+  if (model.dimension == 3) return "rigid sphere";
+  return model.width ? words("rigid cylinder, ", *model.width, " m wide, solved per metre of it")
+                     : "rigid cylinder, per metre of its length";
 }
 
 std::string driven(const ContactModel& model) {
   if (model.friction_coefficient == 0) return "no friction";
   std::string text = words("friction ", model.friction_coefficient, ", drive ", name_of(model.drive));
-  if (model.driving_torque) text += words(" ", *model.driving_torque, model.dimension == 3 ? " N m" : " N m/m");
+  if (model.driving_torque) text += " " + told(model, *model.driving_torque, "N m/m", "N m");
   if (model.rotation_ratio) text += words(" at RΩ/V = ", *model.rotation_ratio);
   return text;
 }
@@ -73,8 +84,8 @@ std::string errors(const ContactModel& model) {
 
 std::vector<ModelStatement> model_in_words(const ContactModel& model) {
   std::vector<ModelStatement> all;
-  const char* const dimensions = model.dimension == 3 ? "rigid sphere" : "rigid cylinder, per metre of its length";
-  all.push_back({"body", words(dimensions, ", R = ", model.radius, " m, kinematics ", name_of(model.kinematics))});
+  all.push_back(
+      {"body", words(body_in_words(model), ", R = ", model.radius, " m, kinematics ", name_of(model.kinematics))});
   all.push_back(
       {"motion", words("V = ", model.speed, " m/s, ", pressed(model), ", ", driven(model),
                        model.period ? words(", periodic train, L = ", *model.period, " m") : ", single passage")});

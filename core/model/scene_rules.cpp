@@ -12,6 +12,8 @@
 #include "core/material/prony_series.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
+#include "core/scene/scene_input.hpp"
+#include "core/scene/solution.hpp"
 
 namespace rollres {
 
@@ -313,9 +315,17 @@ SolutionLimits limits_of(const RollingScene& scene) {
 }
 
 std::string why_absent(const RollingScene& scene, std::string_view output) {
-  constexpr std::array<std::string_view, 9> of_inside{
-      "peak_shear_strain",     "peak_shear_strain_x", "peak_shear_strain_y", "peak_shear_strain_z", "strain_amplitude",
-      "peak_strain_amplitude", "bond_shear",          "bond_tension",        "interior_loss"};
+  if (const std::optional<ElementKey> element = element_key(output); element && output_quantity(output)) {
+    const std::size_t layers = 1 + scene.lower_layers.size() + scene.coating_layers.size();
+    if (element->place >= layers)
+      return "the scene has " + std::to_string(layers) +
+             (layers == 1 ? " layer: [0]" : " layers: [0] to [" + std::to_string(layers - 1) + "]");
+    output = element->list;
+  }
+  constexpr std::array<std::string_view, 11> of_inside{
+      "peak_shear_strain", "peak_shear_strain_x",   "peak_shear_strain_y", "peak_shear_strain_z",
+      "strain_amplitude",  "peak_strain_amplitude", "bond_shear",          "bond_tension",
+      "bond_shears",       "bond_tensions",         "interior_loss"};
   const bool softening = softens(scene) || std::any_of(scene.lower_layers.begin(), scene.lower_layers.end(), softens) ||
                          std::any_of(scene.coating_layers.begin(), scene.coating_layers.end(), softens);
   if (output == "softening" && !softening) return "no layer's moduli depend on the strain";

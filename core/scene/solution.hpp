@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/quantity.hpp"
@@ -92,6 +94,7 @@ struct RollingSolution {
   double peak_shear_strain_x = absent, peak_shear_strain_y = absent, peak_shear_strain_z = absent;
   double strain_amplitude = absent, peak_strain_amplitude = absent;
   double bond_shear = absent, bond_tension = absent;
+  std::vector<double> bond_shears, bond_tensions;  // of each layer, under the body from the contact, then on it [Pa]
   double interior_loss = absent;
   double softening = absent;
   double spacing = absent;
@@ -110,8 +113,8 @@ struct RollingSolution {
 };
 
 /// Walks the outputs: `visitor(quantity, value)`, value being double, int, an enumeration with ChoiceNames,
-/// std::string or std::vector<std::string>. An output that is also an input (load, approach, driving_torque,
-/// rotation_ratio, spacing, method) has the same key: it is the value found or used.
+/// std::string, std::vector<double> or std::vector<std::string>. An output that is also an input (load, approach,
+/// driving_torque, rotation_ratio, spacing, method) has the same key: it is the value found or used.
 template <class Solution, class Visitor>
 void visit_outputs(Solution& solution, Visitor&& visitor) {
   using Q = Quantity;
@@ -170,6 +173,11 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"peak_strain_amplitude", "", "1", "largest such half difference of any line"}, s.peak_strain_amplitude);
   visitor(Q{"bond_shear", "", "Pa", "largest shear stress at a bond of a layer"}, s.bond_shear);
   visitor(Q{"bond_tension", "", "Pa", "largest tension normal to a bond of a layer"}, s.bond_tension);
+  visitor(
+      Q{"bond_shears", "", "Pa",
+        "largest shear stress at the far side of each layer: those under the body from the contact, then those on it"},
+      s.bond_shears);
+  visitor(Q{"bond_tensions", "", "Pa", "largest tension there, layer by layer"}, s.bond_tensions);
   visitor(Q{"interior_loss", "", "W", "power lost in the layers, summed over their inside", any_number, "W/m"},
           s.interior_loss);
   visitor(Q{"softening", "", "1",
@@ -187,6 +195,13 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"reason", "", "", "why there is no answer"}, s.reason);
   visitor(Q{"warnings", "", "", "what to mind when using the answer"}, s.warnings);
 }
+
+/// The output with this key, or a number of a list of them, "bond_shears[1]", whether or not an answer has such a
+/// number; nothing if there is none.
+std::optional<Quantity> output_quantity(std::string_view key);
+
+/// The number that it is in an answer; NaN where that has none. A count counts as a number.
+double output_number(const RollingSolution& solution, std::string_view key);
 
 /// The reason of `no_steady_state`.
 /// @param needed, given friction coefficients [1]

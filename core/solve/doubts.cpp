@@ -51,7 +51,8 @@ std::string doubt(const ContactModel& model, const RollingSolution& solution) {
   const double reach = model.kinematics == Kinematics::printed ? lever / solution.load : 0;
   const double unbalanced = std::abs(solution.driving_torque) / model.radius * reach * reach;
   if (resistance < -unbalanced - solution.rolling_resistance_error)
-    return message_text("the body would gain power: rolling resistance ", resistance, " with an estimated error of ",
+    return message_text("the body would gain power: rolling resistance ", model.told(resistance),
+                        model.told_per_metre() ? " N/m" : " N", " with an estimated relative error of ",
                         solution.error_estimate);
   // What the edges of the contact take between nodes (core/newton/README.md, (N15)); on random scenes a third of this.
   const double cells = on_grid(solution.method) ? 0.5 * length / solution.spacing : INFINITY;

@@ -8,6 +8,7 @@
 #include "core/estimate/assumptions.hpp"
 #include "core/estimate/composite_estimate.hpp"
 #include "core/finite_strain/finite_strain_contact.hpp"
+#include "core/material/material_scale.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/model/stated_error.hpp"
@@ -81,6 +82,45 @@ RollingSolution trusted_answer(const ContactModel& model, std::optional<FoundZon
   return solution;
 }
 
+/// Where the rows of a layer's table end, beside the frequency at which a contact asks for its moduli.
+struct AskedOfTable {
+  double frequency = 0;            ///< of the contact, at the temperature of the table's rows [Hz]
+  double shift = 1;                ///< of that over the contact's own [1]
+  double lowest = 0, highest = 0;  ///< of the rows [Hz]
+  double temperature = 0;          ///< of the layer [K]; 0: none is given
+
+  /// How far outside the rows, as a factor; at most 1 inside.
+  double outside() const { return std::max(frequency / highest, lowest / frequency); }
+};
+
+/// What is asked of the table that it leaves farthest, of all layers that have one.
+AskedOfTable asked_of_tables(const ContactModel& model, double contact_frequency) {
+  AskedOfTable farthest;
+  for (const ModelLayer* const layer : model.layers()) {
+    if (layer->material != MaterialModel::master_curve) continue;
+    const auto [lowest, highest] = std::minmax_element(layer->frequencies.begin(), layer->frequencies.end());
+    const double shift = time_shift(*layer);
+    const AskedOfTable asked{shift * contact_frequency, shift, *lowest, *highest, layer->temperature.value_or(0)};
+    if (farthest.frequency == 0 || asked.outside() > farthest.outside()) farthest = asked;
+  }
+  return farthest;
+}
+
+/// "its rows end at 1e9 Hz, and the contact asks for about 7e11 Hz (...)", or what else may be wrong with them.
+std::string why_left_open(const AskedOfTable& asked) {
+  const std::string own = asked.shift == 1 ? std::string()
+                                           : message_text<3>(" (", asked.frequency / asked.shift, " Hz at ",
+                                                             asked.temperature, " K, a_T = ", asked.shift, ")");
+  if (asked.outside() <= 1)
+    return message_text<3>("rows scatter, are too few or end near the frequencies of the contact, about ",
+                           asked.frequency, " Hz") +
+           own;
+  const bool above = asked.frequency > asked.highest;
+  return message_text<3>("its rows ", above ? "end" : "begin", " at ", above ? asked.highest : asked.lowest,
+                         " Hz, and the contact asks for about ", asked.frequency, " Hz") +
+         own;
+}
+
 /// Adds what a master curve leaves open. @return whether a warning says so
 bool take_spectrum_error(const ContactModel& model, RollingSolution& solution) {
   const double half_width = 0.5 * (solution.leading_edge - solution.trailing_edge);
@@ -90,9 +130,8 @@ bool take_spectrum_error(const ContactModel& model, RollingSolution& solution) {
   solution.model += message_text("; what the master curve leaves open changes R_r by ", error, " (estimate)");
   if (!(error > std::min(0.05, model.asked_tolerance.value_or(1)))) return false;
   solution.warnings.push_back(
-      message_text("master curve: leaves the rolling resistance open by ", 100 * error,
-                   " % (estimate): rows scatter, are too few or end near the frequencies of the contact, about ",
-                   model.speed / (2 * std::numbers::pi * half_width), " Hz"));
+      message_text("master curve: leaves the rolling resistance open by ", 100 * error, " % (estimate): ") +
+      why_left_open(asked_of_tables(model, model.speed / (2 * std::numbers::pi * half_width))));
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <new>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 #include "core/interior/interior_summary.hpp"
 #include "core/messages/message_text.hpp"
@@ -69,6 +70,20 @@ RollingSolution answer(const RollingScene& scene, const ContactModel& model) {
 
 }  // namespace
 
+RollingScene scene_per_metre(RollingScene scene) {
+  if (!scene.width) return scene;
+  if (scene.load) *scene.load /= *scene.width;
+  if (scene.driving_torque) *scene.driving_torque /= *scene.width;
+  scene.width.reset();
+  return scene;
+}
+
+RollingSolution answer_of_width(const RollingScene& scene, RollingSolution per_metre) {
+  count_for_body(scene, per_metre);
+  take_over_what_was_asked(scene, per_metre);
+  return per_metre;
+}
+
 RollingSolution solve(const RollingScene& scene) {
   const auto begin = std::chrono::steady_clock::now();
   const SolutionLimits limits = limits_of(scene);
@@ -78,8 +93,7 @@ RollingSolution solve(const RollingScene& scene) {
     const ContactModel model(scene);
     return answer_or_reason(model.method, [&] { return answer(scene, model); });
   });
-  count_for_body(scene, solution);
-  take_over_what_was_asked(scene, solution);
+  solution = answer_of_width(scene, std::move(solution));
   solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
 }

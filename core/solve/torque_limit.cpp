@@ -43,12 +43,13 @@ double torque_of_sliding(const ContactModel& model) {
 std::string unbearable_torque(const ContactModel& model) {
   if (model.drive != Drive::torque || model.friction_coefficient == 0) return {};
   const double asked = std::abs(*model.driving_torque), most = largest_torque(model);
-  const char* const unit = model.dimension == 2 ? " N m/m" : " N m";
+  const char* const unit = model.told_per_metre() ? " N m/m" : " N m";
   const auto refused = [&](const auto&... gives) {
-    return message_text("the drive asks for more torque than friction can give: ", asked, unit, ", and ", gives...);
+    return message_text("the drive asks for more torque than friction can give: ", model.told(asked), unit, ", and ",
+                        gives...);
   };
   if (asked > most)
-    return refused(model.friction_coefficient, " times the load gives at most ", most, unit,
+    return refused(model.friction_coefficient, " times the load gives at most ", model.told(most), unit,
                    " wherever the body touches within 0.98 R");
   // The bound of printed kinematics is weak: a cylinder's friction may carry the load at the edge of the body.
   if (model.kinematics != Kinematics::printed || model.dimension == 3 || !model.load || model.adhesion_threshold > 0 ||
@@ -56,7 +57,7 @@ std::string unbearable_torque(const ContactModel& model) {
     return {};
   const double sliding = torque_of_sliding(model);
   if (asked <= beyond_doubt * sliding) return {};
-  return refused("sliding all over gives ", sliding, unit);
+  return refused("sliding all over gives ", model.told(sliding), unit);
 }
 
 }  // namespace rollres

@@ -176,6 +176,21 @@ const QuantityColumn* layer_column(std::string_view key) {
   return column;
 }
 
+/// The column of a number of a list of the solution, "bond_shears[1]", NULL where that has none; nullptr if there is no
+/// such list. It lives as long as the program.
+const QuantityColumn* output_element_column(std::string_view key) {
+  static std::mutex mutex;
+  static std::map<std::string, QuantityColumn, std::less<>> kept;
+  const std::optional<ElementKey> element = element_key(key);
+  const std::optional<Quantity> quantity = output_quantity(key);
+  if (!element || !quantity) return nullptr;
+  const std::string place = std::to_string(element->place);
+  const std::string sql = "json_extract(" + std::string(element->list) + ", '$[" + place + "]')";
+  const std::lock_guard lock(mutex);
+  return &kept.try_emplace(std::string(key), QuantityColumn{{std::string(key), "REAL", sql}, *quantity, false})
+              .first->second;
+}
+
 }  // namespace
 
 std::string input_column(std::string_view key) {
@@ -212,7 +227,7 @@ const QuantityColumn* find_quantity_column(std::string_view name) {
   }
   const auto& all = quantity_columns();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  return found == all.end() ? output_element_column(name) : &*found;
 }
 
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table) {

@@ -80,11 +80,7 @@ void film(const FilmArguments& arguments, Session& session) {
   std::size_t solved = 0, left_out = shown.unanswered();
   for (StoredEvaluation& one : answers(store, shown, options.filters, key)) {
     const double place = real_input(one.scene, key);
-    double value = std::nan("");
-    visit_outputs(one.solution, [&](const Quantity& quantity, const auto& number) {
-      if constexpr (std::is_convertible_v<decltype(number), double>)
-        if (quantity.key == output.quantity.key) value = static_cast<double>(number);
-    });
+    const double value = output_number(one.solution, output.quantity.key);
     if (auto fields = store.find_fields(evaluation_key(one.scene))) {
       one.solution.fields = std::move(*fields);
     } else {

@@ -96,6 +96,8 @@ std::vector<Row> output_rows() {
       rows.back().range = "number";
     else if constexpr (std::is_same_v<Value, std::string>)
       rows.back().range = "text";
+    else if constexpr (std::is_same_v<Value, std::vector<double>>)
+      rows.back().range = "list of numbers";
     else
       rows.back().range = "list of texts";
   });
@@ -132,6 +134,10 @@ void print_keys(std::ostream& out) {
       << "`, one with a table of shifts; `$schema` and `comment`, texts that are ignored. Inputs of further "
          "layers are "
       << further_layers().form() << ", counted from 0: " << joined(further_layers().keys) << ".\n";
+  out << "\n## Answers\n\nWhat formulas, limits, charts and queries name beside inputs; a number of a list by its "
+         "place, "
+         "`bond_shears[1]`.\n\n";
+  write_markdown(out, table_of(output_rows()));
   for (const auto& [title, keys] : key_sections()) {
     out << "\n## " << title << "\n\n";
     write_markdown(out, keys);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/derivatives/objective.hpp"
 #include "core/material/material.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/scene/layer_name.hpp"
@@ -345,8 +346,7 @@ class SceneSketch {
   }
 
   void draw_motion() {
-    const bool per_metre = body_of(scene_).per_metre();
-    const std::string_view force_unit = per_metre ? "N/m" : "N";
+    const auto unit = [&](const char* output) { return real_output(output).unit_for(body_of(scene_)); };
     const double r = radius(), centre = r - approach_;
     const char* const force = "head size screen 0.026,20 filled lw 2.6";
     const char* const motion = "head size screen 0.026,20 empty lw 1.6";
@@ -357,7 +357,7 @@ class SceneSketch {
     const double load = std::isfinite(solution_.load) ? solution_.load : scene_.load.value_or(RollingSolution::absent);
     arrow({0, top_ - 0.02 * reach}, {0, top_ - 0.50 * reach}, force);
     if (std::isfinite(load)) {
-      const std::string words = shown(load, force_unit);
+      const std::string words = shown(load, unit("load"));
       label(words, {-0.06 * reach, top_ - 0.14 * reach}, "right", 16, named("P", words));
     }
     const std::string speed = shown(scene_.speed, "m/s");
@@ -367,7 +367,8 @@ class SceneSketch {
     label(speed, {0.5 * (v_from + v_to), v_at + 18 * pixel()}, "center", 16, named("V", speed));
 
     const double drive = answered_ ? solution_.driving_force : RollingSolution::absent;
-    const std::string push = std::isfinite(drive) ? named("Q", shown(drive, force_unit)) : gnuplot::symbol("Q");
+    const std::string push =
+        std::isfinite(drive) ? named("Q", shown(drive, unit("driving_force"))) : gnuplot::symbol("Q");
     const bool backwards = drive < 0, at_top = scene_.drive == Drive::top_force;
     const double from = at_top ? 0.06 * reach : 0, to = from + 0.52 * reach, z = at_top ? peak : axis;
     arrow({backwards ? to : from, z}, {backwards ? from : to, z}, force);
@@ -378,7 +379,7 @@ class SceneSketch {
     if (!whole) return;
     std::string turning = gnuplot::symbol("Ω");
     if (scene_.drive == Drive::torque && scene_.driving_torque)
-      turning = named("T", shown(*scene_.driving_torque, per_metre ? "N" : "N.m"));
+      turning = named("T", shown(*scene_.driving_torque, unit("driving_torque")));
     else if (answered_ && std::isfinite(solution_.rotation_ratio))
       turning = named("RΩ/V", short_number(solution_.rotation_ratio, 4));
     if (scene_.drive != Drive::rotation || scene_.rotation_ratio.value_or(1) != 0) {

@@ -12,7 +12,9 @@
 #include "core/scene/scene_input.hpp"
 #include "db/rows/result_store.hpp"
 #include "studies/fit/fit_keys.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/readable_number.hpp"
@@ -114,6 +116,8 @@ Sigma given_sigma(const Json& value, std::string_view unit, const std::string& p
   Sigma sigma{0, false};
   if (value.is_number()) {
     sigma.value = value.get<double>();
+    if (const std::string doubt = doubt_of_measured(unit, sigma.value); !doubt.empty())
+      refuse(place, "sigma", value, doubt);
   } else if (value.is_string()) {
     const auto& text = value.get_ref<const std::string&>();
     if (const auto part = percentage(text))
@@ -132,7 +136,7 @@ Sigma given_sigma(const Json& value, std::string_view unit, const std::string& p
 /// @param others  outputs that other data sets read from the same table
 void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::string>& others, bool moduli,
                             bool timed) {
-  for (const MeasuredColumn& column : table.columns) {
+  const auto known_beside = [&](const MeasuredColumn& column) {
     std::vector<std::string_view> known = keys_like(column.name);
     std::erase_if(known, [](std::string_view key) { return find_input(key)->list; });
     if (held_key(column.name) != column.name) known.emplace_back(column.name);
@@ -140,11 +144,9 @@ void refuse_unknown_columns(const MeasuredTable& table, const std::vector<std::s
     known.insert(known.end(), {"sigma", "note"});
     if (moduli) known.insert(known.end(), {"frequency", "angular_frequency", storage_modulus_key, loss_modulus_key});
     if (timed) known.insert(known.end(), "time");
-    if (find_name(known, column.name) < 0)
-      throw std::invalid_argument(
-          table.file + ": " + column.name + ": " +
-          unknown("unknown column", known, column.name, "ignore_columns of the data set leaves it out"));
-  }
+    return known;
+  };
+  table.refuse_others(known_beside, "ignore_columns of the data set leaves it out");
 }
 
 /// The standard deviation that a row's value has, or what its residual is measured in, and whether it is relative.

@@ -12,7 +12,9 @@
 #include "studies/fit/design_wish.hpp"
 #include "studies/fit/fit_data.hpp"
 #include "studies/fit/fit_keys.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_entries.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/study/trusted_fit.hpp"
@@ -117,7 +119,11 @@ double number_of(const GivenParameter& given, const Json& value, const std::stri
     });
     const std::string_view unit =
         given.key == scale_key || row == fit.scenes.end() ? "1" : measured_quantity(row->output).unit_for(body);
-    if (value.is_number()) return value.get<double>();
+    if (value.is_number()) {
+      if (const std::string doubt = doubt_of_measured(unit, value.get<double>()); !doubt.empty())
+        refuse(given.place, what, value, doubt);
+      return value.get<double>();
+    }
     try {
       if (value.is_string()) return si_value(value.get_ref<const std::string&>(), unit);
     } catch (const std::invalid_argument&) {  // refused below
@@ -127,6 +133,13 @@ double number_of(const GivenParameter& given, const Json& value, const std::stri
   const InputValue found =
       input_value({given.written, value, given.place + ": " + what}, *find_number(given.written), body);
   return std::get<double>(found);
+}
+
+/// The standard deviation of a parameter, in its unit.
+double parameter_deviation(const GivenParameter& given, const Json& value, const FitFile& fit) {
+  const std::string what = "prior: sigma";
+  if (is_measured_term(given.key)) return number_of(given, value, what, fit);
+  return input_difference({given.written, value, given.place + ": " + what}, *find_number(given.written), fit.body());
 }
 
 /// What was known before needs it.
@@ -150,7 +163,7 @@ Prior prior_of(const GivenParameter& given, const FitFile& fit) {
     if (!(prior.mean > 0)) refuse(place, "mean", (*given.prior)["mean"], "must be > 0 where it is lognormal");
     prior.deviation = part ? *part : sigma.is_number() ? sigma.get<double>() : 0;
   } else {
-    prior.deviation = part ? *part * std::abs(prior.mean) : number_of(given, sigma, "prior: sigma", fit);
+    prior.deviation = part ? *part * std::abs(prior.mean) : parameter_deviation(given, sigma, fit);
   }
   if (!(prior.deviation > 0))
     refuse(place, "sigma", sigma, prior.lognormal ? "must be a percentage or a number > 0" : "must be > 0");

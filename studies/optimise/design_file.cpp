@@ -9,6 +9,8 @@
 #include "db/rows/schema.hpp"
 #include "studies/optimise/design_keys.hpp"
 #include "studies/optimise/design_search.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/study/study_scene.hpp"
@@ -69,7 +71,7 @@ GivenVariable given_variable(const std::string& key, const Json& object, const s
       if (const double own = std::get<double>(input_value({held, *given, place}, body)); own >= from && own <= to)
         start = own;
   }
-  return {{held, start, place}, {held, from, to, logarithmic}};
+  return {{held, written_input(find_input(held)->quantity, start), place}, {held, from, to, logarithmic}};
 }
 
 /// One value of a variable that is a list.

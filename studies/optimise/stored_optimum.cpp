@@ -5,6 +5,7 @@
 
 #include "studies/optimise/design_file.hpp"
 #include "studies/run/stored_evaluations.hpp"
+#include "studies/stored/accepted_study.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/strict_json.hpp"
 
@@ -47,7 +48,7 @@ double first_ratio(const DesignProblem& problem, std::string_view key) {
 }  // namespace
 
 std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::string& study) {
-  const std::string text = store.definition(study).value_or("");
+  const std::string text = accepted_study(store.definition(study).value_or(""));
   const std::string place = store.database().name() + ": " + study;
   if (!is_optimisation(text, place)) return std::nullopt;
 

@@ -22,9 +22,11 @@
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/stored_evaluations.hpp"
 #include "studies/run/sweep.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/model_text.hpp"
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/scene_io/scene_file.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/scene_io/summary.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
@@ -245,50 +247,19 @@ std::string described(const Quantity& quantity) {
   return text;
 }
 
-/// Takes away what may be absent. @throws std::invalid_argument for another input
-void take_away(RollingScene& scene, const std::string& key) {
-  const SceneEntry entry{key, nullptr, "--set"};
-  if (const InputKind* const kind = find_input(key); kind && !kind->optional && !kind->list)
-    input_value(entry, *kind, scene.indenter);  // refuses null
-  replacing_entries({{key, nullptr}}, entry.place);
-  visit_input(scene, key, [](const Quantity&, auto& target) { target = {}; });
-}
-
-/// A load or torque that was given per metre of a cylinder is not that of a body with a width, nor the other way round.
-void refuse_other_length(const RollingScene& before, const RollingScene& after,
-                         const std::vector<SceneEntry>& entries) {
-  if (before.width.has_value() == after.width.has_value() || before.indenter != after.indenter) return;
-  visit_inputs(after, [&](const Quantity& quantity, const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
-      if (value && quantity.grows_with_width() && !value_given(entries, quantity.key))
-        throw std::invalid_argument(
-            "width: " + std::string(quantity.key) + " was given " +
-            (before.width ? "of the whole body: give it too, per metre" : "per metre: give it too, of the whole body"));
-  });
-}
-
-/// Another scene with some inputs replaced, as by --set; those that are None are taken away.
-RollingScene replaced(RollingScene scene, const py::dict& inputs) {
-  const RollingScene before = scene;
-  const std::string place = "--set";
+/// Entries with some inputs replaced, as by --set; those that are None are taken away.
+RollingScene replaced(const std::vector<SceneEntry>& entries, const py::dict& inputs, const std::string& place) {
+  std::vector<SceneEntry> taken;
   for (const auto& [key, value] : inputs)
-    if (value.is_none()) take_away(scene, key.cast<std::string>());
-  const std::vector<SceneEntry> entries = replacing_entries(given_inputs(inputs), place);
-  const auto has = [&](std::string_view key) { return value_given(entries, key) != nullptr; };
-  const Indenter indenter = has("indenter") ? indenter_of(entries) : scene.indenter;
-  const Body body(indenter, scene.width || has("width"));
-  for (const SceneEntry& entry : entries) {
-    const InputValue value = input_value(entry, body);
-    assign_input(scene, entry.key, value);
-    for (const std::string_view other : replaced_inputs(entry.key, value))
-      if (!has(other))
-        visit_input(scene, other, [](const Quantity&, auto& target) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(target)>, std::optional<double>>) target.reset();
-        });
-  }
-  refuse_other_length(before, scene, entries);
-  if (const auto broken = check(scene); !broken.empty()) throw std::invalid_argument(place + ": " + broken.front());
-  return scene;
+    if (value.is_none())
+      for (const SceneEntry& one : replacing_entries({{key.cast<std::string>(), nullptr}}, "--set"))
+        taken.push_back(one);
+  return scene_from(overridden(entries, replacing_entries(given_inputs(inputs), "--set"), taken), place);
+}
+
+RollingScene replaced(const RollingScene& scene, const py::dict& inputs) {
+  const std::string place = "scene";
+  return replaced(scene_entries(parse_object(scene_json(scene), place), {}, place), inputs, "--set");
 }
 
 /// @param base  a scene, a dict of inputs, the name of a file, or none
@@ -304,11 +275,8 @@ RollingScene read(const py::args& base, const py::kwargs& inputs) {
   }
   const std::string file = py::module_::import("os").attr("fspath")(base[0]).cast<std::string>();
   if (inputs.empty()) return read_scene(file);
-  std::vector<SceneEntry> own = scene_entries(read_object(file), std::filesystem::path(file).parent_path(), file);
-  for (const auto& [key, value] : inputs)
-    if (value.is_none())
-      std::erase_if(own, [&](const SceneEntry& entry) { return entry.key == key.cast<std::string>(); });
-  return scene_from(overridden(own, replacing_entries(given_inputs(inputs), "--set")), file + " with --set");
+  return replaced(scene_entries(read_object(file), std::filesystem::path(file).parent_path(), file), inputs,
+                  file + " with --set");
 }
 
 /// Objects whose __init__ was not called (Scene.__new__(Scene)) hold nothing: pybind11 would take memory for one of
@@ -324,7 +292,7 @@ void refuse_unmade() {
 void add_scene(py::module_& module) {
   py::class_<RollingScene> scene(module, "Scene");
   scene.def(py::init(&read))
-      .def("replaced", &replaced,
+      .def("replaced", py::overload_cast<const RollingScene&, const py::dict&>(&replaced),
            "The scene with other values of the inputs in a dict, as by --set; keys may be those of further "
            "layers:\n{\"coating_layers[0].layer_thickness\": \"8 mm\"}.")
       .def("json", &scene_json, "The scene as a scene file's text.");
@@ -467,13 +435,13 @@ Answers solve_many(const std::vector<RollingScene>& scenes, int threads, const p
 /// An output as a function of some inputs, with its gradient.
 class Function {
  public:
-  using Choice = std::tuple<std::string, std::optional<double>, std::optional<double>>;
+  using Choice = std::tuple<std::string, py::object, py::object>;
 
   Function(const RollingScene& scene, const std::vector<Choice>& inputs, const std::string& output) {
     std::vector<InputChoice> choices;
     for (const auto& [key, lowest, highest] : inputs) {
       require_held(key);
-      choices.push_back({key, lowest, highest});
+      choices.push_back({key, bound(key, lowest, scene), bound(key, highest, scene)});
     }
     objective_ = objective(scene, choices, output, solve);
   }
@@ -483,13 +451,8 @@ class Function {
   double value(const std::vector<double>& point) {
     require_inside(objective_, point);
     const RollingSolution solution = solve_here(scene_at(objective_, point));
-    double value = RollingSolution::absent;
-    if (solution.status != Status::converged) return value;
-    visit_outputs(solution, [&](const Quantity& quantity, const auto& number) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(number)>, double>)
-        if (quantity.key == objective_.output.key) value = number;
-    });
-    return value;
+    if (solution.status != Status::converged) return RollingSolution::absent;
+    return output_number(solution, objective_.output.key);
   }
 
   /// Value, derivatives and their estimated errors. What noise there is, is measured once, at the first point.
@@ -512,6 +475,19 @@ class Function {
   }
 
  private:
+  /// A bound: a number in SI, a text with a unit, or none.
+  static std::optional<double> bound(const std::string& key, const py::object& given, const RollingScene& scene) {
+    const InputKind* const kind = find_number(key);
+    if (given.is_none() || !kind) return std::nullopt;
+    if (py::isinstance<py::str>(given))
+      return std::get<double>(input_value({key, given.cast<std::string>(), "bounds"}, *kind, body_of(scene)));
+    const double number = PyFloat_AsDouble(given.ptr());
+    if (PyErr_Occurred()) throw py::error_already_set();
+    if (const std::string doubt = doubt_of(kind->quantity, number); !doubt.empty())
+      refuse("bounds", key, json_of(given), doubt);
+    return number;
+  }
+
   Objective objective_;
   std::optional<Calibration> calibration_;
 };

@@ -46,15 +46,6 @@ constexpr std::array<ComparedOutput, 22> compared_outputs{{{"rolling_resistance"
                                                            {"bond_tension"},
                                                            {"interior_loss", ComparedOutput::power}}};
 
-double value_of(const RollingSolution& solution, std::string_view key) {
-  double found = RollingSolution::absent;
-  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-      if (quantity.key == key) found = value;
-  });
-  return found;
-}
-
 /// The error that an answer states for an output, in its unit; NaN where it states none.
 double own_error(const RollingSolution& solution, std::string_view key) {
   if (key == "leading_edge" || key == "trailing_edge" || key == "half_width") return solution.edge_error;
@@ -101,7 +92,7 @@ double scale_of(const ComparedOutput& output, const RollingScene& scene, const R
 double mirrored_value(const RollingSolution& solution, std::string_view key) {
   if (key == "leading_edge") return -solution.trailing_edge;
   if (key == "trailing_edge") return -solution.leading_edge;
-  const double value = value_of(solution, key);
+  const double value = output_number(solution, key);
   return key == "driving_force" || key == "driving_torque" ? -value : value;
 }
 
@@ -175,9 +166,10 @@ bool doubted(const RollingSolution& solution, std::string_view key) {
 void compare_output(const Compared& compared, const ComparedOutput& output, RelationFinding& finding) {
   const RelatedScenes& scenes = compared.scenes;
   const double factor = compared.factor_of(output.key);
-  const double one = value_of(compared.one, output.key);
+  const double one = output_number(compared.one, output.key);
   const double other =
-      (scenes.mirrored ? mirrored_value(compared.other, output.key) : value_of(compared.other, output.key)) / factor;
+      (scenes.mirrored ? mirrored_value(compared.other, output.key) : output_number(compared.other, output.key)) /
+      factor;
   if (std::isnan(one) && std::isnan(other)) return;
   if (doubted(compared.one, output.key) || doubted(compared.other, output.key)) return;
   const double scale = scale_of(output, scenes.one, compared.one, one);

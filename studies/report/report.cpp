@@ -4,6 +4,7 @@
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
+#include "studies/stored/accepted_study.hpp"
 
 namespace rollres {
 
@@ -32,7 +33,7 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
     if (const auto fit = find_fit(store.database(), name, FitParts::with_data)) return fit_report(*fit, file);
 
   const StudySummary study = stored_study(store, options.study);
-  const std::string text = store.definition(study.name).value_or("");
+  const std::string text = accepted_study(store.definition(study.name).value_or(""));
   const ReportSource source{store, study, text, definition_in(text, file + ": " + study.name),
                             StudyRows(store, study.name)};
   const PictureSection charts = chart_section(source, options), errors = accuracy_pictures(source);

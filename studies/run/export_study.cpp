@@ -5,6 +5,7 @@
 #include "core/scene/scene_input.hpp"
 #include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
+#include "studies/stored/accepted_study.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/strict_json.hpp"
@@ -68,7 +69,7 @@ std::string export_study(const std::filesystem::path& database, const std::strin
   write_file(folder / "results.csv", csv_of(results_of(exported, name)));
   write_file(folder / "provenance.json", text_of(provenance_of(exported, exported.study(name).value()), 2) + "\n");
   const std::string definition = exported.definition(name).value_or("");
-  write_file(folder / "study.json", definition);
+  write_file(folder / "study.json", accepted_study(definition));
   std::string text = readme;
   text.replace(text.find("VERSION"), 7, this_program().version);
   write_file(folder / "README.txt", text);

@@ -17,6 +17,7 @@
 #include "db/rows/point_states.hpp"
 #include "studies/run/ended_points.hpp"
 #include "studies/run/result_writer.hpp"
+#include "studies/run/shared_contacts.hpp"
 #include "studies/run/work_list.hpp"
 #include "studies/study/predicted_cost.hpp"
 
@@ -146,7 +147,7 @@ std::size_t count(const std::vector<PointState>& states, Answer answer) {
 
 }  // namespace
 
-SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::filesystem::path& database,
+SweepReport run_sweep(const Study& study, const Evaluate& solve_one, const std::filesystem::path& database,
                       const SweepOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
@@ -172,6 +173,9 @@ SweepReport run_sweep(const Study& study, const Evaluate& evaluate, const std::f
     known.push_back(state.answer != Answer::missing && !old.contains(keys[known.size()]));
   }
 
+  const bool width_varies =
+      std::any_of(study.axes.begin(), study.axes.end(), [](const Axis& axis) { return axis.key == "width"; });
+  const Evaluate evaluate = width_varies && options.fields == Fields::dropped ? once_for_widths(solve_one) : solve_one;
   Run run;
   run.stop_from_outside = options.stop;
   if (options.ready) options.ready();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <random>
 
@@ -23,11 +24,15 @@ struct NamedUnit {
 };
 
 /// What the units of quantities consist of.
-constexpr std::array<NamedUnit, 13> symbols{{{"m", {1}},
+constexpr std::array<NamedUnit, 17> symbols{{{"m", {1}},
                                              {"kg", {0, 1}},
                                              {"s", {0, 0, 1}},
                                              {"K", {0, 0, 0, 1}},
                                              {"mol", {0, 0, 0, 0, 1}},
+                                             {"EUR", {0, 0, 0, 0, 0, 1}},
+                                             {"USD", {0, 0, 0, 0, 0, 0, 1}},
+                                             {"GBP", {0, 0, 0, 0, 0, 0, 0, 1}},
+                                             {"CHF", {0, 0, 0, 0, 0, 0, 0, 0, 1}},
                                              {"N", {1, 1, -2}},
                                              {"Pa", {-1, 1, -2}},
                                              {"J", {2, 1, -2}},
@@ -77,10 +82,7 @@ std::string name_of_unit(const Exponents& exponents) {
 std::string_view unit_of_key(const std::string& key, Body body) {
   std::string_view unit;
   if (const InputKind* const input = find_input(key)) unit = input->quantity.unit_for(body);
-  const RollingSolution solution;
-  visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == key) unit = quantity.unit_for(body);
-  });
+  if (const std::optional<Quantity> output = output_quantity(key)) unit = output->unit_for(body);
   return unit;
 }
 
@@ -111,6 +113,10 @@ std::optional<std::string> unit_of_value(const Formula& formula, Body body) {
   const std::vector<Place> places = places_for(formula);
   Exponents found{};
   for (std::size_t base = 0; base < found.size(); ++base) {
+    constexpr std::size_t of_quantities = found.size() - currencies.size();
+    const auto has_base = [base](const FormulaConstant& constant) { return constant.exponents[base] != 0; };
+    if (base >= of_quantities && std::none_of(formula.constants().begin(), formula.constants().end(), has_base))
+      continue;
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     std::size_t valid = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -134,6 +140,14 @@ std::optional<std::string> unit_of_value(const Formula& formula, Body body) {
     found[base] = std::round(parts * lowest) / parts;
   }
   return name_of_unit(found);
+}
+
+std::string product_of_units(std::string_view one, std::string_view other) {
+  if (one == "1" || other == "1") return std::string(one == "1" ? other : one);
+  Exponents exponents = exponents_of(one);
+  const Exponents more = exponents_of(other);
+  std::transform(exponents.begin(), exponents.end(), more.begin(), exponents.begin(), std::plus<>());
+  return name_of_unit(exponents);
 }
 
 std::string units_in(const Formula& formula, Body body) {

@@ -8,7 +8,7 @@
 
 #include "core/newton/surface_window.hpp"
 #include "studies/scene_io/solution_json.hpp"
-#include "studies/scene_io/vtk_array.hpp"
+#include "studies/text/vtk_array.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <deque>
 #include <mutex>
+#include <numbers>
 #include <stdexcept>
 #include <type_traits>
 
 #include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/dimension.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
@@ -39,18 +41,17 @@ double number_of(const RollingScene& scene, std::string_view key) {
 
 /// The number with this key: of the solution where it has one, else of the scene.
 double number_of(const RollingScene& scene, const RollingSolution& solution, std::string_view key) {
-  double found = number_of(scene, key);
-  visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
-    if constexpr (is_number<decltype(value)>)
-      if (quantity.key == key && !std::isnan(as_number(value))) found = as_number(value);
-  });
-  return found;
+  const double of_answer = output_number(solution, key);
+  return std::isnan(of_answer) ? number_of(scene, key) : of_answer;
 }
 
 bool is_number_of_layer(std::string_view key) {
   const InputKind* const input = layer_key(key) ? find_input(key) : nullptr;
   return input && input->choices.empty() && !input->list;
 }
+
+/// Whether it is a number of a list of the solution: "bond_shears[1]".
+bool is_number_of_answer(std::string_view key) { return element_key(key) && output_quantity(key); }
 
 /// What names consist of: those of further layers' inputs have brackets and a dot.
 constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ[].";
@@ -64,7 +65,7 @@ std::string in_si(const std::string& right, const Formula& left, Body body) {
                                                    right.front() == '.' || right.front() == '-');
   if (unit.empty() || unit == "1" || !begins_as_number || plain_number(right)) return right;
   try {
-    return text_of(InputValue(si_value(right, unit)));
+    return text_of(InputValue(unit == "K" && is_temperature(left.text()) ? kelvin(right) : si_value(right, unit)));
   } catch (const std::invalid_argument& error) {
     const std::size_t unit_place = right.find_first_not_of("+-.0123456789eE ");
     const bool number_and_word = unit_place != std::string::npos &&
@@ -72,6 +73,17 @@ std::string in_si(const std::string& right, const Formula& left, Body body) {
     if (number_and_word) throw std::invalid_argument(right + ": " + error.what() + " for " + left.text());
     return right;  // a formula that begins with a number
   }
+}
+
+/// Refuses a number alone, beside a formula of some unit, that looks as if it were in mm, MPa or degC.
+void refuse_doubtful_side(const Formula& formula, std::string_view other, Body body) {
+  const std::optional<double> limit = plain_number(std::string(trimmed(other)));
+  if (!limit || formula.keys().empty()) return;
+  const std::string unit = unit_of(formula, body);
+  const Quantity nameless{formula.text(), "", unit, ""};
+  if (const std::string doubt = doubt_of_limit(quantity_named(formula.text()).value_or(nameless), unit, *limit);
+      !doubt.empty())
+    throw std::invalid_argument(formula.text() + ": limit " + std::string(trimmed(other)) + ": " + doubt);
 }
 
 /// A name as what the scene holds for it: "(radius / 0.5)" for diameter.
@@ -107,10 +119,7 @@ std::string unit_of(const Formula& formula, Body body) {
     return unit_of_value(formula, body).value_or("");
   std::string_view unit;
   if (const InputKind* const input = find_input(formula.text())) unit = input->quantity.unit_for(body);
-  const RollingSolution solution;
-  visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
-    if (quantity.key == formula.text()) unit = quantity.unit_for(body);
-  });
+  if (const std::optional<Quantity> output = output_quantity(formula.text())) unit = output->unit_for(body);
   return std::string(unit);
 }
 
@@ -143,7 +152,7 @@ std::vector<std::string_view> number_keys(FormulaNames names) {
   return keys;
 }
 
-bool is_function(const std::string& name) { return mu::Parser().GetFunDef().contains(name); }
+bool is_function(const std::string& name) { return name == "pi" || mu::Parser().GetFunDef().contains(name); }
 
 struct Formula::Parts {
   std::string text;
@@ -159,15 +168,17 @@ struct Formula::Parts {
     auto& parts = *static_cast<Parts*>(self);
     for (std::size_t i = 0; i < parts.constants.size(); ++i)
       if (name == constant_name(i)) return &parts.constant_values[i];
-    if (find_name(parts.known, name) < 0 && find_name(number_keys(FormulaNames::inputs_and_outputs), name) >= 0)
+    const bool of_answer = is_number_of_answer(name), answered = find_name(parts.known, "rolling_resistance") >= 0;
+    const bool known = find_name(parts.known, name) >= 0 || is_number_of_layer(name) || (of_answer && answered);
+    if (!known && (of_answer || find_name(number_keys(FormulaNames::inputs_and_outputs), name) >= 0))
       throw std::invalid_argument(shortened(parts.text) + ": " + name +
                                   " is known once a scene is solved; here only its inputs are");
-    if (find_name(parts.known, name) < 0 && !is_number_of_layer(name)) {
-      std::vector<std::string_view> known = parts.known;
+    if (!known) {
+      std::vector<std::string_view> all = parts.known;
       for (const std::string_view key : keys_like(name))
-        if (is_number_of_layer(key)) known.push_back(key);
+        if (is_number_of_layer(key)) all.push_back(key);
       throw std::invalid_argument(
-          unknown(shortened(parts.text) + ": " + name + ": unknown key", known, name, "see rollres quantities"));
+          unknown(shortened(parts.text) + ": " + name + ": unknown key", all, name, "see rollres quantities"));
     }
     parts.keys.emplace_back(name);
     parts.values.push_back(1);
@@ -225,6 +236,7 @@ Formula::Formula(const std::string& text, FormulaNames names, const FormulaDefin
   refuse_assignment(parts_->text);
   try {
     parts_->parser.DefineNameChars(name_letters);
+    parts_->parser.DefineConst("pi", std::numbers::pi);
     parts_->parser.SetVarFactory(&Parts::place_for, parts_.get());
     parts_->parser.SetExpr(parts_->with_constants_named(with_definitions(parts_->text, definitions)));
     parts_->parser.Eval();
@@ -258,6 +270,7 @@ double Formula::operator()(const std::function<double(const std::string&)>& numb
 }
 
 void refuse_different_units(const Formula& formula, Body body) {
+  refuse_doubtful_limits(formula.text(), body);
   if (unit_of_value(formula, body)) return;
   throw std::invalid_argument(
       formula.text() + ": its terms have different units, and a number alone has none: " + units_in(formula, body) +
@@ -281,6 +294,8 @@ Condition::Condition(const std::string& text, FormulaNames names, Body body, con
              definitions) {
   refuse_different_units(left_, body);
   refuse_different_units(right_, body);
+  refuse_doubtful_side(left_, std::string_view(text_).substr(sign_ + (strict_ ? 1 : 2)), body);
+  refuse_doubtful_side(right_, std::string_view(text_).substr(0, sign_), body);
 }
 
 double Condition::excess(const RollingScene& scene, const RollingSolution& solution) const {

@@ -40,7 +40,7 @@ using FormulaDefinitions = std::vector<std::pair<std::string, std::string>>;
 /// The text with the formula of each such name, in brackets, in its place.
 std::string with_definitions(std::string_view text, const FormulaDefinitions& definitions);
 
-/// Whether formulas know a function of this name.
+/// Whether formulas know a function of this name, or the number pi.
 bool is_function(const std::string& name);
 
 /// A number with a unit in a formula: "2 [kN/m2]".
@@ -75,7 +75,8 @@ class Formula {
   std::shared_ptr<Parts> parts_;
 };
 
-/// @throws std::invalid_argument naming the formula and the units in it if its terms have different ones
+/// @throws std::invalid_argument naming the formula and the units in it if its terms have different ones, or a limit in
+/// it that looks as if it were in mm, MPa or degC
 void refuse_different_units(const Formula& formula, Body body);
 
 /// @throws std::invalid_argument naming the formula and the first of its outputs that no answer to the scene has
@@ -90,7 +91,8 @@ class Condition {
   /// @param text         "LEFT <= RIGHT" with <= < >= or >
   /// @param body     whose units hold
   /// @param definitions  names that it may use, too
-  /// @throws std::invalid_argument as Formula, or if there is not one comparison
+  /// @throws std::invalid_argument as Formula, or if there is not one comparison, or if a side is a number without a
+  /// unit that looks as if it were in mm, MPa or degC
   Condition(const std::string& text, FormulaNames names, Body body, const FormulaDefinitions& definitions = {});
 
   const std::string& text() const { return text_; }

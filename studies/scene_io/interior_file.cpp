@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/derivatives/objective.hpp"
 #include "core/scene/layer_name.hpp"
-#include "studies/scene_io/vtk_array.hpp"
+#include "studies/text/vtk_array.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -105,14 +106,14 @@ std::string interior_vtr(const InteriorSection& section) {
   return text + "</Coordinates>\n</Piece>\n</RectilinearGrid>\n</VTKFile>\n";
 }
 
-std::string losses_csv(const InteriorSummary& summary, Indenter indenter) {
-  std::string text = "layer,z [m],loss [" + std::string(dimension_of(indenter) == 3 ? "W/m" : "W/m2") +
+std::string losses_csv(const InteriorSummary& summary, const RollingScene& scene) {
+  std::string text = "layer,z [m],loss [" + std::string(body_of(scene).per_metre() ? "W/m2" : "W/m") +
                      "],share [1],strain_amplitude [1]\n";
   double sum = 0;
   for (const LineOfFlow& line : summary.lines) {
     sum += line.thickness * line.loss;
-    text += layer_name(line.on_body, line.layer) + ',' + number(line.z) + ',' + number(line.loss) + ',' +
-            number(summary.loss != 0 ? sum / summary.loss : 0) + ',' + number(line.strain_amplitude) + '\n';
+    text += layer_name(line.on_body, line.layer) + ',' + number(line.z) + ',' + number(body_length(scene) * line.loss) +
+            ',' + number(summary.loss != 0 ? sum / summary.loss : 0) + ',' + number(line.strain_amplitude) + '\n';
   }
   return text;
 }
@@ -131,8 +132,9 @@ std::string bonds_csv(const InteriorSummary& summary, Indenter indenter) {
   return text;
 }
 
-std::string interior_text(const InteriorSummary& summary, Indenter indenter) {
-  const bool sphere = dimension_of(indenter) == 3;
+std::string interior_text(const InteriorSummary& summary, const RollingScene& scene) {
+  const bool sphere = dimension_of(scene.indenter) == 3;
+  const std::string unit(real_output("interior_loss").unit_for(body_of(scene)));
   const auto place = [&](double x, double y) {
     return " at x = " + readable(x, "m") + (sphere ? ", y = " + readable(y, "m") : std::string());
   };
@@ -141,7 +143,7 @@ std::string interior_text(const InteriorSummary& summary, Indenter indenter) {
     constexpr double rounding = 1e-12;
     const bool lossless = std::abs(layer.loss) <= rounding * std::abs(summary.loss);
     text += "  " + layer_name(layer.on_body, layer.layer) + ": loss " +
-            (lossless ? "none" : readable(layer.loss, sphere ? "W" : "W/m"));
+            (lossless ? "none" : readable(body_length(scene) * layer.loss, unit));
     if (summary.loss != 0 && !lossless) text += " (" + short_number(100 * layer.loss / summary.loss, 4) + " %)";
     text += ", strain amplitude " + short_number(layer.strain_amplitude, 4) + ", largest " +
             short_number(layer.peak_strain_amplitude, 4) + '\n';
@@ -173,7 +175,7 @@ void write_interior(const std::filesystem::path& directory, const RollingScene& 
   }
   write_file(directory / "inside.csv", interior_csv(upright));
   if (!faces.empty()) write_file(directory / "faces.csv", interior_csv(faces));
-  write_file(directory / "losses.csv", losses_csv(summary, scene.indenter));
+  write_file(directory / "losses.csv", losses_csv(summary, scene));
   write_file(directory / "bonds.csv", bonds_csv(summary, scene.indenter));
 }
 

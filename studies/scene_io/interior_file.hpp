@@ -18,12 +18,12 @@ std::string interior_csv(const std::vector<InteriorSection>& sections);
 std::string interior_vtr(const InteriorSection& section);
 
 /// Where power is lost, line by line from the contact away: layer, z, loss per depth, its share summed so far, strain
-/// amplitude; and what bonds bear.
-std::string losses_csv(const InteriorSummary& summary, Indenter indenter);
+/// amplitude; and what bonds bear. Losses are those of the scene's body: of its width, or of a metre.
+std::string losses_csv(const InteriorSummary& summary, const RollingScene& scene);
 std::string bonds_csv(const InteriorSummary& summary, Indenter indenter);
 
 /// Loss, share, amplitudes of each layer, and its bond, as a table in words.
-std::string interior_text(const InteriorSummary& summary, Indenter indenter);
+std::string interior_text(const InteriorSummary& summary, const RollingScene& scene);
 
 /// Whether the inside of the layers can be told: of a single passage at small strains.
 bool has_interior(const RollingScene& scene, const RollingSolution& solution);

@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "studies/scene_io/doubtful_number.hpp"
+#include "studies/scene_io/scene_inputs.hpp"
+
 namespace rollres {
 
 std::vector<double> measured_frequencies(const MeasuredTable& table) {
@@ -72,7 +75,8 @@ std::optional<ListedModuli> take_modulus_names(MeasuredTable& table) {
                                   ": must both be of shear or both Young's; ignore_columns leaves one out");
     said = found->said;
     saying = column.name;
-    column.written = std::exchange(column.name, std::string(found->plain));
+    if (column.written.empty()) column.written = column.name;
+    column.name = found->plain;
   }
   return said;
 }
@@ -184,7 +188,9 @@ Json with_master_curve(const Json& object, const std::filesystem::path& folder, 
     if (lists.contains(said) && named(said) && object[said] != lists[said])
       refuse(place, said, object[said],
              "the columns of " + name.template get<std::string>() + " say " + lists[said].template get<std::string>());
-    complete.update(lists);
+    for (const auto& [input, list] : lists.items())  // tables tell the units of all their numbers
+      complete[input] =
+          list.is_array() ? written_input(find_input(input)->quantity, list.template get<std::vector<double>>()) : list;
   };
   for (const auto& [key, value] : object.items())
     if (key == master_curve_key)

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
-#include <set>
 #include <stdexcept>
 
 #include "core/model/scene_rules.hpp"
@@ -21,14 +19,6 @@ namespace rollres {
 namespace {
 
 constexpr std::string_view storage_moduli_key = master_curve_inputs[1];
-
-void refuse_unknown_key(const SceneEntry& entry) {
-  if (find_input(entry.key)) return;
-  std::vector<std::string_view> known = keys_like(entry.key);
-  known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
-  known.insert(known.end(), table_keys.begin(), table_keys.end());
-  refuse(entry.place, entry.key, entry.value, unknown_input(known, entry.key));
-}
 
 /// The unit in the words of a rule; where the units of cylinder and sphere differ, with the body.
 std::string wanted_unit(const Quantity& quantity, Body body) {
@@ -125,27 +115,6 @@ std::string given_again(const std::string& key) {
   return ways.empty() ? "key given twice" : "give " + key + ways + ", once";
 }
 
-/// Adds an entry as it is held. @throws std::invalid_argument if its input is among the entries
-void add_held(std::vector<SceneEntry>& entries, const SceneEntry& given) {
-  SceneEntry held = held_entry(given);
-  if (std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& other) { return other.key == held.key; }))
-    refuse(given.place, given.key, given.value, given_again(held.key));
-  entries.push_back(std::move(held));
-}
-
-/// The inputs that an override takes the place of. What was said of other moduli does not hold for the lists of a
-/// table.
-std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
-  const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
-  std::vector<std::string_view> replaced = replaced_inputs(entry.key, value);
-  const std::string_view own = own_key(entry.key);
-  if (own == storage_moduli_key)
-    if (const InputKind* const said =
-            find_input(entry.key.substr(0, entry.key.size() - own.size()) + std::string(listed_moduli_key)))
-      replaced.push_back(said->quantity.key);
-  return replaced;
-}
-
 /// Refuses moduli of which nothing says whether they are G or E; those beside G0 are G.
 /// @param given  whether there is an input of this key   @param layer  in front of the key of a further layer
 template <class Given>
@@ -162,29 +131,6 @@ void refuse_unsaid_moduli(const Given& given, const std::string& layer, const st
 template <class Entries>
 auto entry_of(Entries& entries, std::string_view key) {
   return std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
-}
-
-/// A width given to a scene without one makes its loads and torques those of the whole body: plain numbers among them,
-/// which no unit tells apart, are refused unless they are given anew.
-void refuse_numbers_per_metre(const std::vector<SceneEntry>& entries, const std::vector<SceneEntry>& overrides) {
-  const auto width = entry_of(overrides, "width");
-  if (width == overrides.end() || entry_of(entries, "width") != entries.end()) return;
-  for (const SceneEntry& entry : entries)
-    if (entry.value.is_number() && find_input(entry.key)->quantity.grows_with_width() &&
-        entry_of(overrides, entry.key) == overrides.end())
-      refuse(width->place, width->key, width->value,
-             entry.key + " = " + shown(entry.value) + " was given per metre: give it too, of the whole body");
-}
-
-/// The object of the layer that an override means.
-Json& layer_object(std::vector<SceneEntry>& entries, const SceneEntry& override) {
-  const LayerKey parts = layer_key(override.key).value();
-  const auto list = entry_of(entries, parts.list);
-  RollingScene scene;
-  if (list != entries.end()) assign_input(scene, parts.list, layers_of(*list));
-  if (const std::string why = absent_layer(scene, override.key); !why.empty())
-    refuse(override.place, override.key, override.value, why);
-  return list->value[parts.layer];
 }
 
 BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
@@ -211,6 +157,21 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
 
 }  // namespace
 
+void refuse_unknown_key(const SceneEntry& entry) {
+  if (find_input(entry.key)) return;
+  std::vector<std::string_view> known = keys_like(entry.key);
+  known.insert(known.end(), ignored_keys.begin(), ignored_keys.end());
+  known.insert(known.end(), table_keys.begin(), table_keys.end());
+  refuse(entry.place, entry.key, entry.value, unknown_input(known, entry.key));
+}
+
+void add_entry(std::vector<SceneEntry>& entries, const SceneEntry& given) {
+  SceneEntry held = held_entry(given);
+  if (std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& other) { return other.key == held.key; }))
+    refuse(given.place, given.key, given.value, given_again(held.key));
+  entries.push_back(std::move(held));
+}
+
 Indenter indenter_of(const std::vector<SceneEntry>& entries) {
   RollingScene scene;
   for (const SceneEntry& entry : entries)
@@ -232,7 +193,7 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
       continue;
     }
     refuse_unknown_key({key, value, place});
-    add_held(entries, {key, value, place});
+    add_entry(entries, {key, value, place});
     if (const auto layered = layer_key(key))
       refuse(place, key, value, "must stand in the layer's own object, in the list " + std::string(layered->list));
   }
@@ -244,75 +205,8 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
 SceneEntry held_entry(SceneEntry entry) {
   const InputKind* const kind = find_input(entry.key);
   if (!kind || kind->held_as.empty()) return entry;
-  return {std::string(kind->held_as), std::get<double>(input_value(entry, *kind, Indenter::cylinder)), entry.place};
-}
-
-std::vector<SceneEntry> replacing_entries(const Json& object, const std::string& place) {
-  std::vector<SceneEntry> entries;
-  for (const auto& [key, value] : object.items()) {
-    if (!find_input(key)) refuse(place, key, value, unknown_input(keys_like(key), key));
-    add_held(entries, {key, value, place});
-  }
-  return entries;
-}
-
-std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place) {
-  std::vector<SceneEntry> entries;
-  for (const std::string& word : words) {
-    const auto equals = word.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw std::invalid_argument(place + ": " + word + ": must be KEY=VALUE");
-    SceneEntry entry{word.substr(0, equals), word.substr(equals + 1), place};
-    if (word[equals + 1] == '[') {
-      entry.value = Json::parse(word.begin() + static_cast<std::ptrdiff_t>(equals) + 1, word.end(), nullptr, false);
-      if (!entry.value.is_array()) refuse(place, entry.key, word.substr(equals + 1), "must be a list: [1, 2]");
-    } else if (const auto value = plain_number(word.substr(equals + 1))) {
-      constexpr double exact = 1e15;  // whole numbers are shown without a decimal point
-      if (*value == std::floor(*value) && std::abs(*value) < exact)
-        entry.value = static_cast<long long>(*value);
-      else
-        entry.value = *value;
-    }
-    std::vector<SceneEntry> meant{entry};
-    if (find_name(table_keys, entry.key) >= 0) {
-      meant.clear();
-      Json named = Json::object();
-      named[entry.key] = word.substr(equals + 1);
-      const std::string said = std::string(listed_moduli_key) + "=";
-      for (const std::string& other : words)
-        if (other.starts_with(said)) named[std::string(listed_moduli_key)] = other.substr(said.size());
-      const Json lists = with_master_curve(named, {}, place);
-      for (const auto& [key, value] : lists.items())
-        if (key != listed_moduli_key || !named.contains(key)) meant.push_back({key, value, place});
-    } else {
-      refuse_unknown_key(entry);
-    }
-    for (const SceneEntry& one : meant) add_held(entries, one);
-  }
-  return entries;
-}
-
-std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides) {
-  refuse_numbers_per_metre(entries, overrides);
-  std::vector<SceneEntry> of_layers;
-  std::set<std::string, std::less<>> dropped;
-  for (const SceneEntry& entry : overrides) {
-    if (layer_key(entry.key)) {
-      input_value(entry, Indenter::cylinder);  // refuses a wrong one here, where its own place is known
-      of_layers.push_back(entry);
-      continue;
-    }
-    dropped.insert(entry.key);
-    for (const std::string_view key : replaced_by(entry)) dropped.emplace(key);
-  }
-  std::erase_if(entries, [&](const SceneEntry& entry) { return dropped.contains(entry.key); });
-  std::copy_if(overrides.begin(), overrides.end(), std::back_inserter(entries),
-               [](const SceneEntry& entry) { return !layer_key(entry.key); });
-  // All are dropped before any is set, so that `check` sees two overrides that exclude each other.
-  for (const SceneEntry& entry : of_layers)
-    for (const std::string_view key : replaced_by(entry)) layer_object(entries, entry).erase(std::string(own_key(key)));
-  for (const SceneEntry& entry : of_layers) layer_object(entries, entry)[std::string(own_key(entry.key))] = entry.value;
-  return entries;
+  const double value = std::get<double>(input_value(entry, *kind, Indenter::cylinder));
+  return {std::string(kind->held_as), written_input(find_input(kind->held_as)->quantity, value), entry.place};
 }
 
 const Json* value_given(const std::vector<SceneEntry>& entries, std::string_view key) {
@@ -354,6 +248,24 @@ InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body
     if (const std::string doubt = doubt_of(kind.quantity, value); !doubt.empty()) fail(doubt);
   if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
   return kind.factor * value;
+}
+
+double input_difference(const SceneEntry& entry, const InputKind& kind, Body body) {
+  const Quantity& quantity = kind.quantity;
+  const bool temperature = is_temperature(quantity.key);
+  if (entry.value.is_number()) {
+    const auto number = entry.value.get<double>();
+    if (const std::string doubt = temperature ? std::string() : doubt_of(quantity, number); !doubt.empty())
+      refuse(entry.place, entry.key, entry.value, doubt);
+    return kind.factor * number;
+  }
+  const std::string rule = "the standard deviation must be a number, one with a unit, or a share of the mean (10 %)";
+  if (!entry.value.is_string()) refuse(entry.place, entry.key, entry.value, rule);
+  const auto text = entry.value.get<std::string>();
+  if (temperature && !text.ends_with("K"))
+    refuse(entry.place, entry.key, entry.value, "a difference of temperatures needs the unit K");
+  return refusing_at(entry.place + ": " + entry.key + " = " + shown(entry.value),
+                     [&] { return kind.factor * si_value(text, quantity.unit_for(body)); });
 }
 
 RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const std::string& place) {

@@ -30,19 +30,11 @@ inline constexpr std::array<std::string_view, 2> ignored_keys{"$schema", "commen
 std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem::path& folder,
                                       const std::string& place);
 
-/// The entries of an object of inputs that replace others, those of further layers among them; their values are checked
-/// where they are used.
-/// @throws std::invalid_argument for an unknown key
-std::vector<SceneEntry> replacing_entries(const Json& object, const std::string& place);
+/// @throws std::invalid_argument naming the entry's place, if its key is none of a scene file
+void refuse_unknown_key(const SceneEntry& entry);
 
-/// The entries of a list of "KEY=VALUE"; a master_curve_file is relative to the working directory.
-/// @throws std::invalid_argument for an unknown key, one given twice, or a word without "="
-std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, const std::string& place = "--set");
-
-/// `entries` with those of `overrides` in place of their keys and of the inputs these take the place of. An input of a
-/// further layer takes its place in the object of that layer.
-/// @throws std::invalid_argument naming the override of a layer that the entries have not
-std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::vector<SceneEntry>& overrides);
+/// Adds an entry as it is held. @throws std::invalid_argument if its input is among the entries
+void add_entry(std::vector<SceneEntry>& entries, const SceneEntry& given);
 
 /// An entry under the key of the input that its own is another way to write: a radius for a diameter.
 /// @throws std::invalid_argument as input_value
@@ -57,6 +49,10 @@ InputValue input_value(const SceneEntry& entry, Body body);
 
 /// The same for an input of this kind, whatever the entry's key.
 InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body);
+
+/// A difference of two values of such an input, as a standard deviation is, in SI: one of temperatures has no origin.
+/// @throws std::invalid_argument naming place, key, value and rule
+double input_difference(const SceneEntry& entry, const InputKind& kind, Body body);
 
 /// The body that the entries give: the units of other inputs depend on it, and on whether its width is given.
 Indenter indenter_of(const std::vector<SceneEntry>& entries);

@@ -1,6 +1,7 @@
 #include "studies/scene_io/scene_file.hpp"
 
 #include "studies/scene_io/scene_entries.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/text/file_kind.hpp"
 
 namespace rollres {
@@ -10,7 +11,7 @@ namespace {
 RollingScene scene_with(const Json& object, const std::filesystem::path& folder, const std::string& place,
                         const std::vector<std::string>& overrides) {
   require_kind(FileKind::scene, object, place);
-  const std::vector<SceneEntry> own = scene_entries(object, folder, place);
+  const std::vector<SceneEntry> own = scene_entries(without_replaced_tables(object, overrides), folder, place);
   if (overrides.empty()) return scene_from(own, place);
   return scene_from(overridden(own, override_entries(overrides)), place + " with --set");
 }

@@ -81,7 +81,7 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   });
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_arithmetic_v<Value>)
+    if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<double>>)
       add(outputs, quantity, quantity.symbol, value_text(quantity, value, quantity.unit_for(body_of(scene))));
     if (quantity.key == "model_error" && std::isnan(solution.model_error) && solution.status == Status::converged)
       add(outputs, quantity, quantity.symbol, "not known: --explain tells what the model assumes");

@@ -8,6 +8,7 @@
 #include "core/scene/scene_input.hpp"
 #include "studies/optimise/design_file.hpp"
 #include "studies/scene_io/scene_file.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/study/study_axes.hpp"
 
 namespace rollres {

@@ -17,6 +17,7 @@
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/scene_entries.hpp"
 #include "studies/scene_io/scene_file.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/text/strict_json.hpp"
 

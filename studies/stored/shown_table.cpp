@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "core/scene/scene_input.hpp"
+#include "studies/scene_io/dimension.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/stored/derived_columns.hpp"
 #include "studies/stored/study_rows.hpp"
@@ -59,6 +61,7 @@ std::string sorted_by(const std::string& text) { return text.substr(text.starts_
 /// Columns of groups: those of `by`, then the aggregates.
 struct GroupColumns {
   std::vector<QuantityColumn> kept;  // what aggregates are of
+  std::deque<std::string> units;     // of weighted sums
   ShownColumns shown;
 
   GroupColumns(const GroupQuery& query, const FormulaDefinitions& formulas) {
@@ -68,13 +71,27 @@ struct GroupColumns {
       const QuantityColumn* const of = quantity_in(aggregate.column, formulas);
       const bool counts = aggregate.statistic == Statistic::count;
       const bool weighted_sum = aggregate.statistic == Statistic::sum && !aggregate.weight.empty();
+      const QuantityColumn* const weight = weighted_sum ? quantity_in(aggregate.weight, formulas) : nullptr;
       shown.quantities.push_back(nullptr);
-      if (!of || counts || weighted_sum) continue;
+      if (!of || counts || (weighted_sum && !weight)) continue;
       kept.push_back(*of);
+      if (weight) multiply(kept.back().quantity, weight->quantity);
       if (aggregate.statistic == Statistic::stddev || aggregate.statistic == Statistic::sum)
         kept.back().quantity.key = "difference";  // of temperatures: no scale with an origin
       shown.quantities.back() = &kept.back();
     }
+  }
+
+ private:
+  /// Gives a quantity the unit of its product with a weight.
+  void multiply(Quantity& of, const Quantity& weight) {
+    const auto product = [&](Body body) -> std::string_view {
+      return units.emplace_back(product_of_units(of.unit_for(body), weight.unit_for(body)));
+    };
+    const bool grows = of.grows_with_width() || weight.grows_with_width();
+    const std::string_view line = grows ? product(Indenter::cylinder) : std::string_view();
+    of.unit = product(Indenter::sphere);
+    of.unit_2d = line;
   }
 };
 

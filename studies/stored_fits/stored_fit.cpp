@@ -7,6 +7,7 @@
 #include "db/rows/fit_columns.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/scene_io/cells.hpp"
+#include "studies/stored/accepted_study.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
@@ -270,13 +271,13 @@ Table fit_table(const std::vector<FitSummary>& fits) {
 std::vector<std::string> export_fit(const FitRecord& fit, const std::filesystem::path& folder) {
   make_directory(folder);
   std::vector<std::string> files{"fit.json", "report.json", "parameters.csv", "data.csv", "profiles.csv", "curves.csv"};
-  write_file(folder / files[0], fit.definition + "\n");
+  write_file(folder / files[0], accepted_study(fit.definition) + "\n");
   write_file(folder / files[1], text_of(json_of(fit), 2) + "\n");
   write_file(folder / files[2], csv_of(record_table(fit.parameters)));
   write_file(folder / files[3], csv_of(data_of(fit)));
   write_file(folder / files[4], csv_of(record_table(fit.profiles)));
   write_file(folder / files[5], csv_of(record_table(fit.curves)));
-  if (!fit.scene.empty()) write_file(folder / files.emplace_back("scene.json"), fit.scene + "\n");
+  if (!fit.scene.empty()) write_file(folder / files.emplace_back("scene.json"), accepted_study(fit.scene) + "\n");
   return files;
 }
 

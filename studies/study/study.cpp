@@ -4,6 +4,7 @@
 
 #include "core/model/scene_rules.hpp"
 #include "db/rows/schema.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/study/study_axes.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_outputs.hpp"

@@ -31,7 +31,7 @@ void refuse_taken_name(const std::string& name, const Json& formula, const Formu
   if (find_quantity_column(name) || (find_input(name) && held_key(name) == name) || find_name(columns, name) >= 0 ||
       find_name(point_columns, name) >= 0)
     refuse(place, name, formula, "names a column that is there already; give the formula another name");
-  if (is_function(name)) refuse(place, name, formula, "names a function; give the formula another name");
+  if (is_function(name)) refuse(place, name, formula, "names a function or a number; give the formula another name");
 }
 
 /// Reads one formula, with those before it in full.

@@ -6,6 +6,7 @@
 
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/study/study_variants.hpp"
 #include "studies/study/uncertain_inputs.hpp"
 #include "studies/text/files.hpp"

@@ -4,6 +4,7 @@
 
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {

@@ -35,23 +35,13 @@ bool all_shares(const std::vector<Json>& numbers) {
 /// What is read where.
 struct Place {
   std::string key;  ///< as it is written
-  const Quantity& quantity;
+  const InputKind& kind;
   Body body;
   std::string text;  ///< for messages
-  double factor;     ///< of what the scene holds over what is written
 
-  std::string_view unit() const { return quantity.unit_for(body); }
+  std::string_view unit() const { return kind.quantity.unit_for(body); }
   double value(const Json& given) const { return std::get<double>(input_value({key, given, text}, body)); }
-  /// A difference of two values: of temperatures it has no origin.
-  double difference(const Json& given) const {
-    if (given.is_number()) return factor * given.get<double>();
-    const std::string rule = "the standard deviation must be a number, one with a unit, or a share of the mean (10 %)";
-    if (!given.is_string()) refuse(text, key, given, rule);
-    if (is_temperature(quantity.key) && !given.get<std::string>().ends_with("K"))
-      refuse(text, key, given, "a difference of temperatures needs the unit K");
-    return refusing_at(text + ": " + key + " = " + shown(given),
-                       [&] { return factor * si_value(given.get<std::string>(), unit()); });
-  }
+  double difference(const Json& given) const { return input_difference({key, given, text}, kind, body); }
 };
 
 void refuse_count(const Place& place, const Json& given, DistributionKind kind) {
@@ -94,14 +84,15 @@ UncertainInput read_numbers(const Place& place, DistributionKind kind, const Jso
 
 void refuse_weight_outside(const Place& place, const UncertainInput& input, double about, const Json& given) {
   const Distribution whole = input.relative ? times(input.distribution, about) : input.distribution;
-  const double outside = weight_outside(whole, place.quantity.range);
+  const double outside = weight_outside(whole, place.kind.quantity.range);
   if (outside <= negligible_weight) return;
   const std::string share = short_number(100 * outside, 3) + " % of its weight";
   if (outside >= 0.5)
-    refuse(place.text, name_of(whole.kind), given, share + " is outside its range: " + place.quantity.range.rule());
+    refuse(place.text, name_of(whole.kind), given,
+           share + " is outside its range: " + place.kind.quantity.range.rule());
   if (!input.truncated)
     refuse(place.text, name_of(whole.kind), given,
-           share + " is outside its range (" + place.quantity.range.rule() +
+           share + " is outside its range (" + place.kind.quantity.range.rule() +
                "): take another distribution, or \"truncated\": true to cut it off there");
 }
 
@@ -128,7 +119,7 @@ UncertainInput uncertain_input(const std::string& key, const Json& object, const
   const std::string rule = "must be an object with one of normal, lognormal, uniform, loguniform, triangular";
   if (!object.is_object()) refuse(outer, key, object, rule);
   refuse_unknown_keys(object, distribution_keys, place_text);
-  const Place place{key, kind->quantity, body_of(scene), place_text, kind->factor};
+  const Place place{key, *kind, body_of(scene), place_text};
   std::optional<UncertainInput> input;
   Json given;
   for (std::size_t i = 0; i < ChoiceNames<DistributionKind>::names.size(); ++i) {

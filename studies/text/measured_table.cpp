@@ -1,11 +1,13 @@
 #include "studies/text/measured_table.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "studies/text/files.hpp"
 #include "studies/text/strict_json.hpp"
+#include "studies/text/table_heading.hpp"
 #include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
 
@@ -18,6 +20,12 @@ namespace {
 }
 
 std::string line_place(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
+
+std::string without_brackets(const std::string& cell) {
+  const bool bracketed =
+      cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'));
+  return bracketed ? cell.substr(1, cell.size() - 2) : cell;
+}
 
 /// The cells of a line. Quotes may enclose separators; two quotes inside stand for one.
 std::vector<std::string> cells_of(const std::string& line, char separator, const std::string& place) {
@@ -43,26 +51,117 @@ std::vector<std::string> cells_of(const std::string& line, char separator, const
   return cells;
 }
 
-MeasuredColumn column_of(const std::string& name, const std::string& place) {
-  const auto layer = name.find("].");  // of coating_layers[0].layer_thickness [mm]
-  const auto open = name.find('[', layer == std::string::npos ? 0 : layer);
-  if (open == std::string::npos) {
-    if (name.empty()) fail(place, "a column has no name");
-    return {name, "", {}};
-  }
-  if (name.back() != ']')
-    fail(place, "\"" + shortened(name) + "\": must be a name with its unit in brackets: \"speed [m/s]\"");
-  MeasuredColumn column{std::string(trimmed(name.substr(0, open))),
-                        std::string(trimmed(name.substr(open + 1, name.size() - open - 2))),
-                        {}};
-  if (column.name.empty()) fail(place, "\"" + shortened(name) + "\": a column has no name");
-  return column;
+MeasuredColumn column_of(const std::string& text, const std::string& place) {
+  const TableHeading heading = refusing_at(place, [&] { return table_heading(text); });
+  return {heading.name, heading.unit, {}, {}, heading.written};
 }
 
 char separator_of(const std::string& names) {
-  for (const char separator : {',', ';', '\t'})
+  for (const char separator : {'\t', ';', ','})
     if (names.find(separator) != std::string::npos) return separator;
   return ',';
+}
+
+/// Whether each byte of a letter beyond ASCII is followed by those that belong to it.
+bool is_utf8(std::string_view text) {
+  std::size_t following = 0;
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    const bool follows = (code & 0xC0) == 0x80;
+    if (follows != (following > 0)) return false;
+    if (follows)
+      --following;
+    else
+      following = code < 0x80 ? 0 : code < 0xE0 ? 1 : code < 0xF0 ? 2 : 3;
+  }
+  return following == 0;
+}
+
+/// The text in UTF-8, with lines that end in a line feed. Other bytes than UTF-8 are those of Windows' spreadsheets.
+std::string plain_lines(const std::string& text) {
+  std::string plain = text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+  if (!is_utf8(plain)) {
+    std::string translated;
+    for (const char letter : plain) {
+      const auto code = static_cast<unsigned char>(letter);
+      if (code == 0x91 || code == 0x92)
+        translated += '\'';
+      else if (code < 0x80)
+        translated += letter;
+      else
+        (translated += static_cast<char>(0xC0 | (code >> 6))) += static_cast<char>(0x80 | (code & 0x3F));
+    }
+    plain = translated;
+  }
+  if (plain.find('\n') == std::string::npos) std::replace(plain.begin(), plain.end(), '\r', '\n');
+  return plain;
+}
+
+/// Whether a row that follows the names tells their units: no cell is a number, each is a unit or empty.
+bool is_row_of_units(const MeasuredTable& table, const std::vector<std::string>& cells) {
+  bool any = false;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (plain_number(cells[i]) || !table.columns[i].unit.empty() ||
+        (!cells[i].empty() && !is_unit(without_brackets(cells[i]))))
+      return false;
+    any = any || (!cells[i].empty() && cells[i] != "-");
+  }
+  return any;
+}
+
+/// "0,25": a number with a decimal comma, which it gets a point for; nothing else.
+std::optional<std::string> with_point(const std::string& cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma == std::string::npos || cell.find('.') != std::string::npos) return std::nullopt;
+  std::string pointed = cell;
+  pointed[comma] = '.';
+  return plain_number(pointed) ? std::optional(pointed) : std::nullopt;
+}
+
+/// Gives numbers with decimal commas their points.
+void take_decimal_commas(MeasuredTable& table) {
+  std::string with_comma, with_dot;
+  for (MeasuredColumn& column : table.columns)
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      std::string& cell = column.cells[row];
+      if (const auto pointed = with_point(cell)) {
+        if (with_comma.empty()) with_comma = table.place(row) + ": " + heading(column) + " = " + cell;
+        cell = *pointed;
+      } else if (cell.find('.') != std::string::npos && plain_number(cell)) {
+        with_dot = cell;
+      }
+    }
+  if (!with_comma.empty() && !with_dot.empty())
+    fail(with_comma, "has a decimal comma, and " + with_dot + " a point: write all with points");
+}
+
+/// Takes the line of names. @return how many columns at its end have no name
+std::size_t take_names(MeasuredTable& table, std::vector<std::string> names, const std::string& place) {
+  std::size_t nameless = 0;
+  for (; names.size() > 1 && names.back().empty(); ++nameless) names.pop_back();
+  for (const std::string& name : names) {
+    MeasuredColumn column = column_of(name, place);
+    if (table.find(column.name)) fail(place, "\"" + shortened(column.name) + "\": column given twice");
+    table.columns.push_back(std::move(column));
+  }
+  return nameless;
+}
+
+/// Takes a row of values, or of units where it stands below the names.
+void take_row(MeasuredTable& table, std::vector<std::string> cells, std::size_t nameless, int number) {
+  for (std::size_t i = 0; i < nameless && cells.size() > table.columns.size() && cells.back().empty(); ++i)
+    cells.pop_back();
+  if (cells.size() != table.columns.size())
+    fail(line_place(table.file, number), std::to_string(cells.size()) + " cells where the first line names " +
+                                             std::to_string(table.columns.size()) + " columns" +
+                                             (table.columns.size() == 1 ? "; lines above the table begin with #" : ""));
+  if (table.lines.empty() && is_row_of_units(table, cells)) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      table.columns[i].unit = cells[i].empty() ? "" : table_heading("x [" + without_brackets(cells[i]) + "]").unit;
+    return;
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) table.columns[i].cells.push_back(cells[i]);
+  table.lines.push_back(number);
 }
 
 }  // namespace
@@ -79,16 +178,25 @@ const MeasuredColumn& MeasuredTable::needed(std::string_view name) const {
 }
 
 void MeasuredTable::refuse_others(std::span<const std::string_view> known) const {
+  refuse_others([&](const MeasuredColumn&) { return std::vector<std::string_view>(known.begin(), known.end()); },
+                "known are " + joined(known) + "; ignore_columns leaves others out");
+}
+
+void MeasuredTable::refuse_others(
+    const std::function<std::vector<std::string_view>(const MeasuredColumn&)>& known_beside,
+    const std::string& otherwise) const {
+  std::string bad;
   for (const MeasuredColumn& column : columns)
-    if (find_name(known, column.name) < 0)
-      fail(file, column.name + ": " +
-                     unknown("unknown column", known, column.name,
-                             "known are " + joined(known) + "; ignore_columns leaves others out"));
+    if (const std::vector<std::string_view> known = known_beside(column); find_name(known, column.name) < 0)
+      bad += (bad.empty() ? "" : "; ") + name_in_file(column) + ": " +
+             unknown("unknown column", known, column.name, otherwise);
+  if (!bad.empty()) fail(file, bad);
 }
 
 void MeasuredTable::leave_out(std::span<const std::string> names) {
   for (const std::string& name : names)
-    if (std::erase_if(columns, [&](const MeasuredColumn& column) { return column.name == name; }) == 0)
+    if (std::erase_if(columns,
+                      [&](const MeasuredColumn& column) { return column.name == name || column.written == name; }) == 0)
       fail(file, "ignore_columns: " + name + ": the table has no such column");
 }
 
@@ -97,7 +205,7 @@ std::vector<std::string> MeasuredTable::leave_out_others(std::span<const std::st
   for (const MeasuredColumn& column : columns) {
     if (find_name(known, column.name) >= 0) continue;
     if (!nearest_name(known, column.name).empty()) refuse_others(known);
-    others.push_back(column.name);
+    others.push_back(name_in_file(column));
   }
   leave_out(others);
   return others;
@@ -105,8 +213,10 @@ std::vector<std::string> MeasuredTable::leave_out_others(std::span<const std::st
 
 std::string MeasuredTable::place(std::size_t row) const { return line_place(file, lines.at(row)); }
 
+std::string name_in_file(const MeasuredColumn& column) { return column.written.empty() ? column.name : column.written; }
+
 std::string heading(const MeasuredColumn& column) {
-  const std::string& name = column.written.empty() ? column.name : column.written;
+  const std::string name = name_in_file(column);
   return column.unit.empty() ? name : name + " [" + column.unit + "]";
 }
 
@@ -114,31 +224,26 @@ MeasuredTable read_measured_table(const std::filesystem::path& file) {
   constexpr std::size_t largest = 100'000'000;  // of measured values
   MeasuredTable table{file.string(), whole_file(file, largest), {}, {}};
   if (table.text.empty()) throw std::runtime_error(table.file + ": cannot be read or is empty");
-  std::istringstream lines(table.text.starts_with("\xEF\xBB\xBF") ? table.text.substr(3) : table.text);
-  char separator = ',';
+  std::istringstream lines(plain_lines(table.text));
+  std::optional<char> separator;
+  std::size_t nameless = 0;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     const std::string place = line_place(table.file, ++number);
     if (line.find('\0') != std::string::npos) fail(place, "has a NUL character");
     const std::string content(trimmed(line));
     if (content.empty() || content.front() == '#') continue;
-    if (table.columns.empty()) {
-      separator = separator_of(content);
-      for (const std::string& name : cells_of(content, separator, place)) {
-        MeasuredColumn column = column_of(name, place);
-        if (table.find(column.name)) fail(place, "\"" + shortened(column.name) + "\": column given twice");
-        table.columns.push_back(std::move(column));
-      }
-      continue;
+    if (table.columns.empty() && content.starts_with("sep=") && content.size() == 5) {  // for spreadsheets
+      separator = content.back();
+    } else if (table.columns.empty()) {
+      if (!separator) separator = separator_of(line);
+      nameless = take_names(table, cells_of(line, *separator, place), place);
+    } else {
+      take_row(table, cells_of(line, *separator, place), nameless, number);
     }
-    const std::vector<std::string> cells = cells_of(line, separator, place);
-    if (cells.size() != table.columns.size())
-      fail(place, std::to_string(cells.size()) + " cells where the first line names " +
-                      std::to_string(table.columns.size()) + " columns");
-    for (std::size_t i = 0; i < cells.size(); ++i) table.columns[i].cells.push_back(cells[i]);
-    table.lines.push_back(number);
   }
   if (table.lines.empty()) fail(table.file, "has no row of measured values");
+  take_decimal_commas(table);
   return table;
 }
 

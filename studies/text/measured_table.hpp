@@ -1,10 +1,13 @@
 #pragma once
 
 /// Tables of measured values: CSV with a line of names, each with its unit: "speed [km/h],rolling_resistance [N/m]".
-/// Commas (or, where the first line has none, semicolons or tabs) separate cells, double quotes may enclose one, empty
-/// lines and lines that begin with # are left out.
+/// Names and units may stand as instruments write them (table_heading.hpp), units also in a line of their own below the
+/// names. Tabs, semicolons or commas separate cells, the first of these that the line of names has, or what a line
+/// "sep=;" says; numbers have decimal points, or all of them commas. Double quotes may enclose a cell, empty lines and
+/// lines that begin with # are left out. Texts are UTF-8, or as spreadsheets of Windows write them.
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +36,10 @@ struct MeasuredTable {
   /// @throws std::invalid_argument if there is none of that name, or one that is not `known`
   const MeasuredColumn& needed(std::string_view name) const;
   void refuse_others(std::span<const std::string_view> known) const;
+  /// The same in one message for all columns. @param known_beside  of each column, the names known where it stands
+  /// @param otherwise  what to do where no known name is near
+  void refuse_others(const std::function<std::vector<std::string_view>(const MeasuredColumn&)>& known_beside,
+                     const std::string& otherwise) const;
   /// Drops columns. @throws std::invalid_argument if there is none of such a name
   void leave_out(std::span<const std::string> names);
   /// Drops columns that are not `known`, and returns their names. @throws std::invalid_argument if one resembles a
@@ -57,6 +64,9 @@ double measured_number(const MeasuredTable& table, const MeasuredColumn& column,
 /// The numbers of a column, all within a range. @param rule  in place of the range's own
 std::vector<double> measured_numbers(const MeasuredTable& table, const MeasuredColumn& column, std::string_view unit,
                                      const Range& range, const std::string& rule = {});
+
+/// A column's name as the file writes it.
+std::string name_in_file(const MeasuredColumn& column);
 
 /// A column's name with its unit: "speed [km/h]".
 std::string heading(const MeasuredColumn& column);

@@ -4,11 +4,15 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace rollres {
 
-/// Exponents of metre, kilogram, second, kelvin and mole.
-using UnitExponents = std::array<double, 5>;
+/// Units of money, of which none is so many of another.
+inline constexpr std::array<std::string_view, 4> currencies{"EUR", "USD", "GBP", "CHF"};
+
+/// Exponents of metre, kilogram, second, kelvin, mole and the currencies.
+using UnitExponents = std::array<double, 5 + currencies.size()>;
 
 /// A unit by itself: "kN/m2" is 1000 kg/m/s2.
 struct UnitInSi {

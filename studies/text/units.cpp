@@ -42,6 +42,15 @@ ut_system* unit_system() {
       const Unit unit(ut_parse(read.get(), meaning, UT_ASCII));
       ut_map_name_to_unit(name, UT_ASCII, unit.get());
     }
+    // What energy is sold in.
+    const Unit watt_hour(ut_parse(read.get(), "W.hour", UT_ASCII));
+    ut_map_symbol_to_unit("Wh", UT_ASCII, watt_hour.get());
+    for (const std::string_view name : currencies) {
+      const Unit unit(ut_new_base_unit(read.get()));
+      ut_map_unit_to_symbol(unit.get(), name.data(), UT_ASCII);
+      ut_map_symbol_to_unit(name.data(), UT_ASCII, unit.get());
+      if (name == "EUR") ut_map_symbol_to_unit("€", UT_UTF8, unit.get());
+    }
     return read;
   }();
   return system.get();
@@ -201,7 +210,8 @@ UnitInSi unit_in_si(const std::string& unit) {
       throw std::invalid_argument(rule);
   }
   UnitInSi found;
-  constexpr std::array<std::string_view, 5> bases{"m", "kg", "s", "K", "mol"};
+  constexpr std::array<std::string_view, 5 + currencies.size()> bases{
+      "m", "kg", "s", "K", "mol", currencies[0], currencies[1], currencies[2], currencies[3]};
   std::string_view rest(definition.data());
   if (const Leading size = leading_number(rest); !std::isnan(size.number)) {
     found.size = size.number;

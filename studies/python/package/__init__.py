@@ -233,7 +233,7 @@ def _array(values):
 def objective(base, inputs, output="rolling_resistance", *, threads=0, order=4, **replaced):
     """An Objective: an output as a function of some inputs.
 
-    inputs  names of inputs, or a dict of names and bounds: (lowest, highest) in SI, or None
+    inputs  names of inputs, or a dict of names and bounds: (lowest, highest) in SI or as texts with units, or None
     """
     bounds = inputs if isinstance(inputs, dict) else dict.fromkeys(inputs)
     choices = [(key, *(ends if ends is not None else (None, None))) for key, ends in bounds.items()]

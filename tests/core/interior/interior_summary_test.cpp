@@ -1,5 +1,6 @@
 #include "core/interior/interior_summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/reference/reference_inside.hpp"
@@ -106,6 +107,36 @@ TEST_CASE("what is inside is an answer of solve only where it is asked for", "[c
   CHECK(s.interior_loss == Approx(s.viscous_loss).epsilon(1e-6));
   CHECK(s.bond_shear > 0);
   CHECK(s.bond_shear < s.peak_pressure);
+  CHECK(s.bond_shears == std::vector<double>{s.bond_shear});
+}
+
+TEST_CASE("each layer tells what its own bond bears, those under the body from the contact and then those on it",
+          "[core][interior]") {
+  RollingScene wheel = continuous(0);
+  wheel.tolerance = 1e-4;
+  wheel.inertia = Inertia::off;
+  BondedLayer& tyre = wheel.coating_layers.emplace_back();
+  tyre.layer_thickness = 0.002;
+  tyre.material = MaterialModel::elastic;
+  tyre.static_shear_modulus = 5e6;
+  BondedLayer& ground = wheel.lower_layers.emplace_back();
+  ground.layer_thickness = INFINITY;
+  ground.material = MaterialModel::elastic;
+  ground.static_shear_modulus = 4e6;
+  wheel.interior = Interior::on;
+  const RollingSolution s = converged(wheel);
+  const InteriorSummary inside = interior_summary(ContactModel(wheel).with_answer(s), s.fields, Detail::surface);
+  REQUIRE(inside.bonds.size() == 2);
+  REQUIRE(s.bond_shears.size() == 3);
+  for (const Bond& bond : inside.bonds) {
+    CHECK(s.bond_shears[bond.on_body ? 2 : 0] == Approx(bond.shear));
+    CHECK(s.bond_tensions[bond.on_body ? 2 : 0] == Approx(bond.tension));
+  }
+  CHECK(s.bond_shears[1] == 0);  // a half-space ends nowhere
+  CHECK(s.bond_shear == std::max(s.bond_shears[0], s.bond_shears[2]));
+  CHECK(s.bond_shears[0] != s.bond_shears[2]);
+  CHECK(output_number(s, "bond_shears[2]") == s.bond_shears[2]);
+  CHECK(std::isnan(output_number(s, "bond_shears[3]")));
 }
 
 // Amplitudes between the lines of Gauss's rule: without them the two differ by 8e-4 and 2 %.

@@ -227,6 +227,27 @@ TEST_CASE("a master curve that ends far from the contact's frequencies says so",
   std::string warnings;
   for (const std::string& warning : found.warnings) warnings += warning;
   CHECK_THAT(warnings, Contains("master curve: leaves the rolling resistance open by "));
+  CHECK_THAT(warnings, Contains("its rows end at 0.1 Hz, and the contact asks for about "));
+}
+
+TEST_CASE("where a table ends is told at its own temperature, not at that of the contact",
+          "[core][material][rolling_contact]") {
+  const PronySeries series{1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}};
+  RollingScene cold = on_rows(on_solid(series, 5), sampled(series, 5), 0.02, 1);
+  cold.temperature = 253.15;
+  cold.reference_temperature = 293.15;
+  cold.wlf_c1 = 8.86;
+  cold.wlf_c2 = 101.6;
+  const RollingSolution found = solve(cold);
+  std::string warnings;
+  for (const std::string& warning : found.warnings) warnings += warning;
+  const std::string asked = "the contact asks for about ";
+  REQUIRE_THAT(warnings, Contains(asked));
+  const double own = cold.speed / (std::numbers::pi * found.contact_area), shift = std::pow(10, 8.86 * 40 / 61.6);
+  CHECK(std::stod(warnings.substr(warnings.find(asked) + asked.size())) == Approx(own * shift).epsilon(0.01));
+  CHECK(own < cold.frequencies.back());  // by itself it lies inside the table
+  CHECK(own * shift > cold.frequencies.back());
+  CHECK_THAT(warnings, Contains(" Hz at 253 K, a_T = 5.67e+05)"));
 }
 
 TEST_CASE("a frequency that no table has is refused", "[core][material]") {

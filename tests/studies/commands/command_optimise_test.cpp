@@ -20,7 +20,7 @@ const char* const bowl_study = R"({"study": "bowl",
   "scene": {"radius": 0.1, "layer_thickness": 0.005, "static_shear_modulus": 2e6, "stiffening": 2, "creep_time": 0.1,
             "speed": 1, "load": 1e4, "friction_coefficient": 0.3},
   "variables": {"layer_thickness": {"from": "1 mm", "to": "20 mm"}, "static_shear_modulus": {"from": 1e6, "to": 1e7}},
-  "minimise": "rolling_resistance", "constraints": ["peak_pressure >= 1"])";
+  "minimise": "rolling_resistance", "constraints": ["peak_pressure >= 1 Pa"])";
 
 }  // namespace
 
@@ -80,7 +80,7 @@ TEST_CASE("rollres optimise ends with status 1 without an optimum, 2 for wrong w
   const std::string none = folder.write(
       "none.json",
       std::string(bowl_study)
-              .replace(std::string(bowl_study).find("\"peak_pressure >= 1\""), 20, "\"peak_pressure >= 100\"") +
+              .replace(std::string(bowl_study).find("\"peak_pressure >= 1 Pa\""), 23, "\"peak_pressure >= 100 Pa\"") +
           "}");
   const ProgramRun text = run_rollres({"optimise", none, "--db", db}, Bowl::solve);
   CHECK(text.status == 1);

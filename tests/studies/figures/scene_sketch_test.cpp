@@ -65,6 +65,10 @@ TEST_CASE("a sketch names radius, thickness, load, speed and drive with their va
   for (const char* words : {"{/:Italic R} = 20 mm", "{/:Italic H} = 5 mm", "{/:Italic P} = 20 kN/m",
                             "{/:Italic V} = 50 mm/s", "{/:Italic Q} = ", "{/:Italic RΩ}/{/:Italic V} = 1.04"})
     CHECK_THAT(script, Contains(words));
+  RollingScene wide = scene;
+  wide.width = 0.1;
+  *wide.load *= *wide.width;
+  CHECK_THAT(scene_sketch(wide, solve(wide), "a scene", sketch_files).script, Contains("{/:Italic P} = 2 kN "));
 }
 
 TEST_CASE("of a coated wheel on a hard floor the coating is drawn flat, of a layer the layer is dented",

@@ -67,8 +67,8 @@ TEST_CASE("the best of all choices is found, each with the best values of the ot
 
 TEST_CASE("a constraint may rule out the choice that is best without it", "[studies][optimise][choices]") {
   // ln p = x + y - 1.2 <= -0.9: at 3 MPa y = 0.477, x <= -0.18 is outside the box.
-  const auto problems = problems_with(R"("constraints": ["peak_pressure <= 0.40657"], "variables": {)" + moduli + ", " +
-                                      any_thickness + "}");
+  const auto problems = problems_with(R"("constraints": ["peak_pressure <= 0.40657 Pa"], "variables": {)" + moduli +
+                                      ", " + any_thickness + "}");
   StoredEvaluations evaluations(Bowl::solve);
   const ChoicesReport report = optimise_choices(problems, evaluations);
   CHECK(report.status == DesignStatus::optimum);

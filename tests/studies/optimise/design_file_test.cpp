@@ -111,7 +111,7 @@ TEST_CASE("what is wrong in the study file of an optimisation is refused with fi
   const std::string good = thickness + ", " + goal + ", ";
   CHECK_THAT(refusal(good + R"("constraints": ["peak_pressure"])"),
              Contains("constraint 1: peak_pressure: must be two formulas"));
-  CHECK_THAT(refusal(good + R"("constraints": "peak_pressure <= 1")"), Contains("must be a list of conditions"));
+  CHECK_THAT(refusal(good + R"("constraints": "peak_pressure <= 1 Pa")"), Contains("must be a list of conditions"));
   CHECK_THAT(refusal(good + R"("algorithm": "cobila")"), Contains("did you mean cobyla"));
   CHECK_THAT(refusal(good + R"("algorithm": "bobyqa")"),
              Contains("algorithm = \"bobyqa\": needs at least two variables"));

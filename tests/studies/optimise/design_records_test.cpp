@@ -15,7 +15,7 @@ namespace {
 
 const std::string bowl_head = R"({"study": "bowl", "scene": {"radius": 0.1, "layer_thickness": 0.005,
   "static_shear_modulus": 2e6, "stiffening": 2, "creep_time": 0.1, "speed": 1, "load": 1e4},
-  "minimise": {"formula": "rolling_resistance * 2"}, "constraints": ["peak_pressure >= 1"], "variables": )";
+  "minimise": {"formula": "rolling_resistance * 2"}, "constraints": ["peak_pressure >= 1 Pa"], "variables": )";
 const std::string bowl_box = R"({"layer_thickness": {"from": "1 mm", "to": "20 mm", "scale": "logarithmic"},
   "static_shear_modulus": {"from": "1 MPa", "to": "10 MPa", "scale": "logarithmic"}})";
 

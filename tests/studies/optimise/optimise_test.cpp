@@ -64,7 +64,7 @@ TEST_CASE("every algorithm finds the optimum of a closed form on a constraint, a
   const double least = std::exp(Bowl::log_resistance(constrained_x, constrained_y));
   for (const Algorithm algorithm : all_algorithms()) {
     CAPTURE(name_of(algorithm));
-    DesignProblem problem = bowl_problem({"peak_pressure >= 1"});
+    DesignProblem problem = bowl_problem({"peak_pressure >= 1 Pa"});
     problem.algorithm = algorithm;
     const OptimiseReport report = run(problem);
     CHECK(report.status == DesignStatus::optimum);
@@ -93,7 +93,7 @@ TEST_CASE("an optimum on a bound names the bound, and its elasticities are those
 }
 
 TEST_CASE("maximising is minimising the opposite", "[studies][optimise]") {
-  DesignProblem problem = bowl_problem({"peak_pressure >= 1"});
+  DesignProblem problem = bowl_problem({"peak_pressure >= 1 Pa"});
   problem.goal = {Formula("-rolling_resistance", FormulaNames::inputs_and_outputs), true};
   const OptimiseReport report = run(problem);
   CHECK(report.status == DesignStatus::optimum);
@@ -120,7 +120,7 @@ TEST_CASE(
       };
       for (const Algorithm algorithm : all_algorithms()) {
         CAPTURE(name_of(algorithm), edge, static_cast<int>(failure));
-        DesignProblem problem = bowl_problem({"peak_pressure >= 1"});
+        DesignProblem problem = bowl_problem({"peak_pressure >= 1 Pa"});
         problem.algorithm = algorithm;
         if (traits(algorithm).global) problem.stop.evaluations = 300;
         const TemporaryDirectory folder;
@@ -147,7 +147,7 @@ TEST_CASE(
 
 TEST_CASE("an interrupted search goes on from the store to the same design and solves nothing twice",
           "[studies][optimise]") {
-  const DesignProblem problem = bowl_problem({"peak_pressure >= 1"});
+  const DesignProblem problem = bowl_problem({"peak_pressure >= 1 Pa"});
   const OptimiseReport undisturbed = run(problem);
   const TemporaryDirectory folder;
   const StudyRecord study{"bowl", {"layer_thickness", "static_shear_modulus"}, "{}"};
@@ -182,7 +182,7 @@ TEST_CASE("an interrupted search goes on from the store to the same design and s
 }
 
 TEST_CASE("without a feasible design the nearest one is named, and nothing is claimed", "[studies][optimise]") {
-  const OptimiseReport report = run(bowl_problem({"peak_pressure <= 0.5", "peak_pressure >= 1"}));
+  const OptimiseReport report = run(bowl_problem({"peak_pressure <= 0.5 Pa", "peak_pressure >= 1 Pa"}));
   CHECK(report.status == DesignStatus::no_feasible_design);
   CHECK_FALSE(report.best);
   REQUIRE(report.nearest);
@@ -205,7 +205,7 @@ TEST_CASE("a start without an answer is replaced by one that has an answer", "[s
 }
 
 TEST_CASE("a search ends at its limit of evaluations and says so", "[studies][optimise]") {
-  DesignProblem problem = bowl_problem({"peak_pressure >= 1"});
+  DesignProblem problem = bowl_problem({"peak_pressure >= 1 Pa"});
   problem.stop.evaluations = 5;
   const OptimiseReport report = run(problem);
   CHECK(report.status == DesignStatus::evaluation_limit);

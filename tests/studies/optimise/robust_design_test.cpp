@@ -72,7 +72,7 @@ TEST_CASE("the optimum of a mean and of what scatters about it is that of the cl
 TEST_CASE("a limit holds for the quantile that it names", "[studies][optimise]") {
   const Design design = best_of(
       robust(speeds + ", " + friction +
-             R"(, "maximise": "speed", "constraints": [{"condition": "peak_pressure <= 1", "scatter": "P95"}])"));
+             R"(, "maximise": "speed", "constraints": [{"condition": "peak_pressure <= 1 Pa", "scatter": "P95"}])"));
   CHECK(design.point[0] == Approx(1 / (1 + 0.1 * z95)).margin(2e-3));
   REQUIRE(design.constraints.size() == 1);
   CHECK(design.constraints[0].left == Approx(1).margin(1e-3));
@@ -167,7 +167,7 @@ TEST_CASE("goals that do not conflict are said to be so, and no column stands tw
 TEST_CASE("a robust problem that leaves something open is refused", "[studies][optimise]") {
   const auto refusal_of = [](const std::string& rest) { return message_of([&] { robust(speeds + ", " + rest); }); };
   const std::string goal = R"(, "minimise": "rolling_resistance")";
-  CHECK_THAT(refusal_of(friction + goal + R"(, "constraints": ["peak_pressure <= 1"])"),
+  CHECK_THAT(refusal_of(friction + goal + R"(, "constraints": ["peak_pressure <= 1 Pa"])"),
              Contains("what of the scatter must hold it?"));
   CHECK_THAT(refusal_of(friction + goal +
                         R"(, "constraints": [{"condition": "approach <= 0.1 * layer_thickness", "scatter": "P95"}])"),

@@ -68,6 +68,17 @@ def refusals():
     assert refusal(lambda: cylinder.replace(load=1, approach=1e-3)).endswith("give load or approach, not both")
     assert refusal(lambda: rollres.Scene(CYLINDER).replace(speed=None)).startswith("--set: speed = null: must be a number")
     assert "unknown key" in refusal(lambda: rollres.Scene(CYLINDER).replace(speeed=None))
+    wide = cylinder.replace(width=0.1, load=2e3)
+    assert wide.load == 2e3 and wide.replace(width=None, load=20e3) == cylinder
+    assert refusal(lambda: wide.replace(width=None)) == (
+        "--set: width = null: load = 2000 was given of the whole body: give it too, per metre")
+    assert "load = 20000 was given per metre" in refusal(lambda: cylinder.replace(width=0.1))
+    assert "given of the whole body" in refusal(lambda: rollres.Scene(wide.to_dict()).replace(width=None))
+    assert refusal(lambda: rollres.objective(CYLINDER, {"layer_thickness": (3e-3, 6)})) == (
+        'bounds: layer_thickness = 6: did you mean "6 mm"? A number without a unit is in m: write "6 m" if that is meant')
+    assert "6 mm" in refusal(lambda: cylinder.replace(layer_thickness=6)) and "6 mm" in refusal(
+        lambda: rollres.Scene(CYLINDER, layer_thickness=6))
+    assert "name radius" in refusal(lambda: rollres.objective(CYLINDER, ["diameter"]))
     assert "No such file" in refusal(lambda: rollres.solve("no.json"), OSError)
     assert refusal(lambda: rollres.solve(CYLINDER, radius=[1])) == (
         "--set: radius = [1]: must be a number or a text with a unit of length (m)")
@@ -223,6 +234,8 @@ def functions():
     models()
     f = rollres.objective(CYLINDER, {"load": (1e3, 1e5), "creep_time": None}, tolerance=1e-8)
     assert f.names == ["load", "creep_time"] and f.bounds[0] == (1e3, 1e5)
+    thick = rollres.objective(CYLINDER, {"layer_thickness": ("2 mm", 0.01)})
+    assert thick.bounds == [(2e-3, 0.01)]
     assert f.x0 == [20e3, 0.25] and f.scales == [20e3, 0.25]
     value, slopes, errors = f.value_and_gradient(f.x0)
     assert value == f(f.x0) == rollres.solve(CYLINDER, tolerance=1e-8).rolling_resistance

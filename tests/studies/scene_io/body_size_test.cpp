@@ -54,6 +54,8 @@ TEST_CASE("a diameter in place of the radius is twice it", "[studies][scene_io]"
   CHECK(scene_of(of_diameter("200 mm")).radius == 0.1);
   CHECK(scene_of(of_diameter(0.2)).radius == 0.1);
   CHECK(scene_of(rolling_body(), {"diameter=0.5 m"}).radius == 0.25);
+  CHECK(scene_of(rolling_body(), {"diameter=3 m"}).radius == 1.5);  // its unit goes with it
+  CHECK_THAT(refusal_of(rolling_body(), {"diameter=100"}), Contains("diameter = 100: did you mean \"100 mm\"?"));
   CHECK(scene_of(of_diameter(0.2), {"radius=0.25"}).radius == 0.25);
   CHECK(Formula("diameter / layer_thickness", FormulaNames::inputs)(scene_of(rolling_body())) == Approx(20));
 

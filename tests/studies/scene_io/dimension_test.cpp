@@ -80,3 +80,26 @@ TEST_CASE("a definition stands for its formula, in brackets, and only where its 
   CHECK(with_definitions("", names) == "");
   CHECK(with_definitions(" a ", names) == " (speed + 1) ");
 }
+
+TEST_CASE("energy is sold by the kilowatt hour, and money is a unit of its own", "[studies][formula]") {
+  const auto unit = [](const std::string& text) {
+    return unit_of_value(Formula(text, FormulaNames::inputs_and_outputs), Indenter::sphere);
+  };
+  const Formula cost("rolling_resistance * 1000 [km] * 0.3 [EUR/kWh]", FormulaNames::inputs_and_outputs);
+  CHECK(unit(cost.text()) == "EUR");
+  RollingSolution solution;
+  solution.rolling_resistance = 3.6;
+  CHECK(cost(RollingScene(), solution) == Approx(0.3));  // 3.6 MJ are one kWh
+  CHECK(unit("rolling_resistance * speed * 1 [year] / 1 [kWh]") == "1");
+  CHECK(unit("2 [EUR] + 3 [€]") == "EUR");
+  CHECK_FALSE(unit("2 [EUR/m] * radius + 3 [USD]"));
+  CHECK_FALSE(unit("2 [EUR/m] * radius + 3"));
+  CHECK(unit("5 [CHF/m] * radius + 100 [CHF]") == "CHF");
+}
+
+TEST_CASE("formulas know pi", "[studies][formula]") {
+  RollingScene scene;
+  scene.radius = 0.5;
+  CHECK(Formula("2 * pi * radius", FormulaNames::inputs)(scene) == Approx(3.14159265358979));
+  CHECK(unit_of_value(Formula("pi * radius ^ 2", FormulaNames::inputs), Indenter::sphere) == "m2");
+}

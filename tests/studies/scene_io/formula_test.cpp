@@ -51,6 +51,23 @@ TEST_CASE("a formula of an absent number has no value, whatever else it says", "
   CHECK(Formula("radius / layer_thickness", inputs)(half_space) == 0);
 }
 
+TEST_CASE("a formula names the numbers of a list of the answer, by their places", "[studies][formula]") {
+  const Formula shear("max(bond_shears[0], bond_shears[1]) / 1e6", FormulaNames::inputs_and_outputs);
+  RollingSolution solution;
+  CHECK(std::isnan(shear(plain_scene(), solution)));
+  solution.bond_shears = {2e6, 5e6};
+  CHECK(shear(plain_scene(), solution) == Approx(5));
+  CHECK(unit_of(Formula("bond_shears[1]", FormulaNames::inputs_and_outputs), Indenter::cylinder) == "Pa");
+  RollingScene scene = plain_scene();
+  CHECK(message_of([&] { refuse_absent(Formula("bond_shears[0]", FormulaNames::inputs_and_outputs), scene); }) ==
+        "bond_shears[0] is never there: interior = on computes it");
+  scene.interior = Interior::on;
+  CHECK(message_of([&] { refuse_absent(Formula("bond_shears[1]", FormulaNames::inputs_and_outputs), scene); }) ==
+        "bond_shears[1] is never there: the scene has 1 layer: [0]");
+  CHECK(message_of([] { Formula("bond_shears[0]", FormulaNames::inputs); }) ==
+        "bond_shears[0]: bond_shears[0] is known once a scene is solved; here only its inputs are");
+}
+
 TEST_CASE("a formula that cannot be understood is refused with the nearest key", "[studies][formula]") {
   CHECK(refusal("rolling_resistence * 2") ==
         "rolling_resistence * 2: rolling_resistence: unknown key; did you mean rolling_resistance?");

@@ -33,8 +33,21 @@ TEST_CASE("what is inside the layers is written as tables and as a grid for Para
       file_text(folder / "losses.csv").starts_with("layer,z [m],loss [W/m2],share [1],strain_amplitude [1]\nlayer,-"));
   CHECK(file_text(folder / "bonds.csv").starts_with("bond_below,z [m],largest_shear [Pa]"));
   CHECK_FALSE(std::filesystem::exists(folder / "coating.vtr"));
-  CHECK_THAT(interior_text(interior_summary(scene, solution.fields, InteriorField::Detail::inside), scene.indenter),
+  CHECK_THAT(interior_text(interior_summary(scene, solution.fields, InteriorField::Detail::inside), scene),
              Contains("layer: loss 18.") && Contains("(100 %)"));
+  RollingScene wide = scene;
+  wide.width = 0.1;
+  *wide.load *= *wide.width;
+  CHECK_THAT(interior_text(interior_summary(wide, solution.fields, InteriorField::Detail::inside), wide),
+             Contains("layer: loss 1.8") && Contains(" W (100 %)"));
+  write_interior(folder.path / "wide", wide, solution);
+  const auto first_loss = [&](const std::string& file) {
+    const std::string text = file_text(folder / file), line = text.substr(text.find('\n') + 1);
+    const std::size_t place = line.find(',', line.find(',') + 1) + 1;
+    return std::stod(line.substr(place));
+  };
+  CHECK(file_text(folder / "wide/losses.csv").starts_with("layer,z [m],loss [W/m],"));
+  CHECK(first_loss("wide/losses.csv") == Approx(0.1 * first_loss("losses.csv")));
   scene.period = 1;
   CHECK_FALSE(has_interior(scene, solution));
 }

@@ -3,6 +3,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "studies/text/strict_json.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
 #include "tests/infinite.hpp"
 #include "tests/plain_scene.hpp"
 
@@ -20,6 +21,23 @@ TEST_CASE("the model of a scene is told before it is solved, by the method that 
 
   scene.speed = -1;
   CHECK_THROWS_WITH(model_text(scene), Contains("speed = -1: must be > 0"));
+}
+
+TEST_CASE("of a cylinder with a width the model tells loads, torques and the reason of a refusal in N and N m",
+          "[studies][model][width]") {
+  RollingScene scene = paper_cylinder();
+  scene.spacing.reset();
+  scene.tolerance = 1e-6;
+  scene.drive = Drive::torque;
+  scene.driving_torque = 1e5;
+  CHECK_THAT(model_text(scene), Contains("load 2e+04 N/m") && Contains("drive torque 1e+05 N m/m"));
+  CHECK_THAT(solve(scene).reason, Contains("1e+05 N m/m, and "));
+  scene.width = 0.1;
+  scene.load = 2000;
+  scene.driving_torque = 1e4;
+  CHECK_THAT(model_text(scene), Contains("rigid cylinder, 0.1 m wide, ") && Contains("load 2000 N,") &&
+                                    Contains("drive torque 1e+04 N m,"));
+  CHECK_THAT(solve(scene).reason, Contains("1e+04 N m, and ") && !Contains("N m/m"));
 }
 
 TEST_CASE("programs read a model under the names of the source", "[studies][model]") {

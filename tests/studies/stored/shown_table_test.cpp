@@ -86,3 +86,20 @@ TEST_CASE("a query shows by itself what varies, and a value copied from its tabl
   const std::string solved = run_rollres({"show", "1", "--db", database}, closed_form).out;
   CHECK_THAT(solved, Contains("-20 °C") && !Contains("253.15"));
 }
+
+TEST_CASE("a weighted sum has the unit of its column times that of its weight", "[studies][stored][shown_table]") {
+  const TemporaryDirectory folder;
+  const std::string database = folder / "a.db";
+  const auto study =
+      folder.write("study.json",
+                   R"({"study": "duty", "scene": {"radius": 0.1, "layer_thickness": 0.01, "static_shear_modulus": 1e6,
+        "stiffening": 2, "creep_time": 0.1, "speed": 1, "load": 10000}, "axes": {"speed": [1, 2]},
+        "compute": [{"share": "speed < 1.5 ? 0.25 : 0.75"}]})");
+  REQUIRE(run_rollres({"sweep", study.string(), "--db", database}, closed_form).status == ExitStatus::answered);
+  const auto heading = [&](const std::string& aggregate) {
+    return run_rollres({"query", "--db", database, "study=duty", "--aggregate", aggregate}, closed_form).out;
+  };
+  CHECK_THAT(heading("sum rolling_resistance weighted share"), Contains("sum_rolling_resistance_weighted [N/m]"));
+  CHECK_THAT(heading("sum rolling_resistance weighted speed"), Contains("sum_rolling_resistance_weighted [W/m]"));
+  CHECK_THAT(heading("mean rolling_resistance weighted share"), Contains("mean_rolling_resistance_weighted [N/m]"));
+}

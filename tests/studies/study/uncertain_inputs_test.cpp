@@ -176,3 +176,14 @@ TEST_CASE("the parameters of a stored fit scatter by its covariance", "[studies]
           read_study(file);
         }).ends_with("uncertain: fit rubber: its status is NOT IDENTIFIED: its errors tell nothing"));
 }
+
+TEST_CASE("a standard deviation without a unit is refused where it looks like mm or MPa",
+          "[studies][uncertain_inputs]") {
+  CHECK(
+      scatter_refusal(R"("layer_thickness": {"normal": ["12 mm", 2]})") ==
+      "layer_thickness: layer_thickness = 2: did you mean \"2 mm\"? A number without a unit is in m: write \"2 m\" if "
+      "that is meant");
+  CHECK(scatter_refusal(R"("static_shear_modulus": {"normal": ["3 MPa", 0.3]})").find("did you mean \"0.3 MPa\"?") !=
+        std::string::npos);
+  CHECK(scatter_refusal(R"("layer_thickness": {"normal": ["12 mm", 0.002]})") == "nothing");
+}

@@ -1,4 +1,4 @@
-#include "studies/scene_io/vtk_array.hpp"
+#include "studies/text/vtk_array.hpp"
 
 #include <bit>
 #include <cstring>

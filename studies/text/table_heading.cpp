@@ -1,0 +1,129 @@
+#include "studies/text/table_heading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
+#include <utility>
+
+#include "studies/text/unit_in_si.hpp"
+#include "studies/text/words.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// Names that have letters of both cases, and what instruments call others, in small letters.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 25> usual_headings{
+    {{"a_t", "a_T"},
+     {"at", "a_T"},
+     {"b_t", "b_T"},
+     {"bt", "b_T"},
+     {"log10_a_t", "log10_a_T"},
+     {"log_a_t", "log10_a_T"},
+     {"log_at", "log10_a_T"},
+     {"log(at)", "log10_a_T"},
+     {"log(a_t)", "log10_a_T"},
+     {"log10(at)", "log10_a_T"},
+     {"log10(a_t)", "log10_a_T"},
+     {"freq", "frequency"},
+     {"f", "frequency"},
+     {"angular_freq", "angular_frequency"},
+     {"omega", "angular_frequency"},
+     {"ω", "angular_frequency"},
+     {"temp", "temperature"},
+     {"tan(delta)", "tan_delta"},
+     {"tan_(delta)", "tan_delta"},
+     {"tan(δ)", "tan_delta"},
+     {"tan_δ", "tan_delta"},
+     {"tanδ", "tan_delta"},
+     {"tandelta", "tan_delta"},
+     {"loss_factor", "loss_tangent"},
+     {"tan_d", "tan_delta"}}};
+
+/// "E'" of "e’": a letter and strokes, straight or bent.
+std::string modulus_symbol(std::string_view name) {
+  if (name.empty() || std::string_view("eEgG").find(name.front()) == std::string_view::npos) return {};
+  std::string symbol(1, static_cast<char>(std::toupper(static_cast<unsigned char>(name.front()))));
+  name.remove_prefix(1);
+  while (!name.empty()) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> strokes{
+        {{"'", "'"}, {"′", "'"}, {"’", "'"}, {"´", "'"}, {"\"", "''"}, {"″", "''"}, {"”", "''"}}};
+    const auto found = std::find_if(strokes.begin(), strokes.end(),
+                                    [&](const auto& stroke) { return name.starts_with(stroke.first); });
+    if (found == strokes.end()) return {};
+    symbol += found->second;
+    name.remove_prefix(found->first.size());
+  }
+  return symbol == "E'" || symbol == "E''" || symbol == "G'" || symbol == "G''" ? symbol : std::string();
+}
+
+/// The name as keys are written.
+std::string as_key(std::string_view name) {
+  if (std::string symbol = modulus_symbol(name); !symbol.empty()) return symbol;
+  std::string key;
+  for (const char letter : name) {
+    const bool gap = letter == ' ' || letter == '-' || letter == '_';
+    if (gap && !key.empty() && key.back() == '_') continue;
+    key += gap ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  const auto usual =
+      std::find_if(usual_headings.begin(), usual_headings.end(), [&](const auto& one) { return one.first == key; });
+  return usual == usual_headings.end() ? key : std::string(usual->second);
+}
+
+/// The unit as the library of units has it.
+std::string plain_unit(std::string_view unit) {
+  if (unit == "-" || unit == "–") return "1";
+  if (unit == "deg C" || unit == "oC" || unit == "° C" || unit == "ºC") return "degC";
+  return std::string(unit);
+}
+
+/// Where a unit that stands at the end of a heading begins, and where its name ends.
+struct UnitPlace {
+  std::size_t name_end, begin, end;
+};
+
+/// @throws std::invalid_argument if a bracket is not closed
+UnitPlace unit_place(std::string_view text) {
+  const UnitPlace none{text.size(), text.size(), text.size()};
+  const auto layer = text.find("].");  // of coating_layers[0].layer_thickness [mm]
+  const auto open = text.find('[', layer == std::string_view::npos ? 0 : layer);
+  if (open != std::string_view::npos) {
+    if (text.back() != ']')
+      throw std::invalid_argument('"' + shortened(std::string(text)) +
+                                  "\": must be a name with its unit in brackets: \"speed [m/s]\"");
+    return {open, open + 1, text.size() - 1};
+  }
+  if (const auto round = text.rfind('('); round != std::string_view::npos && round > 0 && text.back() == ')')
+    if (is_unit(trimmed(text.substr(round + 1, text.size() - round - 2)))) return {round, round + 1, text.size() - 1};
+  if (const auto stroke = text.find(" / ");
+      stroke != std::string_view::npos && is_unit(trimmed(text.substr(stroke + 3))))
+    return {stroke, stroke + 3, text.size()};
+  return none;
+}
+
+}  // namespace
+
+bool is_unit(std::string_view text) {
+  const std::string unit = plain_unit(text);
+  if (unit == "1" || unit == "%" || unit == "degC" || unit == "°C" || unit == "°F" || unit == "degF") return true;
+  try {
+    unit_in_si(unit);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+TableHeading table_heading(std::string_view text) {
+  if (text.empty()) throw std::invalid_argument("a column has no name");
+  const UnitPlace place = unit_place(text);
+  const std::string name(trimmed(text.substr(0, place.name_end)));
+  if (name.empty()) throw std::invalid_argument('"' + shortened(std::string(text)) + "\": a column has no name");
+  TableHeading heading{as_key(name), plain_unit(trimmed(text.substr(place.begin, place.end - place.begin))), {}};
+  if (heading.name != name) heading.written = name;
+  return heading;
+}
+
+}  // namespace rollres
