@@ -7,6 +7,7 @@
 #include "core/scene/scene_input.hpp"
 #include "studies/fit/fit_data.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
+#include "studies/scene_io/scene_overrides.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/study/study.hpp"
 #include "studies/text/units.hpp"
