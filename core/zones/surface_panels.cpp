@@ -71,7 +71,8 @@ class AddedSlopes {
       : part_(part), field_(field), contact_(contact), layered_(part.layered()), from_(from), to_(to) {
     if (!layered_) return;
     const double half = contact.half_length();
-    if (part.correction->logarithmic_slope(half, 2 * half) == 0) {
+    by_angle_ = part.correction->logarithmic_slope(half, 2 * half) != 0;
+    if (!by_angle_) {
       tabulate(along_, from, to, most, [&](double x) { return x; });
       return;
     }
@@ -85,8 +86,8 @@ class AddedSlopes {
   SpectralField::Slopes operator()(double x) const {
     if (!layered_) return {0, 0};
     if (!(x >= from_ && x <= to_)) return field_.added_slopes(part_, x);
-    if (ahead_ && x > contact_.to) return from_table(ahead_, angle(x), x);
-    if (behind_ && x < contact_.from) return from_table(behind_, angle(x), x);
+    if (by_angle_ && x > contact_.to) return from_table(ahead_, angle(x), x);
+    if (by_angle_ && x < contact_.from) return from_table(behind_, angle(x), x);
     return from_table(along_, x, x);
   }
 
@@ -118,7 +119,7 @@ class AddedSlopes {
   const SpectralProblem& part_;
   const SpectralField& field_;
   Interval contact_;
-  bool layered_;
+  bool layered_, by_angle_ = false;
   double from_, to_;
   Table along_, ahead_, behind_;
 };
