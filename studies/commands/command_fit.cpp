@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "core/numerics/solution_limits.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/material/material_problem.hpp"
 #include "studies/commands/fit_predictions.hpp"
@@ -93,15 +92,6 @@ MadeFit stored(FitCandidate candidate, FitRecord fit, std::chrono::steady_clock:
   return {std::move(candidate), std::move(fit)};
 }
 
-/// Answers through the store until the user wants an end.
-Evaluate until(const StopSignal& signal, StoredEvaluations& stored) {
-  return [&](const RollingScene& scene) {
-    if (signal.requested()) throw Interrupted();
-    const Interruptible interruptible([&] { return signal.requested().load(); });
-    return stored(scene);
-  };
-}
-
 MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredEvaluations& evaluations,
                             const StopSignal& signal, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
@@ -120,8 +110,9 @@ MadeFit make_resistance_fit(const FitArguments& arguments, FitFile file, StoredE
              std::move(record), begin, arguments, session);
   if (!report.slopes.found() || report.interrupted) return made;
   // The fit is stored whatever becomes of its curves.
-  made.record = with_curves(std::move(made.record), fit_curves(file, report, until(signal, evaluations), arguments.jobs,
-                                                               arguments.out.empty() ? for_the_store : CurveDetail{}));
+  made.record = with_curves(std::move(made.record),
+                            fit_curves(file, report, until_stopped(evaluations, signal.requested()), arguments.jobs,
+                                       arguments.out.empty() ? for_the_store : CurveDetail{}));
   save_fit(open_database(arguments.database, Access::write), made.record);
   if (signal.requested()) session.err << "interrupted: the fit is stored, its curves are not complete\n";
   return made;
@@ -223,7 +214,7 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
   Json object = json_of(made.record);
   if (!arguments.json) session.out << fit_summary(made.record) << std::flush;
   if (arguments.design && known) {
-    const FitDesign next = design_of(given, report, until(signal, stored), arguments.jobs);
+    const FitDesign next = design_of(given, report, until_stopped(stored, signal.requested()), arguments.jobs);
     if (signal.requested()) {
       session.err << "interrupted: the fit is stored, what to measure next is not known\n";
     } else {
@@ -237,7 +228,8 @@ void fit_resistance(const FitArguments& arguments, Session& session) {
     if (!arguments.json) session.out << coverage_summary(counted) << std::flush;
   }
   if (!arguments.predict.scenes.empty() && known && !signal.requested())
-    object["predictions"] = tell_predictions(made.record, arguments.prediction(), until(signal, stored), session);
+    object["predictions"] =
+        tell_predictions(made.record, arguments.prediction(), until_stopped(stored, signal.requested()), session);
   if (!arguments.out.empty() && known) draw(made.record, arguments, session);
   stored.flush();
   if (arguments.json) session.out << text_of(object, 2) << '\n';
@@ -273,7 +265,7 @@ void compare_fits(const FitArguments& given, Session& session) {
     session.err << fit << ": " << name_of(fits.back().report.status) << '\n';
   }
   if (fits.size() < given.fits.size()) throw std::runtime_error("interrupted: the fits that were made are stored");
-  const FitComparison comparison = compare(fits, until(signal, stored), given.jobs);
+  const FitComparison comparison = compare(fits, until_stopped(stored, signal.requested()), given.jobs);
   stored.flush();
   session.status = comparison.fits.front().usable ? ExitStatus::answered : ExitStatus::no_answer;
   if (given.json)

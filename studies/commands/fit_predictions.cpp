@@ -3,7 +3,6 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "core/numerics/solution_limits.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/fit/fit_report.hpp"
 #include "studies/run/stop_signal.hpp"
@@ -16,8 +15,7 @@ namespace rollres {
 
 Json tell_predictions(const FitRecord& fit, const PredictArguments& wanted, const Evaluate& evaluate,
                       Session& session) {
-  constexpr auto& names = ChoiceNames<PredictedAs>::names;
-  const auto as = static_cast<PredictedAs>(std::find(names.begin(), names.end(), wanted.as) - names.begin());
+  const auto as = static_cast<PredictedAs>(find_name(ChoiceNames<PredictedAs>::names, wanted.as));
   const FitPredictions predictions = predictions_of(fit, wanted.scenes, as, wanted.data, evaluate, wanted.jobs);
   if (!wanted.json) session.out << prediction_summary(fit, predictions) << std::flush;
   if (const std::size_t without = predictions.without_answer(); without > 0) {
@@ -45,11 +43,7 @@ void predict_by_stored_fit(const std::string& name, const std::string& database,
     session.out << fit->name << ": " << fit->status << (fit->reason.empty() ? "" : ": " + fit->reason) << '\n';
   if (fit->status != name_of(FitStatus::good) && fit->status != name_of(FitStatus::usable_with_warnings))
     session.status = ExitStatus::no_answer;
-  const Evaluate until_stopped = [&](const RollingScene& scene) {
-    const Interruptible interruptible([&] { return signal.requested().load(); });
-    return stored(scene);
-  };
-  const Json list = tell_predictions(*fit, wanted, until_stopped, session);
+  const Json list = tell_predictions(*fit, wanted, until_stopped(stored, signal.requested()), session);
   stored.flush();
   if (!wanted.json) return;
   Json object = json_of(*fit);

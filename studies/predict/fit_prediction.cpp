@@ -62,21 +62,6 @@ FitKnowledge knowledge_of(const FitRecord& fit, const std::vector<AskedScene>& s
   return known;
 }
 
-/// Offset and scale of a data set.
-struct Instrument {
-  double offset = 0, scale = 1;
-};
-
-Instrument instrument_of(const FitKnowledge& known, const std::string& set) {
-  Instrument instrument;
-  for (std::size_t j = 0; j < known.inputs.size(); ++j) {
-    if (!known.inputs[j].set.empty() && known.inputs[j].set != set) continue;
-    if (known.inputs[j].input.key == offset_key) instrument.offset += known.values[j];
-    if (known.inputs[j].input.key == scale_key) instrument.scale *= known.values[j];
-  }
-  return instrument;
-}
-
 }  // namespace
 
 ParameterName parameter_name(const std::string& name) {
@@ -90,6 +75,16 @@ std::vector<FitParameterRecord> parameters_of(const FitRecord& fit, const std::s
   for (const FitParameterRecord& one : fit.parameters)
     if (!one.fixed && acts_on(parameter_name(one.name), set)) own.push_back(one);
   return own;
+}
+
+Instrument instrument_of(const FitRecord& fit, const std::string& set) {
+  Instrument instrument;
+  for (const FitParameterRecord& one : parameters_of(fit, set)) {
+    const std::string key = parameter_name(one.name).key;
+    if (key == offset_key) instrument.offset += one.value;
+    if (key == scale_key) instrument.scale *= one.value;
+  }
+  return instrument;
 }
 
 void assign_fitted(RollingScene& scene, const FitRecord& fit, const std::string& set) {
@@ -160,7 +155,7 @@ std::vector<PredictedScene> predicted(const FitRecord& fit, const std::string& o
   const double doubt = fit.deviations_known ? 0 : std::sqrt(2.0 / static_cast<double>(fit.degrees));  // of variances
   std::vector<PredictedScene> answer;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const Instrument instrument = instrument_of(known, scenes[i].set);
+    const Instrument instrument = instrument_of(fit, scenes[i].set);
     double value = found[i].value;
     Eigen::VectorXd share = found[i].slope;
     for (std::size_t j = 0; j < known.values.size(); ++j) {

@@ -50,6 +50,12 @@ ParameterName parameter_name(const std::string& name);
 /// The fitted parameters of a record that act on a data set: no noise, nothing fixed.
 std::vector<FitParameterRecord> parameters_of(const FitRecord& fit, const std::string& set);
 
+/// Fitted offset [SI] and scale [1] of a data set's readings.
+struct Instrument {
+  double offset = 0, scale = 1;
+};
+Instrument instrument_of(const FitRecord& fit, const std::string& set);
+
 /// The fitted values put into a scene.
 void assign_fitted(RollingScene& scene, const FitRecord& fit, const std::string& set);
 

@@ -73,13 +73,9 @@ struct DrawnDatum {
 };
 
 std::vector<DrawnDatum> drawn_data(const FitRecord& fit, const FitPredictions& predictions, const std::string& along) {
-  double offset = 0, scale = 1;
-  if (predictions.as == PredictedAs::true_value)
-    for (const FitParameterRecord& one : parameters_of(fit, predictions.asked.scenes.front().scene.set)) {
-      const std::string key = parameter_name(one.name).key;
-      if (key == offset_key) offset += one.value;
-      if (key == scale_key) scale *= one.value;
-    }
+  const Instrument instrument = predictions.as == PredictedAs::true_value
+                                    ? instrument_of(fit, predictions.asked.scenes.front().scene.set)
+                                    : Instrument{};
   const double scatter = fit.deviations_known ? 1 : std::sqrt(fit.reduced_chi_squared);
   std::map<std::int64_t, std::string> labels;
   for (const FitCurveRecord& point : fit.curves) labels[point.curve] = point.label;
@@ -93,8 +89,8 @@ std::vector<DrawnDatum> drawn_data(const FitRecord& fit, const FitPredictions& p
     for (const FitInputRecord& input : fit.inputs)
       if (!same && input.datum == static_cast<std::int64_t>(i + 1) && input.name == along) x = input.value;
     if (std::isfinite(x))
-      data.push_back({x, (one.measured - offset) / scale, scatter * one.deviation / scale,
-                      same ? labels[one.curve] : std::string()});
+      data.push_back({x, (one.measured - instrument.offset) / instrument.scale,
+                      scatter * one.deviation / instrument.scale, same ? labels[one.curve] : std::string()});
   }
   return data;
 }

@@ -147,4 +147,12 @@ EvaluationCount StoredEvaluations::count() const {
   return count_;
 }
 
+Evaluate until_stopped(StoredEvaluations& stored, const std::atomic<bool>& stop) {
+  return [&](const RollingScene& scene) {
+    if (stop) throw Interrupted();
+    const Interruptible interruptible([&] { return stop.load(); });
+    return stored(scene);
+  };
+}
+
 }  // namespace rollres

@@ -89,4 +89,8 @@ class StoredEvaluations {
   std::unique_ptr<Store> store_;
 };
 
+/// Answers through the store until an end is wanted.
+/// @param stop  throws Interrupted in place of the next answer, and in the midst of a solution
+Evaluate until_stopped(StoredEvaluations& stored, const std::atomic<bool>& stop);
+
 }  // namespace rollres
